@@ -14,8 +14,8 @@
 #include "key_factors.hpp"
 #include "measured_plant.hpp"
 #include "photosynthesis_table.hpp"
+#include "problems.hpp"
 #include "reader.hpp"
-#include "report.hpp"
 #include "resolve.hpp"
 #include "search/sensitivity_design.hpp"
 #include "weather_reader.hpp"
@@ -61,22 +61,22 @@ std::vector<Range> all_bounds(const Draft& draft, const Crop& crop) {
 }
 
 //! Makes a component of its draft.
-Neighbour to_neighbour(const Draft& draft, bool assimilates) {
+ComponentEntry to_neighbour(const Draft& draft, bool assimilates) {
     const Campaign& own = draft.campaign;
-    Neighbour neighbour;
-    neighbour.name = own.name;
-    neighbour.standing = draft.standing;
-    neighbour.crop = crop_of(draft);
+    ComponentEntry component;
+    component.name = own.name;
+    component.standing = draft.standing;
+    component.crop = crop_of(draft);
     for (const double row : draft.rows)
-        neighbour.standing.rows.push_back(static_cast<int>(row) - 1);
-    if (draft.has_variation) neighbour.standing.variation = own.field.variation;
-    neighbour.bounds = all_bounds(draft, neighbour.crop);
-    neighbour.free = own.trait_sets.front().value;
-    neighbour.optics = own.optics;
-    neighbour.nir_optics = own.nir_optics;
+        component.standing.rows.push_back(static_cast<int>(row) - 1);
+    if (draft.has_variation) component.standing.variation = own.field.variation;
+    component.bounds = all_bounds(draft, component.crop);
+    component.free = own.trait_sets.front().value;
+    component.optics = own.optics;
+    component.nir_optics = own.nir_optics;
     if (assimilates)
-        neighbour.photosynthesis = to_photosynthesis(draft.photosynthesis);
-    return neighbour;
+        component.photosynthesis = to_photosynthesis(draft.photosynthesis);
+    return component;
 }
 
 //! A sensitivity study ends with the last row of its design, and with nothing
@@ -99,14 +99,14 @@ void plan_study(Draft& draft, Campaign& campaign) {
 }
 
 Campaign complete(Draft& draft, const std::string& source,
-                  const Report& report) {
+                  const Problems& problems) {
     Campaign campaign = draft.campaign;
     const PlantVariation& variation = campaign.field.variation;
     campaign.crop = crop_of(draft);
     campaign.bounds = all_bounds(draft, campaign.crop);
     campaign.reach = reach_of(campaign.crop, campaign.bounds, variation);
-    for (const std::shared_ptr<Draft>& each : draft.neighbours) {
-        const Neighbour& added = campaign.neighbours.emplace_back(
+    for (const std::shared_ptr<Draft>& each : draft.components) {
+        const ComponentEntry& added = campaign.components.emplace_back(
             to_neighbour(*each, draft.has_photosynthesis));
         campaign.reach = std::max(
             campaign.reach,
@@ -129,7 +129,7 @@ Campaign complete(Draft& draft, const std::string& source,
     std::erase_if(campaign.constraints.traits,
                   [](const TraitConstraint& x) { return !constrains(x); });
     campaign.source = source;
-    campaign.warnings = report.warnings();
+    campaign.warnings = problems.warnings();
     campaign.resolved = resolved_text(draft);
     campaign.accuracy = accuracy_keys(draft);
     if (campaign.climates.empty()) campaign.sun_dates = 0;
@@ -139,20 +139,20 @@ Campaign complete(Draft& draft, const std::string& source,
 
 //! Checks a draft whose keys have other values than its file gives them.
 void check_again(Draft& draft) {
-    Report report(draft.campaign.name);
-    check_draft(draft, report);
-    report.throw_if_any();
+    Problems problems(draft.campaign.name);
+    check_draft(draft, problems);
+    problems.throw_if_any();
 }
 
 //! Reports ends of ranges that contradict the rest of the campaign.
-void try_ends(Draft& draft, Report& report) {
+void try_ends(Draft& draft, Problems& problems) {
     for (const KeyFactor& factor : draft.factors())
         for (const double end : {factor.range.lower, factor.range.upper}) try {
                 Draft varied = draft;
                 set_key(varied, factor, end);
                 check_again(varied);
             } catch (const InputError& error) {
-                report.add(
+                problems.add(
                     &factor.range,
                     fmt::format("{}.keys: with {} of {}, {}",
                                 draft.is_study ? "sensitivity" : "search", end,
@@ -167,21 +167,21 @@ Campaign parse(const std::string& text, const std::string& file,
                bool is_study = false) {
     Draft draft;
     draft.is_study = is_study;
-    Report report;
-    read_draft(text, file, source, settings, draft, report);
-    read_weathers(file, source, draft, report);
-    read_objects(file, draft, report);
-    check_draft(draft, report);
-    if (report.empty()) try_ends(draft, report);
-    report.throw_if_any();
-    Campaign campaign = complete(draft, text, report);
+    Problems problems;
+    read_draft(text, file, source, settings, draft, problems);
+    read_weathers(file, source, draft, problems);
+    read_objects(file, draft, problems);
+    check_draft(draft, problems);
+    if (problems.empty()) try_ends(draft, problems);
+    problems.throw_if_any();
+    Campaign campaign = complete(draft, text, problems);
     if (!campaign.varied.keys.empty())
         campaign.draft = std::make_shared<const Draft>(std::move(draft));
     return campaign;
 }
 
-Aim to_aim(const std::string& name, Sense sense,
-           const std::vector<std::string>& components) {
+ObjectiveEntry to_aim(const std::string& name, Sense sense,
+                      const std::vector<std::string>& components) {
     const std::size_t dot = name.find('.');
     if (dot == std::string::npos) return {name, name, {}, sense};
     const auto found =
@@ -214,16 +214,16 @@ Campaign read_study(const std::string& path,
 Crop read_crop(const std::string& path, const Plant* other) {
     const std::string text = read_text(path);
     Draft draft;
-    Report report;
+    Problems problems;
     if (is_measured(path)) {
         draft.is_crop_known = other != nullptr;
         if (other) draft.campaign.crop.baseline = *other;
-        read_measured_draft(text, path, draft, report);
-    } else if (!read_plant_draft(text, path, draft, report)) {
+        read_measured_draft(text, path, draft, problems);
+    } else if (!read_plant_draft(text, path, draft, problems)) {
         return parse(text, path, PlantSource::file_or_table).crop;
     }
-    check_plant(draft, report);
-    report.throw_if_any();
+    check_plant(draft, problems);
+    problems.throw_if_any();
     Crop crop = crop_of(draft);
     crop.rules = rule_names(draft);
     return crop;
@@ -236,29 +236,30 @@ Plant read_plant(const std::string& path) {
 Photosynthesis read_photosynthesis(const std::string& path) {
     const std::string text = read_text(path);
     PhotosynthesisTable table = photosynthesis_of_meshes();
-    Report report;
-    read_tables(text, path, {one_table(photosynthesis_section(table))}, report);
-    check_photosynthesis(table, 0, report);
-    report.throw_if_any();
+    Problems problems;
+    read_tables(text, path, {one_table(photosynthesis_section(table))},
+                problems);
+    check_photosynthesis(table, 0, problems);
+    problems.throw_if_any();
     return to_photosynthesis(table);
 }
 
 SeasonLight read_climate(const std::string& path) {
     const std::string text = read_text(path);
     Draft draft;
-    Report report;
+    Problems problems;
     Campaign& campaign = draft.campaign;
     campaign.sites.assign(1, {});
     campaign.climates.assign(1, {});
     // It has no [optics].
-    report.locate(&campaign.par_fraction, {path, 1, 1});
-    read_tables(text, path, climate_file_tables(campaign), report);
-    read_weathers(path, PlantSource::file_or_table, draft, report);
-    report.throw_if_any();
+    problems.locate(&campaign.par_fraction, {path, 1, 1});
+    read_tables(text, path, climate_file_tables(campaign), problems);
+    read_weathers(path, PlantSource::file_or_table, draft, problems);
+    problems.throw_if_any();
     Case chosen;
     chosen.site = campaign.sites.front();
     chosen.day_name = campaign.climates.front().name;
-    return {light_of(campaign, chosen), report.warnings()};
+    return {light_of(campaign, chosen), problems.warnings()};
 }
 
 void require_breedable(const Campaign& campaign) {
@@ -268,14 +269,14 @@ void require_breedable(const Campaign& campaign) {
 
 std::vector<std::string> component_names(const Campaign& campaign) {
     std::vector<std::string> names{campaign.crop.baseline.name};
-    for (const Neighbour& each : campaign.neighbours)
+    for (const ComponentEntry& each : campaign.components)
         names.push_back(each.name);
     return names;
 }
 
-std::vector<Aim> aims(const Campaign& campaign) {
+std::vector<ObjectiveEntry> objectives_of(const Campaign& campaign) {
     const std::vector<std::string> components = component_names(campaign);
-    std::vector<Aim> all;
+    std::vector<ObjectiveEntry> all;
     for (const std::string& each : campaign.maximised)
         all.push_back(to_aim(each, Sense::maximise, components));
     for (const std::string& each : campaign.minimised)
@@ -291,21 +292,22 @@ std::vector<double> component_weights(const Campaign& campaign) {
 }
 
 std::string unit_of(const Campaign& campaign, const std::string& quantity) {
-    const std::vector<Aim> all = aims(campaign);
-    const bool is_ratio =
-        !campaign.sole.empty() &&
-        std::any_of(all.begin(), all.end(),
-                    [&](const Aim& aim) { return aim.quantity == quantity; });
+    const std::vector<ObjectiveEntry> all = objectives_of(campaign);
+    const bool is_ratio = !campaign.sole.empty() &&
+                          std::any_of(all.begin(), all.end(),
+                                      [&](const ObjectiveEntry& objective) {
+                                          return objective.quantity == quantity;
+                                      });
     return is_ratio ? "1" : unit_of(quantity);
 }
 
 std::string crop_text(const Campaign& campaign, const Plant& baseline,
                       std::size_t component) {
     Draft draft;
-    Report report;
+    Problems problems;
     read_draft(campaign.resolved, campaign.name, PlantSource::table, {}, draft,
-               report);
-    Draft& own = component == 0 ? draft : *draft.neighbours.at(component - 1);
+               problems);
+    Draft& own = component == 0 ? draft : *draft.components.at(component - 1);
     own.campaign.crop.baseline = baseline;
     own.campaign.has_nir = draft.campaign.has_nir;
     return resolved_plant_text(own);
@@ -324,7 +326,7 @@ Campaign at_keys(const Campaign& campaign, Genome& genome) {
         set_key(draft, keys[i], genome[plain + i]);
     genome.resize(plain);
     check_again(draft);
-    return complete(draft, campaign.source, Report());
+    return complete(draft, campaign.source, Problems());
 }
 
 }  // namespace ideotype

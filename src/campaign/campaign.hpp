@@ -163,7 +163,7 @@ struct Standing {
 };
 
 //! A kind of plant that stands in the field beside that of the campaign's crop.
-struct Neighbour {
+struct ComponentEntry {
     std::string name;
     Standing standing;
     Crop crop;
@@ -223,7 +223,7 @@ struct Campaign {
     double nir_soil_albedo = usual_nir_soil_albedo;  //!< the same of the soil
     //! The waveband in which the tolerance bounds the light of leaves.
     BoundedBand bounded_band = BoundedBand::par;
-    std::vector<Neighbour> neighbours;  //!< components beside the crop
+    std::vector<ComponentEntry> components;  //!< components beside the crop
     std::vector<PanelEntry> panels;
     std::vector<ObjectEntry> objects;
     SkyModel sky_model = SkyModel::uniform;  //!< of diffuse light
@@ -259,7 +259,7 @@ struct Campaign {
 };
 
 //! An objective as a campaign asks for it.
-struct Aim {
+struct ObjectiveEntry {
     std::string name;      //!< "net_assimilation" or "soybean.net_assimilation"
     std::string quantity;  //!< its name without that of a component
     std::optional<std::size_t> component{};  //!< if it is of one alone
@@ -274,7 +274,7 @@ std::string doubt_of_lai(double lai);
 std::vector<std::string> component_names(const Campaign& campaign);
 
 //! Returns the objectives of a campaign, at least one.
-std::vector<Aim> aims(const Campaign& campaign);
+std::vector<ObjectiveEntry> objectives_of(const Campaign& campaign);
 
 //! Returns the weight of each component in objectives; empty: they are of all
 //! plants together.

@@ -216,7 +216,7 @@ void append_genes(GeneSpace& genes, const Crop& crop,
 
 Genome baseline_genome(const Campaign& campaign) {
     Genome genome = baseline_numbers(campaign.crop);
-    for (const Neighbour& each : campaign.neighbours)
+    for (const ComponentEntry& each : campaign.components)
         if (!each.free.empty()) {
             const Genome own = baseline_numbers(each.crop);
             genome.insert(genome.end(), own.begin(), own.end());
@@ -237,7 +237,7 @@ Plants grow(const Campaign& campaign, const Genome& genome) {
         return grow(crop, std::vector<double>(first, next));
     };
     Plants plants{grown(campaign.crop, campaign.bounds.size())};
-    for (const Neighbour& each : campaign.neighbours)
+    for (const ComponentEntry& each : campaign.components)
         plants.push_back(each.free.empty()
                              ? each.crop.baseline
                              : grown(each.crop, each.bounds.size()));
@@ -246,7 +246,7 @@ Plants grow(const Campaign& campaign, const Genome& genome) {
 
 std::size_t count_genes(const Campaign& campaign) {
     std::size_t count = campaign.bounds.size();
-    for (const Neighbour& each : campaign.neighbours)
+    for (const ComponentEntry& each : campaign.components)
         if (!each.free.empty()) count += each.bounds.size();
     return count;
 }
@@ -254,7 +254,7 @@ std::size_t count_genes(const Campaign& campaign) {
 GeneSpace gene_space(const Campaign& campaign, const Case& chosen) {
     GeneSpace genes;
     append_genes(genes, campaign.crop, campaign.bounds, chosen.traits, "");
-    for (const Neighbour& each : campaign.neighbours)
+    for (const ComponentEntry& each : campaign.components)
         if (!each.free.empty())
             append_genes(genes, each.crop, each.bounds, each.free,
                          each.name + '.');
@@ -273,7 +273,7 @@ GeneSpace search_genes(const Campaign& campaign, const Case& chosen) {
 
 std::vector<int> bred_rows(const Campaign& campaign) {
     std::vector<bool> is_taken(static_cast<std::size_t>(campaign.field.rows));
-    for (const Neighbour& each : campaign.neighbours)
+    for (const ComponentEntry& each : campaign.components)
         for (const int row : each.standing.rows)
             is_taken[static_cast<std::size_t>(row)] = true;
     std::vector<int> rows;
@@ -285,7 +285,7 @@ std::vector<int> bred_rows(const Campaign& campaign) {
 std::size_t bred_plants(const Campaign& campaign) {
     std::size_t count = bred_rows(campaign).size() *
                         static_cast<std::size_t>(campaign.field.plants);
-    for (const Neighbour& each : campaign.neighbours)
+    for (const ComponentEntry& each : campaign.components)
         count -= static_cast<std::size_t>(each.standing.mixed);
     return count;
 }

@@ -61,10 +61,10 @@ struct Draft {
     }
 
     //! Components that are not bred: each has its crop and its name.
-    std::vector<std::shared_ptr<Draft>> neighbours;
-    std::vector<double> rows;  //!< of the field that a neighbour has, from 1
-    Standing standing;         //!< of a neighbour, without its rows
-    //! Whether plants of a neighbour differ as its own `campaign.field` tells.
+    std::vector<std::shared_ptr<Draft>> components;
+    std::vector<double> rows;  //!< of the field that a component has, from 1
+    Standing standing;         //!< of a component, without its rows
+    //! Whether plants of a component differ as its own `campaign.field` tells.
     bool has_variation = false;
 };
 

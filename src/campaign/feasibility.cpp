@@ -86,58 +86,64 @@ Table feasibility_table(Draft& draft) {
     return table;
 }
 
-void check_feasibility(Draft& draft, Report& report) {
+void check_feasibility(Draft& draft, Problems& problems) {
     const MeasuredLines& known = draft.lines;
     const std::size_t count = known.traits.size();
     for (const LineTrait& trait : known.traits) {
         const auto measure =
             find_measure(draft.campaign.crop.baseline, trait.measure);
         if (!measure)
-            report.add(&trait.measure,
-                       fmt::format("feasibility.trait: the plant has no {} "
-                                   "(which was measured of the lines); remove "
-                                   "it, or take a crop that has it",
-                                   trait.measure));
+            problems.add(
+                &trait.measure,
+                fmt::format("feasibility.trait: the plant has no {} "
+                            "(which was measured of the lines); remove "
+                            "it, or take a crop that has it",
+                            trait.measure));
         else if (measure->is_of_leaves != names_leaf(trait.leaf))
-            report.add(&trait.leaf,
-                       fmt::format("feasibility.trait: leaf is \"{}\" ({} is "
-                                   "{} of leaves); {}",
-                                   trait.leaf, trait.measure,
-                                   measure->is_of_leaves ? "a measure" : "none",
-                                   measure->is_of_leaves
-                                       ? "write for example leaf = \"ear+1\""
-                                       : "remove it"));
+            problems.add(
+                &trait.leaf,
+                fmt::format("feasibility.trait: leaf is \"{}\" ({} is "
+                            "{} of leaves); {}",
+                            trait.leaf, trait.measure,
+                            measure->is_of_leaves ? "a measure" : "none",
+                            measure->is_of_leaves
+                                ? "write for example leaf = \"ear+1\""
+                                : "remove it"));
     }
     for (const MeasuredLine& line : known.lines)
         if (line.values.size() != count)
-            report.add(&line.values,
-                       fmt::format("feasibility.line has {} values (there are "
-                                   "{} traits); give one for each",
-                                   line.values.size(), count));
+            problems.add(
+                &line.values,
+                fmt::format("feasibility.line has {} values (there are "
+                            "{} traits); give one for each",
+                            line.values.size(), count));
     const std::size_t pairs = count < 2 ? 0 : count * (count - 1) / 2;
     if (known.correlations.size() != pairs)
-        report.add(&known.correlations,
-                   fmt::format("feasibility.correlations has {} numbers ({} "
-                               "traits have {} pairs); give one for each pair",
-                               known.correlations.size(), count, pairs));
+        problems.add(
+            &known.correlations,
+            fmt::format("feasibility.correlations has {} numbers ({} "
+                        "traits have {} pairs); give one for each pair",
+                        known.correlations.size(), count, pairs));
     else if (!are_correlations(known))
-        report.add(&known.correlations,
-                   "feasibility.correlations are those of no numbers (their "
-                   "matrix is not positive definite); check them, or leave out "
-                   "a trait that follows from others");
-    else if (report.empty() && count > 0)
+        problems.add(
+            &known.correlations,
+            "feasibility.correlations are those of no numbers (their "
+            "matrix is not positive definite); check them, or leave out "
+            "a trait that follows from others");
+    else if (problems.empty() && count > 0)
         draft.campaign.feasibility.lines = known;
     if (count == 0 && draft.campaign.feasibility.limit > 0)
-        report.add(&draft.campaign.feasibility.limit,
-                   "feasibility.limit has no lines (a distance needs them); "
-                   "add lines = \"FILE.toml\"");
-    for (const Aim& aim : aims(draft.campaign))
-        if (is_of_lines(aim.quantity) && count == 0)
-            report.add(&draft.campaign.maximised,
-                       fmt::format("objective: {} is a distance from measured "
-                                   "lines (which there are not); add "
-                                   "[feasibility] with lines = \"FILE.toml\"",
-                                   aim.name));
+        problems.add(&draft.campaign.feasibility.limit,
+                     "feasibility.limit has no lines (a distance needs them); "
+                     "add lines = \"FILE.toml\"");
+    for (const ObjectiveEntry& objective : objectives_of(draft.campaign))
+        if (is_of_lines(objective.quantity) && count == 0)
+            problems.add(
+                &draft.campaign.maximised,
+                fmt::format("objective: {} is a distance from measured "
+                            "lines (which there are not); add "
+                            "[feasibility] with lines = \"FILE.toml\"",
+                            objective.name));
 }
 
 }  // namespace ideotype

@@ -13,14 +13,14 @@ namespace {
 //! Reports a day of emergence that is not of its period, or without weather
 //! that plants could grow by.
 void check_emergence(const Draft& draft, const Named<Climate>& named,
-                     Report& report) {
+                     Problems& problems) {
     const Climate& climate = named.value;
     const Date& day = climate.emergence;
-    if (!report.usable({&day, &climate.period.from, &climate.period.to}))
+    if (!problems.usable({&day, &climate.period.from, &climate.period.to}))
         return;
     const auto add = [&](const std::string& why) {
-        report.add(&day, fmt::format("climate.emergence is {} {}",
-                                     to_string(day), why));
+        problems.add(&day, fmt::format("climate.emergence is {} {}",
+                                       to_string(day), why));
     };
     if (day < climate.period.from || day > climate.period.to)
         return add(fmt::format(
@@ -32,7 +32,7 @@ void check_emergence(const Draft& draft, const Named<Climate>& named,
             "(the crop file tells no growth); add [growth] to it, an "
             "empty one has a hybrid of maize");
     for (const SiteWeather& weather : draft.campaign.weathers) {
-        if (weather.climate != named.name || !report.empty()) continue;
+        if (weather.climate != named.name || !problems.empty()) continue;
         if (weather.temperature.empty())
             return add(
                 "(the weather has no temperature, which growth "
@@ -51,7 +51,7 @@ void check_emergence(const Draft& draft, const Named<Climate>& named,
                             "a longer period",
                             sum));
         if (sum < maturity_time(draft.growth))
-            report.warn(
+            problems.warn(
                 &day,
                 fmt::format("plants of climate \"{}\" are not mature at the "
                             "end of the period, with {:.0f} of {:.0f} deg C d; "
@@ -61,49 +61,51 @@ void check_emergence(const Draft& draft, const Named<Climate>& named,
 }
 
 //! Reports leaves that do not grow by coming out of a whorl.
-void check_leaves(const Draft& crop, Report& report) {
+void check_leaves(const Draft& crop, Problems& problems) {
     const Plant& plant = crop.campaign.crop.baseline;
     if (crop.is_crop_known && crop.has_growth &&
         (plant.blade.leaflets > 1 || has_petioles(plant)))
-        report.add(&crop.growth.leaves,
-                   "growth.leaves are those of grasses, whose blades come out "
-                   "tip first (this plant has petioles or leaflets); leave "
-                   "out climate.emergence, or [growth] of this crop");
+        problems.add(
+            &crop.growth.leaves,
+            "growth.leaves are those of grasses, whose blades come out "
+            "tip first (this plant has petioles or leaflets); leave "
+            "out climate.emergence, or [growth] of this crop");
 }
 
 }  // namespace
 
-void check_growing(const Draft& draft, Report& report) {
+void check_growing(const Draft& draft, Problems& problems) {
     const auto& climates = draft.campaign.climates;
     const auto growing =
         std::count_if(climates.begin(), climates.end(),
                       [](const auto& each) { return each.value.grows(); });
     for (const Named<Climate>& each : climates)
         if (each.value.grows())
-            check_emergence(draft, each, report);
+            check_emergence(draft, each, problems);
         else if (growing > 0)
-            report.add(&each.name,
-                       fmt::format("climate \"{}\" has no emergence (plants "
-                                   "grow in another); give one to each",
-                                   each.name));
-    if (growing > 0) check_leaves(draft, report);
-    for (const std::shared_ptr<Draft>& each : draft.neighbours) {
-        if (growing > 0) check_leaves(*each, report);
+            problems.add(&each.name,
+                         fmt::format("climate \"{}\" has no emergence (plants "
+                                     "grow in another); give one to each",
+                                     each.name));
+    if (growing > 0) check_leaves(draft, problems);
+    for (const std::shared_ptr<Draft>& each : draft.components) {
+        if (growing > 0) check_leaves(*each, problems);
         if (each->standing.later > 0 && (growing == 0 || !each->has_growth))
-            report.add(&each->standing.later,
-                       "component.later is for plants that grow; remove it, or "
-                       "give [growth] to its crop file and emergence to each "
-                       "[[climate]]");
+            problems.add(
+                &each->standing.later,
+                "component.later is for plants that grow; remove it, or "
+                "give [growth] to its crop file and emergence to each "
+                "[[climate]]");
     }
     if (growing > 0) return;
     for (const auto* list :
          {&draft.campaign.maximised, &draft.campaign.minimised})
         for (const std::string& each : *list)
-            if (report.usable({list}) && is_of_growth(each))
-                report.add(list, fmt::format("the objective {} is of plants "
-                                             "that grow; add emergence to "
-                                             "[[climate]]",
-                                             each));
+            if (problems.usable({list}) && is_of_growth(each))
+                problems.add(list, fmt::format("the objective {} is of plants "
+                                               "that grow; add emergence to "
+                                               "[[climate]]",
+                                               each));
 }
 
 }  // namespace ideotype

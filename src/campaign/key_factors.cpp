@@ -87,19 +87,19 @@ std::string fault(const NamedKey& found) {
 
 //! Whether a range lies in that of a key; otherwise reports.
 bool is_in_range(const KeyFactor& factor, const NamedKey& found,
-                 Report& report) {
+                 Problems& problems) {
     for (const double bound : {factor.range.lower, factor.range.upper}) {
         double scratch = 0;
         Key probe = found.key;
         probe.value = &scratch;
-        Report own;
-        own.locate(&scratch, report.where(&factor.range));
+        Problems own;
+        own.locate(&scratch, problems.where(&factor.range));
         read_value(toml::value(bound), found.section, probe, own);
         if (own.empty()) continue;
         try {
             own.throw_if_any();
         } catch (const InputError& error) {
-            report.add(&factor.range, error.problems().front().what);
+            problems.add(&factor.range, error.problems().front().what);
         }
         return false;
     }
@@ -108,17 +108,19 @@ bool is_in_range(const KeyFactor& factor, const NamedKey& found,
 
 //! @param table of the study or search
 void check_key(const std::string& table, KeyFactor& factor,
-               const std::vector<NamedKey>& keys, Report& report) {
+               const std::vector<NamedKey>& keys, Problems& problems) {
     const auto found = std::find_if(
         keys.begin(), keys.end(),
         [&](const NamedKey& each) { return each.name == factor.key; });
     const std::string what =
         found == keys.end() ? "(there is no such number)" : fault(*found);
     if (!what.empty())
-        return report.add(&factor.key, fmt::format("{}.keys has \"{}\" {}; {}",
-                                                   table, factor.key, what,
-                                                   advice(factor.key, keys)));
-    if (!report.usable({&factor.range}) || !is_in_range(factor, *found, report))
+        return problems.add(
+            &factor.key,
+            fmt::format("{}.keys has \"{}\" {}; {}", table, factor.key, what,
+                        advice(factor.key, keys)));
+    if (!problems.usable({&factor.range}) ||
+        !is_in_range(factor, *found, problems))
         return;
     const std::vector<double> numbers = *numbers_of(found->key);
     const auto& [lower, upper] = factor.range;
@@ -128,40 +130,40 @@ void check_key(const std::string& table, KeyFactor& factor,
 
 //! Checks the keys [[TABLE.keys]].
 void check_keys(const std::string& table, std::vector<KeyFactor>& factors,
-                Draft& draft, Report& report) {
+                Draft& draft, Problems& problems) {
     std::set<std::string> seen;
     const std::vector<NamedKey> keys = variable_keys(draft);
     for (KeyFactor& factor : factors) {
         // Without its file nothing is known of the plant.
-        if (!report.usable({&factor.key}) ||
+        if (!problems.usable({&factor.key}) ||
             (!draft.is_crop_known && factor.key.starts_with(plant_prefix)))
             continue;
         if (seen.insert(factor.key).second)
-            check_key(table, factor, keys, report);
+            check_key(table, factor, keys, problems);
         else
-            report.add(&factor.key,
-                       fmt::format("{}.keys has \"{}\" twice; remove one",
-                                   table, factor.key));
+            problems.add(&factor.key,
+                         fmt::format("{}.keys has \"{}\" twice; remove one",
+                                     table, factor.key));
     }
 }
 
 }  // namespace
 
-void check_sensitivity(Draft& draft, Report& report) {
+void check_sensitivity(Draft& draft, Problems& problems) {
     Variation& varied = draft.varied;
     const int& levels = draft.design.levels;
-    if (report.usable({&levels}) && levels % 2 != 0)
-        report.add(&levels, fmt::format("sensitivity.levels is {} (steps are "
-                                        "half of them); use {}",
-                                        levels, levels + 1));
-    if (report.usable({&varied.has_traits}) && !varied.has_traits &&
+    if (problems.usable({&levels}) && levels % 2 != 0)
+        problems.add(&levels, fmt::format("sensitivity.levels is {} (steps are "
+                                          "half of them); use {}",
+                                          levels, levels + 1));
+    if (problems.usable({&varied.has_traits}) && !varied.has_traits &&
         varied.keys.empty() && draft.is_study)
-        report.add(&varied.has_traits,
-                   "sensitivity.traits is false (and there are no "
-                   "sensitivity.keys, so nothing would vary); name a key, or "
-                   "leave it out");
-    check_keys("sensitivity", varied.keys, draft, report);
-    check_keys("search", draft.searched, draft, report);
+        problems.add(&varied.has_traits,
+                     "sensitivity.traits is false (and there are no "
+                     "sensitivity.keys, so nothing would vary); name a key, or "
+                     "leave it out");
+    check_keys("sensitivity", varied.keys, draft, problems);
+    check_keys("search", draft.searched, draft, problems);
 }
 
 void set_key(Draft& draft, const KeyFactor& factor, double value) {

@@ -33,8 +33,9 @@ struct ReadColumn {
 
 class LeafReader {
   public:
-    LeafReader(const std::string& text, const std::string& file, Report& report)
-        : text_(text), file_(file), report_(report) {}
+    LeafReader(const std::string& text, const std::string& file,
+               Problems& problems)
+        : text_(text), file_(file), problems_(problems) {}
 
     LeafTable read() {
         int number = 0;
@@ -64,7 +65,7 @@ class LeafReader {
 
   private:
     void add(const Location& where, const std::string& what) {
-        report_.add(where, what);
+        problems_.add(where, what);
     }
 
     void read_header(std::string_view line, const Location& where) {
@@ -219,7 +220,7 @@ class LeafReader {
 
     const std::string& text_;
     const std::string& file_;
-    Report& report_;
+    Problems& problems_;
     LeafTable table_;  //!< header in line 0: not read yet
     std::vector<ReadColumn> columns_;
     bool has_ranks_ = false;
@@ -229,8 +230,8 @@ class LeafReader {
 }  // namespace
 
 LeafTable read_leaf_table(const std::string& text, const std::string& file,
-                          Report& report) {
-    return LeafReader(text, file, report).read();
+                          Problems& problems) {
+    return LeafReader(text, file, problems).read();
 }
 
 std::optional<Written> note_of(const std::string& text, const std::string& file,

@@ -28,17 +28,18 @@ double highest_insertion(const Plant& plant) {
 
 //! Reports measures that neither the table nor the crop tells.
 void require_columns(const LeafTable& table, std::size_t leaves_of_crop,
-                     Report& report) {
+                     Problems& problems) {
     if (table.rows.size() == leaves_of_crop) return;
     for (std::size_t m = 0; m < needed_leaf_measures; ++m) {
         const auto& [name, unit, limits, value, meaning] = leaf_measures[m];
         if (table.has[m]) continue;
-        report.add(table.header,
-                   fmt::format("there is no column of the {} (the {} leaves of "
-                               "the crop cannot stand for {} measured ones); "
-                               "add {}_{}",
-                               name, leaves_of_crop, table.rows.size(), name,
-                               std::string_view(unit) == "m" ? "cm" : unit));
+        problems.add(
+            table.header,
+            fmt::format("there is no column of the {} (the {} leaves of "
+                        "the crop cannot stand for {} measured ones); "
+                        "add {}_{}",
+                        name, leaves_of_crop, table.rows.size(), name,
+                        std::string_view(unit) == "m" ? "cm" : unit));
     }
 }
 
@@ -64,7 +65,8 @@ double height_of(const Leaf& leaf, const Blade& blade, LeafHeight of) {
 
 //! Finds by bisection the curvature with which a leaf has the height that was
 //! measured; the more it bends the lower are its tip and its highest point.
-void bend(const LeafRow& row, const Blade& blade, Leaf& leaf, Report& report) {
+void bend(const LeafRow& row, const Blade& blade, Leaf& leaf,
+          Problems& problems) {
     const std::size_t of_curvature = index_of(&Leaf::curvature);
     const auto& [name, unit, limits, value, meaning] =
         leaf_measures[of_curvature];
@@ -77,7 +79,7 @@ void bend(const LeafRow& row, const Blade& blade, Leaf& leaf, Report& report) {
     // A ruler is read to the nearest centimetre.
     const double lowest = height(range.upper), highest = height(range.lower);
     if (row.height < lowest - 0.01 || row.height > highest + 0.01) {
-        report.add(
+        problems.add(
             row.places[of_curvature],
             fmt::format(
                 "the {} of the leaf is at {:.4g} m (a leaf of "
@@ -87,7 +89,7 @@ void bend(const LeafRow& row, const Blade& blade, Leaf& leaf, Report& report) {
                 row.of_height == LeafHeight::tip ? "tip" : "highest point",
                 row.height, leaf.length, leaf.insertion_height,
                 leaf.insertion_angle, lowest, highest));
-        return report.spoil(&leaf.curvature);
+        return problems.spoil(&leaf.curvature);
     }
     while (range.upper - range.lower > 1e-6) {
         const double middle = (range.lower + range.upper) / 2;
@@ -110,7 +112,7 @@ void stack(const LeafTable& table, bool has_internodes, Plant& plant) {
 }
 
 //! Puts what the table tells of each leaf in the place of what is there.
-void overlay(const LeafTable& table, Plant& plant, Report& report) {
+void overlay(const LeafTable& table, Plant& plant, Problems& problems) {
     const bool has_same_leaves = plant.leaves.size() == table.rows.size();
     const bool has_internodes =
         !plant.leaves.empty() && plant.leaves.back().internode > 0;
@@ -120,19 +122,19 @@ void overlay(const LeafTable& table, Plant& plant, Report& report) {
         for (std::size_t m = 0; m < leaf_measures.size(); ++m) {
             double& value = plant.leaves[i].*leaf_measures[m].value;
             const bool is_told = row.places[m].line > 0;
-            report.locate(&value, is_told ? row.places[m] : row.where);
+            problems.locate(&value, is_told ? row.places[m] : row.where);
             if (is_told)
                 value = row.leaf.*leaf_measures[m].value;
             else if (table.has[m] ||
                      (!has_same_leaves && m < needed_leaf_measures))
-                report.spoil(&value);  // its own problem is told already
+                problems.spoil(&value);  // its own problem is told already
         }
     }
     stack(table, has_internodes, plant);
     for (std::size_t i = 0; i < table.rows.size(); ++i) {
         const LeafRow& row = table.rows[i];
         if (row.of_height != LeafHeight::none && plant.leaves[i].length > 0)
-            bend(row, plant.blade, plant.leaves[i], report);
+            bend(row, plant.blade, plant.leaves[i], problems);
     }
 }
 
@@ -143,19 +145,19 @@ bool is_measured(const std::string& path) {
 }
 
 void read_measured_plant(const std::string& text, const std::string& file,
-                         bool is_crop_known, Plant& plant, Report& report) {
-    const LeafTable table = read_leaf_table(text, file, report);
+                         bool is_crop_known, Plant& plant, Problems& problems) {
+    const LeafTable table = read_leaf_table(text, file, problems);
     if (table.rows.empty()) return;
     const auto more = static_cast<int>(table.rows.size()) -
                       static_cast<int>(plant.leaves.size());
     const double was_highest = highest_insertion(plant);
     const double was_high = plant.stalk.height;
-    if (is_crop_known) require_columns(table, plant.leaves.size(), report);
-    overlay(table, plant, report);
+    if (is_crop_known) require_columns(table, plant.leaves.size(), problems);
+    overlay(table, plant, problems);
     if (is_crop_known)
         plant.stalk.height =
             was_high + (highest_insertion(plant) - was_highest);
-    report.locate(&plant.stalk.height, table.header);
+    problems.locate(&plant.stalk.height, table.header);
     for (Organ& organ : plant.organs)
         if (organ.leaf > 0) organ.leaf = std::max(1, organ.leaf + more);
     plant.name = make_name(std::filesystem::path(file).stem().string());

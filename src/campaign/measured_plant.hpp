@@ -4,7 +4,7 @@
 #include <string>
 
 #include "ideotype/crop/plant.hpp"
-#include "report.hpp"
+#include "problems.hpp"
 
 namespace ideotype {
 
@@ -17,6 +17,6 @@ bool is_measured(const std::string& path);
 //! leaf keep its rank from the highest one.
 //! @param is_crop_known false: the plant could not be read
 void read_measured_plant(const std::string& text, const std::string& file,
-                         bool is_crop_known, Plant& plant, Report& report);
+                         bool is_crop_known, Plant& plant, Problems& problems);
 
 }  // namespace ideotype

@@ -26,8 +26,8 @@ struct Entry {
 
 class SceneReader {
   public:
-    SceneReader(const std::string& file, Report& report)
-        : file_(file), report_(report), tables_(file, report) {
+    SceneReader(const std::string& file, Problems& problems)
+        : file_(file), problems_(problems), tables_(file, problems) {
         scene_.file = file;
     }
 
@@ -55,10 +55,10 @@ class SceneReader {
 
   private:
     void add(const toml::node& node, const std::string& what) {
-        report_.add(location(node.source(), file_), what);
+        problems_.add(location(node.source(), file_), what);
     }
     void add(const Location& where, const std::string& what) {
-        report_.add(where, what);
+        problems_.add(where, what);
     }
 
     //! Returns the tables [[name]] of the file.
@@ -263,12 +263,12 @@ class SceneReader {
                 "leaves assimilate); name a band of the materials par");
         PhotosynthesisTable leaves = photosynthesis_of_meshes();
         tables_.read(*table, photosynthesis_section(leaves));
-        check_photosynthesis(leaves, 0, report_);
+        check_photosynthesis(leaves, 0, problems_);
         return to_photosynthesis(leaves);
     }
 
     const std::string& file_;
-    Report& report_;
+    Problems& problems_;
     TableReader tables_;
     MeshScene scene_;
     std::vector<Entry> entries_;
@@ -278,12 +278,12 @@ class SceneReader {
 
 MeshScene read_mesh_scene(const std::string& path) {
     const std::string text = read_text(path);
-    Report report;
-    report.open(path);
+    Problems problems;
+    problems.open(path);
     MeshScene scene;
-    if (const auto top = parse_toml(text, path, report))
-        scene = SceneReader(path, report).read(*top);
-    report.throw_if_any();
+    if (const auto top = parse_toml(text, path, problems))
+        scene = SceneReader(path, problems).read(*top);
+    problems.throw_if_any();
     return scene;
 }
 

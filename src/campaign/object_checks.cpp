@@ -50,23 +50,25 @@ std::string remedy(const std::string& key, double part, double own,
 
 //! Tells a length that does not go into a period.
 void check_period(const std::string& key, const double& value, double own,
-                  const Period& period, Report& report) {
+                  const Period& period, Problems& problems) {
     const double part = value + own, whole = period.length();
     if (divides(part, whole)) return;
-    report.add(&value,
-               fmt::format("panel.{} is {} ({}{:.6g} m does not go into the "
-                           "cell of {} {} x {} {:.6g} m = {:.6g} m a whole "
-                           "number of times); use {}",
-                           key, value, own > 0 ? "module and gap, " : "", part,
-                           period.count_key, period.count, period.step_key,
-                           period.step, whole, remedy(key, part, own, period)));
+    problems.add(
+        &value,
+        fmt::format("panel.{} is {} ({}{:.6g} m does not go into the "
+                    "cell of {} {} x {} {:.6g} m = {:.6g} m a whole "
+                    "number of times); use {}",
+                    key, value, own > 0 ? "module and gap, " : "", part,
+                    period.count_key, period.count, period.step_key,
+                    period.step, whole, remedy(key, part, own, period)));
 }
 
 void check_rows(const PanelRows& rows, const FieldForm& field,
-                const Spacing& spacing, Report& report) {
-    if (!report.usable({&rows.pitch, &rows.azimuth, &rows.module_length,
-                        &rows.gap, &spacing.row, &spacing.plant,
-                        &spacing.row_direction, &field.rows, &field.plants}) ||
+                const Spacing& spacing, Problems& problems) {
+    if (!problems.usable({&rows.pitch, &rows.azimuth, &rows.module_length,
+                          &rows.gap, &spacing.row, &spacing.plant,
+                          &spacing.row_direction, &field.rows,
+                          &field.plants}) ||
         !(spacing.plant > 0))
         return;
     Period across{"field.rows", "spacing.row", spacing.row, field.rows,
@@ -77,7 +79,7 @@ void check_rows(const PanelRows& rows, const FieldForm& field,
     cell.period_y = along.length();
     const auto layout = layout_of(rows, cell, spacing.row_direction);
     if (!layout)
-        return report.add(
+        return problems.add(
             &rows.azimuth,
             fmt::format("panel.azimuth is {} (rows of plants run towards {} "
                         "deg, so that no cell repeats both); use {}, or "
@@ -90,71 +92,75 @@ void check_rows(const PanelRows& rows, const FieldForm& field,
                                       360,
                                   360)));
     if (!layout->is_along) std::swap(across, along);
-    if (rows.pitch > 0) check_period("pitch", rows.pitch, 0, across, report);
+    if (rows.pitch > 0) check_period("pitch", rows.pitch, 0, across, problems);
     const double pitch = in_cell(rows, cell, spacing.row_direction).pitch;
-    if (report.usable({&rows.width}) && rows.width > pitch)
-        report.add(&rows.width,
-                   fmt::format("panel.width is {} (rows are {:.6g} m apart, so "
-                               "that modules would meet); use {:.6g} or less",
-                               rows.width, pitch, pitch));
+    if (problems.usable({&rows.width}) && rows.width > pitch)
+        problems.add(
+            &rows.width,
+            fmt::format("panel.width is {} (rows are {:.6g} m apart, so "
+                        "that modules would meet); use {:.6g} or less",
+                        rows.width, pitch, pitch));
     if (rows.module_length > 0)
-        check_period("gap", rows.gap, rows.module_length, along, report);
+        check_period("gap", rows.gap, rows.module_length, along, problems);
 }
 
 void check_optics(const std::string& table, const Lambertian& optics,
-                  Report& report) {
+                  Problems& problems) {
     constexpr double most = .99;
-    if (report.usable({&optics.reflectance, &optics.transmittance}) &&
+    if (problems.usable({&optics.reflectance, &optics.transmittance}) &&
         optics.scattered() > most)
-        report.add(&optics.transmittance,
-                   fmt::format("a {} reflects and transmits {} of the light "
-                               "(of what it does not absorb nothing is known); "
-                               "use {} or less",
-                               table, optics.scattered(), most));
+        problems.add(
+            &optics.transmittance,
+            fmt::format("a {} reflects and transmits {} of the light "
+                        "(of what it does not absorb nothing is known); "
+                        "use {} or less",
+                        table, optics.scattered(), most));
 }
 
 //! Tells modules that meet each other or the soil.
-void check_modules(const PanelRows& rows, Report& report) {
-    if (!report.usable({&rows.width, &rows.height, &rows.tilt, &rows.tracks,
-                        &rows.max_angle}))
+void check_modules(const PanelRows& rows, Problems& problems) {
+    if (!problems.usable({&rows.width, &rows.height, &rows.tilt, &rows.tracks,
+                          &rows.max_angle}))
         return;
     const double steepest = rows.tracks ? rows.max_angle : rows.tilt;
     const double lowest = rows.width / 2 * std::sin(steepest * degree);
     if (rows.height < lowest)
-        report.add(&rows.height,
-                   fmt::format("panel.height is {} (of the middle of modules, "
-                               "whose lower edge would be in the soil); use "
-                               "{:.6g} or more",
-                               rows.height, lowest));
-    if (report.usable({&rows.gap, &rows.module_length}) && rows.gap > 0 &&
+        problems.add(
+            &rows.height,
+            fmt::format("panel.height is {} (of the middle of modules, "
+                        "whose lower edge would be in the soil); use "
+                        "{:.6g} or more",
+                        rows.height, lowest));
+    if (problems.usable({&rows.gap, &rows.module_length}) && rows.gap > 0 &&
         rows.module_length == 0)
-        report.add(&rows.gap, fmt::format("panel.gap is {} (modules without "
-                                          "end have none); add "
-                                          "module_length, or remove it",
-                                          rows.gap));
+        problems.add(&rows.gap, fmt::format("panel.gap is {} (modules without "
+                                            "end have none); add "
+                                            "module_length, or remove it",
+                                            rows.gap));
 }
 
 //! Tells numbers of faces that are of no vertex.
-void check_faces(const ObjectEntry& object, Report& report) {
-    if (!report.usable({&object.file, &object.faces, &object.vertices})) return;
+void check_faces(const ObjectEntry& object, Problems& problems) {
+    if (!problems.usable({&object.file, &object.faces, &object.vertices}))
+        return;
     const double count = static_cast<double>(object.vertices.size()) / 3;
     if (object.vertices.size() % 3 != 0 || object.faces.size() % 4 != 0 ||
         object.faces.empty() ||
         std::any_of(object.faces.begin(), object.faces.end(), [&](double v) {
             return !(v >= 0 && v < count && v == std::floor(v));
         }))
-        report.add(&object.faces,
-                   fmt::format("object \"{}\" has no surfaces that fit its "
-                               "vertices; give a file: obj = \"post.obj\"",
-                               object.name));
+        problems.add(&object.faces,
+                     fmt::format("object \"{}\" has no surfaces that fit its "
+                                 "vertices; give a file: obj = \"post.obj\"",
+                                 object.name));
 }
 
 }  // namespace
 
-void read_objects(const std::string& file, Draft& draft, Report& report) {
+void read_objects(const std::string& file, Draft& draft, Problems& problems) {
     for (ObjectEntry& object : draft.campaign.objects) {
         if (!object.vertices.empty() || object.file.empty() ||
-            !report.usable({&object.file}))
+            !problems.usable({&object.file}))
             continue;
         try {
             const Mesh mesh = read_obj(path_from(file, object.file)).mesh;
@@ -165,53 +171,55 @@ void read_objects(const std::string& file, Draft& draft, Report& report) {
                                     face.end());
         } catch (const InputError& error) {
             for (const Problem& problem : error.problems())
-                report.add(problem.where, problem.what);
+                problems.add(problem.where, problem.what);
         } catch (const Error& error) {
-            report.add(&object.file, std::string(error.what()) +
-                                         "; give a path relative to this file");
+            problems.add(&object.file,
+                         std::string(error.what()) +
+                             "; give a path relative to this file");
         }
     }
 }
 
-void check_objects(const Draft& draft, Report& report) {
+void check_objects(const Draft& draft, Problems& problems) {
     const Campaign& campaign = draft.campaign;
     std::map<std::string, int> names;
-    for (const std::shared_ptr<Draft>& each : draft.neighbours)
+    for (const std::shared_ptr<Draft>& each : draft.components)
         names[lower_case(each->campaign.name)] = 1;
     const auto check_name = [&](const std::string& table,
                                 const std::string& name) {
-        if (report.usable({&name}) && ++names[lower_case(name)] > 1)
-            report.add(&name, fmt::format("{}.name is \"{}\" (already used); "
-                                          "give each a name of its own",
-                                          table, name));
-        if (report.usable({&campaign.field.boundary, &name}) &&
+        if (problems.usable({&name}) && ++names[lower_case(name)] > 1)
+            problems.add(&name, fmt::format("{}.name is \"{}\" (already used); "
+                                            "give each a name of its own",
+                                            table, name));
+        if (problems.usable({&campaign.field.boundary, &name}) &&
             campaign.field.boundary == Boundary::isolated)
-            report.add(&name, fmt::format("{} \"{}\" repeats with the field, "
-                                          "and field.boundary is \"isolated\"; "
-                                          "use \"periodic\"",
-                                          table, name));
+            problems.add(&name,
+                         fmt::format("{} \"{}\" repeats with the field, "
+                                     "and field.boundary is \"isolated\"; "
+                                     "use \"periodic\"",
+                                     table, name));
     };
     for (const PanelEntry& each : campaign.panels) {
         check_name("panel", each.rows.name);
-        check_modules(each.rows, report);
-        check_optics("panel", each.optics, report);
-        check_optics("panel", each.nir_optics, report);
+        check_modules(each.rows, problems);
+        check_optics("panel", each.optics, problems);
+        check_optics("panel", each.nir_optics, problems);
         for (const Named<Spacing>& spacing : campaign.spacings)
-            check_rows(each.rows, campaign.field, spacing.value, report);
+            check_rows(each.rows, campaign.field, spacing.value, problems);
     }
     for (const ObjectEntry& each : campaign.objects) {
         check_name("object", each.name);
-        check_faces(each, report);
-        check_optics("object", each.optics, report);
-        check_optics("object", each.nir_optics, report);
+        check_faces(each, problems);
+        check_optics("object", each.optics, problems);
+        check_optics("object", each.nir_optics, problems);
     }
     for (const auto* list : {&campaign.maximised, &campaign.minimised})
         for (const std::string& each : *list)
-            if (report.usable({list}) && is_of_panels(each) &&
+            if (problems.usable({list}) && is_of_panels(each) &&
                 campaign.panels.empty())
-                report.add(list, fmt::format("the objective {} needs panels; "
-                                             "add [[panel]]",
-                                             each));
+                problems.add(list, fmt::format("the objective {} needs panels; "
+                                               "add [[panel]]",
+                                               each));
 }
 
 }  // namespace ideotype

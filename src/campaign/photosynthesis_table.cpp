@@ -185,13 +185,13 @@ Table photosynthesis_table(Draft& draft) {
 }
 
 void check_photosynthesis(const PhotosynthesisTable& table, std::size_t leaves,
-                          Report& report) {
+                          Problems& problems) {
     const std::size_t count = leaves > 0 ? leaves : leaves_of(table);
     for (const LeafKey& key : leaf_keys) {
         const std::vector<double>& numbers = table.*key.numbers;
-        if (numbers.empty() || !report.usable({&numbers})) continue;
+        if (numbers.empty() || !problems.usable({&numbers})) continue;
         if (!has(model_of(table), key.numbers))
-            report.add(
+            problems.add(
                 &numbers,
                 fmt::format("photosynthesis.{} is no number of the model "
                             "\"{}\" (it is one of \"{}\"); remove it",
@@ -201,7 +201,7 @@ void check_photosynthesis(const PhotosynthesisTable& table, std::size_t leaves,
                                       }),
                                       "\" or \"")));
         else if (numbers.size() != 1 && numbers.size() != count)
-            report.add(
+            problems.add(
                 &numbers,
                 fmt::format("photosynthesis.{} has {} values ({} has "
                             "{}); give one number, or one for each leaf",

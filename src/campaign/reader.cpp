@@ -43,9 +43,9 @@ bool is_plant(const toml::table& top) {
 
 //! The tables of a file, if it is valid TOML.
 std::optional<toml::table> parse(const std::string& text,
-                                 const std::string& file, Report& report) {
-    report.open(file);
-    return parse_toml(text, file, report);
+                                 const std::string& file, Problems& problems) {
+    problems.open(file);
+    return parse_toml(text, file, problems);
 }
 
 std::string month_and_day(const Date& date) {
@@ -55,12 +55,12 @@ std::string month_and_day(const Date& date) {
 class DraftReader {
   public:
     DraftReader(const std::string& file, PlantSource source, Draft& draft,
-                Report& report)
+                Problems& problems)
         : file_(file),
           source_(source),
           draft_(draft),
-          report_(report),
-          tables_(file, report) {}
+          problems_(problems),
+          tables_(file, problems) {}
 
     void read(const toml::table& top) {
         Campaign& campaign = draft_.campaign;
@@ -69,7 +69,7 @@ class DraftReader {
         if (const auto baseline = top["plant"]["baseline"])
             read_baseline(*baseline.node());
         prepare(top["plant"]["bounds"].value_or<std::string>(""));
-        read_neighbours(top);
+        read_components(top);
         draft_.has_climate = top.contains("climate");
         if (top["plant"]["bounds"].is_table()) draft_.rule.clear();
         const std::vector<Table> tables = campaign_tables(draft_);
@@ -91,8 +91,8 @@ class DraftReader {
         draft_.has_samples = top["sensitivity"]["samples"].node() != nullptr;
         choose_organs();
         for (auto& [name, free] : campaign.trait_sets) sort_traits(free);
-        for (const std::shared_ptr<Draft>& each : draft_.neighbours)
-            DraftReader(file_, source_, *each, report_)
+        for (const std::shared_ptr<Draft>& each : draft_.components)
+            DraftReader(file_, source_, *each, problems_)
                 .sort_traits(each->campaign.trait_sets.front().value);
         // A number of paths alone means all of them.
         if (top["light"]["paths"] && !top["light"]["tolerance"])
@@ -123,7 +123,7 @@ class DraftReader {
     //! A table of measured leaves. What it does not tell is as in the crop that
     //! it names, or, if it names none, in the plant that the draft has.
     void read_measured(const std::string& text, const std::string& file) {
-        report_.open(file);
+        problems_.open(file);
         if (const std::optional<Written> crop = note_of(text, file, "crop")) {
             draft_.is_crop_known = false;
             tables_above_.push_back(file);
@@ -133,14 +133,14 @@ class DraftReader {
                 read_crop_of_table(path_from(file, crop->text), crop->where);
             tables_above_.pop_back();
         } else if (!draft_.is_crop_known) {
-            report_.add(
+            problems_.add(
                 Location{file, 1, 1},
                 "the table names no crop (which tells stalk, organs and "
                 "traits); begin it with a line such as # crop: maize, or "
                 "# crop: FILE.toml");
         }
         read_measured_plant(text, file, draft_.is_crop_known,
-                            draft_.campaign.crop.baseline, report_);
+                            draft_.campaign.crop.baseline, problems_);
     }
 
   private:
@@ -190,7 +190,7 @@ class DraftReader {
             return read_plant(*table, tables_);
         const bool is_path = baseline.is_string();
         if (!is_path || source_ == PlantSource::table)
-            return report_.add(
+            return problems_.add(
                 tables_.where(baseline),
                 fmt::format(
                     "{} is {} (expected: {}); write {}", key, kind(baseline),
@@ -211,11 +211,11 @@ class DraftReader {
         if (const toml::table* table = node.as_table())
             tables_.read(*table, section);
         else
-            report_.add(tables_.where(node),
-                        fmt::format("component.variation is {} (expected: "
-                                    "table); write [component.variation] "
-                                    "before its keys",
-                                    kind(node)));
+            problems_.add(tables_.where(node),
+                          fmt::format("component.variation is {} (expected: "
+                                      "table); write [component.variation] "
+                                      "before its keys",
+                                      kind(node)));
     }
 
     //! Reads what the other keys of a component follow from: its name, its
@@ -234,14 +234,14 @@ class DraftReader {
         tables_.read(table, own_bounds_table(draft_, "component"));
     }
 
-    void read_neighbours(const toml::table& top) {
+    void read_components(const toml::table& top) {
         const toml::array* const all = top["component"].as_array();
         const std::size_t count = all ? all->size() : 0;
         for (std::size_t i = 0; i < std::min(count, most_components); ++i) {
-            Draft& neighbour =
-                *draft_.neighbours.emplace_back(std::make_shared<Draft>());
+            Draft& component =
+                *draft_.components.emplace_back(std::make_shared<Draft>());
             if (const auto* table = all->get_as<toml::table>(i))
-                DraftReader(file_, source_, neighbour, report_)
+                DraftReader(file_, source_, component, problems_)
                     .read_component(*table);
         }
     }
@@ -253,7 +253,7 @@ class DraftReader {
         FileText read = read_file(file, most_input_bytes);
         if (read.is_there) return std::move(read.text);
         const std::string near = nearest_file(file);
-        report_.add(
+        problems_.add(
             named_at,
             fmt::format("{} (named by {}); {}", read.refusal(file), named_by,
                         near.empty() ? "give a path relative to this file"
@@ -266,9 +266,9 @@ class DraftReader {
             path_from(file_, named.value_or<std::string>(""));
         const auto text =
             text_of(file, "feasibility.lines", tables_.where(named));
-        const auto top = text ? parse(*text, file, report_) : std::nullopt;
+        const auto top = text ? parse(*text, file, problems_) : std::nullopt;
         if (!top) return;
-        TableReader tables(file, report_);
+        TableReader tables(file, problems_);
         const std::vector<Table> parts = lines_tables(draft_.lines);
         tables.read(*top, lines_section(draft_.lines), parts);
         for (const Table& part : parts) tables.read(*top, part);
@@ -295,7 +295,7 @@ class DraftReader {
             return read_plant_file(file, "# crop", named_at);
         // It begins and ends with the file that the message is about.
         std::rotate(first, tables_above_.end() - 1, tables_above_.end());
-        report_.add(
+        problems_.add(
             named_at,
             fmt::format("the table takes its crop from itself ({} -> {}); name "
                         "a crop such as maize, or a crop file (.toml)",
@@ -304,8 +304,8 @@ class DraftReader {
     }
 
     void read_crop(const std::string& text, const std::string& file) {
-        TableReader tables(file, report_);
-        if (const auto table = parse(text, file, report_))
+        TableReader tables(file, problems_);
+        if (const auto table = parse(text, file, problems_))
             read_plant(*table, tables);
     }
 
@@ -329,21 +329,21 @@ class DraftReader {
     const std::string& file_;
     PlantSource source_;
     Draft& draft_;
-    Report& report_;
+    Problems& problems_;
     TableReader tables_;
     std::vector<std::string> tables_above_;  //!< each names the next as crop
 };
 
 //! A study has no optimizer. Histories of version 0.2.0 name it as one.
 void leave_out_study(toml::table& top, const std::string& file,
-                     PlantSource source, Draft& draft, Report& report) {
+                     PlantSource source, Draft& draft, Problems& problems) {
     const auto optimizer = top["search"]["optimizer"];
     if (optimizer.value<std::string>() != "sensitivity") return;
     if (source != PlantSource::table)
-        report.add(location(optimizer.node()->source(), file),
-                   "search.optimizer is \"sensitivity\" (a design, which "
-                   "searches for nothing); remove it, and start ideotype "
-                   "sensitivity CAMPAIGN");
+        problems.add(location(optimizer.node()->source(), file),
+                     "search.optimizer is \"sensitivity\" (a design, which "
+                     "searches for nothing); remove it, and start ideotype "
+                     "sensitivity CAMPAIGN");
     draft.is_study = true;
     top["search"].as_table()->erase("optimizer");
 }
@@ -352,50 +352,52 @@ void leave_out_study(toml::table& top, const std::string& file,
 
 void read_draft(const std::string& text, const std::string& file,
                 PlantSource source, const std::vector<std::string>& settings,
-                Draft& draft, Report& report) {
-    auto table = parse(text, file, report);
-    if (table) apply_settings(settings, *table, report);
+                Draft& draft, Problems& problems) {
+    auto table = parse(text, file, problems);
+    if (table) apply_settings(settings, *table, problems);
     if (table && is_plant(*table))
-        report.add(Location{file, 1, 1},
-                   "this is a crop file (it has leaves, but no site to "
-                   "light them); give a campaign, or evaluate the plant in "
-                   "one: ideotype compare PLANT --under CAMPAIGN");
+        problems.add(Location{file, 1, 1},
+                     "this is a crop file (it has leaves, but no site to "
+                     "light them); give a campaign, or evaluate the plant in "
+                     "one: ideotype compare PLANT --under CAMPAIGN");
     else if (table) {
-        leave_out_study(*table, file, source, draft, report);
-        DraftReader(file, source, draft, report).read(*table);
+        leave_out_study(*table, file, source, draft, problems);
+        DraftReader(file, source, draft, problems).read(*table);
     }
 }
 
 void read_tables(const std::string& text, const std::string& file,
-                 const std::vector<Table>& all, Report& report) {
-    report.open(file);
-    const auto top = parse_toml(text, file, report);
+                 const std::vector<Table>& all, Problems& problems) {
+    problems.open(file);
+    const auto top = parse_toml(text, file, problems);
     if (!top) return;
-    TableReader tables(file, report);
+    TableReader tables(file, problems);
     tables.read(*top, Section{file, {}}, all);
     for (const Table& table : all) {
         if (!top->contains(table.name))
-            report.add(Location{file, 1, 1},
-                       fmt::format("there is no table [{0}] (this file is read "
-                                   "for it); write [{0}] and its keys",
-                                   table.name));
+            problems.add(
+                Location{file, 1, 1},
+                fmt::format("there is no table [{0}] (this file is read "
+                            "for it); write [{0}] and its keys",
+                            table.name));
         else
             tables.read(*top, table);
     }
 }
 
 bool read_plant_draft(const std::string& text, const std::string& file,
-                      Draft& draft, Report& report) {
-    const auto table = parse(text, file, report);
+                      Draft& draft, Problems& problems) {
+    const auto table = parse(text, file, problems);
     if (table && !is_plant(*table)) return false;
     if (table)
-        DraftReader(file, PlantSource::table, draft, report).read_plant(*table);
+        DraftReader(file, PlantSource::table, draft, problems)
+            .read_plant(*table);
     return true;
 }
 
 void read_measured_draft(const std::string& text, const std::string& file,
-                         Draft& draft, Report& report) {
-    DraftReader(file, PlantSource::file_or_table, draft, report)
+                         Draft& draft, Problems& problems) {
+    DraftReader(file, PlantSource::file_or_table, draft, problems)
         .read_measured(text, file);
 }
 

@@ -61,24 +61,24 @@ void append_crop(std::string& text, const std::string& prefix, Draft& draft) {
 }
 
 //! Appends the components beside the campaign's crop, each with its own.
-void append_neighbours(std::string& text, const Table& components,
+void append_components(std::string& text, const Table& components,
                        Draft& draft) {
-    for (std::size_t i = 0; i < draft.neighbours.size(); ++i) {
-        Draft& neighbour = *draft.neighbours[i];
-        neighbour.campaign.has_nir = draft.campaign.has_nir;
+    for (std::size_t i = 0; i < draft.components.size(); ++i) {
+        Draft& component = *draft.components[i];
+        component.campaign.has_nir = draft.campaign.has_nir;
         text += "\n[[component]]\n";
         append_keys(text, components.section(i));
-        if (neighbour.has_variation) {
+        if (component.has_variation) {
             text += "\n[component.variation]\n";
             append_keys(text,
-                        variation_section(neighbour.campaign.field.variation,
+                        variation_section(component.campaign.field.variation,
                                           "component.variation"));
         }
         text += "\n[component.crop]\n";
-        append_crop(text, "component.crop.", neighbour);
-        if (neighbour.rule.empty())
+        append_crop(text, "component.crop.", component);
+        if (component.rule.empty())
             append_table(text, "component.",
-                         own_bounds_table(neighbour, "component"));
+                         own_bounds_table(component, "component"));
     }
 }
 
@@ -89,7 +89,7 @@ std::string resolved_text(Draft& draft) {
     append_keys(text, top_section(draft.campaign));
     for (const Table& table : campaign_tables(draft)) {
         if (table.name == "component") {
-            append_neighbours(text, table, draft);
+            append_components(text, table, draft);
             continue;
         }
         // A study searches for nothing.

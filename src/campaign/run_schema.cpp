@@ -92,9 +92,9 @@ namespace {
 //! The names of all objectives, those of single components too.
 std::vector<std::string> objectives_of(const Draft& draft) {
     std::vector<std::string> names = objective_names();
-    if (draft.neighbours.empty()) return names;
+    if (draft.components.empty()) return names;
     std::vector<std::string> components{draft.campaign.crop.baseline.name};
-    for (const std::shared_ptr<Draft>& each : draft.neighbours)
+    for (const std::shared_ptr<Draft>& each : draft.components)
         components.push_back(each->campaign.name);
     for (const std::string& component : components)
         for (const std::string& quantity : additive_objectives())
@@ -169,10 +169,11 @@ Section objective_section(Draft& draft) {
 }
 
 bool asks_for_assimilation(const Campaign& campaign) {
-    const std::vector<Aim> all = aims(campaign);
-    return std::any_of(all.begin(), all.end(), [](const Aim& aim) {
-        return is_of_assimilation(aim.quantity);
-    });
+    const std::vector<ObjectiveEntry> all = objectives_of(campaign);
+    return std::any_of(all.begin(), all.end(),
+                       [](const ObjectiveEntry& objective) {
+                           return is_of_assimilation(objective.quantity);
+                       });
 }
 
 namespace {

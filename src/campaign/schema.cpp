@@ -258,7 +258,7 @@ Section traits_section(const Draft& draft, Named<TraitSet>& traits) {
         .one_of(trait_names(draft))
         .required(R"(["insertion_angle", "azimuth"])");
     // Components may be bred in the place of the crop.
-    free.is_required = draft.neighbours.empty();
+    free.is_required = draft.components.empty();
     return {"traits", {entry_name(traits.name, "", R"("angles")"), free}};
 }
 
@@ -410,10 +410,10 @@ Table band_table(Campaign& campaign) {
     return table;
 }
 
-Section component_section(Draft& neighbour) {
+Section component_section(Draft& component) {
     return {
         "component",
-        {Key("name", &neighbour.campaign.name,
+        {Key("name", &component.campaign.name,
              "of the kind of plant, as files and figures tell it")
              .set(&Key::range, name_range)
              .required("\"weed\""),
@@ -423,59 +423,59 @@ Section component_section(Draft& neighbour) {
              .set(&Key::type, "path or table")
              .set(&Key::range, "-")
              .required("\"crops/mine.toml\""),
-         Key("free", &neighbour.campaign.trait_sets.front().value,
+         Key("free", &component.campaign.trait_sets.front().value,
              "what is bred of it; left out, it stays as its crop file has it")
              .set(&Key::range, "traits of its crop file")
              .set(&Key::initial, "[]")
              .like(R"(["width"])")
              .set(&Key::is_written,
-                  !neighbour.campaign.trait_sets.front().value.empty())
-             .one_of(trait_names(neighbour)),
-         Key("bounds", neighbour.rule.empty() ? Target{} : &neighbour.rule,
+                  !component.campaign.trait_sets.front().value.empty())
+             .one_of(trait_names(component)),
+         Key("bounds", component.rule.empty() ? Target{} : &component.rule,
              "as `plant.bounds`, of its own crop file; or [component.bounds]")
              .set(&Key::type, "text or table")
              .set(&Key::initial, "\"traits\"")
              .set(&Key::range, "rules of its crop file")
-             .set(&Key::is_written, neighbour.rule != "traits")
-             .one_of(rule_names(neighbour)),
+             .set(&Key::is_written, component.rule != "traits")
+             .one_of(rule_names(component)),
          Key("variation", {},
              "how its plants differ, with the keys of [field.variation], in "
              "the place of those of the field; {} for plants that do not")
              .set(&Key::type, "table")
              .set(&Key::range, "-")
              .set(&Key::initial, "as the field"),
-         Key("rows", &neighbour.rows,
+         Key("rows", &component.rows,
              "rows of the field that it stands in instead of the crop's "
              "plants, counted from 1")
              .within(1, 100)
              .set(&Key::count, any_count)
              .set(&Key::type, "list of integers")
              .set(&Key::initial, "none")
-             .set(&Key::is_written, !neighbour.rows.empty())
+             .set(&Key::is_written, !component.rows.empty())
              .like("[2, 4]"),
-         Key("mixed", &neighbour.standing.mixed,
+         Key("mixed", &component.standing.mixed,
              "in the place of `rows`: so many of the places of plants "
              "that are bred, drawn anew for each generation")
              .within(0, 10000)
-             .set(&Key::is_written, neighbour.standing.mixed > 0),
-         Key("plants", &neighbour.standing.plants,
+             .set(&Key::is_written, component.standing.mixed > 0),
+         Key("plants", &component.standing.plants,
              "in each of its rows; 0: as many as `field.plants`")
              .within(0, 1000)
-             .set(&Key::is_written, neighbour.standing.plants > 0),
-         Key("later", &neighbour.standing.later,
+             .set(&Key::is_written, component.standing.plants > 0),
+         Key("later", &component.standing.later,
              "how many days after `climate.emergence` it emerges")
              .within(0, 200, "d")
-             .set(&Key::is_written, neighbour.standing.later > 0),
-         Key("jitter", &neighbour.standing.jitter,
+             .set(&Key::is_written, component.standing.later > 0),
+         Key("jitter", &component.standing.jitter,
              "largest random turn of each of its plants, in the place of "
              "`field.jitter` and `field.variation.across_row`")
              .within(0, 180, "deg")
              .set(&Key::initial, "as the field")
-             .set(&Key::is_written, neighbour.standing.jitter.has_value())}};
+             .set(&Key::is_written, component.standing.jitter.has_value())}};
 }
 
 Table component_table(Draft& draft) {
-    std::vector<std::shared_ptr<Draft>>& all = draft.neighbours;
+    std::vector<std::shared_ptr<Draft>>& all = draft.components;
     return {"component",
             [&all](std::size_t i) { return component_section(*all.at(i)); },
             [&all] { return all.size(); },

@@ -41,7 +41,7 @@ using Target =
                  std::vector<double>*, std::vector<std::string>*,
                  std::optional<Column>*, Choice>;
 
-//! The address behind a target, which identifies the value in a Report.
+//! The address behind a target, which identifies the value in a Problems.
 const void* address(const Target& target);
 
 //! The form in which a number is written.

@@ -45,8 +45,8 @@ std::optional<toml::table> read(const std::string& setting,
 
 class Merger {
   public:
-    Merger(const std::string& name, Report& report)
-        : name_(name), report_(report) {}
+    Merger(const std::string& name, Problems& problems)
+        : name_(name), problems_(problems) {}
 
     void merge(toml::table& into, toml::table& from, const std::string& path) {
         for (auto&& [key, node] : from) {
@@ -75,31 +75,32 @@ class Merger {
         if (!list || !list->is_homogeneous<toml::table>()) return nullptr;
         if (list->size() == 1) return list->front().as_table();
         is_refused_ = true;
-        report_.add(Location{name_},
-                    fmt::format("there are {} tables [[{}]] (it is not clear "
-                                "which is meant); change the file",
-                                list->size(), name));
+        problems_.add(Location{name_},
+                      fmt::format("there are {} tables [[{}]] (it is not clear "
+                                  "which is meant); change the file",
+                                  list->size(), name));
         return nullptr;
     }
 
     const std::string& name_;
-    Report& report_;
+    Problems& problems_;
     bool is_refused_ = false;
 };
 
 }  // namespace
 
 void apply_settings(const std::vector<std::string>& settings,
-                    toml::table& campaign, Report& report) {
+                    toml::table& campaign, Problems& problems) {
     for (const std::string& setting : settings) {
         const std::string name = std::string(command_line_mark) + setting;
-        report.open(name);
+        problems.open(name);
         if (auto table = read(setting, name))
-            Merger(name, report).merge(campaign, *table, "");
+            Merger(name, problems).merge(campaign, *table, "");
         else
-            report.add(Location{name},
-                       "not a key and its value (as in a campaign file); write "
-                       "for example --set search.optimizer=random");
+            problems.add(
+                Location{name},
+                "not a key and its value (as in a campaign file); write "
+                "for example --set search.optimizer=random");
     }
 }
 

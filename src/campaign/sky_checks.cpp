@@ -13,8 +13,8 @@ namespace ideotype {
 
 namespace {
 
-void check_site(const Site& site, Report& report) {
-    if (!report.usable({&site.longitude, &site.utc_offset})) return;
+void check_site(const Site& site, Problems& problems) {
+    if (!problems.usable({&site.longitude, &site.utc_offset})) return;
     // Real clocks are within four hours of the sun, summer time included, and
     // few are more than two off.
     constexpr double unusual = 2, impossible = 4;
@@ -26,27 +26,27 @@ void check_site(const Site& site, Report& report) {
         site.utc_offset, std::abs(ahead), ahead > 0 ? "ahead of" : "behind",
         site.longitude);
     if (std::abs(ahead) > impossible)
-        report.add(&site.utc_offset,
-                   what + "; check the signs: east is positive in both");
+        problems.add(&site.utc_offset,
+                     what + "; check the signs: east is positive in both");
     else
-        report.warn(&site.utc_offset,
-                    what + "; check both, few places have such a clock");
+        problems.warn(&site.utc_offset,
+                      what + "; check both, few places have such a clock");
 }
 
-void check_day(const DaySpan& day, Report& report) {
-    if (!report.usable({&day.start, &day.end})) return;
+void check_day(const DaySpan& day, Problems& problems) {
+    if (!problems.usable({&day.start, &day.end})) return;
     if (day.end <= day.start)
-        return report.add(
+        return problems.add(
             &day.end, fmt::format("day.end is {} (not after the start at "
                                   "{}); give a later end",
                                   clock_text(day.end), clock_text(day.start)));
-    if (!report.usable({&day.step_minutes})) return;
+    if (!problems.usable({&day.step_minutes})) return;
     const double span = (day.end - day.start) * 60;
     const double steps = span / day.step_minutes;
     const double instants = steps * static_cast<double>(day.dates.size());
     constexpr double most = 1e6;
     if (instants > most)
-        return report.add(
+        return problems.add(
             &day.step_minutes,
             fmt::format(
                 "day.step_minutes is {} min (with {} dates that is "
@@ -55,7 +55,7 @@ void check_day(const DaySpan& day, Report& report) {
                 day.step_minutes, day.dates.size(), instants, most));
     if (std::abs(steps - std::round(steps)) < 1e-6 && steps > 0.5) return;
     const double fewer = std::max(1.0, std::floor(steps));
-    report.add(
+    problems.add(
         &day.step_minutes,
         fmt::format("day.step_minutes is {} min (does not divide the "
                     "{:.6g} min from start to end); use {:.6g} or "
@@ -63,28 +63,29 @@ void check_day(const DaySpan& day, Report& report) {
                     day.step_minutes, span, span / (fewer + 1), span / fewer));
 }
 
-void check_light(const Site& site, const Named<DaySpan>& day, Report& report) {
+void check_light(const Site& site, const Named<DaySpan>& day,
+                 Problems& problems) {
     const DaySpan& span = day.value;
-    if (!report.usable({&site.latitude, &site.longitude, &site.utc_offset,
-                        &site.elevation, &site.linke_turbidity, &span.dates,
-                        &span.start, &span.end, &span.step_minutes}) ||
+    if (!problems.usable({&site.latitude, &site.longitude, &site.utc_offset,
+                          &site.elevation, &site.linke_turbidity, &span.dates,
+                          &span.start, &span.end, &span.step_minutes}) ||
         clear_days(site, span, 1).incident() > 0)
         return;
     const Daylight sun = daylight(site, span.dates[0]);
     const std::string what = fmt::format(
         "day \"{}\" has no light at site \"{}\" ", day.name, site.name);
     if (sun.sunrise && sun.sunset)
-        report.add(
-            report.where(&span.start),
+        problems.add(
+            problems.where(&span.start),
             what + fmt::format("(the sun is up from {} to {}); give a start "
                                "and an end within, or a shorter step",
                                clock_time(*sun.sunrise),
                                clock_time(*sun.sunset)));
     else
-        report.add(report.where(&span.dates),
-                   what +
-                       "(the sun is down all day); take another date or "
-                       "site");
+        problems.add(problems.where(&span.dates),
+                     what +
+                         "(the sun is down all day); take another date or "
+                         "site");
 }
 
 double total(const std::vector<double>& values) {
@@ -93,26 +94,27 @@ double total(const std::vector<double>& values) {
 
 }  // namespace
 
-void check_sky(const Campaign& campaign, Report& report) {
-    for (const Site& site : campaign.sites) check_site(site, report);
+void check_sky(const Campaign& campaign, Problems& problems) {
+    for (const Site& site : campaign.sites) check_site(site, problems);
     for (const Named<DaySpan>& day : campaign.days)
-        check_day(day.value, report);
+        check_day(day.value, problems);
     for (const Site& site : campaign.sites)
         for (const Named<DaySpan>& day : campaign.days)
-            check_light(site, day, report);
+            check_light(site, day, problems);
     if (campaign.climates.empty()) return;
     const std::string& climate = campaign.climates[0].name;
     if (!campaign.days.empty())
-        report.add(report.where(&climate),
-                   "there are both [[climate]] and [[day]] (each case has one "
-                   "of them); remove one, or write two campaigns");
+        problems.add(
+            problems.where(&climate),
+            "there are both [[climate]] and [[day]] (each case has one "
+            "of them); remove one, or write two campaigns");
     for (const SiteWeather& weather : campaign.weathers)
-        if (report.empty() &&
+        if (problems.empty() &&
             !(total(weather.beam) + total(weather.diffuse) > 0))
-            report.add(report.where(&climate),
-                       fmt::format("climate \"{}\" has no light at site "
-                                   "\"{}\"; take another period",
-                                   weather.climate, weather.site));
+            problems.add(problems.where(&climate),
+                         fmt::format("climate \"{}\" has no light at site "
+                                     "\"{}\"; take another period",
+                                     weather.climate, weather.site));
 }
 
 }  // namespace ideotype

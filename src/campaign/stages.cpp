@@ -211,7 +211,7 @@ const Climate& climate_of(const Campaign& campaign, const Case& chosen) {
 const Growth* growth_of(const Campaign& campaign, std::size_t component) {
     const Crop& crop = component == 0
                            ? campaign.crop
-                           : campaign.neighbours.at(component - 1).crop;
+                           : campaign.components.at(component - 1).crop;
     return crop.growth ? &*crop.growth : nullptr;
 }
 
@@ -228,12 +228,12 @@ void add_stages(const Campaign& campaign, Case& one) {
     const std::vector<double> at =
         stage_times(shapes, season.times[season.end - 1], campaign.stages);
     std::vector<std::vector<double>> times{season.times};
-    for (std::size_t c = 1; c <= campaign.neighbours.size(); ++c)
+    for (std::size_t c = 1; c <= campaign.components.size(); ++c)
         times.push_back(
             growth_of(campaign, c)
                 ? thermal_times(*growth_of(campaign, c),
                                 climate_of(campaign, one).emergence,
-                                campaign.neighbours[c - 1].standing.later,
+                                campaign.components[c - 1].standing.later,
                                 series)
                 : std::vector<double>(season.times.size()));
     const Case whole = one;

@@ -96,20 +96,22 @@ std::string problem(const toml::parse_error& error, const std::string& line) {
 }  // namespace
 
 std::optional<toml::table> parse_toml(const std::string& text,
-                                      const std::string& file, Report& report) {
+                                      const std::string& file,
+                                      Problems& problems) {
     if (const auto at = find_deep_key(text)) {
-        report.add(place(text, *at, file),
-                   fmt::format("a key has more than {} parts (joined by dots, "
-                               "the keys of a campaign have at most 4); "
-                               "correct this line",
-                               most_parts));
+        problems.add(
+            place(text, *at, file),
+            fmt::format("a key has more than {} parts (joined by dots, "
+                        "the keys of a campaign have at most 4); "
+                        "correct this line",
+                        most_parts));
         return std::nullopt;
     }
     try {
         return toml::parse(text, file);
     } catch (const toml::parse_error& error) {
-        report.add(location(error.source(), file),
-                   problem(error, line_of(text, error.source().begin.line)));
+        problems.add(location(error.source(), file),
+                     problem(error, line_of(text, error.source().begin.line)));
         return std::nullopt;
     }
 }

@@ -6,13 +6,14 @@
 
 #include <toml++/toml.h>
 
-#include "report.hpp"
+#include "problems.hpp"
 
 namespace ideotype {
 
 //! Parses TOML text; if its syntax is wrong, reports where first and returns
 //! nothing.
 std::optional<toml::table> parse_toml(const std::string& text,
-                                      const std::string& file, Report& report);
+                                      const std::string& file,
+                                      Problems& problems);
 
 }  // namespace ideotype

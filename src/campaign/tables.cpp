@@ -65,16 +65,16 @@ void TableReader::read(const toml::table& table, const Section& section,
     for (const Key& key : section.keys) {
         const toml::node* node = table.get(key.name);
         const void* id = address(key.value);
-        report_.locate(id, where(node ? *node : table));
+        problems_.locate(id, where(node ? *node : table));
         if (node) {
-            read_value(*node, section.name, key, report_);
+            read_value(*node, section.name, key, problems_);
         } else if (misspelt.count(key.name) != 0) {
-            report_.spoil(id);
+            problems_.spoil(id);
         } else if (key.is_required && !table.contains(key.unless)) {
-            report_.add(id, fmt::format("missing key '{}' {} (it has no "
-                                        "default); add {} = {}",
-                                        key.name, place(section.name), key.name,
-                                        key.example));
+            problems_.add(id, fmt::format("missing key '{}' {} (it has no "
+                                          "default); add {} = {}",
+                                          key.name, place(section.name),
+                                          key.name, key.example));
         }
     }
 }
@@ -86,10 +86,11 @@ void TableReader::read(const toml::table& parent, const Table& table) {
         node ? entries(*node, table) : std::vector<const toml::table*>{};
     // Checks of entries against each other would take for ever.
     if (found.size() > table.most) {
-        report_.add(where(*found[table.most]),
-                    fmt::format("there are {} tables [[{}]] (the limit is {}); "
-                                "remove some",
-                                found.size(), table.name, table.most));
+        problems_.add(
+            where(*found[table.most]),
+            fmt::format("there are {} tables [[{}]] (the limit is {}); "
+                        "remove some",
+                        found.size(), table.name, table.most));
         found.resize(table.most);
     }
     if (node && table.resize) table.resize(found.size());
@@ -103,7 +104,7 @@ void TableReader::read(const toml::table& parent, const Table& table) {
 void TableReader::locate(const Table& table, const Location& place) {
     for (std::size_t i = 0; i < table.size(); ++i)
         for (const Key& key : table.section(i).keys)
-            report_.locate(address(key.value), place);
+            problems_.locate(address(key.value), place);
     for (const Table& child : table.children) locate(child, place);
 }
 
@@ -111,8 +112,8 @@ std::vector<const toml::table*> TableReader::entries(const toml::node& node,
                                                      const Table& table) {
     if (const toml::table* one = node.as_table()) return {one};
     const auto refuse = [&](const toml::node& found, const std::string& how) {
-        report_.add(where(found), fmt::format("{} is {} (expected: {}",
-                                              table.name, kind(found), how));
+        problems_.add(where(found), fmt::format("{} is {} (expected: {}",
+                                                table.name, kind(found), how));
     };
     const std::string lists = fmt::format(
         "tables); write [[{}]] before the keys of each", table.name);
@@ -142,10 +143,10 @@ void TableReader::report_missing(const toml::table& parent,
         if (key.is_required) needed.push_back(key.name);
     if (table.resize) table.resize(0);
     if (!needed.empty())
-        report_.add(where(parent),
-                    fmt::format("missing table [{}] (it has no default); add "
-                                "it with {}",
-                                table.name, fmt::join(needed, ", ")));
+        problems_.add(where(parent),
+                      fmt::format("missing table [{}] (it has no default); add "
+                                  "it with {}",
+                                  table.name, fmt::join(needed, ", ")));
 }
 
 namespace {
@@ -176,10 +177,10 @@ bool TableReader::is_gone(const std::string& section, const toml::key& key,
                             (value.value_or(0.) == 0 && !value.value_or(false));
         const bool is_history = file_.ends_with(".h5") && section != "light";
         if (!is_off && !is_history)
-            report_.add(location(key.source(), file_),
-                        fmt::format("{}.{} is a key of versions up to 0.2.3; "
-                                    "use {}",
-                                    section, gone.name, gone.instead));
+            problems_.add(location(key.source(), file_),
+                          fmt::format("{}.{} is a key of versions up to 0.2.3; "
+                                      "use {}",
+                                      section, gone.name, gone.instead));
         return true;
     }
     return false;
@@ -201,7 +202,7 @@ std::set<std::string> TableReader::report_unknown(
         const bool is_table = value.is_table() || value.is_array_of_tables();
         const std::string nearest = nearest_name(name, is_table ? known : keys);
         misspelt.insert(nearest);
-        report_.add(
+        problems_.add(
             location(key.source(), file_),
             fmt::format("unknown {} '{}' {} (nothing would read it); "
                         "{}",

@@ -7,7 +7,7 @@
 
 #include <toml++/toml.h>
 
-#include "report.hpp"
+#include "problems.hpp"
 #include "schema.hpp"
 
 namespace ideotype {
@@ -16,8 +16,8 @@ namespace ideotype {
 //! unknown and missing keys.
 class TableReader {
   public:
-    TableReader(const std::string& file, Report& report)
-        : file_(file), report_(report) {}
+    TableReader(const std::string& file, Problems& problems)
+        : file_(file), problems_(problems) {}
 
     //! Reads the keys of a table; children are read on their own.
     void read(const toml::table& table, const Section& section,
@@ -45,7 +45,7 @@ class TableReader {
                                          const std::vector<Table>& children);
 
     std::string file_;
-    Report& report_;
+    Problems& problems_;
 };
 
 }  // namespace ideotype

@@ -15,19 +15,19 @@ namespace {
 //! One trait of a crop file against the measures of its plant.
 class TraitCheck {
   public:
-    TraitCheck(const TraitEntry& entry, Plant& plant, Report& report)
+    TraitCheck(const TraitEntry& entry, Plant& plant, Problems& problems)
         : entry_(entry),
           trait_(complete(entry)),
           list_(measures_of(entry)),
           plant_(plant),
-          report_(report) {}
+          problems_(problems) {}
 
     void run() {
         const int lists = static_cast<int>(!entry_.sets.empty()) +
                           static_cast<int>(!entry_.scales.empty()) +
                           static_cast<int>(!entry_.shifts.empty());
         if (lists != 1)
-            return report_.add(
+            return problems_.add(
                 &entry_.trait.name,
                 fmt::format("trait {} has {} of the lists sets, scales and "
                             "shifts (a trait does one of them); give one",
@@ -45,7 +45,7 @@ class TraitCheck {
 
   private:
     void fail(const std::string& what) {
-        report_.add(&list_, fmt::format("trait {} {}", trait_.name, what));
+        problems_.add(&list_, fmt::format("trait {} {}", trait_.name, what));
     }
 
     void check(const std::string& name) {
@@ -72,8 +72,8 @@ class TraitCheck {
                             name));
         const std::string unit =
             trait_.effect == TraitEffect::scales ? "1" : measure->unit;
-        if (report_.usable({&entry_.trait.unit}) && trait_.unit != unit)
-            report_.add(
+        if (problems_.usable({&entry_.trait.unit}) && trait_.unit != unit)
+            problems_.add(
                 &entry_.trait.unit,
                 fmt::format("trait {} has the unit \"{}\" (what it does "
                             "to {} has \"{}\"); write unit = \"{}\"",
@@ -81,11 +81,12 @@ class TraitCheck {
         const auto& [least, most] = measure->limits;
         if (trait_.effect == TraitEffect::sets &&
             (trait_.range.lower < least || trait_.range.upper > most))
-            report_.add(&entry_.trait.range,
-                        fmt::format("trait {} has the range {} .. {} (of {} it "
-                                    "is at most {} .. {}); narrow it",
-                                    trait_.name, trait_.range.lower,
-                                    trait_.range.upper, name, least, most));
+            problems_.add(
+                &entry_.trait.range,
+                fmt::format("trait {} has the range {} .. {} (of {} it "
+                            "is at most {} .. {}); narrow it",
+                            trait_.name, trait_.range.lower, trait_.range.upper,
+                            name, least, most));
     }
 
     void fail_unknown(const std::string& name) {
@@ -99,54 +100,57 @@ class TraitCheck {
     void check_range() {
         constexpr double circle = 360;
         const auto& [lower, upper] = trait_.range;
-        if (!report_.usable({&entry_.trait.range})) return;
+        if (!problems_.usable({&entry_.trait.range})) return;
         if (trait_.effect == TraitEffect::scales && lower < 0)
-            report_.add(&entry_.trait.range,
-                        fmt::format("trait {} has the range {} .. {} (a factor "
-                                    "below 0 turns a measure around); begin at "
-                                    "0 or more",
-                                    trait_.name, lower, upper));
+            problems_.add(
+                &entry_.trait.range,
+                fmt::format("trait {} has the range {} .. {} (a factor "
+                            "below 0 turns a measure around); begin at "
+                            "0 or more",
+                            trait_.name, lower, upper));
         if (trait_.is_circular &&
             (trait_.unit != "deg" || upper - lower != circle))
-            report_.add(&entry_.trait.is_circular,
-                        fmt::format("trait {} is circular (its range is {} .. "
-                                    "{} {}); a circle has 360 deg",
-                                    trait_.name, lower, upper, trait_.unit));
+            problems_.add(
+                &entry_.trait.is_circular,
+                fmt::format("trait {} is circular (its range is {} .. "
+                            "{} {}); a circle has 360 deg",
+                            trait_.name, lower, upper, trait_.unit));
     }
 
     const TraitEntry& entry_;
     Trait trait_;
     const std::vector<std::string>& list_;
     Plant& plant_;
-    Report& report_;
+    Problems& problems_;
 };
 
 }  // namespace
 
-bool is_sound(const TraitEntry& entry, const Report& report) {
+bool is_sound(const TraitEntry& entry, const Problems& problems) {
     const Trait& trait = entry.trait;
-    return report.usable({&trait.name, &trait.points, &trait.range, &trait.unit,
-                          &entry.sets, &entry.scales, &entry.shifts});
+    return problems.usable({&trait.name, &trait.points, &trait.range,
+                            &trait.unit, &entry.sets, &entry.scales,
+                            &entry.shifts});
 }
 
-void check_traits(Draft& draft, Report& report) {
+void check_traits(Draft& draft, Problems& problems) {
     std::set<std::string> names{"lai"};
     for (const TraitEntry& entry : draft.traits) {
         const std::string& name = entry.trait.name;
-        if (report.usable({&name}) && !names.insert(name).second)
-            report.add(&name,
-                       fmt::format("trait.name is \"{}\" (already used); give "
+        if (problems.usable({&name}) && !names.insert(name).second)
+            problems.add(
+                &name, fmt::format("trait.name is \"{}\" (already used); give "
                                    "each trait a name of its own",
                                    name));
-        if (is_sound(entry, report))
-            TraitCheck(entry, draft.campaign.crop.baseline, report).run();
+        if (is_sound(entry, problems))
+            TraitCheck(entry, draft.campaign.crop.baseline, problems).run();
     }
     for (const BoundsEntry& bounds : draft.bounds)
-        if (report.usable({&bounds.trait}) && names.count(bounds.trait) == 0)
-            report.add(&bounds.trait,
-                       fmt::format("bounds.trait is \"{}\" (no trait of this "
-                                   "file); use one of {}",
-                                   bounds.trait, fmt::join(names, ", ")));
+        if (problems.usable({&bounds.trait}) && names.count(bounds.trait) == 0)
+            problems.add(&bounds.trait,
+                         fmt::format("bounds.trait is \"{}\" (no trait of this "
+                                     "file); use one of {}",
+                                     bounds.trait, fmt::join(names, ", ")));
 }
 
 }  // namespace ideotype

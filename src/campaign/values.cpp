@@ -21,14 +21,14 @@ struct Reader {
     const toml::node& node;
     const std::string& section;
     const Key& key;
-    Report& report;
+    Problems& problems;
 
     std::string name() const {
         return section == "top" ? key.name : section + '.' + key.name;
     }
 
     void fail(const std::string& what) const {
-        report.add(address(key.value), name() + ' ' + what);
+        problems.add(address(key.value), name() + ' ' + what);
     }
 
     //! Returns the text without its quotes as TOML, if that is of the right
@@ -87,7 +87,7 @@ struct Reader {
         }
         if (units.empty()) return false;
         const bool is_length = key.unit == "m";
-        report.add_once(
+        problems.add_once(
             address(key.value), name(),
             fmt::format(
                 "{} is {}{}{} (above the range {}, it looks like {}); "
@@ -359,8 +359,8 @@ struct Reader {
 }  // namespace
 
 void read_value(const toml::node& node, const std::string& section,
-                const Key& key, Report& report) {
-    std::visit(Reader{node, section, key, report}, key.value);
+                const Key& key, Problems& problems) {
+    std::visit(Reader{node, section, key, problems}, key.value);
 }
 
 }  // namespace ideotype

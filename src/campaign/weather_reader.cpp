@@ -15,15 +15,15 @@ namespace ideotype {
 namespace {
 
 //! Reports what cannot be read by; returns whether there is nothing.
-bool check_climate(Climate& climate, Report& report) {
+bool check_climate(Climate& climate, Problems& problems) {
     const Period& period = climate.period;
     ColumnMap& columns = climate.columns;
-    if (!report.usable({&climate.file, &climate.stamp, &period.from, &period.to,
-                        &columns.missing, &columns.utc_offset, &columns.time,
-                        &columns.date_order}))
+    if (!problems.usable({&climate.file, &climate.stamp, &period.from,
+                          &period.to, &columns.missing, &columns.utc_offset,
+                          &columns.time, &columns.date_order}))
         return false;
     if (period.to < period.from) {
-        report.add(
+        problems.add(
             &period.to,
             fmt::format(
                 "climate.to is {} (before the first day, {}); give a later one",
@@ -35,13 +35,14 @@ bool check_climate(Climate& climate, Report& report) {
           &columns.diffuse_fraction, &columns.ppfd, &columns.temperature,
           &columns.humidity, &columns.wind, &columns.pressure,
           &columns.longwave}) {
-        if (!report.usable({column})) return false;
+        if (!problems.usable({column})) return false;
         if (!*column || !columns.time.empty()) continue;
-        report.add(column,
-                   fmt::format("climate has the column \"{}\" but no 'time' (a "
-                               "file that `ideotype weather` wrote needs "
-                               "neither); name the columns of the time too",
-                               (*column)->name));
+        problems.add(
+            column,
+            fmt::format("climate has the column \"{}\" but no 'time' (a "
+                        "file that `ideotype weather` wrote needs "
+                        "neither); name the columns of the time too",
+                        (*column)->name));
         return false;
     }
     return true;
@@ -78,16 +79,16 @@ SiteWeather to_site_weather(const LightSeries& series, bool has_nir) {
 }
 
 //! Reports what a campaign has of its weather and cannot be.
-void check_weather(const SiteWeather& weather, Report& report) {
+void check_weather(const SiteWeather& weather, Problems& problems) {
     const auto& hours = weather.hours;
     const auto check = [&](const std::string& name,
                            const std::vector<double>& values, bool is_fine,
                            const std::string& expected) {
-        if (report.usable({&values}) && !is_fine)
-            report.add(&values,
-                       fmt::format("weather.{} has {} values (expected: {}); "
-                                   "take what the program has written",
-                                   name, values.size(), expected));
+        if (problems.usable({&values}) && !is_fine)
+            problems.add(&values,
+                         fmt::format("weather.{} has {} values (expected: {}); "
+                                     "take what the program has written",
+                                     name, values.size(), expected));
     };
     check("hours", hours,
           !hours.empty() && std::is_sorted(hours.begin(), hours.end()) &&
@@ -120,18 +121,18 @@ void check_weather(const SiteWeather& weather, Report& report) {
 class WeathersReader {
   public:
     WeathersReader(const std::string& campaign_file, PlantSource source,
-                   Draft& draft, Report& report)
+                   Draft& draft, Problems& problems)
         : campaign_file_(campaign_file),
           source_(source),
           campaign_(draft.campaign),
-          report_(report) {}
+          problems_(problems) {}
 
     void read() {
         for (const SiteWeather& weather : campaign_.weathers)
-            check_weather(weather, report_);
+            check_weather(weather, problems_);
         std::vector<SiteWeather> found;
         for (auto& [name, climate] : campaign_.climates) {
-            if (!check_climate(climate, report_)) continue;
+            if (!check_climate(climate, problems_)) continue;
             for (const Site& site : campaign_.sites)
                 if (!has(site.name, name)) read(site, name, climate, found);
         }
@@ -151,25 +152,25 @@ class WeathersReader {
     void read(const Site& site, const std::string& name, Climate& climate,
               std::vector<SiteWeather>& found) {
         if (source_ == PlantSource::table)
-            return report_.add(
+            return problems_.add(
                 &climate.file,
                 fmt::format("climate \"{}\" has no [[weather]] of site \"{}\" "
                             "(resolved campaigns have it in them); use the "
                             "campaign file",
                             name, site.name));
-        if (!report_.usable({&site.name, &site.weather, &site.latitude,
-                             &site.longitude, &site.utc_offset, &site.elevation,
-                             &campaign_.par_fraction}))
+        if (!problems_.usable({&site.name, &site.weather, &site.latitude,
+                               &site.longitude, &site.utc_offset,
+                               &site.elevation, &campaign_.par_fraction}))
             return;
         if (climate.file.empty() && site.weather.empty())
-            return report_.add(
+            return problems_.add(
                 &climate.file,
                 fmt::format("climate \"{}\" has no file (and site \"{}\" no "
                             "weather); add file = \"weather/mine.csv\" here, "
                             "or weather = ... there",
                             name, site.name));
         if (!climate.file.empty() && !site.weather.empty())
-            return report_.add(
+            return problems_.add(
                 &site.weather,
                 fmt::format("site \"{}\" has weather of its own (climate "
                             "\"{}\" has a file for all sites); remove one",
@@ -179,16 +180,16 @@ class WeathersReader {
         const std::string path = path_from(campaign_file_, own);
         const FileText file = read_file(path, most_data_bytes);
         if (!file.is_there)
-            return report_.add(
+            return problems_.add(
                 climate.file.empty() ? &site.weather : &climate.file,
                 file.refusal(path) + "; give a path relative to this file");
-        report_.open(path);
+        problems_.open(path);
         try {
             const Weather weather = parse_weather(
                 file.text,
                 request_of(path, site, climate, campaign_.par_fraction));
             for (const Problem& warning : weather.warnings)
-                if (is_new(warning)) report_.warn(warning);
+                if (is_new(warning)) problems_.warn(warning);
             found.push_back(to_site_weather(weather.series, campaign_.has_nir));
             found.back().site = site.name;
             found.back().climate = name;
@@ -196,7 +197,7 @@ class WeathersReader {
         } catch (const InputError& error) {
             // Sites may share a file.
             for (const Problem& problem : error.problems())
-                if (is_new(problem)) report_.add(problem.where, problem.what);
+                if (is_new(problem)) problems_.add(problem.where, problem.what);
         }
     }
 
@@ -207,15 +208,15 @@ class WeathersReader {
     const std::string& campaign_file_;
     PlantSource source_;
     Campaign& campaign_;
-    Report& report_;
+    Problems& problems_;
     std::set<std::string> told_;
 };
 
 }  // namespace
 
 void read_weathers(const std::string& file, PlantSource source, Draft& draft,
-                   Report& report) {
-    WeathersReader(file, source, draft, report).read();
+                   Problems& problems) {
+    WeathersReader(file, source, draft, problems).read();
 }
 
 }  // namespace ideotype

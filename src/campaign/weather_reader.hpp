@@ -4,8 +4,8 @@
 #include <string>
 
 #include "draft.hpp"
+#include "problems.hpp"
 #include "reader.hpp"
-#include "report.hpp"
 
 namespace ideotype {
 
@@ -14,6 +14,6 @@ namespace ideotype {
 //! with a file is reported with its line.
 //! @param file of the campaign, which names of weather files are relative to
 void read_weathers(const std::string& file, PlantSource source, Draft& draft,
-                   Report& report);
+                   Problems& problems);
 
 }  // namespace ideotype

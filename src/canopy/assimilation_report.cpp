@@ -176,10 +176,10 @@ AssimilationReport report(std::vector<AssimilationTally> tallies,
                           const SeriesIllumination& light) {
     AssimilationReport result;
     const auto over = [&](const auto& figure) {
-        std::vector<double> replicates;
+        std::vector<double> randomisations;
         for (const AssimilationTally& tally : tallies)
-            replicates.push_back(figure(tally));
-        return estimate(replicates);
+            randomisations.push_back(figure(tally));
+        return estimate(randomisations);
     };
     const auto each = [&](std::vector<double> AssimilationTally::*part) {
         std::vector<Estimate> all;

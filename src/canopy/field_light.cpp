@@ -6,7 +6,7 @@
 
 #include "ideotype/canopy/exact_assimilation.hpp"
 #include "ideotype/light/device.hpp"
-#include "replicates.hpp"
+#include "randomisations.hpp"
 
 namespace ideotype {
 

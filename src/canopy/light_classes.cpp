@@ -180,13 +180,13 @@ std::vector<LightClasses> leaf_area_by_light(const std::vector<Tally>& tallies,
     return Classification(tallies, pieces, lit).result();
 }
 
-LightClassReport report(const std::vector<LightClasses>& replicates) {
+LightClassReport report(const std::vector<LightClasses>& randomisations) {
     LightClassReport result;
     const auto take = [&](std::vector<double> LightClasses::*part,
                           std::vector<Estimate>& to) {
         for (std::size_t c = 0; c < ppfd_classes; ++c) {
             std::vector<double> values;
-            for (const LightClasses& each : replicates)
+            for (const LightClasses& each : randomisations)
                 values.push_back((each.*part)[c]);
             to.push_back(estimate(values));
         }

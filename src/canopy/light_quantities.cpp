@@ -44,7 +44,7 @@ TakeNumber fraction(Estimate BudgetEstimate::*part,
 
 TakeNumber fapar() {
     return fraction(&BudgetEstimate::plants,
-                    [](const Budget& day) { return day.leaves + day.stalks; });
+                    [](const Budget& day) { return day.leaves + day.organs; });
 }
 
 //! -ln(1 - fAPAR) / LAI by the delta method. What is left of the light is
@@ -111,8 +111,8 @@ std::vector<Declaration> light_quantities() {
                   [](const Budget& day) { return day.leaves; })},
         {{"stalk_fraction", "1",
           "PAR that stalks, sheaths and other organs absorb over incident PAR"},
-         fraction(&BudgetEstimate::stalks,
-                  [](const Budget& day) { return day.stalks; })},
+         fraction(&BudgetEstimate::organs,
+                  [](const Budget& day) { return day.organs; })},
         {{"fapar", "1",
           "PAR that leaves and other organs absorb over incident PAR"},
          fapar()},

@@ -140,14 +140,15 @@ std::string objective_text(const Campaign& campaign) {
     std::string text;
     const std::vector<double>& factors =
         campaign.sole.empty() ? campaign.weights : campaign.sole;
-    for (const Aim& aim : aims(campaign)) {
+    for (const ObjectiveEntry& objective : objectives_of(campaign)) {
         text += fmt::format(
             "{}{} {}", text.empty() ? "objective " : ", ",
-            aim.sense == Sense::maximise ? "maximise" : "minimise", aim.name);
+            objective.sense == Sense::maximise ? "maximise" : "minimise",
+            objective.name);
         for (std::size_t c = 0; c < factors.size(); ++c)
             text += fmt::format("{}{} {} {:g}", c == 0 ? " of " : " + ",
                                 c == 0 ? campaign.crop.baseline.name
-                                       : campaign.neighbours[c - 1].name,
+                                       : campaign.components[c - 1].name,
                                 campaign.sole.empty() ? "times" : "over",
                                 factors[c]);
     }

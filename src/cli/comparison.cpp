@@ -81,25 +81,26 @@ Layers layers_of(const Campaign& under,
 //! by leaf, so that only the end differs between plants.
 std::vector<Figure> figures_of(const QuantitySet& measured,
                                const Campaign& campaign) {
-    const std::vector<Aim> all = aims(campaign);
+    const std::vector<ObjectiveEntry> all = objectives_of(campaign);
     std::vector<Figure> figures;
     const auto add = [&](const Quantity& each) { figures.push_back({each}); };
-    const auto is_aim = [&](const Quantity& each) {
-        return std::any_of(all.begin(), all.end(), [&](const Aim& aim) {
-            return aim.name == each.name;
-        });
+    const auto is_objective = [&](const Quantity& each) {
+        return std::any_of(all.begin(), all.end(),
+                           [&](const ObjectiveEntry& objective) {
+                               return objective.name == each.name;
+                           });
     };
-    for (const Aim& aim : all) {
-        const std::string unit = unit_of(campaign, aim.quantity);
-        if (aim.component) add({aim.name, unit, aim.name});
+    for (const ObjectiveEntry& objective : all) {
+        const std::string unit = unit_of(campaign, objective.quantity);
+        if (objective.component) add({objective.name, unit, objective.name});
         for (Quantity each : measured.quantities)
-            if (each.name == aim.name) {
+            if (each.name == objective.name) {
                 each.unit = unit;
                 add(each);
             }
     }
     for (const Quantity& each : measured.quantities)
-        if (each.axes.empty() && !is_aim(each)) add(each);
+        if (each.axes.empty() && !is_objective(each)) add(each);
     for (const std::string axis : {"layer", "leaf"})
         for (std::size_t i = 0; i < measured.axis(axis).size(); ++i)
             for (const Quantity& each : measured.quantities)

@@ -21,13 +21,14 @@ namespace {
 std::vector<Measured> objectives_of(const CanopyReport& report,
                                     const Campaign& campaign) {
     std::vector<Measured> all;
-    for (const Aim& aim : aims(campaign))
+    for (const ObjectiveEntry& objective : objectives_of(campaign))
         all.push_back(
             {{(campaign.sole.empty() ? "" : "land equivalent ratio of ") +
-                  ((campaign.weights.empty() ? "" : "weighted ") + aim.name),
-              unit_of(campaign, aim.quantity), ""},
+                  ((campaign.weights.empty() ? "" : "weighted ") +
+                   objective.name),
+              unit_of(campaign, objective.quantity), ""},
              campaign.sole.empty()
-                 ? measure_number(campaign, aim.name, report).estimate
+                 ? measure_number(campaign, objective.name, report).estimate
                  : land_equivalent_ratio(campaign, report)});
     return all;
 }
@@ -137,7 +138,7 @@ Json season_of(const Campaign& campaign, const Case& chosen,
         return season;
     const Outcome outcome =
         outcome_of(campaign, chosen, campaign.crop.baseline, all);
-    const std::vector<Aim> objectives = aims(campaign);
+    const std::vector<ObjectiveEntry> objectives = objectives_of(campaign);
     for (std::size_t k = 0; k < objectives.size(); ++k) {
         Json& one = season[objectives[k].name] = to_json(outcome.objectives[k]);
         one["unit"] = unit_of(campaign, objectives[k].quantity);

@@ -51,7 +51,7 @@ Json to_json(const BudgetEstimate& budget, const CanopyReport& report,
     if (report.boundary == Boundary::isolated)
         json["entered"] = part(budget.entered);
     json["leaf"] = part(budget.leaves);
-    if (has_stalks(report)) json["stalk"] = part(budget.stalks);
+    if (has_stalks(report)) json["stalk"] = part(budget.organs);
     json["soil"] = part(budget.soil);
     json["reflected"] = part(budget.reflected);
     json["leaf_by_origin"] = {{"beam", part(budget.leaves_beam)},

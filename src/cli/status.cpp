@@ -62,7 +62,7 @@ std::string way_on_with(const History& history) {
 }
 
 //! The state of a case as it is told; not all of it is known of each.
-struct Report {
+struct CaseStatus {
     std::string path, case_name, state;
     std::uint64_t missing_bytes = 0;
     CaseResult result;
@@ -71,10 +71,10 @@ struct Report {
     bool has_one_seed = false;         //!< with a gain, which that alone found
 };
 
-Report report_on(const std::string& path) {
+CaseStatus report_on(const std::string& path) {
     const History history = History::salvage(path);
     const HistoryHeader& header = history.header();
-    Report report;
+    CaseStatus report;
     report.path = path;
     report.case_name = header.text.at("case");
     report.missing_bytes = history.missing_bytes();
@@ -102,7 +102,7 @@ Report report_on(const std::string& path) {
     return report;
 }
 
-std::string to_text(const Report& report) {
+std::string to_text(const CaseStatus& report) {
     const CaseResult& result = report.result;
     if (report.missing_bytes > 0)
         return fmt::format(
@@ -128,7 +128,7 @@ Json optional_json(const auto& value) {
     return value ? Json(*value) : Json();
 }
 
-Json to_json(const Report& report) {
+Json to_json(const CaseStatus& report) {
     const CaseResult& result = report.result;
     Json best;
     if (result.best) {
@@ -156,11 +156,11 @@ Json to_json(const Report& report) {
 }
 
 //! Prints sums over all files, and how to go on with what stopped.
-void print_overview(const std::vector<Report>& reports,
+void print_overview(const std::vector<CaseStatus>& reports,
                     const std::vector<std::string>& commands) {
     std::map<std::string, int> states;
     double rate = 0;  // of what runs [evaluations/s]
-    for (const Report& each : reports) {
+    for (const CaseStatus& each : reports) {
         ++states[each.state];
         if (each.state == "running") rate += each.rate.value_or(0);
     }
@@ -172,7 +172,7 @@ void print_overview(const std::vector<Report>& reports,
         if (rate > 0) fmt::print("; {:.1f} evaluations/s", rate);
         fmt::print("\n");
     }
-    if (std::ranges::any_of(reports, &Report::has_one_seed))
+    if (std::ranges::any_of(reports, &CaseStatus::has_one_seed))
         fmt::print("{}\n", one_seed);
     if (!commands.empty())
         fmt::print("go on with\n  {}\n", fmt::join(commands, "\n  "));
@@ -182,11 +182,11 @@ void print_overview(const std::vector<Report>& reports,
 
 ExitCode status(const StatusOptions& options) {
     ExitCode worst = ExitCode::ok;
-    std::vector<Report> reports;
+    std::vector<CaseStatus> reports;
     std::vector<std::string> commands;  // cases of one job share one
     Json json{{"histories", Json::array()}, {"unreadable", Json::array()}};
     for (const std::string& path : histories_in(options.paths)) try {
-            const Report& report = reports.emplace_back(report_on(path));
+            const CaseStatus& report = reports.emplace_back(report_on(path));
             if (!report.way_on.empty() &&
                 std::ranges::count(commands, report.way_on) == 0)
                 commands.push_back(report.way_on);

@@ -7,15 +7,15 @@
 
 namespace ideotype {
 
-Estimate estimate(std::span<const double> replicates) {
-    const auto n = static_cast<double>(replicates.size());
+Estimate estimate(std::span<const double> values) {
+    const auto n = static_cast<double>(values.size());
     double sum = 0;
-    for (const double x : replicates) sum += x;
+    for (const double x : values) sum += x;
     const double mean = sum / n;
-    if (replicates.size() < 2)
+    if (values.size() < 2)
         return {mean, std::numeric_limits<double>::quiet_NaN()};
     double squares = 0;
-    for (const double x : replicates) squares += (x - mean) * (x - mean);
+    for (const double x : values) squares += (x - mean) * (x - mean);
     return {mean, std::sqrt(squares / (n * (n - 1)))};
 }
 

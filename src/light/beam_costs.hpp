@@ -22,7 +22,7 @@ struct Costs {
 BeamLattice lattice_of(const RayScene& scene, const glm::dvec3& direction,
                        std::uint32_t first_hits, int randomisations);
 
-//! Returns for how many replicates there should be one depth buffer.
+//! Returns for how many randomisations there should be one depth buffer.
 std::size_t replicates_together(const BeamLattice& lattice);
 
 //! Returns the time that a depth buffer of all first hits of a beam takes [us].

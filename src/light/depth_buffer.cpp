@@ -281,16 +281,17 @@ DepthBuffer::DepthBuffer(const RayScene& scene, const glm::dvec3& direction,
     draw(scene.surfaces(), pose, corners, {lattice_, places_, points_});
 }
 
-glm::dvec3 DepthBuffer::position(std::size_t replicate,
+glm::dvec3 DepthBuffer::position(std::size_t randomisation,
                                  std::size_t point) const {
-    IDEOTYPE_EXPECT(point < points() && (replicate + 1) * per_pixel_ <= lanes_);
-    const std::size_t lane = replicate * per_pixel_ + point % per_pixel_;
+    IDEOTYPE_EXPECT(point < points() &&
+                    (randomisation + 1) * per_pixel_ <= lanes_);
+    const std::size_t lane = randomisation * per_pixel_ + point % per_pixel_;
     const std::size_t pixel = point / per_pixel_;
     const glm::dvec2 ground =
         static_cast<double>(pixel) * lattice_.step_one +
         double{places_[lane / width].u[lane % width]} * lattice_.step_u +
         double{places_[lane / width].v[lane % width]} * lattice_.step_v;
-    const double z = height(replicate, point);
+    const double z = height(randomisation, point);
     return {ground.x + z * (direction_.x / direction_.z),
             ground.y + z * (direction_.y / direction_.z), z};
 }

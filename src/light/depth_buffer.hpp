@@ -13,7 +13,8 @@
 namespace ideotype {
 
 //! Finds the faces that parallel light which falls on a periodic stand sees
-//! first, at the points of shifted lattices: one lattice for each replicate.
+//! first, at the points of shifted lattices: one lattice for each
+//! randomisation.
 //!
 //! Faces are projected along the light onto the ground. The projection repeats
 //! with the cell, so each face is drawn once, and each point keeps the face
@@ -48,21 +49,21 @@ class DepthBuffer {
         return static_cast<std::size_t>(lattice_.points());
     }
 
-    //! Returns the triangle that is seen at a point of a replicate.
-    Triangle triangle(std::size_t replicate, std::size_t point) const {
-        const std::size_t i = place(replicate, point);
+    //! Returns the triangle that is seen at a point of a randomisation.
+    Triangle triangle(std::size_t randomisation, std::size_t point) const {
+        const std::size_t i = place(randomisation, point);
         return {points_[i / width].code[i % width]};
     }
 
     //! Returns the height of the surface that is seen [m].
-    float height(std::size_t replicate, std::size_t point) const {
-        const std::size_t i = place(replicate, point);
+    float height(std::size_t randomisation, std::size_t point) const {
+        const std::size_t i = place(randomisation, point);
         return points_[i / width].height[i % width];
     }
 
     //! Returns the place at which light meets the surface, in any of the cells.
     //! A place on the soil has no more than rounding to its height [m].
-    glm::dvec3 position(std::size_t replicate, std::size_t point) const;
+    glm::dvec3 position(std::size_t randomisation, std::size_t point) const;
 
     //! The number of points that are looked at together, in vectors as wide as
     //! the processor has them: each number is rounded the same way by all.
@@ -82,16 +83,16 @@ class DepthBuffer {
     };
 
   private:
-    std::size_t place(std::size_t replicate, std::size_t point) const {
+    std::size_t place(std::size_t randomisation, std::size_t point) const {
         const std::size_t fine = per_pixel_;
-        return point / fine * lanes_ + replicate * fine + point % fine;
+        return point / fine * lanes_ + randomisation * fine + point % fine;
     }
 
     BeamLattice lattice_;
     glm::dvec3 direction_;
     std::size_t per_pixel_;
     std::size_t
-        lanes_;  //!< points of all replicates in a pixel, and spare ones
+        lanes_;  //!< points of all randomisations in a pixel, and spare ones
     std::vector<Places> places_;  //!< positions, by lane / width
     std::vector<Points> points_;  //!< [pixel][lane / width]
 };

@@ -12,15 +12,15 @@
 namespace ideotype {
 
 FirstHits::FirstHits(const RayScene& scene, const DepthBuffer& buffer,
-                     std::size_t replicate, double energy)
-    : scene_(scene), buffer_(&buffer), replicate_(replicate) {
+                     std::size_t randomisation, double energy)
+    : scene_(scene), buffer_(&buffer), randomisation_(randomisation) {
     IDEOTYPE_EXPECT(energy >= 0);
     const std::vector<std::uint32_t>& groups = scene.surfaces().face_group;
     hits_.reserve(buffer.points());
     for (std::size_t i = 0; i < buffer.points(); ++i) {
-        const DepthBuffer::Triangle seen = buffer.triangle(replicate, i);
+        const DepthBuffer::Triangle seen = buffer.triangle(randomisation, i);
         hits_.push_back({seen.is_soil() ? Hit::soil : groups[seen.face()],
-                         seen.number(), buffer.height(replicate, i),
+                         seen.number(), buffer.height(randomisation, i),
                          seen.is_adaxial(), true, energy});
     }
 }
@@ -66,8 +66,8 @@ void FirstHits::order() {
 Hit FirstHits::at(std::size_t i) const {
     IDEOTYPE_EXPECT(i < hits_.size() && hits_[i].group != Hit::sky);
     if (!buffer_) return points_[i];
-    Hit hit{buffer_->position(replicate_, i), {0, 0, 1}, hits_[i].group};
-    const DepthBuffer::Triangle seen = buffer_->triangle(replicate_, i);
+    Hit hit{buffer_->position(randomisation_, i), {0, 0, 1}, hits_[i].group};
+    const DepthBuffer::Triangle seen = buffer_->triangle(randomisation_, i);
     if (seen.is_soil()) {
         hit.position.z = scene_.soil();
         return hit;

@@ -27,10 +27,10 @@ struct FirstHit {
 //! by blocks of the stand.
 class FirstHits {
   public:
-    //! Takes the hits that a replicate of a beam's depth buffer sees.
+    //! Takes the hits that a randomisation of a beam's depth buffer sees.
     //! @param scene,buffer must outlive it
     FirstHits(const RayScene& scene, const DepthBuffer& buffer,
-              std::size_t replicate, double energy);
+              std::size_t randomisation, double energy);
 
     //! Follows so many rays of this energy.
     FirstHits(const RayScene& scene, const Launcher& launcher,
@@ -52,7 +52,7 @@ class FirstHits {
 
     const RayScene& scene_;
     const DepthBuffer* buffer_ = nullptr;
-    std::size_t replicate_ = 0;
+    std::size_t randomisation_ = 0;
     std::vector<FirstHit> hits_;
     std::vector<Hit> points_;  //!< if found by rays
 };

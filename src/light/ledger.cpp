@@ -79,7 +79,7 @@ void Ledger::keep(std::uint32_t group, double height, bool is_adaxial,
     const SurfaceId& id = counted_.groups[group].id;
     if (!id.is_leaf()) {
         if (!id.is_object()) {
-            part_.stalks += energy;
+            part_.organs += energy;
             return;
         }
         part_.objects += energy;

@@ -32,10 +32,10 @@ Resolution resolution_of(const std::vector<Tally>& tallies) {
 //! Returns the estimate of a figure that is a function of a tally.
 Estimate over(const std::vector<Tally>& tallies,
               const std::function<double(const Tally&)>& figure) {
-    std::vector<double> replicates;
-    replicates.reserve(tallies.size());
-    for (const Tally& tally : tallies) replicates.push_back(figure(tally));
-    return estimate(replicates);
+    std::vector<double> randomisations;
+    randomisations.reserve(tallies.size());
+    for (const Tally& tally : tallies) randomisations.push_back(figure(tally));
+    return estimate(randomisations);
 }
 
 //! Returns the estimate of a figure to which a path of any source may add a
@@ -85,10 +85,10 @@ BudgetEstimate weighted_budget(const std::vector<Tally>& tallies,
     return {incident,
             part(0, &Budget::incident),
             part(resolution.leaves, &Budget::leaves),
-            part(resolution.stalks, &Budget::stalks),
+            part(resolution.organs, &Budget::organs),
             weighted(tallies, resolution, weights,
-                     std::max(resolution.leaves, resolution.stalks),
-                     [](const Budget& b) { return b.leaves + b.stalks; }),
+                     std::max(resolution.leaves, resolution.organs),
+                     [](const Budget& b) { return b.leaves + b.organs; }),
             part(resolution.objects, &Budget::objects),
             part(resolution.soil, &Budget::soil),
             part(resolution.reflected, &Budget::reflected),
@@ -267,8 +267,9 @@ SunlitReport report(const SunlitFractions& sunlit,
     // Returns a weighted mean over steps by randomisation, which is certain
     // without any sun.
     const auto mean = [&](const std::vector<std::size_t>& steps,
-                          const auto& weight, std::vector<double>& replicates) {
-        replicates.assign(sunlit.fractions.size(), 0);
+                          const auto& weight,
+                          std::vector<double>& randomisations) {
+        randomisations.assign(sunlit.fractions.size(), 0);
         bool has_sun = false;
         double least = 0;
         for (const std::size_t i : steps) {
@@ -277,13 +278,13 @@ SunlitReport report(const SunlitFractions& sunlit,
             const auto beam = static_cast<std::size_t>(illumination.beam_of[i]);
             const double part = weight(series.steps[i]);
             least = std::max(least, part * sunlit.steps[beam]);
-            for (std::size_t r = 0; r < replicates.size(); ++r)
-                replicates[r] += part * sunlit.fractions[r][beam];
+            for (std::size_t r = 0; r < randomisations.size(); ++r)
+                randomisations[r] += part * sunlit.fractions[r][beam];
         }
-        return has_sun
-                   ? at_least(estimate(replicates),
-                              least / static_cast<double>(replicates.size()))
-                   : Estimate{};
+        return has_sun ? at_least(
+                             estimate(randomisations),
+                             least / static_cast<double>(randomisations.size()))
+                       : Estimate{};
     };
     SunlitReport result;
     std::vector<double> of_hour;

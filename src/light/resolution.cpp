@@ -21,7 +21,7 @@ Resolution combined(const Resolution& a, const Resolution& b) {
     for (std::size_t i = 0; i < b.path_energy.size(); ++i)
         both.path_energy[i] = std::max(a.path_energy[i], b.path_energy[i]);
     for (double Resolution::*part :
-         {&Resolution::leaves, &Resolution::stalks, &Resolution::objects,
+         {&Resolution::leaves, &Resolution::organs, &Resolution::objects,
           &Resolution::soil, &Resolution::reflected, &Resolution::unscattered,
           &Resolution::scattered})
         both.*part = std::max(a.*part, b.*part);

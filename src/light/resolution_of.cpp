@@ -24,7 +24,7 @@ Resolution resolution_of(const RayScene& scene,
     struct Kind {
         std::size_t absorbing = 0;  //!< groups
         double keeps = 0;  //!< largest part of light that a group keeps
-    } leaves, stalks, objects;
+    } leaves, organs, objects;
     for (std::size_t g = 0; g < groups.size(); ++g) {
         const Interval heights = scene.heights(g);
         if (heights.lower > heights.upper) continue;
@@ -34,7 +34,7 @@ Resolution resolution_of(const RayScene& scene,
         const double kept = material.most_absorbed();
         if (!(kept > 0)) continue;
         result.groups[g] = kept;
-        Kind& kind = id.is_leaf() ? leaves : id.is_object() ? objects : stalks;
+        Kind& kind = id.is_leaf() ? leaves : id.is_object() ? objects : organs;
         ++kind.absorbing;
         kind.keeps = std::max(kind.keeps, kept);
         if (!id.is_leaf()) continue;
@@ -42,7 +42,7 @@ Resolution resolution_of(const RayScene& scene,
              l <= layers.at(heights.upper); ++l)
             result.layers[l] = std::max(result.layers[l], kept);
     }
-    const std::size_t ends = leaves.absorbing + stalks.absorbing +
+    const std::size_t ends = leaves.absorbing + organs.absorbing +
                              objects.absorbing + (soil_keeps > 0 ? 1 : 0) +
                              (scatters ? 1 : 0);
     // A part is open if light can end there, and could have ended elsewhere.
@@ -50,7 +50,7 @@ Resolution resolution_of(const RayScene& scene,
         return own > 0 && ends > own;
     };
     if (is_open(leaves.absorbing)) result.leaves = leaves.keeps;
-    if (is_open(stalks.absorbing)) result.stalks = stalks.keeps;
+    if (is_open(organs.absorbing)) result.organs = organs.keeps;
     if (is_open(objects.absorbing)) result.objects = objects.keeps;
     if (is_open(1)) result.soil = soil_keeps;
     if (scatters && is_open(1)) result.reflected = 1;

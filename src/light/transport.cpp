@@ -66,8 +66,8 @@ class SourceRun {
         return numbers.next();
     }
 
-    //! Draws the beam, for so many replicates at a time as memory is reasonable
-    //! for.
+    //! Draws the beam, for so many randomisations at a time as memory is
+    //! reasonable for.
     void draw(std::uint32_t first_hits, int all, std::size_t first,
               std::size_t last, const Use& use) const {
         const glm::dvec3 direction = not_level(*source_.direction);

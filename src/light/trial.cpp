@@ -41,9 +41,9 @@ struct Suns {
     double by_energy = 1, by_root = 1;
 };
 
-double variance_of(const std::vector<double>& replicates) {
-    return squared(estimate(replicates).standard_error) *
-           static_cast<double>(replicates.size());
+double variance_of(const std::vector<double>& randomisations) {
+    return squared(estimate(randomisations).standard_error) *
+           static_cast<double>(randomisations.size());
 }
 
 }  // namespace

@@ -88,7 +88,7 @@ nb::dict to_dict(const MeshReport& report, bool is_day,
     if (canopy.boundary == Boundary::isolated)
         budget["entered"] = to_tuple(day.entered);
     budget["leaves"] = to_tuple(day.leaves);
-    budget["stalks"] = to_tuple(day.stalks);
+    budget["stalks"] = to_tuple(day.organs);
     budget["soil"] = to_tuple(day.soil);
     budget["reflected"] = to_tuple(day.reflected);
     dict["budget"] = budget;

@@ -19,7 +19,7 @@ Outcome CaseStand::evaluate(const Genome& genome,
     const Sampling sampling = sampling_of(request, campaign_, chosen_);
     OutcomeSchema schema = stand_.schema(request.is_final);
     schema.randomisations =
-        static_cast<std::size_t>(sampling.accuracy.replicates());
+        static_cast<std::size_t>(sampling.accuracy.repetitions());
     try {
         const Plants plants = grow(campaign_, genome);
         return checked_outcome(schema, devices_.with([&](const Device& device) {

@@ -44,7 +44,8 @@ SearchSpace search_space(const Campaign& campaign, const Case& chosen) {
         search_genes(campaign, chosen), baseline_genome(campaign), {}};
     for (const KeyFactor& each : campaign.varied.keys)
         space.baseline.push_back(each.value);
-    for (const Aim& aim : aims(campaign)) space.senses.push_back(aim.sense);
+    for (const ObjectiveEntry& objective : objectives_of(campaign))
+        space.senses.push_back(objective.sense);
     return space;
 }
 

@@ -154,8 +154,8 @@ std::string to_text(const CaseResult& result, const std::string& path,
 std::string left_to_gain(const History& history, const Campaign& campaign) {
     const std::vector<Row> finalists = history.finalists();
     const std::size_t best = best_finalist(history, finalists);
-    if (best == 0 || aims(campaign).size() > 1 ||
-        aims(campaign).front().name != "absorbed_par" ||
+    if (best == 0 || objectives_of(campaign).size() > 1 ||
+        objectives_of(campaign).front().name != "absorbed_par" ||
         !component_weights(campaign).empty() || !campaign.over.empty() ||
         campaign.field.boundary != Boundary::periodic)
         return "";

@@ -50,7 +50,7 @@ QuantitySet measured_in(const Campaign& campaign, const Case& scenario) {
 }
 
 AcrossScenarios::AcrossScenarios(const Campaign& campaign, const Case& chosen)
-    : across_(campaign.across), aims_(aims(campaign)) {
+    : across_(campaign.across), objectives_(objectives_of(campaign)) {
     std::vector<QuantitySet> sets;
     std::vector<std::string> labels;
     for (const Case& each : scenarios(chosen)) {
@@ -84,17 +84,18 @@ AcrossScenarios::AcrossScenarios(const Campaign& campaign, const Case& chosen)
             measured_.axes.push_back(axis);
     measured_.axes.push_back(
         {"scenario", "", "what plants are evaluated under", labels});
-    for (const Aim& aim : aims_)
-        measured_.quantities.push_back({aim.name + "_by_scenario",
-                                        unit_of(campaign, aim.quantity),
-                                        aim.name + " in each scenario",
+    for (const ObjectiveEntry& objective : objectives_)
+        measured_.quantities.push_back({objective.name + "_by_scenario",
+                                        unit_of(campaign, objective.quantity),
+                                        objective.name + " in each scenario",
                                         {"scenario"}});
 }
 
 void AcrossScenarios::combine_objective(const std::vector<Outcome>& each,
                                         std::size_t objective,
                                         Outcome& all) const {
-    const std::size_t count = each.front().randomisations.size() / aims_.size();
+    const std::size_t count =
+        each.front().randomisations.size() / objectives_.size();
     const std::size_t first = objective * count;
     const auto at = [&](const Outcome& one) {
         return one.objectives[objective];
@@ -103,7 +104,7 @@ void AcrossScenarios::combine_objective(const std::vector<Outcome>& each,
         const auto worst = std::max_element(
             each.begin(), each.end(), [&](const Outcome& a, const Outcome& b) {
                 return is_better(at(a).mean, at(b).mean,
-                                 aims_[objective].sense);
+                                 objectives_[objective].sense);
             });
         all.objectives.push_back(at(*worst));
         const auto from =
@@ -144,7 +145,7 @@ Outcome AcrossScenarios::combine_scenarios(
     const std::vector<Outcome>& each) const {
     Outcome all;
     all.status = Status::done;
-    for (std::size_t k = 0; k < aims_.size(); ++k)
+    for (std::size_t k = 0; k < objectives_.size(); ++k)
         combine_objective(each, k, all);
     for (const Outcome& one : each)
         all.violation = std::max(all.violation, one.violation);
@@ -158,7 +159,7 @@ Outcome AcrossScenarios::combine_scenarios(
             }
             all.quantities.push_back({mean_of(means), mean_of(errors)});
         }
-    for (std::size_t k = 0; k < aims_.size(); ++k)
+    for (std::size_t k = 0; k < objectives_.size(); ++k)
         for (const Outcome& one : each)
             all.quantities.push_back(one.objectives[k]);
     return all;

@@ -45,7 +45,7 @@ class AcrossScenarios {
     Across across_;
     std::vector<std::size_t> stages_;      //!< of each scenario
     std::vector<OverStages> over_stages_;  //!< of each, where plants grow
-    std::vector<Aim> aims_;
+    std::vector<ObjectiveEntry> objectives_;
     QuantitySet measured_;
     std::vector<Shared> shared_;
 };

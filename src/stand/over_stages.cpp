@@ -79,7 +79,7 @@ void OverStages::add(const Quantity& quantity,
 }
 
 OverStages::OverStages(const Campaign& campaign, const Case& chosen)
-    : aims_(aims(campaign)) {
+    : objectives_(objectives_of(campaign)) {
     std::vector<QuantitySet> sets;
     std::vector<double> at;
     for (const Case& each : chosen.stages) {
@@ -131,8 +131,9 @@ OverStages::OverStages(const Campaign& campaign, const Case& chosen)
                                     "days since emergence",
                                     {"stage"},
                                     Certainty::exact});
-    for (const Aim& aim : aims_)
-        aim_weights_.push_back(weights_of(aim.quantity, unit_of(aim.quantity)));
+    for (const ObjectiveEntry& objective : objectives_)
+        aim_weights_.push_back(
+            weights_of(objective.quantity, unit_of(objective.quantity)));
 }
 
 std::vector<double> OverStages::weights(Weights kind,
@@ -157,8 +158,9 @@ std::vector<double> OverStages::weights(Weights kind,
 Outcome OverStages::combine(std::span<const Outcome> each) const {
     Outcome all;
     all.status = Status::done;
-    const std::size_t count = each.front().randomisations.size() / aims_.size();
-    for (std::size_t k = 0; k < aims_.size(); ++k) {
+    const std::size_t count =
+        each.front().randomisations.size() / objectives_.size();
+    for (std::size_t k = 0; k < objectives_.size(); ++k) {
         const std::vector<double> by = weights(aim_weights_[k], each);
         std::vector<double> values(count);
         double mean = 0;

@@ -54,7 +54,7 @@ class OverStages {
         bool is_amount;
     };
 
-    std::vector<Aim> aims_;
+    std::vector<ObjectiveEntry> objectives_;
     std::vector<Weights> aim_weights_;
     std::vector<double> days_;   //!< of each stage since emergence
     std::vector<double> times_;  //!< of each stage, over that of the season

@@ -106,10 +106,11 @@ void set_grown(const Campaign& campaign, const Case& in, std::size_t number,
 bool has_rows_apart(const Campaign& campaign) {
     const FieldForm& field = campaign.field;
     return field.boundary == Boundary::periodic && field.rows > 1 &&
-           (!field.row_pattern.empty() || !campaign.neighbours.empty()) &&
-           std::none_of(
-               campaign.neighbours.begin(), campaign.neighbours.end(),
-               [](const Neighbour& each) { return each.standing.mixed > 0; });
+           (!field.row_pattern.empty() || !campaign.components.empty()) &&
+           std::none_of(campaign.components.begin(), campaign.components.end(),
+                        [](const ComponentEntry& each) {
+                            return each.standing.mixed > 0;
+                        });
 }
 
 //! Returns how many dates have suns of their own: stages share them out.
@@ -168,14 +169,14 @@ Scene scene_of(const Campaign& campaign, const Case& chosen) {
         scene.bands[1].is_bounded = is_nir;
     }
     if (has_rows_apart(campaign)) scene.cell.row_ground = ground_of_rows(form);
-    if (campaign.neighbours.empty()) {
+    if (campaign.components.empty()) {
         add_objects(scene, campaign, form.spacing);
         return scene;
     }
     set_places(bred, form, bred_rows(campaign));
     if (bred_plants(campaign) < bred.places.size())
         mix(bred, bred_plants(campaign));
-    for (const Neighbour& each : campaign.neighbours) {
+    for (const ComponentEntry& each : campaign.components) {
         Component& component = scene.components.emplace_back();
         component.name = each.name;
         component.tessellation = campaign.tessellation;
@@ -204,7 +205,7 @@ Details details_of(const Campaign& campaign) {
 CanopyRequest request_of(Sampling sampling, const Campaign& campaign,
                          const Case& in, Scene scene, const Plants& plants) {
     for (std::size_t i = 0; i < plants.size(); ++i)
-        if (i == 0 || !campaign.neighbours.at(i - 1).free.empty())
+        if (i == 0 || !campaign.components.at(i - 1).free.empty())
             set_grown(campaign, in, i, plants[i], scene.components.at(i));
     if (in.stage) take_share(*in.stage, sampling);
     return {std::move(scene), canopy_layers(campaign), sampling.accuracy,
@@ -215,10 +216,11 @@ OutcomeSchema outcome_schema(const Campaign& campaign, const Case& chosen,
                              const Accuracy& accuracy) {
     OutcomeSchema schema;
     schema.measured = AcrossScenarios(campaign, chosen).measured();
-    schema.randomisations = static_cast<std::size_t>(accuracy.replicates());
-    for (const Aim& aim : aims(campaign))
-        schema.objectives.push_back(
-            {aim.name, unit_of(campaign, aim.quantity), aim.sense});
+    schema.randomisations = static_cast<std::size_t>(accuracy.repetitions());
+    for (const ObjectiveEntry& objective : objectives_of(campaign))
+        schema.objectives.push_back({objective.name,
+                                     unit_of(campaign, objective.quantity),
+                                     objective.sense});
     return schema;
 }
 
@@ -242,20 +244,22 @@ double lai_of_line(const Mesh& plant, double ground_per_plant) {
 
 Randomised measure_number(const Campaign& campaign, const std::string& name,
                           const CanopyReport& report) {
-    const std::vector<Aim> all = aims(campaign);
-    const auto aim = std::find_if(all.begin(), all.end(),
-                                  [&](const Aim& x) { return x.name == name; });
-    if (aim != all.end() && aim->component)
-        return measure_parts(aim->quantity, report).at(*aim->component);
+    const std::vector<ObjectiveEntry> all = objectives_of(campaign);
+    const auto objective =
+        std::find_if(all.begin(), all.end(),
+                     [&](const ObjectiveEntry& x) { return x.name == name; });
+    if (objective != all.end() && objective->component)
+        return measure_parts(objective->quantity, report)
+            .at(*objective->component);
     const std::vector<double> weights = component_weights(campaign);
-    return aim != all.end() && !weights.empty()
+    return objective != all.end() && !weights.empty()
                ? weighted_sum(measure_parts(name, report), weights)
                : measure_objective(name, report);
 }
 
 Estimate land_equivalent_ratio(const Campaign& campaign,
                                const CanopyReport& report) {
-    const std::string quantity = aims(campaign).front().quantity;
+    const std::string quantity = objectives_of(campaign).front().quantity;
     Estimate ratio = measure_number(campaign, quantity, report).estimate;
     const std::vector<Randomised> parts = measure_parts(quantity, report);
     for (std::size_t c = 0; c < campaign.sole_errors.size(); ++c)
@@ -270,8 +274,9 @@ Outcome to_outcome(const Campaign& campaign, const Plant& plant,
                    const CanopyReport& report) {
     Outcome outcome;
     outcome.status = Status::done;
-    for (const Aim& aim : aims(campaign)) {
-        const auto [mean, values] = measure_number(campaign, aim.name, report);
+    for (const ObjectiveEntry& objective : objectives_of(campaign)) {
+        const auto [mean, values] =
+            measure_number(campaign, objective.name, report);
         outcome.objectives.push_back(mean);
         outcome.randomisations.insert(outcome.randomisations.end(),
                                       values.begin(), values.end());

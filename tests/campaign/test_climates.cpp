@@ -151,12 +151,12 @@ TEST(Climates, NearInfraredIsStoredIfItIsFollowed) {
 
     const std::string file = (folder / "bondville.toml").string();
     Draft draft;
-    Report report;
+    Problems problems;
     read_draft(text_of(file), file, PlantSource::file_or_table, {}, draft,
-               report);
+               problems);
     draft.campaign.has_nir = true;
-    read_weathers(file, PlantSource::file_or_table, draft, report);
-    ASSERT_TRUE(report.empty());
+    read_weathers(file, PlantSource::file_or_table, draft, problems);
+    ASSERT_TRUE(problems.empty());
     const Campaign again = parse_campaign(resolved_text(draft), "elsewhere");
     const std::string resolved = again.resolved;
     EXPECT_EQ(parse_campaign(resolved, "elsewhere").resolved, resolved);

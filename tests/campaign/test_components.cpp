@@ -29,8 +29,8 @@ TEST(Components, HaveTheirCropAndAreFoundAgainInAResolvedCampaign) {
         mixed(sorghum +
               "rows = [2]\n[[band]]\nname = \"nir\"\n"
               "[objective]\nmaximise = \"net_assimilation\"\n");
-    ASSERT_EQ(campaign.neighbours.size(), 1u);
-    const Neighbour& one = campaign.neighbours.front();
+    ASSERT_EQ(campaign.components.size(), 1u);
+    const ComponentEntry& one = campaign.components.front();
     EXPECT_EQ(one.name, "sorghum");
     EXPECT_EQ(one.standing.rows, std::vector<int>{1});
     EXPECT_EQ(one.crop.baseline.leaves.size(), 16u);
@@ -65,10 +65,10 @@ TEST(Components, StandInRowsOrAmongThePlantsThatAreBred) {
         mixed(sorghum +
               "mixed = 5\njitter = 90\n[[component]]\nname = \"other\"\n"
               "crop = \"crops/maize.toml\"\nrows = [1]\nplants = 3\n");
-    const Standing& among = campaign.neighbours[0].standing;
+    const Standing& among = campaign.components[0].standing;
     EXPECT_EQ(among.mixed, 5);
     EXPECT_EQ(among.jitter, 90);
-    EXPECT_EQ(campaign.neighbours[1].standing.plants, 3);
+    EXPECT_EQ(campaign.components[1].standing.plants, 3);
     EXPECT_EQ(parse_campaign(campaign.resolved, "again").resolved,
               campaign.resolved);
     for (const auto& [more, problem] :
@@ -113,7 +113,7 @@ TEST(Components, MayBeBredWithinBoundsOfTheirOwn) {
     EXPECT_EQ(genes.size(), count_genes(campaign));
     EXPECT_EQ(genes.size(),
               gene_space(mixed(sorghum + "rows = [2]\n"), chosen).size() +
-                  campaign.neighbours[0].bounds.size());
+                  campaign.components[0].bounds.size());
     std::size_t widths = 0;
     for (const Gene& gene : genes) {
         const bool is_own = gene.name.starts_with("sorghum.");
@@ -184,11 +184,11 @@ TEST(Components, DifferAsTheFieldUnlessTheyHaveAVariationOfTheirOwn) {
     const auto of = [&](const std::string& own) {
         return mixed(sorghum + "rows = [2]\n" + own + field);
     };
-    EXPECT_FALSE(of("").neighbours[0].standing.variation);
+    EXPECT_FALSE(of("").components[0].standing.variation);
     EXPECT_FALSE(
-        of("variation = {}\n").neighbours[0].standing.variation->is_any());
+        of("variation = {}\n").components[0].standing.variation->is_any());
     const Campaign campaign = of("variation = { azimuth = [10, 20] }\n");
-    const PlantVariation& own = *campaign.neighbours[0].standing.variation;
+    const PlantVariation& own = *campaign.components[0].standing.variation;
     EXPECT_EQ(own.length, 0);
     EXPECT_EQ(own.azimuth, (std::vector<double>{10, 20}));
     EXPECT_EQ(campaign.field.variation.length, 0.1);

@@ -32,7 +32,7 @@ class TwoLeaves : public ::testing::Test {
 TEST_F(TwoLeaves, PartsOfTheLightSumToWhatFalls) {
     const CanopyReport report = evaluated();
     const BudgetEstimate& day = report.par().light.day;
-    EXPECT_NEAR((day.leaves.mean + day.stalks.mean + day.soil.mean +
+    EXPECT_NEAR((day.leaves.mean + day.organs.mean + day.soil.mean +
                  day.reflected.mean) /
                     day.incident,
                 1, 1e-12);

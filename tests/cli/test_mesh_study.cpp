@@ -106,7 +106,7 @@ TEST(MeshStudy, StalksAreNoLeavesAndHaveTheirOwnOptics) {
     EXPECT_NEAR(canopy.lai, .5, 1e-12);
     const BudgetEstimate& day = canopy.par().light.day;
     EXPECT_NEAR(day.leaves.mean, .5, 4 * day.leaves.standard_error + 1e-6);
-    EXPECT_NEAR(day.stalks.mean, .35, 4 * day.stalks.standard_error + 1e-6);
+    EXPECT_NEAR(day.organs.mean, .35, 4 * day.organs.standard_error + 1e-6);
     EXPECT_NEAR(day.reflected.mean, .15,
                 4 * day.reflected.standard_error + 1e-6);
 }

@@ -108,8 +108,8 @@ void edges_and_vertices(Findings& findings) {
                     const glm::dvec3 d{slope * std::sin(a) / length,
                                        slope * std::cos(a) / length,
                                        -1 / length};
-                    // Aim from a hair above, so that the ray stays in the
-                    // cell.
+                    // ObjectiveEntry from a hair above, so that the ray stays
+                    // in the cell.
                     const double up = 1e-4;
                     const glm::dvec3 from{own_cell.x * i / 14 - d.x / -d.z * up,
                                           own_cell.y * j / 14 - d.y / -d.z * up,

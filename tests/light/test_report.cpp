@@ -21,7 +21,7 @@ class MadeUpDay : public ::testing::Test {
             {{{100, 10, 30, 40, 180}, {310, 0, 0, 320, 630}}, {80, 330}}};
         for (Tally& t : tallies) {
             for (double Budget::*part :
-                 {&Budget::leaves, &Budget::stalks, &Budget::soil,
+                 {&Budget::leaves, &Budget::organs, &Budget::soil,
                   &Budget::reflected, &Budget::incident}) {
                 t.sources[0].*part *= 1000;
                 t.sources[1].*part *= 1000;
@@ -201,7 +201,7 @@ TEST_F(Certainty, IsFullOfWhatTheSceneDoesNotHave) {
         EXPECT_EQ(x.mean, 0);
         EXPECT_EQ(x.standard_error, 0);
     };
-    expect_none(r.day.stalks);            // no face
+    expect_none(r.day.organs);            // no face
     expect_none(r.groups[1]);             // no face
     expect_none(r.layers[0]);             // no face
     expect_none(r.day.reflected);         // black surfaces
@@ -218,7 +218,7 @@ TEST_F(Certainty, IsNoneOfStalksAndScatteredLightThatMayBeThere) {
     optics.soil_albedo = 1e-9;
     const DayReport r = seen(1e-5, optics, 2e-5);
     for (const Estimate& x :
-         {r.day.stalks, r.groups[2], r.day.reflected, r.day.leaves_scattered}) {
+         {r.day.organs, r.groups[2], r.day.reflected, r.day.leaves_scattered}) {
         EXPECT_EQ(x.mean, 0);
         EXPECT_DOUBLE_EQ(x.standard_error, path);
     }

@@ -47,7 +47,7 @@ class FaceLight : public ::testing::Test {
         const BudgetEstimate whole = evaluate(request, device).par().light.day;
         EXPECT_NEAR(sum(mesh, light, ground_area, true) / whole.leaves.mean, 1,
                     1e-12);
-        EXPECT_NEAR(sum(mesh, light, ground_area, false) / whole.stalks.mean, 1,
+        EXPECT_NEAR(sum(mesh, light, ground_area, false) / whole.organs.mean, 1,
                     1e-12);
     }
 

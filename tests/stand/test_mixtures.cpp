@@ -166,7 +166,7 @@ TEST_F(Mixtures, OfPlantsThatAreAllBredTellEachByItself) {
               campaign.crop.baseline.leaves.back().insertion_height);
     EXPECT_GT(
         taller[1].leaves.back().insertion_height,
-        campaign.neighbours[0].crop.baseline.leaves.back().insertion_height);
+        campaign.components[0].crop.baseline.leaves.back().insertion_height);
     EXPECT_GT(outcome(taller).objectives[1].mean, before.objectives[1].mean);
     genome.pop_back();
     EXPECT_THROW(grow(campaign, genome), Error);

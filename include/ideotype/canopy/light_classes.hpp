@@ -49,6 +49,6 @@ struct LightClassReport {
     std::vector<Estimate> sunlit, shaded;
 };
 
-LightClassReport report(const std::vector<LightClasses>& replicates);
+LightClassReport report(const std::vector<LightClasses>& randomisations);
 
 }  // namespace ideotype

@@ -14,10 +14,10 @@ struct Estimate {
     double standard_error = 0;
 };
 
-//! Returns the mean of independent replicates and the standard error of that
-//! mean, sqrt(sum (x - mean)^2 / (n (n - 1))). A single replicate tells nothing
+//! Returns the mean of independent values and the standard error of that
+//! mean, sqrt(sum (x - mean)^2 / (n (n - 1))). A single value tells nothing
 //! of its error: the standard error is then NaN.
-Estimate estimate(std::span<const double> replicates);
+Estimate estimate(std::span<const double> values);
 
 //! A figure, and its values in each randomisation if they are known.
 struct Randomisations {

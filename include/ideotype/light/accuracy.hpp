@@ -21,7 +21,7 @@ struct Accuracy {
     //! Returns the number of independent values of each figure, whose spread
     //! gives its error: one of each field if there are several, else one of
     //! each randomisation.
-    int replicates() const { return fields > 1 ? fields : randomisations; }
+    int repetitions() const { return fields > 1 ? fields : randomisations; }
 
     //! Returns the number of paths in all randomisations.
     std::uint64_t all_paths() const {

@@ -20,8 +20,8 @@ struct BudgetEstimate {
     //! all sides.
     Estimate entered;
     Estimate leaves;
-    Estimate stalks;   //!< and sheaths and all other organs
-    Estimate plants;   //!< leaves and stalks
+    Estimate organs;   //!< and sheaths and all other organs
+    Estimate plants;   //!< leaves and organs
     Estimate objects;  //!< fixed objects
     Estimate soil;
     Estimate reflected;

@@ -21,7 +21,7 @@ struct Resolution {
     // figure does not depend on paths, because light can end nowhere else or
     // cannot end there.
     double leaves = 0;
-    double stalks = 0;
+    double organs = 0;
     double objects = 0;
     double soil = 0;
     double reflected = 0;

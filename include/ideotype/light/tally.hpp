@@ -14,7 +14,7 @@ namespace ideotype {
 //! The parts of the light of one source, by where it went [J m-2 of ground].
 struct Budget {
     double leaves = 0;
-    double stalks = 0;   //!< and sheaths and all other organs
+    double organs = 0;   //!< and sheaths and all other organs
     double objects = 0;  //!< fixed objects
     double soil = 0;
     double reflected = 0;
@@ -35,12 +35,12 @@ struct Budget {
     bool operator==(const Budget&) const = default;
 
     double total() const {
-        return leaves + stalks + soil + reflected + objects;
+        return leaves + organs + soil + reflected + objects;
     }
 
   private:
     static constexpr std::array<double Budget::*, 8> parts() {
-        return {&Budget::leaves,      &Budget::stalks,    &Budget::objects,
+        return {&Budget::leaves,      &Budget::organs,    &Budget::objects,
                 &Budget::soil,        &Budget::reflected, &Budget::incident,
                 &Budget::unscattered, &Budget::sent_on};
     }

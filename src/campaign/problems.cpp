@@ -1,54 +1,54 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "report.hpp"
+#include "problems.hpp"
 
 #include <algorithm>
 #include <tuple>
 
 namespace ideotype {
 
-void Report::locate(const void* value, const Location& where) {
+void Problems::locate(const void* value, const Location& where) {
     places_[value] = where;
 }
 
-const Location& Report::where(const void* value) const {
+const Location& Problems::where(const void* value) const {
     return all_ ? *all_ : places_.at(value);
 }
 
-void Report::add(const Location& where, const std::string& what) {
+void Problems::add(const Location& where, const std::string& what) {
     problems_.push_back({where, what});
 }
 
-void Report::spoil(const void* value) {
+void Problems::spoil(const void* value) {
     unusable_.insert(value);
 }
 
-void Report::add(const void* value, const std::string& what) {
+void Problems::add(const void* value, const std::string& what) {
     spoil(value);
     add(where(value), what);
 }
 
-bool Report::usable(std::initializer_list<const void*> values) const {
+bool Problems::usable(std::initializer_list<const void*> values) const {
     return std::none_of(values.begin(), values.end(), [&](const void* value) {
         return unusable_.count(value) != 0 ||
                (!all_ && places_.count(value) == 0);
     });
 }
 
-void Report::add_once(const void* value, const std::string& kind,
-                      const std::string& what) {
+void Problems::add_once(const void* value, const std::string& kind,
+                        const std::string& what) {
     spoil(value);
     if (once_.insert({where(value).file, kind}).second) add(where(value), what);
 }
 
-void Report::warn(const void* value, const std::string& what) {
+void Problems::warn(const void* value, const std::string& what) {
     warn(Problem{where(value), with_short_quotes(what)});
 }
 
-void Report::open(const std::string& file) {
+void Problems::open(const std::string& file) {
     files_.push_back(file);
 }
 
-std::vector<Problem> Report::sorted(std::vector<Problem> problems) const {
+std::vector<Problem> Problems::sorted(std::vector<Problem> problems) const {
     const auto position = [&](const Problem& problem) {
         const Location& where = problem.where;
         return std::tuple(std::find(files_.begin(), files_.end(), where.file),
@@ -61,7 +61,7 @@ std::vector<Problem> Report::sorted(std::vector<Problem> problems) const {
     return problems;
 }
 
-void Report::throw_if_any() const {
+void Problems::throw_if_any() const {
     if (!problems_.empty()) throw InputError(sorted(problems_));
 }
 

@@ -15,11 +15,11 @@ namespace ideotype {
 
 //! Collects what is wrong, and remembers where each value was written so that
 //! later checks can point at it. Values are identified by their address.
-class Report {
+class Problems {
   public:
-    Report() = default;
+    Problems() = default;
     //! All values come from this file.
-    explicit Report(const std::string& file) : all_(Location{file}) {}
+    explicit Problems(const std::string& file) : all_(Location{file}) {}
 
     //! The value comes from this place.
     void locate(const void* value, const Location& where);

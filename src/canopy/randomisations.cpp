@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "replicates.hpp"
+#include "randomisations.hpp"
 
 #include <algorithm>
 #include <memory>

@@ -102,6 +102,16 @@ def test_a_plant_has_its_green_area_as_surfaces() -> None:
     assert "leaf01" not in names
 
 
+def test_sorghum_grows_to_the_area_of_its_leaves() -> None:
+    crop = ideotype.Crop.from_file(ROOT / "campaigns/crops/sorghum.toml")
+    assert crop.silking == 16 * 41 + 20
+    # Leaves of the crop file have .40 m2 together; the lowest are dead.
+    plant = crop.at(crop.silking)
+    both = (plant.green_area + plant.dead_area).sum().item()
+    assert both == pytest.approx(0.40, rel=0.05)
+    assert 0 < plant.dead_area.sum() < 0.1
+
+
 def season_of(**light: float) -> ideotype.Stand:
     return ideotype.Stand.from_campaign(
         ROOT / "campaigns/growing_season.toml",

@@ -65,7 +65,7 @@ void check_standing(const Draft& component, Problems& problems) {
 
 //! Components beside the crop have names and places of their own, and leave
 //! places to the plants that are bred.
-void check_components(Draft& draft, Problems& problems) {
+void check_places(Draft& draft, Problems& problems) {
     const FieldForm& field = draft.campaign.field;
     if (!problems.usable({&field.rows, &field.plants})) return;
     std::map<std::string, int> names;
@@ -196,7 +196,7 @@ void check_weights(const Draft& draft, Problems& problems) {
 }  // namespace
 
 void check_components(Draft& draft, Problems& problems) {
-    check_components(draft, problems);
+    check_places(draft, problems);
     check_row_pattern(draft.campaign.field, problems);
     check_weights(draft, problems);
 }

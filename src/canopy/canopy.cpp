@@ -163,11 +163,11 @@ class Reporter {
         const std::size_t groups = lines_.groups.size();
         for (std::size_t row = 0; row < cell.row_ground.size(); ++row) {
             const double ground = cell.row_ground[row];
-            RowReport one{0, cell.rows[row], ground / cell.period_y, ground};
+            RowReport one{component_of_row(row), cell.rows[row],
+                          ground / cell.period_y, ground};
             for (std::size_t g = 0; g < groups; ++g) {
                 const double area = found_.areas_of_rows[row * groups + g];
                 if (!(area > 0)) continue;
-                one.component = lines_.groups[g].id.component;
                 one.lai += area / found_.fields;
                 if (!result_.assimilation) continue;
                 const AssimilationReport& all = *result_.assimilation;
@@ -183,6 +183,15 @@ class Reporter {
                 one.assimilation.gross = gross_of_row(row);
             result_.rows.push_back(one);
         }
+    }
+
+    //! Returns the component whose plants stand in a row, with leaves or yet
+    //! without.
+    std::uint32_t component_of_row(std::size_t row) const {
+        for (std::uint32_t c = 0; c < scene_.components.size(); ++c)
+            for (const Place& place : scene_.components[c].places)
+                if (place.row == row) return c;
+        return 0;
     }
 
     Estimate gross_of_row(std::size_t row) const {

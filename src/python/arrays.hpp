@@ -3,10 +3,13 @@
 
 #include <algorithm>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include <nanobind/nanobind.h>
 #include <nanobind/ndarray.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
 
 #include "ideotype/core/estimate.hpp"
 #include "ideotype/core/mesh.hpp"
@@ -45,6 +48,23 @@ inline Output<double> to_array(const std::vector<Estimate>& estimates) {
 
 inline std::vector<double> to_vector(const Input<double, 1>& array) {
     return {array.data(), array.data() + array.size()};
+}
+
+//! Returns vertices [n, 3] in m, faces [m, 4], the group of each face, and
+//! names of groups.
+inline nanobind::tuple mesh_tuple(const Mesh& mesh) {
+    std::vector<double> vertices;
+    for (const glm::dvec3& x : mesh.vertices)
+        vertices.insert(vertices.end(), {x.x, x.y, x.z});
+    std::vector<std::uint32_t> faces;
+    for (const auto& face : mesh.faces)
+        faces.insert(faces.end(), face.begin(), face.end());
+    std::vector<std::string> groups;
+    for (const Group& group : mesh.groups) groups.push_back(group.name);
+    return nanobind::make_tuple(
+        to_array(vertices, {mesh.vertices.size(), 3}),
+        to_array(faces, {mesh.faces.size(), 4}),
+        to_array(mesh.face_group, {mesh.face_group.size()}), groups);
 }
 
 }  // namespace ideotype::python

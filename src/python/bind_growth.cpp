@@ -96,6 +96,11 @@ void bind_growth(nb::module_& module) {
             "maturity",
             [](const GrowingCrop& x) { return maturity_time(x.growth()); })
         .def("at", &at)
+        .def("mesh",
+             [](const GrowingCrop& x, double thermal_time) {
+                 return mesh_tuple(build_plant(
+                     plant_at(x.growth(), x.crop.baseline, thermal_time), {}));
+             })
         .def("season", &season);
 }
 

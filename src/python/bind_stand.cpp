@@ -111,22 +111,9 @@ nb::tuple evaluate(CaseStand& stand, const Input<double, 1>& genome,
         outcome.violation, to_array(outcome.quantities));
 }
 
-//! vertices [n, 3] in m, faces [m, 4], group of each face, names of groups.
 nb::tuple mesh(const CaseStand& stand, const Input<double, 1>& genome,
                std::size_t component) {
-    const Mesh mesh = stand.mesh(to_vector(genome), component);
-    std::vector<double> vertices;
-    for (const glm::dvec3& x : mesh.vertices)
-        vertices.insert(vertices.end(), {x.x, x.y, x.z});
-    std::vector<std::uint32_t> faces;
-    for (const auto& face : mesh.faces)
-        faces.insert(faces.end(), face.begin(), face.end());
-    std::vector<std::string> groups;
-    for (const Group& group : mesh.groups) groups.push_back(group.name);
-    return nb::make_tuple(to_array(vertices, {mesh.vertices.size(), 3}),
-                          to_array(faces, {mesh.faces.size(), 4}),
-                          to_array(mesh.face_group, {mesh.face_group.size()}),
-                          groups);
+    return mesh_tuple(stand.mesh(to_vector(genome), component));
 }
 
 //! The clock hour of each instant [h], the light above the canopy [W m-2], and

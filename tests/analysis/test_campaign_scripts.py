@@ -108,6 +108,25 @@ def test_crops_below_panels_lose_light_and_leave_some_land(
         )
 
 
+def test_growth_changes_carbon_as_it_should(tmp_path: Path) -> None:
+    told = run("growing.py", "--rough", "--figure", tmp_path)
+
+    def number(name: str) -> float:
+        found = re.search(rf"(?m)^{re.escape(name)}\s+(\S+)", told)
+        assert found is not None, told
+        return float(found[1])
+
+    assert 25 < number("full canopy: more carbon [%]") < 45
+    assert 60 < number("after silking [%]") < 78
+    # Measured at Gainesville in 1982; 15 % are asked for.
+    assert number("shoot at silking [kg ha-1]") == pytest.approx(
+        8299, rel=0.15
+    )
+    assert {x.name for x in tmp_path.iterdir()} == {
+        "stages.png", "plants.png", "season.png",
+    }  # fmt: skip
+
+
 def test_searches_are_compared_by_their_gains(tmp_path: Path) -> None:
     words = [
         tmp_path,

@@ -94,6 +94,67 @@ def test_leaf_area_follows_bondville_1999() -> None:
     assert np.sqrt(np.mean(np.square(errors))) < 0.35
 
 
+def test_a_plant_has_its_green_area_as_surfaces() -> None:
+    crop = ideotype.Crop.from_file(HYBRID)
+    young, grown = (crop.mesh(x).vertices[:, 2].max() for x in (400, 1000))
+    assert 0.3 < young < 0.7 * grown
+    names = set(crop.mesh(1500).groups)
+    assert {"leaf09", "leaf19", "stalk_dead_leaves"} <= names
+    assert "stalk_dead_leaves" not in crop.mesh(150).groups
+    assert "leaf01" not in names
+
+
+def test_sorghum_grows_to_the_area_of_its_leaves() -> None:
+    crop = ideotype.Crop.from_file(ROOT / "campaigns/crops/sorghum.toml")
+    assert crop.silking == 16 * 41 + 20
+    # Leaves of the crop file have .40 m2 together; the lowest are dead.
+    plant = crop.at(crop.silking)
+    both = (plant.green_area + plant.dead_area).sum().item()
+    assert both == pytest.approx(0.40, rel=0.05)
+    assert 0 < plant.dead_area.sum() < 0.1
+
+
+def season_of(**light: float) -> ideotype.Stand:
+    return ideotype.Stand.from_campaign(
+        ROOT / "campaigns/growing_season.toml",
+        settings={
+            "objective.over": [],
+            "objective.maximise": "gross_assimilation",
+            "field.variation.missing": 0,
+            "field.variation.late": 0,
+            **{f"light.{key}": value for key, value in light.items()},
+        },
+    )
+
+
+def test_ten_stages_have_the_carbon_of_twenty() -> None:
+    found = []
+    for stages in (10, 20):
+        stand = season_of(stages=stages, paths=8192, dates=20)
+        one = stand.evaluate(stand.baseline)
+        carbon = float(one.gross_assimilation[0])
+        error = float(one.gross_assimilation_standard_error[0])
+        found.append((carbon, error))
+        assert one.sizes["stage"] == stages
+        # The area of lower leaves follows that of the plant's own.
+        assert one.lai_by_stage.max() == pytest.approx(3.84, rel=0.05)
+        assert one.dead_area_index_by_stage[0, -1] > 1
+    (ten, ten_error), (twenty, twenty_error) = found
+    spread = 3 * np.hypot(ten_error, twenty_error)
+    # Fields are drawn anew for each stage.
+    assert abs(ten - twenty) < spread + 0.02 * twenty
+
+
+def test_a_season_does_not_depend_on_threads() -> None:
+    stand = season_of(paths=256)
+    plants = np.array([stand.baseline] * 3)
+    one, several = (
+        stand.evaluate(plants, ["gross_assimilation"], threads=n)
+        for n in (1, 3)
+    )
+    assert one.identical(several)
+
+
 def test_impossible_numbers_are_errors(tmp_path: Path) -> None:
     crop = ideotype.Crop.from_file(HYBRID)
     with pytest.raises(ideotype.Error, match="24 hours"):

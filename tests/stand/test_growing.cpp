@@ -139,6 +139,23 @@ TEST(GrowingSeason, LeavesArePaidOnce) {
     EXPECT_NEAR(built, area, 1e-9);
 }
 
+TEST(GrowingSeason, StripsThatEmergeLaterHaveLess) {
+    const Campaign campaign = read_campaign_text(
+        growing().source +
+            "[[component]]\nname = \"relay\"\nrows = [3, 4]\nlater = 40\n"
+            "crop = \"crops/maize_hybrid.toml\"\n",
+        std::string(IDEOTYPE_CAMPAIGNS) + "/relay.toml",
+        {"objective.over=[]", "light.tolerance=0", "light.paths=256",
+         "light.stages=4", "field.rows=4"});
+    const Case chosen = cases(campaign).at(0);
+    EXPECT_LT(chosen.stages[0].stage->ages[1], 0);
+    EXPECT_GT(chosen.stages[3].stage->ages[1], 100);
+    const auto all = numbers(campaign);
+    EXPECT_LT(all.at("carbon_balance_by_component_1"),
+              0.8 * all.at("carbon_balance_by_component_0"));
+    EXPECT_GT(all.at("carbon_balance_by_component_1"), 0);
+}
+
 TEST(GrowingSeason, AClimateThatPlantsCannotGrowInIsAnError) {
     const auto message = [](const std::vector<std::string>& settings) {
         try {

@@ -15,6 +15,7 @@ import ideotype._core as _core
 
 from ._arrays import real
 from ._errors import Error
+from ._geometry import Mesh
 
 _THERMAL = {"units": "degC day"}
 _UNITS = {
@@ -78,6 +79,11 @@ class Crop:
             {"rank": ranks},
             {"thermal_time": float(thermal_time)},
         )
+
+    def mesh(self, thermal_time: float) -> Mesh:
+        """The surfaces of one plant at a thermal time from emergence
+        [deg C d]: its foot at the origin, y along the row, z up [m]."""
+        return Mesh.of(*self._core.mesh(float(thermal_time)))
 
     def season(
         self,

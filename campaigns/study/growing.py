@@ -1,0 +1,307 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""A canopy that grows: how many stages it needs, what it costs, what it changes.
+
+growing.py [--figure FOLDER] [--rough]
+
+Prints, for the hybrid of crops/maize_hybrid.toml and the weather of Bondville 2011:
+the error of the season's gross assimilation by number of stages; the cost of a growing
+season over that of the same days with a full canopy at an equal error, in pairs; what
+growth changes of the carbon; the biomass at silking of Gainesville 1982; and how much
+more carbon the plant has when its four highest leaves are erect (15 deg) instead of
+flat (50 deg), by leaf area index at silking, with growth and without (nothing is bred).
+--figure writes stages.png, plants.png and season.png. --rough is for tests.
+"""
+
+from __future__ import annotations
+
+import argparse
+import csv
+import time
+import tomllib
+from collections.abc import Iterator
+from datetime import date, timedelta
+from itertools import pairwise
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any
+
+import numpy as np
+from draw_plants import draw
+from shared import CAMPAIGNS, gain, guard, light, print_table, sign_change
+
+from ideotype import Crop, Stand
+from ideotype.analysis.style import new_figure
+
+HYBRID = CAMPAIGNS / "crops" / "maize_hybrid.toml"
+DATA = CAMPAIGNS.parent / "tests" / "data" / "growth"
+STAGES = (4, 6, 8, 10, 14, 20)
+DENSITIES = (2.0, 3.0, 4.5, 6.0, 7.5, 10.0)
+FULL = "emergence to maturity, full canopy"
+
+
+def tables(**light: Any) -> dict[str, Any]:
+    """The first year of growing_season.toml, of plants that are alike."""
+    text = (CAMPAIGNS / "growing_season.toml").read_text()
+    found: dict[str, Any] = tomllib.loads(text)
+    found["climate"] = found["climate"][:1]
+    found["objective"] = {"maximise": "carbon_balance"}
+    found["field"] = {"rows": 2, "plants": 2, "jitter": 0}
+    found["light"] = light
+    return found
+
+
+def of_full_canopy(growing: dict[str, Any]) -> dict[str, Any]:
+    """The same days, with plants as they stand at silking."""
+    stand = Stand(growing, folder=CAMPAIGNS)
+    days = stand.evaluate(stand.baseline, ["assimilation_by_day"]).day.values
+    climate = dict(growing["climate"][0])
+    del climate["emergence"]
+    climate["from"], climate["to"] = map(
+        date.fromisoformat, (str(days[0]), str(days[-1]))
+    )
+    return {**growing, "climate": [climate]}
+
+
+def number(stand: Stand, *names: str) -> list[float]:
+    found = stand.evaluate(stand.baseline, names)
+    return [float(found[name][0]) for name in names]
+
+
+def errors_of_stages(paths: int, stages: tuple[int, ...]) -> list[float]:
+    """By how much fewer stages than 40 change gross assimilation [%]."""
+    found = [
+        number(
+            Stand(tables(paths=paths, stages=n, dates=n), folder=CAMPAIGNS),
+            "gross_assimilation",
+        )[0]
+        for n in (40, *stages)
+    ]
+    return [100 * (x / found[0] - 1) for x in found[1:]]
+
+
+def cost(pairs: int) -> tuple[float, float]:
+    """Time of a growing season at an equal error over that of a full canopy,
+    a mean over pairs and its standard error."""
+    growing = tables(tolerance=0.008)
+    stands = [
+        Stand(each, folder=CAMPAIGNS)
+        for each in (growing, of_full_canopy(growing))
+    ]
+    name = "gross_assimilation"
+    squares = np.zeros((pairs, 2))
+    seconds = np.zeros((pairs, 2))
+    for pair in range(pairs):
+        for i, stand in enumerate(stands):
+            began = time.process_time()
+            found = stand.evaluate(stand.baseline, [name], seed=pair + 1)
+            seconds[pair, i] = time.process_time() - began
+            error = found[f"{name}_standard_error"] / found[name]
+            squares[pair, i] = float(error[0]) ** 2
+    equal = squares.mean(axis=0)
+    ratios = seconds[:, 0] / seconds[:, 1] * equal[0] / equal[1]
+    return float(ratios.mean()), float(ratios.std(ddof=1) / np.sqrt(pairs))
+
+
+def carbon(paths: int) -> list[tuple[str, float]]:
+    """What growth changes."""
+    growing = Stand(tables(paths=paths), folder=CAMPAIGNS)
+    full = Stand(of_full_canopy(tables(paths=paths)), folder=CAMPAIGNS)
+    names = ("gross_assimilation", "respiration", "carbon_after_silking")
+    gross, lost, late = number(growing, *names)
+    full_gross, full_lost = number(full, *names[:2])
+    days = growing.evaluate(growing.baseline).day.size
+    return [
+        ("days", days),
+        ("gross [mol m-2]", days * gross),
+        (
+            "full canopy: more carbon [%]",
+            100 * ((full_gross - full_lost) / (gross - lost) - 1),
+        ),
+        ("after silking [%]", 100 * late / (gross - lost)),
+    ]
+
+
+def hourly(folder: Path) -> tuple[Path, date]:
+    """Gainesville 1982 by the hour, and its day of emergence: temperature is half
+    a wave about the mean, light follows the sine of the sun's elevation."""
+    rows = list(
+        csv.reader(
+            line
+            for line in (DATA / "ufga1982_weather_daily.csv")
+            .read_text()
+            .splitlines()
+            if not line.startswith("#")
+        )
+    )[1:]
+    clock = np.arange(24) + 0.5
+    latitude = np.deg2rad(29.63)
+    path = folder / "gainesville.csv"
+    sums, emergence = 0.0, None
+    with path.open("w") as file:
+        print("time,global,temp", file=file)
+        for day, radiation, largest, smallest, *_ in rows:
+            today = date.fromisoformat(day)
+            of_year = today.timetuple().tm_yday
+            tilt = -np.deg2rad(23.45) * np.cos(
+                2 * np.pi * (of_year + 10) / 365
+            )
+            height = np.sin(latitude) * np.sin(tilt) + np.cos(
+                latitude
+            ) * np.cos(tilt) * np.cos((clock - 12.49) * np.pi / 12)
+            height = np.maximum(height, 0)
+            watts = float(radiation) * 1e6 / 3600 * height / height.sum()
+            mean = (float(largest) + float(smallest)) / 2
+            half = (float(largest) - float(smallest)) / 2
+            warm = mean + half * np.sin((clock - 9) * np.pi / 12)
+            if today > date(1982, 2, 26) and emergence is None:
+                sums += float(np.mean(np.clip(warm, 8, 34) - 8))
+                if sums >= 45 + 6 * 7:
+                    emergence = today + timedelta(1)
+            for hour in range(24):
+                print(
+                    f"{day}T{hour:02}:30-05:00,{watts[hour]:.1f},"
+                    f"{warm[hour]:.2f}",
+                    file=file,
+                )
+    assert emergence
+    return path, emergence
+
+
+def biomass_at_silking(paths: int) -> list[tuple[str, float]]:
+    """Of Gainesville 1982, by 2.2 g of dry matter per g of carbon, of which roots
+    have 15 %."""
+    with TemporaryDirectory() as folder:
+        weather, emergence = hourly(Path(folder))
+        found = tables(paths=paths)
+        found["site"] = [
+            {"name": "gainesville", "latitude": 29.63, "longitude": -82.37,
+             "utc_offset": -5, "elevation": 10}
+        ]  # fmt: skip
+        found["spacing"] = [{"row": 0.61, "density": 7.2}]
+        found["climate"] = [
+            {"name": "1982", "file": str(weather), "from": emergence,
+             "to": date(1982, 7, 10), "emergence": emergence,
+             "time": ["time"], "stamp": "middle",
+             "global": ["global", "W/m2"], "temperature": ["temp", "C"]}
+        ]  # fmt: skip
+        stand = Stand(found, folder=CAMPAIGNS)
+        all_of_it = stand.evaluate(stand.baseline)
+    gross, lost, late = (
+        float(all_of_it[name][0])
+        for name in (
+            "gross_assimilation",
+            "respiration",
+            "carbon_after_silking",
+        )
+    )
+    grams = (gross - lost - late) * all_of_it.day.size * 12.011
+    return [
+        (
+            "green leaf area index, largest",
+            float(all_of_it.lai_by_stage.max()),
+        ),
+        ("shoot at silking [kg ha-1]", 10 * grams * 2.2 * 0.85),
+        ("measured one day before (11 May)", 8299),
+    ]
+
+
+def erect_tops(
+    paths: int, densities: tuple[float, ...]
+) -> Iterator[list[Any]]:
+    """What an erect top gains over a flat one [%], with growth and without."""
+    for density in densities:
+        growing = tables(paths=paths)
+        growing["field"] = {"rows": 2, "plants": 2}
+        growing["spacing"] = [{"row": 0.762, "density": density}]
+        growing["traits"] = [{"name": "angles", "free": ["insertion_angle"]}]
+        row: list[Any] = [density]
+        for each in (growing, of_full_canopy(growing)):
+            stand = Stand(each, folder=CAMPAIGNS)
+            flat, erect = stand.baseline.copy(), stand.baseline.copy()
+            genes = stand.genes
+            top = (genes.trait == "insertion_angle") & (
+                genes.leaf > genes.leaf.max() - 4
+            )
+            flat[top], erect[top] = 50, 15
+            row += gain(*light(stand, np.array([flat, erect])).tolist())
+            if len(row) == 3:
+                lai = stand.evaluate(flat, ["lai_by_stage"]).lai_by_stage
+                row.insert(1, float(lai.max()))
+        yield row
+
+
+def draw_figures(folder: Path, errors: dict[int, float]) -> None:
+    figure = new_figure(5, 3)
+    axes = figure.subplots()
+    axes.plot(list(errors), list(errors.values()), "o-")
+    axes.axhline(0, color="0.6", lw=0.8)
+    axes.set(xlabel="stages", ylabel="error of the season's carbon [%]")
+    figure.savefig(folder / "stages.png", dpi=150)
+
+    crop = Crop.from_file(HYBRID)
+    ages = (200, 350, 500, 650, 800, 960, 1500, 1800)
+    figure = new_figure(12, 3.2)
+    for axes, age in zip(figure.subplots(1, len(ages), sharey=True), ages):
+        draw(axes, crop.mesh(age), is_side=True)
+        axes.set(xlim=(-0.8, 0.8), ylim=(0, 2.9), xticks=[])
+        axes.set_title(f"{age} °C d", fontsize=9)
+    figure.savefig(folder / "plants.png", dpi=150)
+
+    stand = Stand(tables(), folder=CAMPAIGNS)
+    found = stand.evaluate(stand.baseline)
+    figure = new_figure(9, 3)
+    left, right = figure.subplots(1, 2)
+    days = found.day_of_stage[0]
+    left.plot(days, found.lai_by_stage[0], "o-", label="green")
+    left.plot(days, found.dead_area_index_by_stage[0], "o-", label="dead")
+    left.set(xlabel="days since emergence", ylabel="leaf area index")
+    left.legend()
+    weeks = found.assimilation_by_day[0].values
+    weeks = weeks[: weeks.size // 7 * 7].reshape(-1, 7).sum(axis=1)
+    right.bar(np.arange(weeks.size) + 1, 12.011 * weeks)
+    right.set(
+        xlabel="week", ylabel="gross assimilation [g C m$^{-2}$ week$^{-1}$]"
+    )
+    figure.savefig(folder / "season.png", dpi=150)
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(usage=(__doc__ or "").split("\n")[2])
+    parser.add_argument("--figure", type=Path)
+    parser.add_argument("--rough", action="store_true")
+    options = parser.parse_args()
+    rough = options.rough
+    paths = 512 if rough else 65536
+    stages = (4, 10) if rough else STAGES
+    errors = dict(zip(stages, errors_of_stages(paths, stages)))
+    print_table(
+        ["stages", "error [%]"],
+        [[str(n), f"{e:.2f}"] for n, e in errors.items()],
+    )
+    ratio, error = cost(2 if rough else 24)
+    print(f"\ncost at equal error over {FULL}: {ratio:.2f} ± {error:.2f}\n")
+    for name, value in [*carbon(paths), *biomass_at_silking(paths)]:
+        print(f"{name:34} {value:10.4g}")
+    densities = DENSITIES[-2:] if rough else DENSITIES
+    rows = list(erect_tops(paths // 4, densities))
+    texts = [[f"{x:.2f}" for x in row] for row in rows]
+    print()
+    print_table(
+        ["plants m-2", "LAI", "growth [%]", "±", "full canopy [%]", "±"], texts
+    )
+    for name, column in (("growth", 2), ("full canopy", 4)):
+        points = [(row[1], (row[column], row[column + 1])) for row in rows]
+        for low, high in pairwise(points):
+            if low[1][0] < 0 < high[1][0]:
+                lai, error = sign_change(low, high)
+                print(
+                    f"{name}: pays from a leaf area index of {lai:.2f} ± {error:.2f} on"
+                )
+    if options.figure:
+        options.figure.mkdir(parents=True, exist_ok=True)
+        draw_figures(options.figure, errors)
+
+
+if __name__ == "__main__":
+    guard(main)

@@ -6,6 +6,7 @@
 #include <limits>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -66,7 +67,8 @@ struct Stands {
     Extent period_x, period_y;   //!< [m]
     Extent lai;                  //!< of the baseline and other components
     Extent steps, par, diffuse;  //!< number, [J m-2 day-1], part of it
-    Json sky;  //!< a row for each site and day or climate: sun and light
+    //! A row for each site and day or climate: sun and light.
+    std::vector<Json> sky;
 };
 
 //! Computes the ranges of a campaign.

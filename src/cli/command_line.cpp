@@ -11,7 +11,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "declare_verbs.hpp"
 #include "ideotype/core/text.hpp"
 #include "ranks.hpp"
 #include "run/provenance.hpp"

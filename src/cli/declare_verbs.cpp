@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "declare_verbs.hpp"
-
 #include <memory>
 
 #include <CLI/CLI.hpp>

@@ -8,8 +8,8 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "declare_verbs.hpp"
 #include "ideotype/core/error.hpp"
+#include "verbs.hpp"
 
 namespace ideotype {
 

@@ -2,7 +2,6 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "declare_verbs.hpp"
 #include "ideotype/core/clock.hpp"
 #include "options.hpp"
 #include "verbs.hpp"

@@ -175,6 +175,20 @@ TEST(GrowingSeason, AClimateThatPlantsCannotGrowInIsAnError) {
                                       std::string::npos;
                            }),
               campaign.warnings.end());
+    // Photons are those of the global light here, and wind is far fewer.
+    for (const auto& [column, warnings] :
+         {std::pair("ppfd_umol", 1u), std::pair("wind_m_s", 2u)}) {
+        std::string text = campaign.source;
+        text.insert(
+            text.find("temperature = "),
+            "ppfd = [\"" + std::string(column) + "\", \"umol/m2/s\"]\n");
+        EXPECT_EQ(read_campaign_text(
+                      text, std::string(IDEOTYPE_CAMPAIGNS) + "/photons.toml",
+                      {"objective.over=[]"})
+                      .warnings.size(),
+                  warnings + growing().warnings.size() - 1)
+            << column;
+    }
     // The resolved campaign is the same.
     EXPECT_EQ(parse_campaign(campaign.resolved, "resolved.toml").resolved,
               campaign.resolved);

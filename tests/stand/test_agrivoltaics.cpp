@@ -166,7 +166,7 @@ TEST(Agrivoltaics, LightIsFollowedBackBelowPanelsThatTrack) {
     const Case chosen = cases(campaign).front();
     const Device device(Device::supported_isas().back());
     CanopyRequest request =
-        request_of(sampling_of(Task{}, campaign, chosen), campaign,
+        request_of(sampling_of(Task{}, campaign, chosen), campaign, chosen,
                    scene_of(campaign, chosen), {campaign.crop.baseline});
     request.details.exact = true;
     request.accuracy = {1024, 16};

@@ -149,7 +149,7 @@ TEST(Contracts, OfBeamsAreNoticed) {
          [&] {
              draw({{0, 1}}, down);
          }},
-        {"point < points() && (replicate + 1) * per_pixel_ <= lanes_",
+        {"point < points() && (randomisation + 1) * per_pixel_ <= lanes_",
          [&] {
              drawn(s, {{0, 0}}).position(0, 11);
          }},

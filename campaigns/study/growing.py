@@ -52,7 +52,7 @@ def tables(**light: Any) -> dict[str, Any]:
 
 
 def of_full_canopy(growing: dict[str, Any]) -> dict[str, Any]:
-    """The same days, with plants as they stand at silking."""
+    """Returns the days of a season with plants as they stand at silking."""
     stand = Stand(growing, folder=CAMPAIGNS)
     days = stand.evaluate(stand.baseline, ["assimilation_by_day"]).day.values
     climate = dict(growing["climate"][0])

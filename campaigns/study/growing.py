@@ -104,7 +104,7 @@ def cost(pairs: int) -> tuple[float, float]:
 
 
 def carbon(paths: int) -> list[tuple[str, float]]:
-    """What growth changes."""
+    """Returns how growth changes the carbon of a season."""
     growing = Stand(tables(paths=paths), folder=CAMPAIGNS)
     full = Stand(of_full_canopy(tables(paths=paths)), folder=CAMPAIGNS)
     names = ("gross_assimilation", "respiration", "carbon_after_silking")
@@ -169,8 +169,8 @@ def hourly(folder: Path) -> tuple[Path, date]:
 
 
 def biomass_at_silking(paths: int) -> list[tuple[str, float]]:
-    """Of Gainesville 1982, by 2.2 g of dry matter per g of carbon, of which roots
-    have 15 %."""
+    """Returns the shoots of Gainesville 1982 by 2.2 g of dry matter per g of
+    carbon, of which roots have 15 %."""
     with TemporaryDirectory() as folder:
         weather, emergence = hourly(Path(folder))
         found = tables(paths=paths)
@@ -209,7 +209,8 @@ def biomass_at_silking(paths: int) -> list[tuple[str, float]]:
 def erect_tops(
     paths: int, densities: tuple[float, ...]
 ) -> Iterator[list[Any]]:
-    """What an erect top gains over a flat one [%], with growth and without."""
+    """Yields the gain of an erect top over a flat one [%], with growth and
+    without."""
     for density in densities:
         growing = tables(paths=paths)
         growing["field"] = {"rows": 2, "plants": 2}

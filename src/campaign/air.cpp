@@ -44,7 +44,7 @@ double standard_pressure(double elevation) {
 double sky_longwave(double temperature, double vapour, double clearness) {
     const double kelvin = temperature + 273.15;
     const double clear = 1.24 * std::pow(vapour / kelvin, 1 / 7.);
-    return std::lerp(1, clear, clearness) * 5.670374419e-8 *
+    return std::lerp(1, clear, clearness) * stefan_boltzmann *
            std::pow(kelvin, 4);
 }
 

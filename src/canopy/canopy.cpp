@@ -109,8 +109,9 @@ class Reporter {
             result_.lai += lai;
             result_.plant_area_index += index;
             if (component.photosynthesis) result_.assimilating_lai += lai;
-            result_.dead_area_index +=
-                dead_area(component.mesh) / component.ground_per_plant;
+            if (result_.grows)
+                result_.dead_area_index +=
+                    dead_area(component.mesh) / component.ground_per_plant;
         }
         for (const FixedObject& each : scene_.objects) {
             const std::vector<double> faces = face_areas(each.mesh);

@@ -210,7 +210,7 @@ date = {date}
 start = {start}
 end = {end}
 step_minutes
-# How far plants are apart.
+# The distances between plants.
 [[spacing]]
 row = {row}
 plant = {plant}
@@ -220,7 +220,7 @@ row_direction
 rows = 2 # of each field; several small fields cost less than a large one, see light.fields
 plants = 2 # of each row
 boundary # "isolated" is a plot alone
-# How plants differ from each other in fields, as measured; see docs/campaign_files.md.
+# The differences between plants of a field, as measured; see docs/campaign_files.md.
 [field.variation]
 length = 0.05 # of each blade, relative
 width = 0.06 # of each blade, relative
@@ -239,17 +239,17 @@ baseline = {baseline:?} # crop file, from this folder{bounds}
 # Parts of the light, in the PAR band; the plant tells its own.
 [optics]
 soil_albedo par_fraction
-# How accurate an evaluation is.
+# The accuracy of an evaluation.
 [light]
 tolerance = 0.008 # relative standard error of the light that leaves absorb
 paths # light paths per randomisation, at most
 randomisations
 fields = 4 # of each plant, one after the other: errors of rows contain how fields differ
 sky # diffuse light; "overcast" and "clear" are others
-# What plants are bred for.
+# The objective of the search.
 [objective]
 maximise = {objective:?} # "net_assimilation", "absorbed_par" are others
-# How plants are proposed.
+# The optimizer that proposes plants.
 [search]
 optimizer = "auto" # "ga", "nsga2", "random" are others
 # The first rule that holds ends a case.

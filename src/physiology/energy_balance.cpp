@@ -16,9 +16,8 @@ namespace {
 constexpr double kelvin = 273.15;
 //! No leaf is colder [deg C]; saturated_vapour() has a pole below.
 constexpr double coldest = -200;
-constexpr double stefan_boltzmann = 5.670374419e-8;  //!< [W m-2 K-4]
-constexpr double gas = 8.314462618e-3;               //!< [kPa m3 mol-1 K-1]
-constexpr double heat_capacity = 29.3;               //!< of air [J mol-1 K-1]
+constexpr double gas = 8.314462618e-3;  //!< [kPa m3 mol-1 K-1]
+constexpr double heat_capacity = 29.3;  //!< of air [J mol-1 K-1]
 constexpr double vapour_over_heat = 1.09;
 
 //! A leaf of one temperature behind its boundary layer. Openness is gs / (gs +

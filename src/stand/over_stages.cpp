@@ -132,7 +132,7 @@ OverStages::OverStages(const Campaign& campaign, const Case& chosen)
                                     {"stage"},
                                     Certainty::exact});
     for (const ObjectiveEntry& objective : objectives_)
-        aim_weights_.push_back(
+        objective_weights_.push_back(
             weights_of(objective.quantity, unit_of(objective.quantity)));
 }
 
@@ -161,7 +161,7 @@ Outcome OverStages::combine(std::span<const Outcome> each) const {
     const std::size_t count =
         each.front().randomisations.size() / objectives_.size();
     for (std::size_t k = 0; k < objectives_.size(); ++k) {
-        const std::vector<double> by = weights(aim_weights_[k], each);
+        const std::vector<double> by = weights(objective_weights_[k], each);
         std::vector<double> values(count);
         double mean = 0;
         for (std::size_t s = 0; s < each.size(); ++s) {

@@ -55,7 +55,7 @@ class OverStages {
     };
 
     std::vector<ObjectiveEntry> objectives_;
-    std::vector<Weights> aim_weights_;
+    std::vector<Weights> objective_weights_;
     std::vector<double> days_;   //!< of each stage since emergence
     std::vector<double> times_;  //!< of each stage, over that of the season
     std::vector<std::size_t> incident_, absorbed_, lai_;  //!< in quantities

@@ -61,9 +61,12 @@ void stand_in(Component& component, FieldForm form, const Campaign& campaign,
 }
 
 //! Gives lower leaves that a crop file leaves out the rates of its lowest one,
-//! where leaves differ by rank.
-void complete_rates(Photosynthesis& photosynthesis, std::size_t own,
-                    std::size_t all) {
+//! where leaves differ by rank and assimilate.
+//! @param own leaves of the crop file
+void complete_rates(Component& component, std::size_t own) {
+    if (!component.photosynthesis) return;
+    Photosynthesis& photosynthesis = *component.photosynthesis;
+    const std::size_t all = component.plant->leaves.size();
     const bool is_by_rank = photosynthesis.profile == CapacityProfile::rank;
     if (own == all || (!is_by_rank && photosynthesis.rates.size() == 1)) return;
     std::vector<LeafRates>& rates = photosynthesis.rates;
@@ -147,10 +150,7 @@ Scene scene_of(const Campaign& campaign, const Case& chosen) {
     bred.photosynthesis = campaign.photosynthesis;
     if (chosen.stage) {
         set_grown(campaign, chosen, 0, campaign.crop.baseline, bred);
-        if (bred.photosynthesis)
-            complete_rates(*bred.photosynthesis,
-                           campaign.crop.baseline.leaves.size(),
-                           bred.plant->leaves.size());
+        complete_rates(bred, campaign.crop.baseline.leaves.size());
     }
     scene.bands = {
         {"par",
@@ -183,10 +183,7 @@ Scene scene_of(const Campaign& campaign, const Case& chosen) {
         component.photosynthesis = each.photosynthesis;
         set_grown(campaign, chosen, scene.components.size() - 1,
                   each.crop.baseline, component);
-        if (component.photosynthesis)
-            complete_rates(*component.photosynthesis,
-                           each.crop.baseline.leaves.size(),
-                           component.plant->leaves.size());
+        complete_rates(component, each.crop.baseline.leaves.size());
         stand_in(component, form, campaign, each.standing);
         for (Band& band : scene.bands)
             for (const Material& material :

@@ -3,6 +3,9 @@
 
 namespace ideotype {
 
+//! The constant of Stefan and Boltzmann [W m-2 K-4].
+inline constexpr double stefan_boltzmann = 5.670374419e-8;
+
 //! 2^((T - reference) / 10): what doubles every ten degrees.
 //! @param temperature [deg C]
 double q10(double temperature, double reference);

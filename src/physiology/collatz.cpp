@@ -9,10 +9,10 @@
 
 namespace ideotype {
 
-CollatzAt::CollatzAt(const CollatzLeaf& leaf, double temperature)
-    : without_co2_{leaf.alpha, leaf.vmax * c4_temperature_response(temperature),
-                   leaf.theta, leaf.beta, 0},
-      slope_(leaf.k * q10(temperature, 25)) {}
+CollatzFactors::CollatzFactors(double temperature)
+    : capacity(c4_temperature_response(temperature)),
+      co2(q10(temperature, 25)),
+      respiration(co2 / (1 + std::exp(1.3 * (temperature - 55)))) {}
 
 Colimitation collatz_at(const CollatzLeaf& leaf, double temperature,
                         double ci) {

@@ -5,20 +5,13 @@
 #include <array>
 #include <cmath>
 
-#include "ideotype/core/units.hpp"
 #include "ideotype/physiology/temperature.hpp"
+#include "leaf_energy.hpp"
 #include "root.hpp"
 
 namespace ideotype {
 
 namespace {
-
-constexpr double kelvin = 273.15;
-//! No leaf is colder [deg C]; saturated_vapour() has a pole below.
-constexpr double coldest = -200;
-constexpr double gas = 8.314462618e-3;  //!< [kPa m3 mol-1 K-1]
-constexpr double heat_capacity = 29.3;  //!< of air [J mol-1 K-1]
-constexpr double vapour_over_heat = 1.09;
 
 //! A leaf of one temperature behind its boundary layer. Openness is gs / (gs +
 //! gb), from 0 to 1: the part that the drop of vapour pressure within the
@@ -151,110 +144,6 @@ LeafBalance balance_of(const Rates& rates, const Stomata& stomata,
     return result;
 }
 
-//! The energy of a point of a leaf at any temperature.
-class Energy {
-  public:
-    Energy(const ThermalLeaf& leaf, const LeafSurroundings& around)
-        : around_(around),
-          absorbed_(around.ppfd / mol_per_mj_par + around.nir +
-                    around.longwave),
-          emission_(2 * leaf.emissivity * stefan_boltzmann),
-          vapour_(around.humidity * saturated_vapour(around.temperature)),
-          latent_heat_(0.0180153 * (2.501e6 - 2361 * around.temperature)) {
-        const double d = 0.72 * around.width;
-        const double air =
-            around.pressure / (gas * (around.temperature + kelvin));
-        free_ = 0.05 / std::pow(d, 0.25);
-        unmoved_ = cube(1.4 * 0.135 * std::sqrt(around.wind / d)) +
-                   cube(2.15e-5 * air / d);
-        const double r = leaf.ratio > 1 ? 1 / leaf.ratio : leaf.ratio;
-        faces_ = (1 + r) * (1 + r) / (1 + r * r);
-    }
-
-    double vapour() const { return vapour_; }
-
-    //! Conductance of heat of one face.
-    double heat(double t) const {
-        const double apart = std::abs(t - around_.temperature);
-        return std::cbrt(unmoved_ + cube(free_ * std::sqrt(std::sqrt(apart))));
-    }
-
-    //! Conductance of vapour of the boundary layers in front of the stomata.
-    double boundary(double t) const {
-        return vapour_over_heat * faces_ * heat(t);
-    }
-
-    double net_radiation(double t) const {
-        const double k = t + kelvin;
-        return absorbed_ - emission_ * k * k * k * k;
-    }
-
-    double sensible(double t) const {
-        return 2 * heat_capacity * heat(t) * (t - around_.temperature);
-    }
-
-    //! Latent heat with a conductance of vapour [W m-2].
-    double latent(double t, double conductance) const {
-        return latent_heat_ * conductance * (saturated_vapour(t) - vapour_) /
-               around_.pressure;
-    }
-
-    double latent_of_dew(double t) const {
-        return std::min(latent(t, 2 * vapour_over_heat * heat(t)), 0.);
-    }
-
-    //! Returns whether air at the leaf is at least saturated: no water leaves
-    //! it.
-    bool has_dew(double t) const { return saturated_vapour(t) <= vapour_; }
-
-    double transpiration(double latent) const {
-        return 1e3 * latent / latent_heat_;
-    }
-
-    //! The temperature with shut stomata, which no leaf exceeds: there is one,
-    //! as radiation, heat and dew all fall with temperature.
-    double warmest() const {
-        const double t = around_.temperature, alone = radiative();
-        return root(
-            [&](double x) {
-                return sensible(x) + latent_of_dew(x) - net_radiation(x);
-            },
-            std::min(t, alone), std::max(t, alone), 1e-12);
-    }
-
-    //! A temperature that no leaf falls below without dew: below the smaller of
-    //! that of a wet surface without radiation, whatever the wind, and that of
-    //! radiation alone, heat and radiation both warm any leaf.
-    double coolest() const {
-        const auto cooling = [&](double x) {
-            return 2 * heat_capacity * (x - around_.temperature) +
-                   latent(x, vapour_over_heat * faces_);
-        };
-        return std::min(root(cooling, coldest, around_.temperature, 1e-9),
-                        radiative());
-    }
-
-    //! The openness of stomata that closes the balance; up to 2, where even
-    //! stomata without resistance evaporate too little.
-    double openness(double t) const {
-        const double most = latent(t, boundary(t));
-        const double need = net_radiation(t) - sensible(t);
-        return most > 0 ? std::clamp(need / most, 0., 2.) : 2;
-    }
-
-  private:
-    static double cube(double x) { return x * x * x; }
-
-    double radiative() const {
-        return std::max(std::sqrt(std::sqrt(absorbed_ / emission_)) - kelvin,
-                        coldest);
-    }
-
-    const LeafSurroundings& around_;
-    double absorbed_, emission_, vapour_, latent_heat_;
-    double free_, unmoved_, faces_;
-};
-
 //! Temperatures between two, which lie denser below that of the air: without
 //! wind conductances change fast there.
 std::array<double, 2 * steps + 1> temperatures(double low, double high,
@@ -272,7 +161,7 @@ std::array<double, 2 * steps + 1> temperatures(double low, double high,
 template <class Rates>
 EnergyBalance energy_of(const Rates& rates, const ThermalLeaf& leaf,
                         const LeafSurroundings& around) {
-    const Energy energy(leaf, around);
+    const LeafEnergy energy(leaf, around);
     const auto air_at = [&](double t) {
         return SurfaceAir{around.co2, energy.vapour(), energy.boundary(t)};
     };

@@ -35,24 +35,29 @@ double electron_yield(double temperature) {
     return 0.5 * std::max(of_photosystem, 0.0);
 }
 
-double curvature_at(double theta, double temperature) {
-    return std::clamp(theta + 0.018 * (temperature - 25) -
-                          0.00037 * (temperature * temperature - 25 * 25),
-                      0.0, 1.0);
-}
-
 }  // namespace
 
-FarquharAt::FarquharAt(const FarquharLeaf& leaf, double temperature)
-    : compensation_(arrhenius(19.02, 37.83, temperature)),
-      half_rate_(arrhenius(38.05, 79.43, temperature) *
-                 (1 + 210 / arrhenius(20.30, 36.38, temperature))),
-      vcmax_(leaf.vcmax * rise(65.33, temperature)),
-      triose_use_(3 * leaf.tpu * triose_use(temperature)),
+FarquharFactors::FarquharFactors(double temperature)
+    : compensation(arrhenius(19.02, 37.83, temperature)),
+      half_rate(arrhenius(38.05, 79.43, temperature) *
+                (1 + 210 / arrhenius(20.30, 36.38, temperature))),
+      vcmax(ideotype::rise(65.33, temperature)),
+      tpu(triose_use(temperature)),
+      jmax(ideotype::rise(43.5, temperature)),
+      yield(electron_yield(temperature)),
+      rise(0.018 * (temperature - 25)),
+      curvature(0.00037 * (temperature * temperature - 25 * 25)),
+      respiration(ideotype::rise(46.39, temperature)) {}
+
+FarquharAt::FarquharAt(const FarquharLeaf& leaf, const FarquharFactors& factors)
+    : compensation_(factors.compensation),
+      half_rate_(factors.half_rate),
+      vcmax_(leaf.vcmax * factors.vcmax),
+      triose_use_(3 * leaf.tpu * factors.tpu),
       jmax_(leaf.jmax),
-      jmax_rise_(rise(43.5, temperature)),
-      yield_(electron_yield(temperature)),
-      theta_(curvature_at(leaf.theta, temperature)),
+      jmax_rise_(factors.jmax),
+      yield_(factors.yield),
+      theta_(std::clamp(leaf.theta + factors.rise - factors.curvature, 0., 1.)),
       beta_(leaf.beta) {}
 
 Colimitation FarquharAt::operator()(double ci) const {

@@ -24,10 +24,25 @@ struct CollatzLeaf {
 //! @param ci CO2 within the leaf [umol mol-1]
 Colimitation collatz_at(const CollatzLeaf& leaf, double temperature, double ci);
 
+//! The effect of temperature on the rates of a C4 leaf, over those at 25 deg C.
+struct CollatzFactors {
+    explicit CollatzFactors(double temperature);
+
+    double capacity;     //!< of vmax
+    double co2;          //!< of k
+    double respiration;  //!< of that in the dark
+};
+
 //! collatz_at() of one temperature for many values of CO2.
 class CollatzAt {
   public:
-    CollatzAt(const CollatzLeaf& leaf, double temperature);
+    CollatzAt(const CollatzLeaf& leaf, double temperature)
+        : CollatzAt(leaf, CollatzFactors(temperature)) {}
+
+    CollatzAt(const CollatzLeaf& leaf, const CollatzFactors& factors)
+        : without_co2_{leaf.alpha, leaf.vmax * factors.capacity, leaf.theta,
+                       leaf.beta, 0},
+          slope_(leaf.k * factors.co2) {}
 
     Colimitation operator()(double ci) const {
         Colimitation response = without_co2_;

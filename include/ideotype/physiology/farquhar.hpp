@@ -54,10 +54,25 @@ struct FarquharLeaf {
 Colimitation farquhar_at(const FarquharLeaf& leaf, double temperature,
                          double ci);
 
+//! The effect of temperature on the rates of a C3 leaf, over those at 25 deg C
+//! if no unit is given.
+struct FarquharFactors {
+    explicit FarquharFactors(double temperature);
+
+    double compensation;  //!< G* [umol mol-1]
+    double half_rate;     //!< Kc (1 + O / Ko) [umol mol-1]
+    double vcmax, tpu, jmax;
+    double yield;            //!< electrons for each absorbed photon [-]
+    double rise, curvature;  //!< what is added to theta, what is taken off [-]
+    double respiration;      //!< of that in the dark
+};
+
 //! farquhar_at() of one temperature for many values of CO2.
 class FarquharAt {
   public:
-    FarquharAt(const FarquharLeaf& leaf, double temperature);
+    FarquharAt(const FarquharLeaf& leaf, double temperature)
+        : FarquharAt(leaf, FarquharFactors(temperature)) {}
+    FarquharAt(const FarquharLeaf& leaf, const FarquharFactors& factors);
     Colimitation operator()(double ci) const;
 
   private:

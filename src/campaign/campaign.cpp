@@ -126,6 +126,14 @@ Campaign complete(Draft& draft, const std::string& source,
             campaign.search.start.push_back(each.value);
     if (draft.has_photosynthesis)
         campaign.photosynthesis = to_photosynthesis(draft.photosynthesis);
+    if (draft.has_water) {
+        campaign.water = draft.water.rules;
+        campaign.water_limit = draft.water.limit;
+        campaign.stomata = to_stomata(draft.water, *campaign.photosynthesis);
+        for (ComponentEntry& each : campaign.components)
+            if (each.photosynthesis)
+                each.stomata = to_stomata(draft.water, *each.photosynthesis);
+    }
     std::erase_if(campaign.constraints.traits,
                   [](const TraitConstraint& x) { return !constrains(x); });
     campaign.source = source;

@@ -171,6 +171,7 @@ struct ComponentEntry {
     TraitSet free;              //!< its bred traits; none: it stays as it is
     PlantOptics optics, nir_optics;
     std::optional<Photosynthesis> photosynthesis{};  //!< if leaves assimilate
+    Stomata stomata{};                               //!< if they exchange water
 };
 
 //! The way in which the values of several scenarios become one objective.
@@ -215,6 +216,9 @@ struct Campaign {
     PlantOptics optics = usual_optics;       //!< of plants, in the PAR band
     double soil_albedo = usual_soil_albedo;  //!< the same of the soil
     std::optional<Photosynthesis> photosynthesis;  //!< if leaves assimilate
+    std::optional<LeafWater> water{};  //!< if leaves exchange heat and water
+    Stomata stomata{};                 //!< of the crop's leaves then
+    double water_limit = 0;            //!< of transpiration; 0: none [mm]
     double par_fraction = 0.45;
     //! Wavebands that light is followed in, beside PAR.
     std::vector<BandEntry> bands;

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "air.hpp"
 #include "campaign.hpp"
 #include "ideotype/core/error.hpp"
 #include "ideotype/core/hash.hpp"
@@ -158,8 +159,13 @@ std::vector<Case> cases(const Campaign& campaign) {
 LightSeries light_of(const Campaign& campaign, const Case& chosen) {
     if (!chosen.scenarios.empty())
         return light_of(campaign, chosen.scenarios.front());
-    if (campaign.climates.empty())
-        return clear_days(chosen.site, chosen.day, campaign.par_fraction);
+    if (campaign.climates.empty()) {
+        LightSeries series =
+            clear_days(chosen.site, chosen.day, campaign.par_fraction);
+        if (campaign.water)
+            estimate_air(series, chosen.site, campaign.par_fraction);
+        return series;
+    }
     for (const SiteWeather& weather : campaign.weathers)
         if (weather.site == chosen.site.name &&
             weather.climate == chosen.day_name) {
@@ -170,6 +176,8 @@ LightSeries light_of(const Campaign& campaign, const Case& chosen) {
                         climate.wind_height.value_or(series.wind_height);
                     series.co2 = climate.co2.value_or(series.co2);
                 }
+            if (campaign.water)
+                estimate_air(series, chosen.site, campaign.par_fraction);
             return chosen.stage ? at_stage(campaign, chosen, std::move(series))
                                 : series;
         }

@@ -366,6 +366,7 @@ void check_draft(Draft& draft, Problems& problems) {
         draft.photosynthesis,
         draft.is_crop_known ? campaign.crop.baseline.leaves.size() : 0,
         problems);
+    check_water(draft, problems);
     check_plant(draft, problems);
     check_breeding(draft, problems);
     check_feasibility(draft, problems);

@@ -7,6 +7,7 @@
 
 #include "campaign.hpp"
 #include "photosynthesis_table.hpp"
+#include "water_table.hpp"
 
 namespace ideotype {
 
@@ -42,10 +43,12 @@ struct Draft {
     std::vector<Range> own_bounds;    //!< of each trait
     std::vector<std::string> organs;  //!< that plants have besides leaves
     PhotosynthesisTable photosynthesis;
+    WaterTable water;
     MeasuredLines lines;
     Growth growth;                    //!< of the crop
     bool has_growth = false;          //!< the crop file tells it
     bool has_photosynthesis = false;  //!< leaves assimilate
+    bool has_water = false;           //!< leaves exchange heat and water
     bool is_crop_known = true;        //!< no file is missing
     bool has_climate = false;         //!< instead of days
     bool has_population = false;      //!< none that the optimizer chooses

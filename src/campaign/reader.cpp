@@ -75,13 +75,17 @@ class DraftReader {
         const std::vector<Table> tables = campaign_tables(draft_);
         tables_.read(top, top_section(campaign), tables);
         for (const Table& table : tables) tables_.read(top, table);
-        campaign.has_nir = std::any_of(
-            campaign.bands.begin(), campaign.bands.end(),
-            [](const BandEntry& band) { return band.name == "nir"; });
+        draft_.has_water = top.contains("water");
+        campaign.has_nir =
+            (draft_.has_water && draft_.water.rules.has_leaf_temperature) ||
+            std::any_of(
+                campaign.bands.begin(), campaign.bands.end(),
+                [](const BandEntry& band) { return band.name == "nir"; });
         if (const auto lines = top["feasibility"]["lines"])
             read_lines(*lines.node());
-        draft_.has_photosynthesis =
-            top.contains("photosynthesis") || asks_for_assimilation(campaign);
+        draft_.has_photosynthesis = top.contains("photosynthesis") ||
+                                    draft_.has_water ||
+                                    asks_for_assimilation(campaign);
         draft_.has_population = top["search"]["population"].node() != nullptr;
         // Resolved campaigns have it if nothing is searched for.
         if (source_ == PlantSource::table)

@@ -393,6 +393,13 @@ Table optics_table(Campaign& campaign) {
     return with_nir(campaign, par, nir);
 }
 
+Table water_table(Draft& draft) {
+    Table table = one_table(water_section(draft.water));
+    table.is_optional = true;
+    table.is_default = !draft.has_water;
+    return table;
+}
+
 Table band_table(Campaign& campaign) {
     Table table = list_of_tables<BandEntry>(
         "band",
@@ -565,6 +572,7 @@ std::vector<Table> campaign_tables(Draft& draft) {
             one_table(light_section(campaign)),
             one_table(objective_section(draft)),
             photosynthesis_table(draft),
+            water_table(draft),
             constraints_table(campaign.constraints),
             feasibility_table(draft),
             search_table(draft),

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include "leaf_air.hpp"
 #include "pair_light.hpp"
 
 namespace ideotype {
@@ -44,6 +45,21 @@ Expansion gain(const Expansion& shaded, const Expansion& lit, double beam) {
             (lit.curvature - shaded.curvature) / beam};
 }
 
+//! What is known of one flux.
+struct Flux {
+    Responses shaded;          //!< of places, in a step
+    Responses lit;             //!< of bins
+    std::vector<double> mean;  //!< of places
+    //! [randomisation][place], but for what all share
+    std::vector<std::vector<double>> differences;
+    std::vector<FluxTally> all;  //!< pseudo-values
+    // Weights of moments in the steps that share a sun and a sky, of places and
+    // bins, and of the light of pieces from the sky that steps share.
+    std::vector<Moments> weights, weights_of_bins;
+    std::vector<double> sky_weight, sky_weight_of_square;
+    double whole = 0;  //!< in the steps that share a sun and a sky
+};
+
 class Assimilation {
   public:
     Assimilation(const std::vector<Tally>& tallies, const Pieces& pieces,
@@ -53,53 +69,86 @@ class Assimilation {
           light_(lit.par.light),
           places_(pieces, lit, tallies.size() == 1),
           expectation_(places_, tallies),
-          mean_(places_.count()),
-          differences_(tallies.size(), std::vector<double>(places_.count())),
-          all_(tallies.size(), {std::vector<double>(lit.leaves.size()),
-                                std::vector<double>(lit.layers.count),
-                                std::vector<double>(light_.series.steps.size()),
-                                std::vector<double>(pieces.rows)}) {
-        shaded_.resize(places_.count());
+          fluxes_(lit.air ? leaf_fluxes : 1) {
+        for (Flux& flux : fluxes_) {
+            flux.shaded.resize(places_.count());
+            flux.mean.resize(places_.count());
+            flux.differences.assign(tallies.size(),
+                                    std::vector<double>(places_.count()));
+            flux.all.assign(tallies.size(),
+                            {std::vector<double>(lit.leaves.size()),
+                             std::vector<double>(lit.layers.count),
+                             std::vector<double>(light_.series.steps.size()),
+                             std::vector<double>(pieces.rows)});
+        }
+        if (lit.air) lit.air->see(places_, expectation_);
     }
 
-    std::vector<AssimilationTally> result() {
+    FluxTallies result() {
         std::map<int, std::map<int, std::vector<std::size_t>>> steps;
         for (std::size_t i = 0; i < light_.beam_of.size(); ++i)
             if (light_.beam_of[i] >= 0 || light_.sky_of[i] >= 0)
                 steps[light_.sky_of[i]][light_.beam_of[i]].push_back(i);
         for (const auto& [of_sky, beams] : steps) {
             SkyLight sky(tallies_, of_sky, places_, expectation_);
+            for (Flux& flux : fluxes_) {
+                flux.sky_weight = sky.weight;
+                flux.sky_weight_of_square = sky.weight_of_square;
+            }
             for (const auto& [beam, of_pair] : beams) add(beam, sky, of_pair);
-            for (std::size_t r = 0; r < tallies_.size(); ++r)
-                for (const auto& [v, x] : sky.light.parts[r])
-                    differences_[r][places_.of[v]] +=
-                        x * (sky.weight[v] + sky.weight_of_square[v] * x);
+            for (Flux& flux : fluxes_)
+                for (std::size_t r = 0; r < tallies_.size(); ++r)
+                    for (const auto& [v, x] : sky.light.parts[r])
+                        flux.differences[r][places_.of[v]] +=
+                            x * (flux.sky_weight[v] +
+                                 flux.sky_weight_of_square[v] * x);
         }
-        add_up();
-        return std::move(all_);
+        if (lit_leaves_.air) add_nights();
+        FluxTallies all;
+        for (Flux& flux : fluxes_) {
+            add_up(flux);
+            all.push_back(std::move(flux.all));
+        }
+        return all;
     }
 
   private:
     //! Adds steps that share a sun and a sky.
     void add(int beam, SkyLight& sky, const std::vector<std::size_t>& steps) {
         PairLight pair(tallies_, lit_leaves_, places_, expectation_, beam, sky);
-        std::vector<Moments> weights(places_.count());
-        double whole = 0;
-        for (const std::size_t i : steps)
-            whole += add(i, beam, sky, pair, weights);
-        if (tallies_.size() == 1 || whole == 0) return;
-        const std::vector<double> sums = pair.scatter(weights, differences_);
+        for (Flux& flux : fluxes_) {
+            flux.whole = 0;
+            flux.weights.assign(places_.count(), {});
+            flux.weights_of_bins.assign(pair.bins().size(), {});
+        }
+        if (lit_leaves_.air) lit_leaves_.air->meet(beam, sky.source);
+        for (const std::size_t i : steps) add(i, beam, sky, pair);
+        if (tallies_.size() == 1) return;
+        for (Flux& flux : fluxes_)
+            if (flux.whole != 0) scatter(flux, sky, pair, steps);
+    }
+
+    //! Adds the differences of randomisations in some steps.
+    void scatter(Flux& flux, SkyLight& sky, PairLight& pair,
+                 const std::vector<std::size_t>& steps) const {
+        for (std::size_t b = 0; b < flux.weights_of_bins.size(); ++b)
+            pair.bins()[b].weights = flux.weights_of_bins[b];
+        sky.weight.swap(flux.sky_weight);
+        sky.weight_of_square.swap(flux.sky_weight_of_square);
+        const std::vector<double> sums =
+            pair.scatter(flux.weights, flux.differences);
+        sky.weight.swap(flux.sky_weight);
+        sky.weight_of_square.swap(flux.sky_weight_of_square);
         const double mean = std::accumulate(sums.begin(), sums.end(), 0.) /
                             static_cast<double>(sums.size());
         // The errors of its steps are taken as in proportion to them.
         for (std::size_t r = 0; r < sums.size(); ++r)
             for (const std::size_t i : steps)
-                all_[r].steps[i] *= 1 + (sums[r] - mean) / whole;
+                flux.all[r].steps[i] *= 1 + (sums[r] - mean) / flux.whole;
     }
 
-    //! Adds a step [mol m-2], and the weights of moments in it.
-    double add(std::size_t i, int beam, const SkyLight& sky, PairLight& pair,
-               std::vector<Moments>& weights) {
+    //! Adds a step, and the weights of moments in it.
+    void add(std::size_t i, int beam, const SkyLight& sky, PairLight& pair) {
         const TimeStep& step = light_.series.steps[i];
         const auto scale = [&](int source, double irradiance) {
             if (source < 0) return 0.;
@@ -113,41 +162,53 @@ class Assimilation {
             return places_.absorptance[bin.place] * step.par.beam *
                    lit_leaves_.photons * bin.cosine;
         };
-        const double amount = step.seconds * mol_per_umol / light_.series.days;
         std::vector<PairLight::Bin>& bins = pair.bins();
+        Responses& shaded = fluxes_.front().shaded;
+        Responses& lit = fluxes_.front().lit;
         for (std::size_t p = 0; p < places_.count(); ++p)
-            shaded_.light[p] =
+            shaded.light[p] =
                 of_sun * pair.expected()[p] + of_sky * sky.expected[p];
-        lit_.resize(bins.size());
+        for (Flux& flux : fluxes_) flux.lit.resize(bins.size());
         for (std::size_t b = 0; b < bins.size(); ++b)
-            lit_.light[b] = shaded_.light[bins[b].place] + on_leaf(bins[b]);
-        respond(step, bins);
-        double whole = 0;
-        const auto add = [&](const Expansion& at, double times,
-                             const Moments& of, std::size_t place,
-                             Moments& all) {
-            const Moments weight{times * at.value,
-                                 times * at.slope * of_sun,
-                                 times * at.slope * of_sky,
-                                 times * at.curvature * of_sun * of_sun / 2,
-                                 times * at.curvature * of_sun * of_sky,
-                                 times * at.curvature * of_sky * of_sky / 2};
-            const double sum = weight.dot(of);
-            mean_[place] += sum;
-            whole += sum;
-            all.add(weight, 1);
-        };
-        for (std::size_t p = 0; p < places_.count(); ++p)
-            add(shaded_.at(p), amount, pair.moments()[p], p, weights[p]);
-        for (std::size_t b = 0; b < bins.size(); ++b)
-            add(gain(shaded_.at(bins[b].place), lit_.at(b), on_leaf(bins[b])),
-                amount * of_sun, bins[b].moments, bins[b].place,
-                bins[b].weights);
-        for (AssimilationTally& tally : all_) tally.steps[i] = whole / amount;
-        return whole;
+            lit.light[b] = shaded.light[bins[b].place] + on_leaf(bins[b]);
+        if (lit_leaves_.air)
+            exchange(i, of_sun, bins, on_leaf);
+        else
+            respond(step, bins);
+        for (std::size_t k = 0; k < fluxes_.size(); ++k) {
+            Flux& flux = fluxes_[k];
+            const double amount =
+                amount_of(static_cast<LeafFlux>(k), step) / light_.series.days;
+            double whole = 0;
+            const auto add = [&](const Expansion& at, double times,
+                                 const Moments& of, std::size_t place,
+                                 Moments& all) {
+                const Moments weight{
+                    times * at.value,
+                    times * at.slope * of_sun,
+                    times * at.slope * of_sky,
+                    times * at.curvature * of_sun * of_sun / 2,
+                    times * at.curvature * of_sun * of_sky,
+                    times * at.curvature * of_sky * of_sky / 2};
+                const double sum = weight.dot(of);
+                flux.mean[place] += sum;
+                whole += sum;
+                all.add(weight, 1);
+            };
+            for (std::size_t p = 0; p < places_.count(); ++p)
+                add(flux.shaded.at(p), amount, pair.moments()[p], p,
+                    flux.weights[p]);
+            for (std::size_t b = 0; b < bins.size(); ++b)
+                add(gain(flux.shaded.at(bins[b].place), flux.lit.at(b),
+                         on_leaf(bins[b])),
+                    amount * of_sun, bins[b].moments, bins[b].place,
+                    flux.weights_of_bins[b]);
+            flux.whole += whole;
+            for (FluxTally& tally : flux.all) tally.steps[i] = whole / amount;
+        }
     }
 
-    //! Leaf by leaf.
+    //! Finds the responses of a step leaf by leaf.
     void respond(const TimeStep& step,
                  const std::vector<PairLight::Bin>& bins) {
         std::vector<LeafResponse> responses;
@@ -161,26 +222,93 @@ class Assimilation {
             const std::uint32_t leaf = places_.group[first];
             while (last < places_.count() && places_.group[last] == leaf)
                 ++last;
-            shaded_.respond(responses[leaf], first, last);
+            fluxes_.front().shaded.respond(responses[leaf], first, last);
             const std::size_t first_bin = b;
             while (b < bins.size() && bins[b].place < last) ++b;
-            lit_.respond(responses[leaf], first_bin, b);
+            fluxes_.front().lit.respond(responses[leaf], first_bin, b);
         }
     }
 
-    //! Pseudo-values of places to those of leaves, layers and rows.
-    void add_up() {
+    //! Finds the exchange of leaves with the air in a step.
+    void exchange(std::size_t i, double of_sun,
+                  const std::vector<PairLight::Bin>& bins,
+                  const auto& on_leaf) {
+        LeafAir& air = *lit_leaves_.air;
+        std::vector<LeafAir::Point>& points = air.points();
+        points.clear();
+        const Responses &shaded = fluxes_.front().shaded,
+                        &lit = fluxes_.front().lit;
+        for (std::size_t p = 0; p < places_.count(); ++p)
+            points.push_back({p, shaded.light[p], 0, places_.index[p]});
+        for (std::size_t b = 0; b < bins.size(); ++b) {
+            // Sunlit leaf area is what a hit absorbs over the beam.
+            const double beam = on_leaf(bins[b]);
+            const double area =
+                beam > 0 ? of_sun * bins[b].moments.one / beam : 0;
+            points.push_back(
+                {bins[b].place, lit.light[b], bins[b].cosine, area});
+            points[bins[b].place].area -= area;
+        }
+        air.exchange(i);
+        for (std::size_t k = 0; k < fluxes_.size(); ++k) {
+            Flux& flux = fluxes_[k];
+            for (std::size_t j = 0; j < points.size(); ++j) {
+                Responses& into = j < places_.count() ? flux.shaded : flux.lit;
+                const std::size_t at =
+                    j < places_.count() ? j : j - places_.count();
+                const Expansion& found = air.flux(k, j);
+                into.value[at] = found.value;
+                into.slope[at] = found.slope;
+                into.curvature[at] = found.curvature;
+            }
+        }
+    }
+
+    //! Adds what leaves transpire in steps without light.
+    void add_nights() {
+        LeafAir& air = *lit_leaves_.air;
+        std::vector<LeafAir::Point>& points = air.points();
+        air.meet(-1, -1);
+        for (std::size_t i = 0; i < light_.beam_of.size(); ++i) {
+            if (light_.beam_of[i] >= 0 || light_.sky_of[i] >= 0) continue;
+            points.clear();
+            for (std::size_t p = 0; p < places_.count(); ++p)
+                points.push_back({p, 0, 0, places_.index[p]});
+            air.exchange(i);
+            const TimeStep& step = light_.series.steps[i];
+            for (const LeafFlux kind :
+                 {LeafFlux::transpiration, LeafFlux::sensible}) {
+                const auto k = static_cast<std::size_t>(kind);
+                Flux& flux = fluxes_[k];
+                const double amount =
+                    amount_of(kind, step) / light_.series.days;
+                double whole = 0;
+                for (std::size_t p = 0; p < places_.count(); ++p) {
+                    const double sum =
+                        amount * places_.index[p] * air.flux(k, p).value;
+                    flux.mean[p] += sum;
+                    whole += sum;
+                }
+                for (FluxTally& tally : flux.all)
+                    tally.steps[i] = whole / amount;
+            }
+        }
+    }
+
+    //! Sums pseudo-values of places to those of leaves, layers and rows.
+    void add_up(Flux& flux) const {
         for (std::size_t p = 0; p < places_.count(); ++p) {
             double mean = 0;
-            for (const std::vector<double>& each : differences_)
+            for (const std::vector<double>& each : flux.differences)
                 mean += each[p] / static_cast<double>(tallies_.size());
             for (std::size_t r = 0; r < tallies_.size(); ++r) {
-                const double amount = mean_[p] + differences_[r][p] - mean;
-                all_[r].groups[places_.group[p]] += amount;
-                all_[r].layers[lit_leaves_.layers.at(places_.height[p])] +=
+                const double amount =
+                    flux.mean[p] + flux.differences[r][p] - mean;
+                FluxTally& tally = flux.all[r];
+                tally.groups[places_.group[p]] += amount;
+                tally.layers[lit_leaves_.layers.at(places_.height[p])] +=
                     amount;
-                if (!all_[r].rows.empty())
-                    all_[r].rows[places_.row[p]] += amount;
+                if (!tally.rows.empty()) tally.rows[places_.row[p]] += amount;
             }
         }
     }
@@ -190,20 +318,13 @@ class Assimilation {
     const SeriesIllumination& light_;
     LeafPlaces places_;
     ExpectedLight expectation_;
-
-    Responses shaded_;          //!< of places, in a step
-    Responses lit_;             //!< of bins
-    std::vector<double> mean_;  //!< of places [mol m-2]
-    //! [randomisation][place], but for what all share
-    std::vector<std::vector<double>> differences_;
-    std::vector<AssimilationTally> all_;  //!< pseudo-values
+    std::vector<Flux> fluxes_;  //!< of LeafFlux
 };
 
 }  // namespace
 
-std::vector<AssimilationTally> assimilate(const std::vector<Tally>& tallies,
-                                          const Pieces& pieces,
-                                          const LitLeaves& lit) {
+FluxTallies assimilate(const std::vector<Tally>& tallies, const Pieces& pieces,
+                       const LitLeaves& lit) {
     return Assimilation(tallies, pieces, lit).result();
 }
 

@@ -8,7 +8,7 @@ namespace {
 
 using Values = std::vector<Estimate>;
 
-constexpr double grams_of_carbon = 12.011, grams_of_co2 = 44.0095;
+constexpr double grams_of_co2 = 44.0095;
 //! Tonnes of carbohydrate on a hectare for each mol of carbon on a square
 //! metre.
 constexpr double tonnes = 30e-6 * 1e4;
@@ -18,8 +18,8 @@ Randomised carbon(const CanopyReport& report, double loss = 0,
                   double scale = 1) {
     const Estimate gross = report.assimilation->gross;
     Randomised result{{gross.mean - loss, gross.standard_error}, {}};
-    for (const AssimilationTally& tally : report.assimilation->tallies)
-        result.by_randomisation.push_back(tally.gross() - loss);
+    for (const FluxTally& tally : report.assimilation->tallies)
+        result.by_randomisation.push_back(tally.sum() - loss);
     return scaled(std::move(result), scale);
 }
 
@@ -34,16 +34,16 @@ Randomised balance(const CanopyReport& report, double scale = 1) {
 //! Returns the gross assimilation of groups or of layers.
 std::vector<Randomised> gross(const AssimilationReport& report,
                               const Values& estimates,
-                              std::vector<double> AssimilationTally::*part) {
+                              std::vector<double> FluxTally::*part) {
     std::vector<std::vector<double>> by_randomisation;
-    for (const AssimilationTally& tally : report.tallies)
+    for (const FluxTally& tally : report.tallies)
         by_randomisation.push_back(tally.*part);
     return randomised(estimates, by_randomisation);
 }
 
 std::vector<Randomised> gross_of_groups(const CanopyReport& report) {
     return gross(*report.assimilation, report.assimilation->groups,
-                 &AssimilationTally::groups);
+                 &FluxTally::groups);
 }
 
 //! Each leaf lowered by its respiration in the light.
@@ -67,7 +67,7 @@ Randomised light_use(const CanopyReport& report) {
     Randomised result{{ratio, 0}, {}};
     for (std::size_t r = 0; r < all.tallies.size(); ++r)
         result.by_randomisation.push_back(
-            ratio + (grams_of_carbon * all.tallies[r].gross() -
+            ratio + (grams_of_carbon * all.tallies[r].sum() -
                      ratio * report.par().budget_by_randomisation[r].leaves /
                          joule_per_megajoule) /
                         light);
@@ -161,7 +161,7 @@ std::vector<Declaration> assimilation_quantities() {
           {"layer"}},
          [](const Report& r) {
              return gross(*r.assimilation, r.assimilation->layers,
-                          &AssimilationTally::layers);
+                          &FluxTally::layers);
          }},
         {{"assimilation_by_hour",
           "umol m-2 s-1",

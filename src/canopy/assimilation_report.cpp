@@ -107,7 +107,7 @@ std::vector<ComponentAssimilation> by_component(
     return all;
 }
 
-double AssimilationTally::gross() const {
+double FluxTally::sum() const {
     return std::accumulate(groups.begin(), groups.end(), 0.);
 }
 
@@ -149,7 +149,7 @@ Respiration respiration(const LeafRates& rates, double leaf_area_index,
 }
 
 //! Reports what leaves do after silking.
-void report_late(const std::vector<AssimilationTally>& tallies,
+void report_late(const std::vector<FluxTally>& tallies,
                  const std::vector<LeafGroup>& leaves,
                  const std::vector<double>& leaf_area_index,
                  const LightSeries& series, AssimilationReport& result) {
@@ -170,32 +170,29 @@ void report_late(const std::vector<AssimilationTally>& tallies,
 
 }  // namespace
 
-AssimilationReport report(std::vector<AssimilationTally> tallies,
-                          const std::vector<LeafGroup>& leaves,
-                          const std::vector<double>& leaf_area_index,
-                          const SeriesIllumination& light) {
-    AssimilationReport result;
+FluxReport report(std::vector<FluxTally> tallies, const LightSeries& series,
+                  double (*amount_of)(const TimeStep& step)) {
+    FluxReport result;
     const auto over = [&](const auto& figure) {
         std::vector<double> randomisations;
-        for (const AssimilationTally& tally : tallies)
+        for (const FluxTally& tally : tallies)
             randomisations.push_back(figure(tally));
         return estimate(randomisations);
     };
-    const auto each = [&](std::vector<double> AssimilationTally::*part) {
+    const auto each = [&](std::vector<double> FluxTally::*part) {
         std::vector<Estimate> all;
         for (std::size_t i = 0; i < (tallies.front().*part).size(); ++i)
             all.push_back(
-                over([&](const AssimilationTally& t) { return (t.*part)[i]; }));
+                over([&](const FluxTally& t) { return (t.*part)[i]; }));
         return all;
     };
-    result.gross = over([](const AssimilationTally& t) { return t.gross(); });
-    result.groups = each(&AssimilationTally::groups);
-    result.layers = each(&AssimilationTally::layers);
-    const LightSeries& series = light.series;
+    result.sum = over([](const FluxTally& t) { return t.sum(); });
+    result.groups = each(&FluxTally::groups);
+    result.layers = each(&FluxTally::layers);
     const auto of_steps = [&](const auto& lists, const auto& weight) {
         std::vector<Estimate> all;
         for (const std::vector<std::size_t>& steps : lists)
-            all.push_back(over([&](const AssimilationTally& t) {
+            all.push_back(over([&](const FluxTally& t) {
                 double sum = 0;
                 for (const std::size_t i : steps) sum += weight(i) * t.steps[i];
                 return sum;
@@ -206,8 +203,27 @@ AssimilationReport report(std::vector<AssimilationTally> tallies,
                             [&](std::size_t) { return 1. / series.days; });
     if (series.days > 1)
         result.dates = of_steps(series.steps_of_dates(), [&](std::size_t i) {
-            return mol_per_umol * series.steps[i].seconds;
+            return amount_of(series.steps[i]);
         });
+    result.tallies = std::move(tallies);
+    return result;
+}
+
+AssimilationReport report(std::vector<FluxTally> tallies,
+                          const std::vector<LeafGroup>& leaves,
+                          const std::vector<double>& leaf_area_index,
+                          const SeriesIllumination& light) {
+    AssimilationReport result;
+    const LightSeries& series = light.series;
+    FluxReport gross = report(
+        std::move(tallies), series,
+        [](const TimeStep& step) { return mol_per_umol * step.seconds; });
+    result.gross = gross.sum;
+    result.groups = std::move(gross.groups);
+    result.layers = std::move(gross.layers);
+    result.hours = std::move(gross.hours);
+    result.dates = std::move(gross.dates);
+    result.tallies = std::move(gross.tallies);
     for (std::size_t g = 0; g < leaves.size(); ++g) {
         const auto& [rates, photosynthesis, built] = leaves[g];
         result.respiration.emplace_back();
@@ -221,8 +237,7 @@ AssimilationReport report(std::vector<AssimilationTally> tallies,
         result.building += result.building_of_groups.back();
     }
     if (series.grows)
-        report_late(tallies, leaves, leaf_area_index, series, result);
-    result.tallies = std::move(tallies);
+        report_late(result.tallies, leaves, leaf_area_index, series, result);
     return result;
 }
 

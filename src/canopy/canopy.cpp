@@ -197,7 +197,7 @@ class Reporter {
 
     Estimate gross_of_row(std::size_t row) const {
         std::vector<double> values;
-        for (const AssimilationTally& tally : result_.assimilation->tallies)
+        for (const FluxTally& tally : result_.assimilation->tallies)
             values.push_back(tally.rows[row]);
         return estimate(values);
     }
@@ -213,8 +213,14 @@ class Reporter {
         std::vector<double> leaf_area_index = found_.leaf_area_index;
         for (double& index : leaf_area_index) index /= found_.fields;
         result_.assimilation =
-            ideotype::report(found_.assimilation, shared_.leaves,
+            ideotype::report(found_.fluxes.front(), shared_.leaves,
                              leaf_area_index, scene_.light());
+        if (found_.fluxes.size() > 1) {
+            std::vector<double> layers = found_.leaf_area_of_layers;
+            for (double& index : layers) index /= found_.fields;
+            result_.water = ideotype::report(found_.fluxes, std::move(layers),
+                                             scene_.light().series);
+        }
         if (lines_.are_cut)
             result_.hit_by_sun =
                 ideotype::report(found_.hit_by_sun, scene_.light());
@@ -286,7 +292,7 @@ CanopyReport evaluate(const CanopyRequest& request, const Scene& scene,
                       const Device& device, const Clock& clock) {
     const Plan plan(request);
     const Lines lines(scene, request);
-    SharedByFields shared{request.layers};
+    SharedByFields shared{request.layers, {}, bands_of(scene)};
     if (scene.varies())
         shared.leaves =
             leaf_groups(scene, lines.groups,

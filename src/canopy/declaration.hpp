@@ -23,6 +23,8 @@ using TakeNumbers = std::function<std::vector<Estimate>(const CanopyReport&)>;
 //! Takes a profile from a report, each number by randomisation too.
 using TakeProfile = std::function<std::vector<Randomised>(const CanopyReport&)>;
 
+inline constexpr double grams_of_carbon = 12.011;  //!< of a mol
+
 // Units of light and of CO2 on a mean day, per ground area.
 inline constexpr auto daily = "MJ m-2 day-1", rate = "mol m-2 day-1";
 
@@ -36,6 +38,7 @@ struct Scope {
     bool has_objects = false;
     bool has_panels = false;
     bool grows = false;
+    bool has_water = false;
 
     bool has_band(const std::string& name) const {
         return std::find(bands.begin(), bands.end(), name) != bands.end();
@@ -65,8 +68,11 @@ std::vector<Declaration> part_quantities();
 
 //! Quantities by row and by strip, after those.
 std::vector<Declaration> row_quantities();
-//! Quantities of scenes with fixed objects, after all others.
+//! Quantities of scenes with fixed objects, after those.
 std::vector<Declaration> object_quantities();
+
+//! Quantities of leaves that exchange heat and water, after all others.
+std::vector<Declaration> water_quantities();
 
 inline Randomised scaled(Randomised x, double factor) {
     x.estimate = scaled(x.estimate, factor);

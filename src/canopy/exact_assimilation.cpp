@@ -57,7 +57,7 @@ class Referee {
     ExactAssimilation result(const Accuracy& accuracy) {
         const auto count = static_cast<std::size_t>(accuracy.randomisations);
         constexpr int first_points = 256;
-        std::vector<AssimilationTally> sums(count, empty_);
+        std::vector<FluxTally> sums(count, empty_);
         std::vector<RandomStream> random;
         for (std::size_t r = 0; r < count; ++r)
             random.emplace_back(randomness_.seed, Purpose::backward,
@@ -75,7 +75,7 @@ class Referee {
             found.points = next;
             found.tallies = sums;
             const double weight = leaves_.area() / scene_.ground_area() / next;
-            for (AssimilationTally& tally : found.tallies)
+            for (FluxTally& tally : found.tallies)
                 for (Sums* part : {&tally.groups, &tally.layers, &tally.steps})
                     for (double& x : *part) x *= weight;
             found.is_capped =
@@ -87,12 +87,11 @@ class Referee {
     }
 
   private:
-    static double relative_error(const std::vector<AssimilationTally>& all) {
+    static double relative_error(const std::vector<FluxTally>& all) {
         constexpr double unknown = std::numeric_limits<double>::infinity();
         if (all.size() < 2) return unknown;
         std::vector<double> gross;
-        for (const AssimilationTally& tally : all)
-            gross.push_back(tally.gross());
+        for (const FluxTally& tally : all) gross.push_back(tally.sum());
         const Estimate found = estimate(gross);
         if (found.standard_error == 0) return 0;
         return found.mean > 0 ? found.standard_error / found.mean : unknown;
@@ -105,7 +104,7 @@ class Referee {
 
     //! Points of one randomisation, from a number up to another.
     void add(std::uint32_t number, int first, int last, RandomStream& random,
-             AssimilationTally& tally) {
+             FluxTally& tally) {
         PathSampler places(randomness_.seed, randomness_.generation, number, 0);
         for (int i = first; i < last; ++i) {
             places.begin(static_cast<std::uint32_t>(i));
@@ -118,7 +117,7 @@ class Referee {
     }
 
     void add(const LeafPoint& point, double part, RandomStream& random,
-             AssimilationTally& tally) {
+             FluxTally& tally) {
         const std::vector<Source>& sources = light_.light.sources;
         beam_.assign(sources.size(), 0);
         for (std::size_t s = 0; s < sources.size(); ++s)
@@ -183,7 +182,7 @@ class Referee {
     //! Photons that leaves of each group absorb of a unit of irradiance by the
     //! face that absorbs most, which the light at points is relative to.
     std::vector<double> absorbed_;
-    AssimilationTally empty_;
+    FluxTally empty_;
     std::vector<double> amount_;          //!< of each step [mol s umol-1]
     std::vector<LeafResponse> response_;  //!< [group][step]
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "ideotype/canopy/exact_assimilation.hpp"
+#include "ideotype/core/error.hpp"
 #include "ideotype/light/device.hpp"
 #include "randomisations.hpp"
 
@@ -14,6 +15,8 @@ namespace {
 
 //! Enough points to know a sunlit fraction to some 0.2 %.
 constexpr int most_sunlit_points = 2048;
+
+constexpr auto nir = "nir", longwave = "longwave";
 
 //! Returns how one plant of a component is cut.
 Pieces pieces_of_line(const Component& component,
@@ -61,13 +64,14 @@ class FieldPass {
         Simulation simulation = simulate(surfaces, mesh, accuracy);
         if (scene_.assimilates()) {
             if (lines_.are_cut)
-                assimilate(surfaces, mesh, simulation.tallies.front());
+                assimilate(surfaces, mesh, simulation.tallies);
             else
                 assimilate_exactly(surfaces, mesh, accuracy);
         }
         accuracy.paths = simulation.paths;
         found_.paths = accuracy.all_paths();
         found_.is_capped |= simulation.is_capped;
+        simulation.tallies.resize(scene_.bands.size());
         take_light(std::move(simulation.tallies), mesh.groups);
         if (!request_.details.sunlit) return;
         accuracy.paths = std::min(accuracy.paths, most_sunlit_points);
@@ -124,7 +128,7 @@ class FieldPass {
     //! Takes as much light as the tolerance asked for in the first field.
     Simulation simulate(const RayScene& surfaces, const Mesh& mesh,
                         const Accuracy& accuracy) {
-        const Subject subject{surfaces, mesh.groups, scene_.bands,
+        const Subject subject{surfaces, mesh.groups, shared_.bands,
                               shared_.layers, pieces_.count};
         if (!shared_.trial) {
             Simulation first =
@@ -161,23 +165,55 @@ class FieldPass {
     }
 
     void assimilate(const RayScene& surfaces, const Mesh& mesh,
-                    const std::vector<Tally>& tallies) {
+                    const BandTallies& bands) {
+        const std::vector<Tally>& tallies = bands.front();
         found_.leaf_area_index.resize(lines_.groups.size());
         for (std::size_t v = 0; v < pieces_.count; ++v)
             found_.leaf_area_index[pieces_.group[v]] +=
                 pieces_.area[v] / scene_.cell.ground_area;
-        const LitLeaves leaves = lit(surfaces, mesh);
-        found_.assimilation = ideotype::assimilate(tallies, pieces_, leaves);
+        LitLeaves leaves = lit(surfaces, mesh);
+        std::optional<LeafAir> air;
+        if (scene_.water) {
+            air.emplace(water_leaves(bands), shared_.air);
+            leaves.air = &*air;
+            measure_layers();
+        }
+        found_.fluxes = ideotype::assimilate(tallies, pieces_, leaves);
         found_.hit_by_sun =
             sunlit_fractions(tallies, surfaces, mesh.groups, leaves.par.optics,
                              leaves.par.light.light, assimilating_area());
         if (request_.details.sunlit)
             found_.light_classes = leaf_area_by_light(tallies, pieces_, leaves);
         if (!plan_.is_one_of_many) return;
-        found_.assimilation = {mean_of(found_.assimilation)};
+        for (std::vector<FluxTally>& flux : found_.fluxes)
+            flux = {mean_of(flux)};
         found_.hit_by_sun.fractions = {mean_of(found_.hit_by_sun.fractions)};
         if (!found_.light_classes.empty())
             found_.light_classes = {mean_of(found_.light_classes)};
+    }
+
+    //! Returns the leaves of this field with the light that warms them.
+    WaterLeaves water_leaves(const BandTallies& tallies) const {
+        WaterLeaves leaves{scene_, shared_.leaves, lines_.groups, lines_.widths,
+                           lines_.height};
+        if (!scene_.water->has_leaf_temperature) return leaves;
+        for (std::size_t b = 1; b < tallies.size(); ++b) {
+            const Band& band = shared_.bands[b];
+            if (band.name == nir) leaves.nir.emplace(band, tallies[b]);
+            if (band.name == longwave)
+                leaves.longwave.emplace(band, tallies[b]);
+        }
+        return leaves;
+    }
+
+    //! Measures the leaf area of each layer that assimilates.
+    void measure_layers() {
+        found_.leaf_area_of_layers.resize(shared_.layers.count);
+        for (std::size_t v = 0; v < pieces_.count; ++v)
+            if (shared_.leaves[pieces_.group[v]].photosynthesis)
+                found_.leaf_area_of_layers[shared_.layers.at(
+                    pieces_.height[v])] +=
+                    pieces_.area[v] / scene_.cell.ground_area;
     }
 
     void assimilate_exactly(const RayScene& surfaces, const Mesh& mesh,
@@ -190,7 +226,7 @@ class FieldPass {
                     areas[f] / scene_.cell.ground_area;
         ExactAssimilation exact = ideotype::assimilate_exactly(
             mesh, lit(surfaces, mesh), accuracy, randomness_);
-        found_.assimilation = std::move(exact.tallies);
+        found_.fluxes = {std::move(exact.tallies)};
         found_.is_capped |= exact.is_capped;
     }
 
@@ -228,7 +264,29 @@ Lines::Lines(const Scene& scene, const CanopyRequest& request)
     for (const Component& each : scene.components) {
         pieces.push_back(pieces_of_line(each, request));
         meshes.push_back(std::move(pieces.back().mesh));
+        if (!scene.water) continue;
+        append(widths, blade_widths(each.mesh));
+        for (const glm::dvec3& vertex : each.mesh.vertices)
+            height = std::max(height, vertex.z);
     }
+}
+
+Bands bands_of(const Scene& scene) {
+    Bands bands = scene.bands;
+    if (!scene.water || !scene.water->has_leaf_temperature) return bands;
+    const auto found =
+        std::find_if(bands.begin(), bands.end(),
+                     [](const Band& band) { return band.name == nir; });
+    if (found == bands.end())
+        throw Error(
+            "leaves have a temperature of their own, but the scene has "
+            "no band \"nir\"; add it");
+    found->is_by_piece = true;
+    Band sky{longwave, scene.light(), {}, false, true};
+    sky.optics.materials.resize(bands.front().optics.materials.size());
+    sky.optics.soil_albedo = 0;
+    bands.push_back(std::move(sky));
+    return bands;
 }
 
 void FieldLight::append(FieldLight more) {
@@ -238,7 +296,10 @@ void FieldLight::append(FieldLight more) {
         ideotype::append(light[b], std::move(more.light[b]));
         ideotype::append(rows[b], std::move(more.rows[b]));
     }
-    ideotype::append(assimilation, std::move(more.assimilation));
+    fluxes.resize(more.fluxes.size());
+    for (std::size_t k = 0; k < fluxes.size(); ++k)
+        ideotype::append(fluxes[k], std::move(more.fluxes[k]));
+    add(leaf_area_of_layers, more.leaf_area_of_layers);
     ideotype::append(sunlit, std::move(more.sunlit));
     ideotype::append(hit_by_sun, std::move(more.hit_by_sun));
     ideotype::append(light_classes, std::move(more.light_classes));

@@ -9,6 +9,7 @@
 #include "ideotype/canopy/light_classes.hpp"
 #include "ideotype/light/sunlit.hpp"
 #include "ideotype/light/tolerance.hpp"
+#include "leaf_air.hpp"
 #include "plan.hpp"
 
 namespace ideotype {
@@ -23,15 +24,26 @@ struct Lines {
     std::vector<Pieces> pieces;  //!< without their meshes
     std::vector<Mesh> meshes;    //!< of the pieces
     std::vector<Group> groups;   //!< of the scene before leaves were cut
+    //! Of blades of each group of plants, if leaves exchange heat [m].
+    std::vector<double> widths;
+    double height = 0;  //!< of the highest plant then [m]
 };
+
+//! Returns the bands that light is followed in, see SharedByFields.
+//! @throws Error if leaves have a temperature and there is no near infrared.
+Bands bands_of(const Scene& scene);
 
 //! Numbers that all fields of an evaluation share. The first field tells those
 //! that are not known before.
 struct SharedByFields {
     Layers layers;
     std::vector<LeafGroup> leaves{};  //!< of each group of the lines
+    //! The bands of the scene, and the longwave radiation of the sky as one in
+    //! which surfaces are black, if leaves exchange heat.
+    Bands bands;
     std::optional<Simulation>
         trial{};  //!< the work that the tolerance asks for
+    std::vector<std::optional<CanopyAir>> air{};  //!< of each step
 };
 
 //! Light and assimilation in some fields: by randomisation of all of them, or,
@@ -44,9 +56,10 @@ struct FieldLight {
     //! Light that leaves absorb by row, where rows are told apart
     //! [J m-2 of ground; band, randomisation, row].
     std::vector<std::vector<std::vector<double>>> rows;
-    std::vector<AssimilationTally> assimilation;
-    SunlitFractions sunlit;      //!< by points of leaves
-    SunlitFractions hit_by_sun;  //!< by first hits
+    FluxTallies fluxes;                       //!< if leaves assimilate
+    std::vector<double> leaf_area_of_layers;  //!< index, of those [m2 m-2]
+    SunlitFractions sunlit;                   //!< by points of leaves
+    SunlitFractions hit_by_sun;               //!< by first hits
     std::vector<LightClasses> light_classes;
     std::vector<PlantArea> areas;         //!< of components [m2 m-2]
     std::vector<double> leaf_area_index;  //!< of groups of the lines

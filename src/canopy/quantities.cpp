@@ -34,11 +34,13 @@ std::vector<const Declaration*> declared(const Scope& scope) {
     add(all_of<part_quantities>());
     add(all_of<row_quantities>());
     add(all_of<object_quantities>());
+    add(all_of<water_quantities>());
     return all;
 }
 
 //! A canopy that has every quantity.
-const Scope everything{2, {"par", "nir"}, true, true, true, true, true, true};
+const Scope everything{2,    {"par", "nir"}, true, true, true,
+                       true, true,           true, true};
 
 //! Returns whether any object is a panel.
 template <class Object>
@@ -55,7 +57,8 @@ Scope scope_of(const CanopyReport& report) {
                 !report.rows.empty(),
                 !report.objects.empty(),
                 has_panels(report.objects),
-                report.grows};
+                report.grows,
+                report.water.has_value()};
     for (const BandReport& band : report.bands)
         scope.bands.push_back(band.name);
     return scope;
@@ -69,7 +72,8 @@ Scope scope_of(const Scene& scene, const Details& details) {
                 !scene.cell.row_ground.empty(),
                 !scene.objects.empty(),
                 has_panels(scene.objects),
-                scene.light().series.grows};
+                scene.light().series.grows,
+                scene.water.has_value()};
     for (const Band& band : scene.bands) scope.bands.push_back(band.name);
     return scope;
 }
@@ -256,6 +260,10 @@ bool is_of_nir(const std::string& quantity) {
     Scope par = everything;
     par.bands = {"par"};
     return find(quantity) && !find(quantity, par);
+}
+
+bool is_of_water(const std::string& quantity) {
+    return is_in(all_of<water_quantities>(), quantity);
 }
 
 bool is_of_growth(const std::string& quantity) {

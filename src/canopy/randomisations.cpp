@@ -60,10 +60,9 @@ Tally mean_of(const std::vector<Tally>& tallies) {
     return mean;
 }
 
-AssimilationTally mean_of(const std::vector<AssimilationTally>& tallies) {
-    return mean_of_parts(tallies, &AssimilationTally::groups,
-                         &AssimilationTally::layers, &AssimilationTally::steps,
-                         &AssimilationTally::rows);
+FluxTally mean_of(const std::vector<FluxTally>& tallies) {
+    return mean_of_parts(tallies, &FluxTally::groups, &FluxTally::layers,
+                         &FluxTally::steps, &FluxTally::rows);
 }
 
 LightClasses mean_of(const std::vector<LightClasses>& classes) {

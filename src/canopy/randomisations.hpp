@@ -15,7 +15,7 @@ namespace ideotype {
 //! Returns the mean of independent randomisations, number by number.
 std::vector<double> mean_of(const std::vector<std::vector<double>>& all);
 Tally mean_of(const std::vector<Tally>& tallies);
-AssimilationTally mean_of(const std::vector<AssimilationTally>& tallies);
+FluxTally mean_of(const std::vector<FluxTally>& tallies);
 LightClasses mean_of(const std::vector<LightClasses>& classes);
 
 //! Adds numbers of the same places; the first ones are taken as they are.

@@ -111,7 +111,8 @@ struct BandRun {
         : band(subject.bands[number]),
           first_net(static_cast<std::uint32_t>(number) * nets_of_band),
           tracer(counted, band.optics, band.light.light.sources),
-          has_leaf_light(number == 0 && counted.pieces > 0) {
+          has_leaf_light((number == 0 || band.is_by_piece) &&
+                         counted.pieces > 0) {
         const std::vector<Source>& sources = band.light.light.sources;
         for (std::size_t s = 0; s < sources.size(); ++s) {
             const double all = sources[s].energy * launchers[s].entering();

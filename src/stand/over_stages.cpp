@@ -37,9 +37,13 @@ Axis days_of_all(const std::vector<QuantitySet>& sets) {
 OverStages::Weights OverStages::weights_of(const std::string& name,
                                            const std::string& unit) {
     if (name.ends_with("_per_leaf_area")) return Weights::leaf_area;
-    if (name == extinction) return Weights::leaf_time;
+    if (name == extinction || name.starts_with("leaf_warming"))
+        return Weights::leaf_time;
+    if (name == "hot_hours") return Weights::leaf_area;
+    if (unit == "g kg-1") return Weights::transpired;
     if (unit == "MJ m-2 day-1" || unit == "mol m-2 day-1" ||
-        unit == "g m-2 day-1" || unit == "t ha-1" || name == "paths")
+        unit == "mm day-1" || unit == "mm" || unit == "g m-2 day-1" ||
+        unit == "t ha-1" || name == "paths")
         return Weights::one;
     if (unit == "g MJ-1") return Weights::absorbed;
     return unit == "1" ? Weights::incident : Weights::time;
@@ -95,6 +99,8 @@ OverStages::OverStages(const Campaign& campaign, const Case& chosen)
         incident_.push_back(sets.back().offset("incident"));
         absorbed_.push_back(sets.back().offset("absorbed_par"));
         lai_.push_back(sets.back().offset("lai"));
+        if (scene.water)
+            transpired_.push_back(sets.back().offset("transpiration"));
     }
     measured_.axes = sets.front().axes;
     for (Axis& axis : measured_.axes)
@@ -140,9 +146,10 @@ std::vector<double> OverStages::weights(Weights kind,
                                         std::span<const Outcome> each) const {
     if (kind == Weights::one) return std::vector(each.size(), 1.);
     if (kind == Weights::time) return times_;
-    const auto& by = kind == Weights::incident   ? incident_
-                     : kind == Weights::absorbed ? absorbed_
-                                                 : lai_;
+    const auto& by = kind == Weights::incident     ? incident_
+                     : kind == Weights::absorbed   ? absorbed_
+                     : kind == Weights::transpired ? transpired_
+                                                   : lai_;
     std::vector<double> all;
     double sum = 0;
     for (std::size_t s = 0; s < each.size(); ++s) {

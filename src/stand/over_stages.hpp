@@ -29,7 +29,15 @@ class OverStages {
 
   private:
     //! The weights with which a number of a stage counts.
-    enum class Weights { one, time, leaf_area, leaf_time, incident, absorbed };
+    enum class Weights {
+        one,
+        time,
+        leaf_area,
+        leaf_time,
+        incident,
+        absorbed,
+        transpired
+    };
 
     static Weights weights_of(const std::string& name, const std::string& unit);
     //! Returns the weight of each stage.
@@ -58,7 +66,8 @@ class OverStages {
     std::vector<Weights> objective_weights_;
     std::vector<double> days_;   //!< of each stage since emergence
     std::vector<double> times_;  //!< of each stage, over that of the season
-    std::vector<std::size_t> incident_, absorbed_, lai_;  //!< in quantities
+    //! Places in quantities; transpiration only where leaves exchange water.
+    std::vector<std::size_t> incident_, absorbed_, lai_, transpired_;
     std::vector<Summed> summed_;
     std::vector<ByStage> by_stage_;
     QuantitySet measured_;

@@ -148,6 +148,8 @@ Scene scene_of(const Campaign& campaign, const Case& chosen) {
         component_of(campaign.crop.baseline, form, campaign.tessellation)};
     Component& bred = scene.components.front();
     bred.photosynthesis = campaign.photosynthesis;
+    bred.stomata = campaign.stomata;
+    scene.water = campaign.water;
     if (chosen.stage) {
         set_grown(campaign, chosen, 0, campaign.crop.baseline, bred);
         complete_rates(bred, campaign.crop.baseline.leaves.size());
@@ -181,6 +183,7 @@ Scene scene_of(const Campaign& campaign, const Case& chosen) {
         component.name = each.name;
         component.tessellation = campaign.tessellation;
         component.photosynthesis = each.photosynthesis;
+        component.stomata = each.stomata;
         set_grown(campaign, chosen, scene.components.size() - 1,
                   each.crop.baseline, component);
         complete_rates(component, each.crop.baseline.leaves.size());
@@ -314,7 +317,13 @@ Outcome Stand::evaluate(const Plants& plants, const Sampling& sampling,
             ideotype::evaluate(
                 request_of(sampling, campaign_, cases_[i], scenes_[i], plants),
                 device)));
-    return across_.combine(outcomes);
+    Outcome outcome = across_.combine(outcomes);
+    if (campaign_.water_limit > 0)
+        outcome.violation += std::max(
+            0., outcome.quantities[schema_.measured.offset("water_use")].mean /
+                        campaign_.water_limit -
+                    1);
+    return outcome;
 }
 
 }  // namespace ideotype

@@ -80,9 +80,9 @@ class Canopy {
     //! Gross assimilation of a day [mol m-2].
     Estimate gross(const std::vector<Tally>& tallies) const {
         std::vector<double> values;
-        for (const AssimilationTally& tally :
-             assimilate(tallies, pieces_, lit(leaves_)))
-            values.push_back(tally.gross());
+        const FluxTallies fluxes = assimilate(tallies, pieces_, lit(leaves_));
+        for (const FluxTally& tally : fluxes.front())
+            values.push_back(tally.sum());
         return values.size() > 1 ? estimate(values)
                                  : Estimate{values.front(), 0};
     }
@@ -93,11 +93,11 @@ class Canopy {
         for (const std::uint32_t group : pieces_.group)
             of_pieces.push_back(leaves_[group]);
         std::vector<double> values;
-        for (const AssimilationTally& tally :
+        for (const FluxTally& tally :
              assimilate_exactly(field_.mesh, lit(of_pieces),
                                 {1 << 22, 16, tolerance}, {1})
                  .tallies)
-            values.push_back(tally.gross());
+            values.push_back(tally.sum());
         return estimate(values);
     }
 

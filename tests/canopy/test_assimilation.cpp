@@ -36,13 +36,14 @@ class FieldOfTwoLeaves : public ::testing::Test {
     Estimate gross(const Accuracy& accuracy, std::uint64_t seed) const {
         const Band& par = request.scene.bands[0];
         std::vector<double> values;
-        for (const AssimilationTally& tally : assimilate(
-                 simulate(*scene, pieces.mesh.groups, par.optics,
-                          par.light.light, accuracy, {seed}, {}, pieces.count),
-                 pieces,
-                 {*scene, pieces.mesh.groups, par, request.scene.photons,
-                  leaves, layers}))
-            values.push_back(tally.gross());
+        const FluxTallies fluxes = assimilate(
+            simulate(*scene, pieces.mesh.groups, par.optics, par.light.light,
+                     accuracy, {seed}, {}, pieces.count),
+            pieces,
+            {*scene, pieces.mesh.groups, par, request.scene.photons, leaves,
+             layers});
+        for (const FluxTally& tally : fluxes.front())
+            values.push_back(tally.sum());
         return estimate(values);
     }
 

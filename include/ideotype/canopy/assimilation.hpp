@@ -17,15 +17,31 @@ namespace ideotype {
 
 inline constexpr double mol_per_umol = 1e-6;
 
-//! Gross assimilation of CO2 per ground area in one randomisation.
-struct AssimilationTally {
+//! A flux of leaves per ground area in one randomisation, such as gross
+//! assimilation of CO2, whose units are given; amounts are those of a mean day.
+struct FluxTally {
     std::vector<double> groups;  //!< of the mesh that was cut [mol m-2]
     std::vector<double> layers;  //!< by the heights of pieces [mol m-2]
     std::vector<double> steps;   //!< of all leaves [umol m-2 s-1]
     std::vector<double> rows{};  //!< where they are told apart [mol m-2]
 
-    double gross() const;  //!< of all leaves [mol m-2]
+    double sum() const;  //!< of all leaves
 };
+
+//! A flux of leaves on a mean day, from all randomisations, which are
+//! independent.
+struct FluxReport {
+    std::vector<FluxTally> tallies;
+    Estimate sum;
+    std::vector<Estimate> groups;  //!< of the mesh
+    std::vector<Estimate> layers;  //!< the lowest first
+    std::vector<Estimate> hours;   //!< of LightSeries::hours()
+    std::vector<Estimate> dates;   //!< of each, of several days
+};
+
+//! @param amount_of a step, over the flux in it, on a mean day
+FluxReport report(std::vector<FluxTally> tallies, const LightSeries& series,
+                  double (*amount_of)(const TimeStep& step));
 
 //! CO2 that leaves lose by respiration in the dark [mol m-2 day-1].
 struct Respiration {
@@ -37,7 +53,7 @@ struct Respiration {
 //! day-1], or in a second, as the light is.
 struct AssimilationReport {
     //! Tallies by randomisation, which are independent, see assimilate().
-    std::vector<AssimilationTally> tallies;
+    std::vector<FluxTally> tallies;
     Estimate gross;
     std::vector<Estimate> groups;  //!< gross, of each group of the mesh
     std::vector<Estimate> layers;  //!< gross, lowest layer first
@@ -98,13 +114,15 @@ std::vector<LeafGroup> leaf_groups(const Scene& scene,
                                    const std::vector<double>& leaf_area_index);
 
 //! @param leaves,leaf_area_index of each group of the mesh
-AssimilationReport report(std::vector<AssimilationTally> tallies,
+AssimilationReport report(std::vector<FluxTally> tallies,
                           const std::vector<LeafGroup>& leaves,
                           const std::vector<double>& leaf_area_index,
                           const SeriesIllumination& light);
 
 //! Air around leaves in a step.
 Air air_of(const TimeStep& step, const Photosynthesis& photosynthesis);
+
+class LeafAir;
 
 //! Light and leaves that assimilate in a field.
 struct LitLeaves {
@@ -117,6 +135,7 @@ struct LitLeaves {
     //! pieces.
     const std::vector<LeafGroup>& leaves;
     const Layers& layers;
+    LeafAir* air = nullptr;  //!< that leaves exchange heat and water with
 };
 
 //! Gross assimilation of leaves in one field, response by response: the light
@@ -142,8 +161,10 @@ struct LitLeaves {
 //! @param tallies with leaf light, of independent randomisations of one field;
 //! a single one is not corrected
 //! @param lit with the scene of pieces.mesh
-std::vector<AssimilationTally> assimilate(const std::vector<Tally>& tallies,
-                                          const Pieces& pieces,
-                                          const LitLeaves& lit);
+//! @return tallies of gross assimilation, and then, of leaves that exchange
+//! heat and water, of each other LeafFlux
+std::vector<std::vector<FluxTally>> assimilate(
+    const std::vector<Tally>& tallies, const Pieces& pieces,
+    const LitLeaves& lit);
 
 }  // namespace ideotype

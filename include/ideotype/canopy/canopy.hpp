@@ -10,6 +10,7 @@
 #include "ideotype/canopy/assimilation.hpp"
 #include "ideotype/canopy/light_classes.hpp"
 #include "ideotype/canopy/request.hpp"
+#include "ideotype/canopy/water.hpp"
 #include "ideotype/light/ray_scene.hpp"
 #include "ideotype/light/report.hpp"
 
@@ -116,6 +117,7 @@ struct CanopyReport {
     std::vector<RowReport> rows;  //!< if they are told apart
     std::vector<ObjectReport> objects;
     std::optional<AssimilationReport> assimilation;  //!< if leaves assimilate
+    std::optional<WaterReport> water;  //!< if they exchange heat and water
     //! Sunlit leaf area by the first hits that assimilation is made of, in
     //! pieces of leaves.
     std::optional<SunlitReport> hit_by_sun;

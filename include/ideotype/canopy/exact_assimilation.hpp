@@ -9,8 +9,8 @@ namespace ideotype {
 
 //! Assimilation as random points of leaves tell it.
 struct ExactAssimilation {
-    std::vector<AssimilationTally> tallies;  //!< by randomisation
-    int points = 0;                          //!< in each randomisation
+    std::vector<FluxTally> tallies;  //!< by randomisation
+    int points = 0;                  //!< in each randomisation
     bool is_capped = false;  //!< more would be needed to meet the tolerance
 };
 

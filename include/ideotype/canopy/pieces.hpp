@@ -48,6 +48,11 @@ Pieces cut_leaves(const Mesh& mesh, std::size_t per_blade = pieces_of_blade);
 Pieces cut_coarse_leaves(const Mesh& mesh, std::size_t copies, double tolerance,
                          std::size_t per_blade = pieces_of_blade);
 
+//! Returns the mean width of the blades of each group of a mesh [m]: that of a
+//! rectangle of the same area and circumference. Groups that are no leaves have
+//! a width of 0.
+std::vector<double> blade_widths(const Mesh& mesh);
+
 //! A mesh of which nothing is cut.
 Pieces uncut(const Mesh& mesh);
 

@@ -44,6 +44,9 @@ bool is_of_lines(const std::string& quantity);
 //! Whether only reports with a near infrared band have it.
 bool is_of_nir(const std::string& quantity);
 
+//! Whether only reports on leaves that exchange heat and water have it.
+bool is_of_water(const std::string& quantity);
+
 //! Whether only reports on plants that grow have it.
 bool is_of_growth(const std::string& quantity);
 

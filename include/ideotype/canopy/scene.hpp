@@ -11,6 +11,7 @@
 #include "ideotype/crop/plant_variation.hpp"
 #include "ideotype/light/band.hpp"
 #include "ideotype/light/boundary.hpp"
+#include "ideotype/physiology/energy_balance.hpp"
 #include "ideotype/physiology/photosynthesis.hpp"
 
 namespace ideotype {
@@ -67,6 +68,7 @@ struct Component {
     //! of plants that grow. Empty: all of it, in the days that photosynthesis
     //! tells.
     std::vector<double> built{};
+    Stomata stomata{};  //!< of leaves that exchange water
 
     //! Plants in a field, with those that are missing.
     std::size_t plants() const { return mixed > 0 ? mixed : places.size(); }
@@ -80,6 +82,20 @@ struct FixedObject {
     bool is_panel = false;  //!< whose adaxial side is the front
 };
 
+//! The exchange of heat and water of leaves with the air, see leaf_exchange().
+struct LeafWater {
+    //! True if leaves have a temperature of their own, by their energy balance;
+    //! else they have that of the air, and transpire without a boundary layer.
+    bool has_leaf_temperature = true;
+    //! True if the air within the canopy is its own: one node, which the canopy
+    //! warms and moistens. Else it is the air above.
+    bool has_canopy_air = true;
+    double emissivity = 0.96;     //!< of leaves
+    double stomatal_ratio = 1;    //!< of the lower face over the upper one
+    double wind_attenuation = 2;  //!< a in exp(-a (1 - z / h)) in the canopy
+    double hot = 35;              //!< leaves that are warmer count [deg C]
+};
+
 //! All that light can meet, the light itself, and what leaves make of it: the
 //! one thing that canopies are evaluated from.
 struct Scene {
@@ -91,6 +107,7 @@ struct Scene {
     //! Photons in the unit of irradiance of the first band [umol J-1]; 1 if
     //! that unit is umol m-2 s-1.
     double photons = 4.57;
+    std::optional<LeafWater> water{};  //!< if leaves exchange heat and water
 
     const SeriesIllumination& light() const { return bands.front().light; }
 

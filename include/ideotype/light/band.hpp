@@ -19,6 +19,9 @@ struct Band {
     //! Tells whether a tolerance bounds the error of the light that leaves
     //! absorb in this band.
     bool is_bounded = true;
+    //! Tells whether the light of pieces of leaves is counted for each of them,
+    //! as it always is in the first band.
+    bool is_by_piece = false;
 };
 
 using Bands = std::vector<Band>;

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "ideotype/canopy/scene.hpp"
+#include "ideotype/physiology/photosynthesis.hpp"
+
+namespace ideotype {
+
+struct Draft;
+class Problems;
+struct Section;
+
+//! The [water] table as it is written.
+struct WaterTable {
+    LeafWater rules;
+    Stomata::Model model = Stomata::Model::medlyn;
+    std::optional<double> intercept{}, slope{};
+    double limit = 0;  //!< of transpiration on all days; 0: none [mm]
+};
+
+Section water_section(WaterTable& table);
+
+//! Returns the stomata of leaves whose photosynthesis is known, with numbers of
+//! their kind where the table has none: Medlyn's slope of C4 plants, or that of
+//! the leaf by Farquhar, and those of maize by Ball and Berry.
+Stomata to_stomata(const WaterTable& table,
+                   const Photosynthesis& photosynthesis);
+
+//! Reports leaves whose photosynthesis does not follow CO2, and objectives that
+//! need the table where there is none.
+void check_water(const Draft& draft, Problems& problems);
+
+}  // namespace ideotype

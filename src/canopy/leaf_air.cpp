@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "leaf_air.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ideotype/physiology/temperature.hpp"
+
+namespace ideotype {
+
+namespace {
+
+constexpr double kelvin = 273.15;
+constexpr double reference = 10;  //!< height that wind is brought to [m]
+constexpr double least_wind = 0.3;
+constexpr double von_karman = 0.41;
+constexpr double heat_capacity = 29.3;           //!< of air [J mol-1 K-1]
+constexpr double gas_constant = 8.314462618e-3;  //!< [kPa m3 mol-1 K-1]
+
+double displacement(double canopy) {
+    return 0.67 * canopy;
+}
+
+double roughness(double canopy) {
+    return 0.1 * canopy;
+}
+
+//! Returns the height of a canopy whose profile does not reach the reference.
+double canopy_in_profile(double canopy) {
+    return std::clamp(canopy, 0.05, 0.7 * reference);
+}
+
+//! Returns the wind at 10 m above short grass, from that at another height.
+double wind_at_reference(double wind, double height) {
+    const auto profile = [](double z) {
+        return std::log(std::max(67.8 * z - 5.42, 2.));
+    };
+    return std::max(wind * profile(reference) / profile(height), least_wind);
+}
+
+double fourth_power(double x) {
+    return x * x * x * x;
+}
+
+//! Returns the mean light of a source on each place, over the energy of the
+//! source [m2 m-2].
+std::vector<double> seen(const OtherLight& light, int source,
+                         const LeafPlaces& places,
+                         const ExpectedLight& expectation) {
+    return expectation.of(DiffuseLight(light.tallies, source, places.pieces()));
+}
+
+}  // namespace
+
+double wind_at_top(double wind, double height, double canopy) {
+    const double h = canopy_in_profile(canopy);
+    const double d = displacement(h), z0 = roughness(h);
+    return wind_at_reference(wind, height) * std::log((h - d) / z0) /
+           std::log((reference - d) / z0);
+}
+
+double aerodynamic_resistance(double wind, double height, double canopy) {
+    const double h = canopy_in_profile(canopy);
+    const double profile =
+        std::log((reference - displacement(h)) / roughness(h));
+    return profile * profile /
+           (von_karman * von_karman * wind_at_reference(wind, height));
+}
+
+LeafAir::LeafAir(const WaterLeaves& leaves,
+                 std::vector<std::optional<CanopyAir>>& air)
+    : leaves_(leaves),
+      water_(*leaves.scene.water),
+      series_(leaves.scene.light().series),
+      air_(air) {
+    air_.resize(series_.steps.size());
+}
+
+void LeafAir::see(const LeafPlaces& places, const ExpectedLight& expectation) {
+    places_ = &places;
+    expectation_ = &expectation;
+    at_.assign(places.count(), {});
+    for (std::size_t p = 0; p < places.count(); ++p)
+        at_[p].wind =
+            std::exp(-water_.wind_attenuation *
+                     (1 - std::min(places.height[p] / leaves_.height, 1.)));
+    if (!leaves_.longwave) return;
+    const std::vector<Source>& sources =
+        leaves_.longwave->band.light.light.sources;
+    double energy = 0;
+    for (std::size_t s = 0; s < sources.size(); ++s) {
+        if (sources[s].direction) continue;
+        const std::vector<double> light =
+            seen(*leaves_.longwave, static_cast<int>(s), places, expectation);
+        for (std::size_t p = 0; p < light.size(); ++p) at_[p].view += light[p];
+        energy += sources[s].energy;
+    }
+    for (Place& place : at_) place.view = energy > 0 ? place.view / energy : 0;
+    for (std::size_t p = 0; p < places.count(); ++p) {
+        const std::uint32_t material = leaves_.groups[places.group[p]].material;
+        at_[p].nir_absorptance =
+            leaves_.nir->band.optics.of(material).most_absorbed();
+    }
+}
+
+void LeafAir::meet(int beam, int sky) {
+    beam_ = beam;
+    sky_ = sky;
+    if (!leaves_.nir) return;
+    const std::vector<double> of_sun =
+        seen(*leaves_.nir, beam, *places_, *expectation_);
+    const std::vector<double> of_sky =
+        seen(*leaves_.nir, sky, *places_, *expectation_);
+    for (std::size_t p = 0; p < at_.size(); ++p) {
+        at_[p].nir_of_sun = of_sun[p];
+        at_[p].nir_of_sky = of_sky[p];
+    }
+}
+
+LeafAir::Above LeafAir::above(std::size_t number,
+                              const Photosynthesis& photosynthesis) const {
+    const TimeStep& step = series_.steps[number];
+    const Air air = air_of(step, photosynthesis);
+    Above result;
+    result.air.temperature = air.temperature;
+    result.air.humidity = air.humidity;
+    result.air.co2 = series_.co2;
+    result.air.pressure = step.pressure.value();
+    result.air.wind =
+        wind_at_top(step.wind.value(), series_.wind_height, leaves_.height);
+    result.vapour = air.humidity * saturated_vapour(air.temperature);
+    result.sky = step.longwave.value();
+    if (!leaves_.nir) return result;
+    const auto scale = [&](int source, double irradiance) {
+        if (source < 0) return 0.;
+        const double energy = leaves_.nir->band.light.light
+                                  .sources[static_cast<std::size_t>(source)]
+                                  .energy;
+        return energy > 0 ? irradiance / energy : 0;
+    };
+    result.nir_of_sun = scale(beam_, step.nir.beam);
+    result.nir_of_sky = scale(sky_, step.nir.diffuse);
+    result.nir_beam = step.nir.beam;
+    return result;
+}
+
+std::array<Expansion, leaf_fluxes> LeafAir::flux_of(
+    const Point& point, const LeafGroup& leaf, const Above& above,
+    const LeafSurroundings& air) const {
+    const Place& place = at_[point.place];
+    const std::uint32_t group = places_->group[point.place];
+    const Component& component =
+        leaves_.scene.components[leaves_.groups[group].id.component];
+    LeafSurroundings around = air;
+    around.ppfd = point.ppfd;
+    LeafExchange found;
+    double respiration = 0;
+    if (water_.has_leaf_temperature) {
+        around.nir = above.nir_of_sun * place.nir_of_sun +
+                     above.nir_of_sky * place.nir_of_sky +
+                     place.nir_absorptance * above.nir_beam * point.cosine;
+        const double black =
+            stefan_boltzmann * fourth_power(air.temperature + kelvin);
+        around.longwave =
+            water_.emissivity * (2 * black + place.view * (above.sky - black));
+        around.wind *= place.wind;
+        around.width = leaves_.widths[group];
+        ThermalLeaf thermal{CollatzLeaf{}, component.stomata, water_.emissivity,
+                            water_.stomatal_ratio};
+        std::visit(
+            [&](const auto& rates) {
+                if constexpr (!std::is_same_v<std::decay_t<decltype(rates)>,
+                                              HyperbolaLeaf>)
+                    thermal.rates = rates;
+            },
+            leaf.rates);
+        found = leaf_exchange(thermal, around);
+        respiration = dark_respiration(leaf.rates, above.air.temperature);
+    } else {
+        Expansion gross{};
+        const Air same{air.temperature, air.humidity};
+        expand(response(leaf.rates, same), {&point.ppfd, 1}, &gross.value,
+               &gross.slope, &gross.curvature);
+        respiration = dark_respiration(leaf.rates, air.temperature);
+        found = exchange_at_air_temperature(
+            component.stomata, around,
+            {gross.value - respiration, gross.slope, gross.curvature});
+        return {gross,
+                found.transpiration,
+                Expansion{},
+                Expansion{},
+                Expansion{found.conductance, 0, 0},
+                Expansion{found.temperature > water_.hot ? 1. : 0., 0, 0}};
+    }
+    return {Expansion{found.net.value + respiration, found.net.slope,
+                      found.net.curvature},
+            found.transpiration,
+            Expansion{found.sensible, 0, 0},
+            Expansion{found.temperature - above.air.temperature, 0, 0},
+            Expansion{found.conductance, 0, 0},
+            Expansion{found.temperature > water_.hot ? 1. : 0., 0, 0}};
+}
+
+void LeafAir::exchange_in(std::size_t step, const CanopyAir& air) {
+    found_.assign(points_.size(), {});
+    const Photosynthesis* of = nullptr;
+    Above over;
+    LeafSurroundings around;
+    for (std::size_t j = 0; j < points_.size(); ++j) {
+        const LeafGroup& leaf =
+            leaves_.leaves[places_->group[points_[j].place]];
+        if (!leaf.photosynthesis) continue;
+        if (leaf.photosynthesis != of) {
+            of = leaf.photosynthesis;
+            over = above(step, *of);
+            around = over.air;
+            around.temperature += air.warmer;
+            if (air.warmer != 0 || air.moister != 0)
+                around.humidity =
+                    std::clamp((over.vapour + air.moister) /
+                                   saturated_vapour(around.temperature),
+                               0., 1.);
+        }
+        found_[j] = flux_of(points_[j], leaf, over, around);
+    }
+}
+
+//! Solves the exchange of the canopy with the air above for the air within, by
+//! a secant of both numbers.
+CanopyAir LeafAir::canopy_air(std::size_t number) {
+    const TimeStep& step = series_.steps[number];
+    const double resistance = aerodynamic_resistance(
+        step.wind.value(), series_.wind_height, leaves_.height);
+    const Air air = air_of(
+        step, *[&] {
+            for (const LeafGroup& leaf : leaves_.leaves)
+                if (leaf.photosynthesis) return leaf.photosynthesis;
+            static const Photosynthesis none;
+            return &none;
+        }());
+    const double per_volume =
+        step.pressure.value() / (gas_constant * (air.temperature + kelvin));
+    const double per_heat = resistance / (per_volume * heat_capacity);
+    const double per_water =
+        1e-3 * step.pressure.value() * resistance / per_volume;
+    const auto driven = [&](const CanopyAir& in) {
+        exchange_in(number, in);
+        CanopyAir sum;
+        for (std::size_t j = 0; j < points_.size(); ++j) {
+            const auto& flux = found_[j];
+            sum.warmer +=
+                points_[j].area *
+                flux[static_cast<std::size_t>(LeafFlux::sensible)].value;
+            sum.moister +=
+                points_[j].area *
+                flux[static_cast<std::size_t>(LeafFlux::transpiration)].value;
+        }
+        return CanopyAir{per_heat * sum.warmer, per_water * sum.moister};
+    };
+    const CanopyAir first = driven({});
+    // Steps of about the size of the answer.
+    const double dt = std::copysign(
+        std::clamp(std::abs(first.warmer) / 2, 0.1, 2.), first.warmer);
+    const double de = std::copysign(
+        std::clamp(std::abs(first.moister) / 2, 0.02, 0.5), first.moister);
+    const CanopyAir warm = driven({dt, 0}), moist = driven({0, de});
+    const double a = (warm.warmer - first.warmer) / dt - 1;
+    const double b = (moist.warmer - first.warmer) / de;
+    const double c = (warm.moister - first.moister) / dt;
+    const double d = (moist.moister - first.moister) / de - 1;
+    const double determinant = a * d - b * c;
+    if (!(std::abs(determinant) > 1e-9)) return {};
+    constexpr double most_warmer = 8, most_moister = 2;
+    return {std::clamp((b * first.moister - d * first.warmer) / determinant,
+                       -most_warmer, most_warmer),
+            std::clamp((c * first.warmer - a * first.moister) / determinant,
+                       -most_moister, most_moister)};
+}
+
+void LeafAir::exchange(std::size_t step) {
+    std::optional<CanopyAir>& air = air_[step];
+    if (!air)
+        air = water_.has_leaf_temperature && water_.has_canopy_air
+                  ? canopy_air(step)
+                  : CanopyAir{};
+    exchange_in(step, *air);
+}
+
+}  // namespace ideotype

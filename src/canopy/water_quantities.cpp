@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "declaration.hpp"
+
+namespace ideotype {
+
+namespace {
+
+using Values = std::vector<Estimate>;
+
+constexpr auto depth = "mm day-1";  //!< of water
+
+bool exchanges_water(const Scope& scope) {
+    return scope.has_water;
+}
+
+bool exchange_water(const Scope& scope) {
+    return scope.has_water && scope.components > 1;
+}
+
+//! Returns a flux and what each randomisation says of it.
+Randomised flux(const FluxReport& report, double factor = 1) {
+    Randomised result{report.sum, {}};
+    for (const FluxTally& tally : report.tallies)
+        result.by_randomisation.push_back(tally.sum());
+    return scaled(std::move(result), factor);
+}
+
+//! Returns a flux per leaf area that assimilates.
+Randomised per_leaf_area(const CanopyReport& report, const FluxReport& of) {
+    return flux(of,
+                report.assimilating_lai > 0 ? 1 / report.assimilating_lai : 0);
+}
+
+TakeNumber number(FluxReport WaterReport::*part,
+                  bool is_per_leaf_area = false) {
+    return [=](const CanopyReport& report) {
+        const FluxReport& of = (*report.water).*part;
+        return is_per_leaf_area ? per_leaf_area(report, of) : flux(of);
+    };
+}
+
+TakeNumbers numbers(std::vector<Estimate> FluxReport::*axis,
+                    FluxReport WaterReport::*part) {
+    return
+        [=](const CanopyReport& report) { return (*report.water).*part.*axis; };
+}
+
+Randomised water_use(const CanopyReport& report) {
+    return flux(report.water->transpiration, report.days);
+}
+
+//! Returns carbon of net assimilation over transpired water, with errors to
+//! first order.
+Randomised efficiency(const CanopyReport& report) {
+    const AssimilationReport& carbon = *report.assimilation;
+    const FluxReport& water = report.water->transpiration;
+    if (!(water.sum.mean > 0)) return certain(report, 0);
+    const double net = carbon.gross.mean - carbon.net_loss();
+    const double ratio = grams_of_carbon * net / water.sum.mean;
+    Randomised result{{ratio, 0}, {}};
+    for (std::size_t r = 0; r < carbon.tallies.size(); ++r)
+        result.by_randomisation.push_back(
+            ratio +
+            (grams_of_carbon * (carbon.tallies[r].sum() - carbon.net_loss()) -
+             ratio * water.tallies[r].sum()) /
+                water.sum.mean);
+    result.estimate.standard_error =
+        estimate(result.by_randomisation).standard_error;
+    return result;
+}
+
+Values warming_by_layer(const CanopyReport& report) {
+    Values layers = report.water->warming.layers;
+    for (std::size_t l = 0; l < layers.size(); ++l) {
+        const double area = report.water->leaf_area[l];
+        layers[l] = scaled(layers[l], area > 0 ? 1 / area : 0);
+    }
+    return layers;
+}
+
+Values warming_by_hour(const CanopyReport& report) {
+    Values hours = report.water->warming.hours;
+    for (Estimate& x : hours)
+        x = scaled(
+            x, report.assimilating_lai > 0 ? 1 / report.assimilating_lai : 0);
+    return hours;
+}
+
+std::vector<Randomised> transpiration_of_groups(const CanopyReport& report) {
+    const FluxReport& water = report.water->transpiration;
+    std::vector<std::vector<double>> by_randomisation;
+    for (const FluxTally& tally : water.tallies)
+        by_randomisation.push_back(tally.groups);
+    return randomised(water.groups, by_randomisation);
+}
+
+std::vector<Randomised> transpiration_by_component(const CanopyReport& report) {
+    std::vector<Randomised> parts;
+    for (std::uint32_t c = 0; c < report.components.size(); ++c) {
+        std::vector<double> values;
+        for (const FluxTally& tally : report.water->transpiration.tallies) {
+            double sum = 0;
+            for (std::size_t g = 0; g < report.groups.size(); ++g)
+                if (report.groups[g].id.component == c) sum += tally.groups[g];
+            values.push_back(sum);
+        }
+        parts.push_back({estimate(values), values});
+    }
+    return parts;
+}
+
+}  // namespace
+
+std::vector<Declaration> water_quantities() {
+    const auto declare = [](Quantity quantity, auto take,
+                            bool (*is_in)(const Scope&) = exchanges_water) {
+        return Declaration{std::move(quantity), std::move(take), false, is_in};
+    };
+    return {
+        declare({"transpiration", depth, "water that leaves transpire"},
+                number(&WaterReport::transpiration)),
+        declare({"water_use", "mm", "water that leaves transpire on all days"},
+                TakeNumber(water_use)),
+        declare({"water_use_efficiency", "g kg-1",
+                 "carbon of net assimilation over transpired water"},
+                TakeNumber(efficiency)),
+        declare({"sensible_heat", "MJ m-2 day-1",
+                 "heat that leaves give to the air"},
+                number(&WaterReport::sensible)),
+        declare({"leaf_warming", "K",
+                 "temperature of leaves less that of the air above the canopy, "
+                 "mean over leaf area and the time with light"},
+                number(&WaterReport::warming, true)),
+        declare({"canopy_conductance", "mol m-2 s-1",
+                 "conductance of the stomata of all leaves for vapour per "
+                 "ground area, mean over the time with light"},
+                number(&WaterReport::conductance)),
+        declare({"hot_hours", "h day-1",
+                 "time for which leaves are warmer than water.hot, mean over "
+                 "leaf area"},
+                number(&WaterReport::hot, true)),
+        declare({"transpiration_by_leaf",
+                 depth,
+                 "water that each leaf transpires",
+                 {"leaf"}},
+                TakeProfile([](const CanopyReport& report) {
+                    return of_leaves(report, transpiration_of_groups(report));
+                })),
+        declare({"transpiration_by_layer",
+                 depth,
+                 "water that leaves of each layer transpire",
+                 {"layer"}},
+                numbers(&FluxReport::layers, &WaterReport::transpiration)),
+        declare({"transpiration_by_hour",
+                 "mmol m-2 s-1",
+                 "water that leaves transpire at each instant",
+                 {"hour"}},
+                numbers(&FluxReport::hours, &WaterReport::transpiration)),
+        declare({"transpiration_by_day",
+                 depth,
+                 "water that leaves transpire on each day",
+                 {"day"}},
+                numbers(&FluxReport::dates, &WaterReport::transpiration)),
+        declare({"leaf_warming_by_layer",
+                 "K",
+                 "temperature of the leaves of each layer less that of the air "
+                 "above the canopy, in the time with light",
+                 {"layer"}},
+                TakeNumbers(warming_by_layer)),
+        declare({"leaf_warming_by_hour",
+                 "K",
+                 "temperature of leaves less that of the air above the canopy "
+                 "at each instant",
+                 {"hour"}},
+                TakeNumbers(warming_by_hour)),
+        declare({"transpiration_by_component",
+                 depth,
+                 "water that leaves of each component transpire",
+                 {"component"}},
+                TakeProfile(transpiration_by_component), exchange_water),
+    };
+}
+
+}  // namespace ideotype

@@ -179,10 +179,20 @@ class Assimilation {
             Flux& flux = fluxes_[k];
             const double amount =
                 amount_of(static_cast<LeafFlux>(k), step) / light_.series.days;
+            // Other fluxes are taken at the light that is expected.
+            const bool is_expanded =
+                k <= static_cast<std::size_t>(LeafFlux::transpiration);
             double whole = 0;
             const auto add = [&](const Expansion& at, double times,
                                  const Moments& of, std::size_t place,
                                  Moments& all) {
+                if (!is_expanded) {
+                    const double sum = times * at.value * of.one;
+                    flux.mean[place] += sum;
+                    whole += sum;
+                    all.one += times * at.value;
+                    return;
+                }
                 const Moments weight{
                     times * at.value,
                     times * at.slope * of_sun,

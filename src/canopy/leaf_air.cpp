@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ideotype/core/error.hpp"
 #include "ideotype/physiology/temperature.hpp"
 
 namespace ideotype {
@@ -73,6 +74,11 @@ LeafAir::LeafAir(const WaterLeaves& leaves,
       water_(*leaves.scene.water),
       series_(leaves.scene.light().series),
       air_(air) {
+    for (const TimeStep& step : series_.steps)
+        if (!step.wind || !step.pressure || !step.longwave)
+            throw Error(
+                "leaves exchange heat and water, but a step of the light has "
+                "no wind, pressure or longwave radiation; give each step all");
     air_.resize(series_.steps.size());
 }
 
@@ -144,74 +150,80 @@ LeafAir::Above LeafAir::above(std::size_t number,
     return result;
 }
 
-std::array<Expansion, leaf_fluxes> LeafAir::flux_of(
-    const Point& point, const LeafGroup& leaf, const Above& above,
-    const LeafSurroundings& air) const {
-    const Place& place = at_[point.place];
-    const std::uint32_t group = places_->group[point.place];
+LeafAir::LeafInAir LeafAir::leaf_in(const Above& above,
+                                    std::uint32_t group) const {
+    const LeafRates& rates = leaves_.leaves[group].rates;
     const Component& component =
         leaves_.scene.components[leaves_.groups[group].id.component];
-    LeafSurroundings around = air;
+    const Air air{above.air.temperature, above.air.humidity};
+    LeafInAir result{
+        {{}, component.stomata, water_.emissivity, water_.stomatal_ratio},
+        response(rates, air),
+        dark_respiration(rates, air.temperature),
+        leaves_.widths[group]};
+    if (const auto* c4 = std::get_if<CollatzLeaf>(&rates))
+        result.leaf.rates = *c4;
+    if (const auto* c3 = std::get_if<FarquharLeaf>(&rates))
+        result.leaf.rates = *c3;
+    return result;
+}
+
+std::array<Expansion, leaf_fluxes> LeafAir::of_own_temperature(
+    const Point& point, const LeafInAir& leaf, const Above& above,
+    LeafSurroundings around) {
+    const Place& place = at_[point.place];
     around.ppfd = point.ppfd;
-    LeafExchange found;
-    double respiration = 0;
-    if (water_.has_leaf_temperature) {
-        around.nir = above.nir_of_sun * place.nir_of_sun +
-                     above.nir_of_sky * place.nir_of_sky +
-                     place.nir_absorptance * above.nir_beam * point.cosine;
-        const double black =
-            stefan_boltzmann * fourth_power(air.temperature + kelvin);
-        around.longwave =
-            water_.emissivity * (2 * black + place.view * (above.sky - black));
-        around.wind *= place.wind;
-        around.width = leaves_.widths[group];
-        ThermalLeaf thermal{CollatzLeaf{}, component.stomata, water_.emissivity,
-                            water_.stomatal_ratio};
-        std::visit(
-            [&](const auto& rates) {
-                if constexpr (!std::is_same_v<std::decay_t<decltype(rates)>,
-                                              HyperbolaLeaf>)
-                    thermal.rates = rates;
-            },
-            leaf.rates);
-        found = leaf_exchange(thermal, around);
-        respiration = dark_respiration(leaf.rates, above.air.temperature);
-    } else {
-        Expansion gross{};
-        const Air same{air.temperature, air.humidity};
-        expand(response(leaf.rates, same), {&point.ppfd, 1}, &gross.value,
-               &gross.slope, &gross.curvature);
-        respiration = dark_respiration(leaf.rates, air.temperature);
-        found = exchange_at_air_temperature(
-            component.stomata, around,
-            {gross.value - respiration, gross.slope, gross.curvature});
-        return {gross,
-                found.transpiration,
-                Expansion{},
-                Expansion{},
-                Expansion{found.conductance, 0, 0},
-                Expansion{found.temperature > water_.hot ? 1. : 0., 0, 0}};
-    }
-    return {Expansion{found.net.value + respiration, found.net.slope,
+    around.nir = above.nir_of_sun * place.nir_of_sun +
+                 above.nir_of_sky * place.nir_of_sky +
+                 place.nir_absorptance * above.nir_beam * point.cosine;
+    const double black =
+        stefan_boltzmann * fourth_power(around.temperature + kelvin);
+    around.longwave =
+        water_.emissivity * (2 * black + place.view * (above.sky - black));
+    around.wind *= place.wind;
+    around.width = leaf.width;
+    last_ = leaf_exchange(leaf.leaf, around, last_ ? &*last_ : nullptr);
+    const LeafExchange& found = *last_;
+    return {Expansion{found.net.value + leaf.respiration, found.net.slope,
                       found.net.curvature},
             found.transpiration,
-            Expansion{found.sensible, 0, 0},
-            Expansion{found.temperature - above.air.temperature, 0, 0},
-            Expansion{found.conductance, 0, 0},
-            Expansion{found.temperature > water_.hot ? 1. : 0., 0, 0}};
+            {found.sensible, 0, 0},
+            {found.temperature - above.air.temperature, 0, 0},
+            {found.conductance, 0, 0},
+            {found.temperature > water_.hot ? 1. : 0., 0, 0}};
+}
+
+std::array<Expansion, leaf_fluxes> LeafAir::of_air_temperature(
+    const Point& point, const LeafInAir& leaf,
+    const LeafSurroundings& around) const {
+    Expansion gross{};
+    expand(leaf.response, {&point.ppfd, 1}, &gross.value, &gross.slope,
+           &gross.curvature);
+    const LeafExchange found = exchange_at_air_temperature(
+        leaf.leaf.stomata, around,
+        {gross.value - leaf.respiration, gross.slope, gross.curvature});
+    return {gross,
+            found.transpiration,
+            {},
+            {},
+            {found.conductance, 0, 0},
+            {found.temperature > water_.hot ? 1. : 0., 0, 0}};
 }
 
 void LeafAir::exchange_in(std::size_t step, const CanopyAir& air) {
     found_.assign(points_.size(), {});
+    last_.reset();
     const Photosynthesis* of = nullptr;
+    std::optional<std::uint32_t> last_group;
     Above over;
     LeafSurroundings around;
+    LeafInAir leaf;
     for (std::size_t j = 0; j < points_.size(); ++j) {
-        const LeafGroup& leaf =
-            leaves_.leaves[places_->group[points_[j].place]];
-        if (!leaf.photosynthesis) continue;
-        if (leaf.photosynthesis != of) {
-            of = leaf.photosynthesis;
+        const std::uint32_t group = places_->group[points_[j].place];
+        const Photosynthesis* own = leaves_.leaves[group].photosynthesis;
+        if (!own) continue;
+        if (own != of) {
+            of = own;
             over = above(step, *of);
             around = over.air;
             around.temperature += air.warmer;
@@ -221,7 +233,13 @@ void LeafAir::exchange_in(std::size_t step, const CanopyAir& air) {
                                    saturated_vapour(around.temperature),
                                0., 1.);
         }
-        found_[j] = flux_of(points_[j], leaf, over, around);
+        if (group != last_group) {
+            leaf = leaf_in(over, group);
+            last_group = group;
+        }
+        found_[j] = water_.has_leaf_temperature
+                        ? of_own_temperature(points_[j], leaf, over, around)
+                        : of_air_temperature(points_[j], leaf, around);
     }
 }
 
@@ -231,13 +249,11 @@ CanopyAir LeafAir::canopy_air(std::size_t number) {
     const TimeStep& step = series_.steps[number];
     const double resistance = aerodynamic_resistance(
         step.wind.value(), series_.wind_height, leaves_.height);
-    const Air air = air_of(
-        step, *[&] {
-            for (const LeafGroup& leaf : leaves_.leaves)
-                if (leaf.photosynthesis) return leaf.photosynthesis;
-            static const Photosynthesis none;
-            return &none;
-        }());
+    const auto leaf = std::find_if(
+        leaves_.leaves.begin(), leaves_.leaves.end(),
+        [](const LeafGroup& each) { return each.photosynthesis != nullptr; });
+    if (leaf == leaves_.leaves.end()) return {};
+    const Air air = air_of(step, *leaf->photosynthesis);
     const double per_volume =
         step.pressure.value() / (gas_constant * (air.temperature + kelvin));
     const double per_heat = resistance / (per_volume * heat_capacity);

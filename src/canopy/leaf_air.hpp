@@ -94,12 +94,24 @@ class LeafAir {
         double nir_of_sun = 0, nir_of_sky = 0, nir_beam = 0;
     };
 
+    //! A leaf in the air of a step.
+    struct LeafInAir {
+        ThermalLeaf leaf;
+        LeafResponse response;   //!< at the temperature of the air above
+        double respiration = 0;  //!< at that, in the dark [umol m-2 s-1]
+        double width = 0;        //!< of its blade [m]
+    };
+
     Above above(std::size_t step, const Photosynthesis& photosynthesis) const;
+    LeafInAir leaf_in(const Above& above, std::uint32_t group) const;
     void exchange_in(std::size_t step, const CanopyAir& air);
     CanopyAir canopy_air(std::size_t step);
-    std::array<Expansion, leaf_fluxes> flux_of(
-        const Point& point, const LeafGroup& leaf, const Above& above,
-        const LeafSurroundings& air) const;
+    std::array<Expansion, leaf_fluxes> of_own_temperature(
+        const Point& point, const LeafInAir& leaf, const Above& above,
+        LeafSurroundings around);
+    std::array<Expansion, leaf_fluxes> of_air_temperature(
+        const Point& point, const LeafInAir& leaf,
+        const LeafSurroundings& around) const;
 
     const WaterLeaves leaves_;
     const LeafWater& water_;
@@ -110,6 +122,7 @@ class LeafAir {
     std::vector<Place> at_;
     int beam_ = -1, sky_ = -1;
     std::vector<Point> points_;
+    std::optional<LeafExchange> last_;  //!< the exchange of the point before
     std::vector<std::array<Expansion, leaf_fluxes>> found_;
 };
 

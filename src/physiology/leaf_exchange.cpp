@@ -99,21 +99,26 @@ template <class Rates>
 class Sweeps {
   public:
     Sweeps(const Rates& rates, const ThermalLeaf& leaf,
-           const LeafSurroundings& around)
+           const LeafSurroundings& around, const LeafExchange* like)
         : rates_(rates),
           stomata_(leaf.stomata),
           around_(around),
           energy_(leaf, around),
           t_(around.temperature),
-          gs_(leaf.stomata.intercept) {}
+          gs_(leaf.stomata.intercept) {
+        if (!like) return;
+        t_ += like->warmer;
+        gs_ = like->conductance;
+        net_ = like->net.value;
+    }
 
     //! Returns whether the balance has been found.
     bool settle() {
         constexpr int most = 20;
-        constexpr double tolerance = 0.001;
+        constexpr double tolerance = 0.003;
         double before = 0, residual_before = 0;
         for (int i = 0; i < most; ++i) {
-            breathe(i == 0 ? 3 : 2);
+            breathe(2);
             const double residual =
                 energy_.net_radiation(t_) - energy_.sensible(t_) - latent_;
             double slope = slope_of_residual();
@@ -139,8 +144,12 @@ class Sweeps {
                                  ? boundary_ / (gs_ + boundary_) *
                                        (gs_ - stomata_.intercept) / gs_
                                  : 0;
-        return {net, transpiration_of(amount, share, net), gs_, t_,
-                energy_.sensible(t_, heat_)};
+        return {net,
+                transpiration_of(amount, share, net),
+                gs_,
+                t_,
+                energy_.sensible(t_, heat_),
+                t_ - around_.temperature};
     }
 
   private:
@@ -231,19 +240,24 @@ LeafExchange from_balance(const Rates& rates, const ThermalLeaf& leaf,
                   (found.conductance - leaf.stomata.intercept) /
                   found.conductance
             : 0;
-    return {net, transpiration_of(found.transpiration, share, net),
-            found.conductance, found.temperature, found.sensible};
+    return {net,
+            transpiration_of(found.transpiration, share, net),
+            found.conductance,
+            found.temperature,
+            found.sensible,
+            found.temperature - around.temperature};
 }
 
 }  // namespace
 
 LeafExchange leaf_exchange(const ThermalLeaf& leaf,
-                           const LeafSurroundings& around) {
+                           const LeafSurroundings& around,
+                           const LeafExchange* like) {
     return std::visit(
         [&](const auto& rates) {
             if (around.wind >= least_wind &&
                 around.temperature < warmest_of_one_balance) {
-                Sweeps sweeps(rates, leaf, around);
+                Sweeps sweeps(rates, leaf, around, like);
                 if (sweeps.settle()) return sweeps.result();
             }
             return from_balance(rates, leaf, around);
@@ -260,8 +274,9 @@ LeafExchange exchange_at_air_temperature(const Stomata& stomata,
     const double gs = stomata.intercept + open * std::max(net.value, 0.);
     const double amount = 1e3 * gs * (saturated - vapour) / around.pressure;
     const double share = gs > 0 ? (gs - stomata.intercept) / gs : 0;
-    return {net, transpiration_of(amount, share, net), gs, around.temperature,
-            0};
+    return {net, transpiration_of(amount, share, net),
+            gs,  around.temperature,
+            0,   0};
 }
 
 }  // namespace ideotype

@@ -151,7 +151,8 @@ TEST(Documentation, ResolvedTextHasExactlyTheDeclaredKeys) {
     const std::string text =
         with_climate(organ + collatz +
                      "[objective]\nminimise = \"lai\"\nover = \"site\"\n"
-                     "[search]\noptimizer = \"nsga2\"\nreference = [5, 7]\n");
+                     "[search]\noptimizer = \"nsga2\"\nreference = [5, 7]\n"
+                     "[water]\nslope = 2\nintercept = 0.02\n");
     for (const std::string& line :
          lines_of(parse_campaign(text, "sample.toml")))
         lines.push_back(line);

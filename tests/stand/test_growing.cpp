@@ -7,7 +7,7 @@
 
 #include "campaign/stages.hpp"
 #include "ideotype/core/error.hpp"
-#include "stand/stand.hpp"
+#include "season_numbers.hpp"
 
 namespace ideotype {
 namespace {
@@ -31,27 +31,6 @@ Campaign growing(std::vector<std::string> settings = {}) {
     replace("to = 2011-09-30", "to = 2011-09-10");
     return read_campaign_text(
         text, std::string(IDEOTYPE_CAMPAIGNS) + "/growing.toml", settings);
-}
-
-Outcome season_of(const Campaign& campaign) {
-    const Case chosen = cases(campaign).at(0);
-    return Stand(campaign, chosen)
-        .evaluate({campaign.crop.baseline},
-                  sampling_of(Task{}, campaign, chosen),
-                  Device(Device::supported_isas().back()));
-}
-
-std::map<std::string, double> numbers(const Campaign& campaign) {
-    const Outcome outcome = season_of(campaign);
-    const QuantitySet measured =
-        outcome_schema(campaign, cases(campaign).at(0), campaign.sampling)
-            .measured;
-    std::map<std::string, double> all;
-    for (const Quantity& each : measured.quantities)
-        for (std::size_t i = 0; i < measured.size(each); ++i)
-            all[each.name + '_' + std::to_string(i)] =
-                outcome.quantities.at(measured.offset(each.name) + i).mean;
-    return all;
 }
 
 TEST(GrowingSeason, AStageOfFullGreenPlantsIsTheCropWithoutGrowthToTheBit) {

@@ -14,6 +14,7 @@ struct LeafExchange {
     double conductance = 0;   //!< of the stomata for vapour [mol m-2 s-1]
     double temperature = 0;   //!< of the leaf [deg C]
     double sensible = 0;      //!< heat [W m-2]
+    double warmer = 0;        //!< than the air [K]
 };
 
 //! energy_balance() to some 0.01 deg C at a fraction of its cost, for the many
@@ -23,8 +24,11 @@ struct LeafExchange {
 //! leaf emits more, heats the air more and evaporates more. Where leaves are
 //! warmer, where the humidity is too low for stomata of Ball and Berry to have
 //! one conductance, and where sweeps do not end, it is energy_balance() itself.
+//! @param like a point in about the same light and air, to begin with, and how
+//! much warmer than its air it is [K]; sweeps are fewer then
 LeafExchange leaf_exchange(const ThermalLeaf& leaf,
-                           const LeafSurroundings& around);
+                           const LeafSurroundings& around,
+                           const LeafExchange* like = nullptr);
 
 //! The exchange of a leaf that has the temperature of the air and no boundary
 //! layer.

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "stand/stand.hpp"
+
+namespace ideotype {
+
+//! Returns the outcome of the baseline in the first case.
+inline Outcome season_of(const Campaign& campaign) {
+    const Case chosen = cases(campaign).at(0);
+    return Stand(campaign, chosen)
+        .evaluate({campaign.crop.baseline},
+                  sampling_of(Task{}, campaign, chosen),
+                  Device(Device::supported_isas().back()));
+}
+
+//! Returns the numbers of each quantity of that, by its name and place.
+inline std::map<std::string, double> numbers(const Campaign& campaign) {
+    const Outcome outcome = season_of(campaign);
+    const QuantitySet measured =
+        outcome_schema(campaign, cases(campaign).at(0), campaign.sampling)
+            .measured;
+    std::map<std::string, double> all;
+    for (const Quantity& each : measured.quantities)
+        for (std::size_t i = 0; i < measured.size(each); ++i)
+            all[each.name + '_' + std::to_string(i)] =
+                outcome.quantities.at(measured.offset(each.name) + i).mean;
+    return all;
+}
+
+}  // namespace ideotype

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include "ideotype/core/error.hpp"
+#include "season_numbers.hpp"
+
+namespace ideotype {
+namespace {
+
+//! Returns a hot week at Bondville with maize that assimilates by Collatz.
+Campaign week(const std::string& water,
+              std::vector<std::string> settings = {}) {
+    settings.insert(settings.begin(),
+                    {"climate.from=2011-07-21", "climate.to=2011-07-28",
+                     "light.tolerance=0", "light.paths=1024", "field.rows=2",
+                     "field.plants=2", "objective.maximise=net_assimilation",
+                     "replicates=1"});
+    std::string text =
+        read_campaign(std::string(IDEOTYPE_CAMPAIGNS) + "/bondville.toml")
+            .source;
+    const std::size_t second = text.find("[[spacing]]\nname = \"15x6\"");
+    text.erase(second, text.find("[plant]") - second);
+    text += "\n[photosynthesis]\nmodel = \"collatz\"\n" + water;
+    return read_campaign_text(
+        text, std::string(IDEOTYPE_CAMPAIGNS) + "/week.toml", settings);
+}
+
+const std::string balance = "[water]\n";
+
+TEST(Water, LeavesOfTheTemperatureOfTheAirAssimilateAsBeforeToTheBit) {
+    const auto before = numbers(week(""));
+    const auto with = numbers(week("[water]\nleaf_temperature = false\n"));
+    EXPECT_GT(before.size(), 100u);
+    for (const auto& [name, number] : before)
+        EXPECT_EQ(with.at(name), number) << name;
+    EXPECT_GT(with.at("transpiration_0"), 2);
+    EXPECT_EQ(with.at("leaf_warming_0"), 0);
+}
+
+//! The ranges of a hot week are those of the field: docs/water.md.
+TEST(Water, IsWhatMaizeTranspires) {
+    const auto found = numbers(week(balance));
+    EXPECT_GT(found.at("transpiration_0"), 3);
+    EXPECT_LT(found.at("transpiration_0"), 6);
+    EXPECT_GT(found.at("water_use_efficiency_0"), 3);
+    EXPECT_LT(found.at("water_use_efficiency_0"), 6);
+    EXPECT_GT(found.at("leaf_warming_0"), -1.5);
+    EXPECT_LT(found.at("leaf_warming_0"), 2);
+    EXPECT_NEAR(found.at("water_use_0"), 8 * found.at("transpiration_0"), 1e-9);
+    double leaves = 0, layers = 0, days = 0;
+    for (const auto& [name, number] : found) {
+        if (name.starts_with("transpiration_by_leaf")) leaves += number;
+        if (name.starts_with("transpiration_by_layer")) layers += number;
+        if (name.starts_with("transpiration_by_day")) days += number / 8;
+    }
+    EXPECT_NEAR(leaves, found.at("transpiration_0"), 1e-9);
+    EXPECT_NEAR(layers, found.at("transpiration_0"), 1e-9);
+    EXPECT_NEAR(days, found.at("transpiration_0"), 1e-9);
+}
+
+TEST(Water, FollowsTheAirAndTheStomata) {
+    const auto now = numbers(week(balance, {"climate.co2=372"}));
+    const auto rich = numbers(week(balance, {"climate.co2=550"}));
+    EXPECT_LT(rich.at("transpiration_0"), .95 * now.at("transpiration_0"));
+    EXPECT_LT(rich.at("canopy_conductance_0"),
+              .8 * now.at("canopy_conductance_0"));
+    EXPECT_GT(rich.at("leaf_warming_0"), now.at("leaf_warming_0") + .1);
+    EXPECT_NEAR(rich.at("net_assimilation_0") / now.at("net_assimilation_0"), 1,
+                .03);
+    const auto open = numbers(week(balance + "slope = 2.5\n"));
+    const auto usual = numbers(week(balance));
+    EXPECT_GT(open.at("transpiration_0"), usual.at("transpiration_0"));
+    EXPECT_LT(open.at("leaf_warming_0"), usual.at("leaf_warming_0"));
+    // The air of a canopy becomes moist and holds transpiration back.
+    const auto above = numbers(week(balance + "canopy_air = false\n"));
+    EXPECT_GT(above.at("transpiration_0"), usual.at("transpiration_0"));
+    const auto moist = numbers(week(balance + "hot = 20\n"));
+    EXPECT_GT(moist.at("hot_hours_0"), 5);
+    EXPECT_LT(usual.at("hot_hours_0"), 3);
+}
+
+TEST(Water, HasALimit) {
+    EXPECT_EQ(season_of(week(balance + "limit = 1000\n")).violation, 0);
+    const Campaign dry = week(balance + "limit = 10\n");
+    EXPECT_NEAR(season_of(dry).violation,
+                numbers(dry).at("water_use_0") / 10 - 1, 1e-9);
+}
+
+TEST(Water, NeedsLeavesThatFollowCo2) {
+    try {
+        week(balance, {"photosynthesis.model=hyperbola"});
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("does not follow CO2"),
+                  std::string::npos)
+            << error.what();
+    }
+    EXPECT_THROW(week("", {"objective.maximise=water_use_efficiency"}), Error);
+}
+
+}  // namespace
+}  // namespace ideotype

@@ -214,20 +214,27 @@ QuantitySet canopy_quantities(const Scene& scene, const Layers& layers,
     return set;
 }
 
-std::vector<Estimate> measure(const CanopyReport& report) {
-    std::vector<Estimate> all;
+std::vector<Randomised> measure_by_randomisation(const CanopyReport& report) {
+    std::vector<Randomised> all;
     for (const Declaration* each : declared(report))
         if (const auto* number = std::get_if<TakeNumber>(&each->take)) {
-            if (const auto found = (*number)(report))
-                all.push_back(found->estimate);
+            if (auto found = (*number)(report))
+                all.push_back(std::move(*found));
         } else if (const auto* profile =
                        std::get_if<TakeProfile>(&each->take)) {
-            for (const Randomised& x : (*profile)(report))
-                all.push_back(x.estimate);
+            for (Randomised& x : (*profile)(report))
+                all.push_back(std::move(x));
         } else {
             for (const Estimate& x : std::get<TakeNumbers>(each->take)(report))
-                all.push_back(x);
+                all.push_back({x, {}});
         }
+    return all;
+}
+
+std::vector<Estimate> measure(const CanopyReport& report) {
+    std::vector<Estimate> all;
+    for (const Randomised& each : measure_by_randomisation(report))
+        all.push_back(each.estimate);
     return all;
 }
 

@@ -69,32 +69,6 @@ void declare_evaluate(CLI::App& verb, EvaluateOptions& options) {
     add_json(verb, options.is_json);
 }
 
-void declare_compare(CLI::App& verb, CompareOptions& options) {
-    verb.add_option("plants", options.plants,
-                    "crop files (.toml), measured plants (.csv), histories "
-                    "(.h5: their best plant) and campaigns (.toml: their "
-                    "baseline); all are compared with the first")
-        ->required();
-    verb.add_option("--under", options.under,
-                    "campaign in whose cases all plants are evaluated, as its "
-                    "finalists are")
-        ->required();
-    add_settings(verb, options.settings);
-    verb.add_option("--seed", options.seed,
-                    "of all random numbers, in the place of the campaign's")
-        ->check(CLI::NonNegativeNumber);
-    verb.add_option("--tolerance", options.tolerance,
-                    "relative standard error of the light that leaves absorb, "
-                    "in the place of the campaign's [final]")
-        ->check(CLI::Range(1e-5, 0.05));
-    verb.add_option(
-        "--csv", options.csv_path,
-        "also write all figures, those by leaf and layer too, to this new "
-        "file, one per line");
-    add_threads(verb, options.threads);
-    add_json(verb, options.is_json);
-}
-
 void declare_new(CLI::App& verb, NewOptions& options) {
     verb.add_option("file", options.path, "new campaign file (.toml)")
         ->required();
@@ -210,11 +184,6 @@ void declare_verbs(CLI::App& app, const std::vector<std::string>& words,
     add("light", "the light in any mesh",
         "plant.obj --period .76 .15 --sun 60 180", declare_light,
         light_in_mesh);
-    add("compare",
-        "plants in the same light: how each differs from the first, with "
-        "paired standard errors; on all cores",
-        "maize.toml field.csv --under campaigns/ames_quick.toml",
-        declare_compare, compare);
     add("serve",
         "evaluate the genomes that arrive as lines of JSON on the standard "
         "input, and answer each with a line of JSON, until the input ends; "

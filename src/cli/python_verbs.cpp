@@ -25,6 +25,9 @@ constexpr std::array python_verbs{
     PythonVerb{"summary",
                "the gains of cases as a table, their seeds put together"},
     PythonVerb{"report", "one page about histories, with all figures"},
+    PythonVerb{"compare",
+               "plants in the same light: how each differs from the first, "
+               "with paired errors; on all cores"},
     PythonVerb{"weather",
                "make of weather files of many formats the one that campaigns "
                "read"},

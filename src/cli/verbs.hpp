@@ -63,23 +63,6 @@ struct EvaluateOptions {
 };
 ExitCode evaluate(const EvaluateOptions& options);
 
-//! `compare PLANT... --under CAMPAIGN`: every plant in the light of every case
-//! of the campaign, whatever it was bred for, and how it differs from the
-//! first. All plants of a case share their random numbers.
-struct CompareOptions {
-    //! Histories, for the best plant; campaigns, for their baseline; crop files
-    //! and measured plants (.csv).
-    std::vector<std::string> plants;
-    std::string under;
-    std::vector<std::string> settings;  //!< of that: "table.key=value"
-    std::optional<std::uint64_t> seed;  //!< in the place of the campaign's
-    std::optional<double> tolerance;    //!< relative standard error
-    std::string csv_path;               //!< new file with all figures; "": none
-    std::optional<int> threads;         //!< not given: one for each core
-    bool is_json = false;
-};
-ExitCode compare(const CompareOptions& options);
-
 //! `new FILE`: writes a commented campaign for a place and a plant. Numbers are
 //! as they were written; what is "" is asked for on a terminal.
 struct NewOptions {

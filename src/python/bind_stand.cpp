@@ -63,33 +63,6 @@ nb::list genes(const CaseStand& stand) {
     return list;
 }
 
-nb::list objectives(const CaseStand& stand) {
-    nb::list list;
-    for (const Objective& each : stand.schema().objectives)
-        list.append(nb::make_tuple(each.name, each.unit,
-                                   each.sense == Sense::maximise));
-    return list;
-}
-
-nb::list axes(const CaseStand& stand) {
-    nb::list list;
-    for (const Axis& axis : stand.schema().measured.axes)
-        list.append(nb::make_tuple(
-            axis.name, axis.unit, axis.meaning,
-            std::visit([](const auto& each) { return nb::cast(each); },
-                       axis.coordinates)));
-    return list;
-}
-
-nb::list quantities(const CaseStand& stand) {
-    nb::list list;
-    for (const Quantity& each : stand.schema().measured.quantities)
-        list.append(nb::make_tuple(each.name, each.unit, each.meaning,
-                                   each.axes,
-                                   each.certainty == Certainty::exact));
-    return list;
-}
-
 nb::tuple evaluate(CaseStand& stand, const Input<double, 1>& genome,
                    std::uint32_t generation, bool is_final,
                    std::optional<std::uint64_t> seed,
@@ -112,8 +85,24 @@ nb::tuple evaluate(CaseStand& stand, const Input<double, 1>& genome,
 }
 
 nb::tuple mesh(const CaseStand& stand, const Input<double, 1>& genome,
-               std::size_t component) {
-    return mesh_tuple(stand.mesh(to_vector(genome), component));
+               std::size_t component, std::optional<double> thermal_time) {
+    return mesh_tuple(stand.mesh(to_vector(genome), component, thermal_time));
+}
+
+//! The names of the scenarios of the case.
+std::vector<std::string> scenario_names(const CaseStand& stand) {
+    std::vector<std::string> names;
+    for (const Case& each : scenarios(stand.chosen()))
+        names.push_back(each.name);
+    return names;
+}
+
+//! The names of the cases of a campaign, and the replicate of each.
+nb::list case_names(const std::string& path, const Settings& settings) {
+    nb::list list;
+    for (const Case& each : cases(read_campaign(path, settings)))
+        list.append(nb::make_tuple(each.name, each.replicate));
+    return list;
 }
 
 //! The clock hour of each instant [h], the light above the canopy [W m-2], and
@@ -157,8 +146,36 @@ std::vector<std::string> warnings(const CaseStand& stand) {
 
 }  // namespace
 
+nb::list objective_list(const OutcomeSchema& schema) {
+    nb::list list;
+    for (const Objective& each : schema.objectives)
+        list.append(nb::make_tuple(each.name, each.unit,
+                                   each.sense == Sense::maximise));
+    return list;
+}
+
+nb::list axis_list(const OutcomeSchema& schema) {
+    nb::list list;
+    for (const Axis& axis : schema.measured.axes)
+        list.append(nb::make_tuple(
+            axis.name, axis.unit, axis.meaning,
+            std::visit([](const auto& each) { return nb::cast(each); },
+                       axis.coordinates)));
+    return list;
+}
+
+nb::list quantity_list(const OutcomeSchema& schema) {
+    nb::list list;
+    for (const Quantity& each : schema.measured.quantities)
+        list.append(nb::make_tuple(each.name, each.unit, each.meaning,
+                                   each.axes,
+                                   each.certainty == Certainty::exact));
+    return list;
+}
+
 void bind_stand(nb::module_& module) {
     using Released = nb::call_guard<nb::gil_scoped_release>;
+    module.def("case_names", &case_names, nb::arg("path"), nb::arg("settings"));
     nb::class_<CaseStand>(module, "CaseStand")
         .def_static("from_file", &from_file, Released(), nb::arg("path"),
                     nb::arg("case"), nb::arg("settings"), nb::arg("isa"))
@@ -174,16 +191,23 @@ void bind_stand(nb::module_& module) {
                      [](const CaseStand& x) { return x.campaign().resolved; })
         .def_prop_ro("warnings", &warnings)
         .def_prop_ro("genes", &genes)
-        .def_prop_ro("objectives", &objectives)
-        .def_prop_ro("axes", &axes)
-        .def_prop_ro("quantities", &quantities)
+        .def_prop_ro(
+            "objectives",
+            [](const CaseStand& x) { return objective_list(x.schema()); })
+        .def_prop_ro("axes",
+                     [](const CaseStand& x) { return axis_list(x.schema()); })
+        .def_prop_ro(
+            "quantities",
+            [](const CaseStand& x) { return quantity_list(x.schema()); })
         .def("evaluate", &evaluate, nb::arg("genome"), nb::arg("generation"),
              nb::arg("is_final"), nb::arg("seed").none(),
              nb::arg("tolerance").none())
         .def_prop_ro(
             "components",
             [](const CaseStand& x) { return component_names(x.campaign()); })
-        .def("mesh", &mesh, nb::arg("genome"), nb::arg("component"))
+        .def("mesh", &mesh, nb::arg("genome"), nb::arg("component"),
+             nb::arg("thermal_time").none())
+        .def_prop_ro("scenarios", &scenario_names)
         .def("light_on_sensors", &light_on_sensors)
         .def("crop_text", [](const CaseStand& x, const Input<double, 1>& genome,
                              std::size_t component) {

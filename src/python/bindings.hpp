@@ -8,6 +8,7 @@ namespace ideotype::python {
 //! Errors become exceptions of ideotype._errors.
 void translate_errors();
 
+void bind_plants(nanobind::module_& module);
 void bind_stand(nanobind::module_& module);
 void bind_mesh(nanobind::module_& module);
 void bind_energy(nanobind::module_& module);

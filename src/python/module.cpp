@@ -15,6 +15,7 @@ NB_MODULE(_core, module) {
     module.def("library_version", &Device::library_version,
                "Name and version of the ray tracing library.");
     python::bind_stand(module);
+    python::bind_plants(module);
     python::bind_mesh(module);
     python::bind_energy(module);
     python::bind_growth(module);

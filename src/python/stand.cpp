@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stand.hpp"
 
+#include "campaign/stages.hpp"
+#include "ideotype/core/error.hpp"
+
 namespace ideotype::python {
 
 CaseStand::CaseStand(Campaign campaign, const Case& chosen,
@@ -30,9 +33,18 @@ Outcome CaseStand::evaluate(const Genome& genome,
     }
 }
 
-Mesh CaseStand::mesh(const Genome& genome, std::size_t component) const {
-    return build_plant(grow(campaign_, genome).at(component),
-                       campaign_.tessellation);
+Mesh CaseStand::mesh(const Genome& genome, std::size_t component,
+                     std::optional<double> thermal_time) const {
+    Plant plant = grow(campaign_, genome).at(component);
+    if (thermal_time) {
+        const Growth* growth = growth_of(campaign_, component);
+        if (!growth)
+            throw Error(
+                "plants of this stand do not grow: their crop has no "
+                "[growth]; leave thermal_time out");
+        plant = plant_at(*growth, plant, *thermal_time);
+    }
+    return build_plant(plant, campaign_.tessellation);
 }
 
 std::vector<std::vector<Estimate>> CaseStand::light_on_sensors(

@@ -3,8 +3,11 @@
 
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include <nanobind/nanobind.h>
 
 #include "ideotype/canopy/sensors.hpp"
 #include "ideotype/light/device.hpp"
@@ -48,6 +51,15 @@ class Devices {
     std::vector<std::unique_ptr<Device>> idle_;
 };
 
+//! Name, unit and whether it is maximised, of each objective.
+nanobind::list objective_list(const OutcomeSchema& schema);
+
+//! Name, unit, meaning and coordinates of each axis.
+nanobind::list axis_list(const OutcomeSchema& schema);
+
+//! Name, unit, meaning, axes and whether it is exact, of each quantity.
+nanobind::list quantity_list(const OutcomeSchema& schema);
+
 //! The plants of one case of a campaign. Several threads may evaluate.
 class CaseStand {
   public:
@@ -68,7 +80,10 @@ class CaseStand {
     Outcome evaluate(const Genome& genome, const SamplingRequest& request);
 
     //! One plant of a component at the origin, y along the row [m].
-    Mesh mesh(const Genome& genome, std::size_t component) const;
+    //! @param thermal_time since emergence [deg C d]; none: full-grown
+    //! @throws Error if there is one, and plants of the component do not grow
+    Mesh mesh(const Genome& genome, std::size_t component,
+              std::optional<double> thermal_time) const;
 
     //! The light on sensors among plants of a genome by instant, see
     //! light_on_sensors(), in as many fields.

@@ -180,11 +180,15 @@ double ProgressLog::evaluations_per_second() const {
     return evaluations_ / std::max(now() - started_, 1e-3);
 }
 
-//! At most.
-std::string ProgressLog::time_left() const {
+long long ProgressLog::left() const {
     long long left = 0;
     for (const auto& [index, count] : to_evaluate_) left += count;
-    return evaluations_ > 0 ? format_duration(static_cast<double>(left) /
+    return left;
+}
+
+//! At most.
+std::string ProgressLog::time_left() const {
+    return evaluations_ > 0 ? format_duration(static_cast<double>(left()) /
                                               evaluations_per_second())
                             : "?";
 }
@@ -205,8 +209,15 @@ void ProgressLog::show_live() {
         now() - shown_ < calm)
         return;
     const Entry& entry = in_flight_.begin()->second;
-    std::string line =
-        cases_ > 1 ? fmt::format("{} of {} cases done, ", ended_, cases_) : "";
+    std::string line;
+    if (constexpr int width = 20; columns_ > 4 * width) {
+        const double done = evaluations_;
+        const auto full = static_cast<std::size_t>(
+            width * done / std::max(done + static_cast<double>(left()), 1.));
+        line = fmt::format("[{:.<{}}] ", std::string(full, '#'), width);
+    }
+    if (cases_ > 1)
+        line += fmt::format("{} of {} cases done, ", ended_, cases_);
     line += fmt::format("{} left, {} of {} generations, ", time_left(),
                         entry.complete, campaign_.stop.generations);
     if (entry.best) line += best_of(entry) + ", ";

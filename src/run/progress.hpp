@@ -57,6 +57,8 @@ class ProgressLog {
     //! Evaluations of a case from this generation on, if no rule ends it.
     long long all_after(std::uint32_t generation) const;
     double evaluations_per_second() const;
+    //! Returns how many evaluations are left, at most.
+    long long left() const;
     std::string time_left() const;
     std::string best_of(const Entry& entry) const;
     void show_live();

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "campaign/stages.hpp"
 #include "ideotype/core/hash.hpp"
@@ -307,16 +308,22 @@ void Stand::prepare() {
         scenes_.push_back(scene_of(campaign_, each));
 }
 
+template <class Take>
+void Stand::evaluate_each(const Plants& plants, const Sampling& sampling,
+                          const Device& device, Take take) {
+    prepare();
+    for (std::size_t i = 0; i < scenes_.size(); ++i)
+        take(ideotype::evaluate(
+            request_of(sampling, campaign_, cases_[i], scenes_[i], plants),
+            device));
+}
+
 Outcome Stand::evaluate(const Plants& plants, const Sampling& sampling,
                         const Device& device) {
-    prepare();
     std::vector<Outcome> outcomes;
-    for (std::size_t i = 0; i < scenes_.size(); ++i)
-        outcomes.push_back(to_outcome(
-            campaign_, plants.front(),
-            ideotype::evaluate(
-                request_of(sampling, campaign_, cases_[i], scenes_[i], plants),
-                device)));
+    evaluate_each(plants, sampling, device, [&](const CanopyReport& report) {
+        outcomes.push_back(to_outcome(campaign_, plants.front(), report));
+    });
     Outcome outcome = across_.combine(outcomes);
     if (campaign_.water_limit > 0)
         outcome.violation += std::max(
@@ -324,6 +331,35 @@ Outcome Stand::evaluate(const Plants& plants, const Sampling& sampling,
                         campaign_.water_limit -
                     1);
     return outcome;
+}
+
+RandomisedOutcome Stand::evaluate_by_randomisation(const Plants& plants,
+                                                   const Sampling& sampling,
+                                                   const Device& device) {
+    std::vector<Outcome> outcomes;
+    std::vector<std::vector<Outcome>> apart;  // [randomisation, case]
+    evaluate_each(plants, sampling, device, [&](const CanopyReport& report) {
+        outcomes.push_back(to_outcome(campaign_, plants.front(), report));
+        const std::vector<Randomised> all = measure_by_randomisation(report);
+        apart.resize(report.randomisations());
+        for (std::size_t r = 0; r < apart.size(); ++r) {
+            Outcome& one = apart[r].emplace_back(outcomes.back());
+            for (std::size_t q = 0; q < all.size(); ++q) {
+                const std::vector<double>& values = all[q].by_randomisation;
+                one.quantities[q] = {
+                    values.empty() ? std::numeric_limits<double>::quiet_NaN()
+                                   : values.at(r),
+                    0};
+            }
+        }
+    });
+    RandomisedOutcome found{across_.combine(outcomes), {}};
+    for (const std::vector<Outcome>& each : apart) {
+        std::vector<double>& values = found.quantities.emplace_back();
+        for (const Estimate& x : across_.combine(each).quantities)
+            values.push_back(x.mean);
+    }
+    return found;
 }
 
 }  // namespace ideotype

@@ -62,6 +62,13 @@ double lai_of_line(const Mesh& plant, double ground_per_plant);
 Outcome to_outcome(const Campaign& campaign, const Plant& plant,
                    const CanopyReport& report);
 
+//! An outcome, and each of its quantities by randomisation.
+struct RandomisedOutcome {
+    Outcome outcome;
+    //! [randomisation, quantity]; NaN where a quantity is not known so.
+    std::vector<std::vector<double>> quantities;
+};
+
 //! The scenarios of one case, set up once for all plants that are evaluated.
 class Stand {
   public:
@@ -83,7 +90,18 @@ class Stand {
     Outcome evaluate(const Plants& plants, const Sampling& sampling,
                      const Device& device);
 
+    //! Returns the outcome of evaluate() with its quantities by randomisation,
+    //! which plants of the same sampling share.
+    RandomisedOutcome evaluate_by_randomisation(const Plants& plants,
+                                                const Sampling& sampling,
+                                                const Device& device);
+
   private:
+    //! Evaluates each scenario and stage.
+    template <class Take>
+    void evaluate_each(const Plants& plants, const Sampling& sampling,
+                       const Device& device, Take take);
+
     const Campaign& campaign_;
     std::vector<Case> cases_;    //!< of each scenario and stage
     std::vector<Scene> scenes_;  //!< empty until they are set up

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -16,6 +17,8 @@ from made_kinds import Measured
 from real_program import run_shortened, start
 
 HERE = Path(__file__).parent
+# The program hands verbs of the package to the Python that runs the tests.
+os.environ.setdefault("IDEOTYPE_PYTHON", sys.executable)
 LONG = {
     "test_manual.py",
     "test_study_script.py",

@@ -15,13 +15,14 @@ from test_figures import bars, horizontal_bars, labels
 
 from ideotype.analysis import HistoryError, open_study
 from ideotype.analysis.case import Case
+from ideotype.analysis.estimate import NORMAL
 from ideotype.analysis.profiles import (
-    draw_assimilation,
     draw_days,
     draw_hours,
     draw_leaves,
     draw_sunlit,
 )
+from ideotype.analysis.shares import draw_assimilation
 
 DAYS = [f"2011-07-{day}" for day in range(28, 32)] + ["2011-08-01"]
 """The days from a Thursday to a Monday."""
@@ -68,7 +69,7 @@ def test_assimilation_is_drawn_by_hour_and_leaf(case: Case) -> None:
     best, error = bars(hours, "best")
     parts = PARTS["assimilation_by_hour"][1]
     assert best == pytest.approx(final_absorbed(2) * parts)
-    assert error == pytest.approx(ERROR / 4 * parts)
+    assert error == pytest.approx(NORMAL * ERROR / 4 * parts)
     shown = [horizontal_bars(leaves, i)[0] for i in range(4)]
     for drawn, (total, kind) in zip(
         shown, [(t, k) for t in (0, 2) for k in ("", "net_")], strict=True
@@ -78,10 +79,7 @@ def test_assimilation_is_drawn_by_hour_and_leaf(case: Case) -> None:
     assert leaves.get_xlim()[0] <= 0
     assert {
         *("baseline, gross", "best, net", "leaf rank (1 = lowest)"),
-        *(
-            "gross assimilation\n[µmol m⁻² s⁻¹ of ground]",
-            "best ± standard error",
-        ),
+        *("gross assimilation\n[µmol m⁻² s⁻¹ of ground]", "best"),
         "assimilation [mol m⁻² day⁻¹ of ground]",
     } <= labels(figure)
     # They are in a figure of their own alone.
@@ -94,7 +92,7 @@ def test_sunlit_leaves_are_a_part_of_all(case: Case) -> None:
     best, error = bars(figure.axes[0], "best")
     part = 100 / LAI * PARTS["sunlit_lai_by_hour"][1]
     assert best == pytest.approx(final_absorbed(2) * part)
-    assert error == pytest.approx(ERROR / 4 * part)
+    assert error == pytest.approx(NORMAL * ERROR / 4 * part)
     assert "sunlit part of the leaf area [%]" in labels(figure)
 
 
@@ -104,13 +102,14 @@ def test_a_season_is_drawn_by_day(case: Case) -> None:
     parts = PARTS["absorbed_by_day"][1]
     best, error = bars(upper, "best")
     assert best == pytest.approx(final_absorbed(2) * parts)
-    assert error == pytest.approx(ERROR / 4 * parts)
+    assert error == pytest.approx(NORMAL * ERROR / 4 * parts)
     change, _ = bars(lower, "_")
     gain = final_absorbed(2) - final_absorbed(0)
     assert change == pytest.approx(gain * parts)
     days = [label.get_text() for label in lower.get_xticklabels()]
-    assert days == ["28 Jul", "29 Jul", "30 Jul", "31 Jul", "1 Aug"]
-    assert "absorbed PAR [MJ m⁻² day⁻¹ of ground]" in labels(figure)
+    # There is room for four.
+    assert days == ["28 Jul", "30 Jul", "1 Aug"]
+    assert "absorbed PAR\n[MJ m⁻² day⁻¹ of ground]" in labels(figure)
 
 
 def test_older_histories_are_told_what_they_lack(finished: Path) -> None:

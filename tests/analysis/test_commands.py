@@ -45,12 +45,15 @@ def test_gains_are_a_table_with_a_line_for_each_case(sweep: Path) -> None:
     ]
     assert [word.strip() for word in table[0][1:4]] == [
         "case",
-        "seeds",
-        "baseline",
+        "searches",
+        "gain [%]",
     ]
     assert all(len(row) == len(table[0]) for row in table)
     assert {row[2].strip() for row in table[2:]} == {"2"} and len(table) == 4
-    assert all("±" in row[6] for row in table[2:])
+    assert all("±" in row[3] for row in table[2:])
+    assert len(done.stdout.splitlines()) < 8
+    lines = summary(sweep, "--csv").stdout.splitlines()
+    assert len(lines) == 3 and lines[0].startswith("case,campaign,site,")
 
 
 def test_unusable_files_exit_with_1_and_a_reason(tmp_path: Path) -> None:

@@ -13,9 +13,12 @@ from made_layout import seal
 from made_numbers import final_absorbed
 
 from ideotype.analysis import Estimate, HistoryError
+from ideotype.analysis.answer import answer
 from ideotype.analysis.comparison import ELITE, draw_energy, draw_gains
+from ideotype.analysis.coordinates import short_names
 from ideotype.analysis.cross import Cross, draw_cross
-from ideotype.analysis.interval import ONE_SEED, interval
+from ideotype.analysis.estimate import NORMAL
+from ideotype.analysis.interval import ONE_SEED, SEARCH_SCATTER, interval
 from ideotype.analysis.places import draw_latitudes, draw_spacings
 from ideotype.analysis.study import open_study
 from ideotype.analysis.tables import gains
@@ -52,9 +55,7 @@ def test_spacings_have_a_line_for_each_distance_of_rows(
     (legend,) = figure.legends
     texts = [text.get_text() for text in legend.get_texts()]
     assert [text.split(", ", 1)[1] for text in texts] == [
-        f"rows {rows} m, {who}"
-        for rows in ("0.381", "0.762")
-        for who in ("baseline", "best")
+        f"rows {rows} m" for rows in ("0.381", "0.762")
     ]
     lines = [
         line for line in figure.axes[1].lines if len(line.get_xdata()) == 2
@@ -77,7 +78,7 @@ def test_leaf_area_stands_beside_every_gain(tmp_path: Path) -> None:
         (case,) = study.cases()
         pair = case.pairs[0]
         table, *_ = gains([case], None)
-        (tick,) = draw_gains([case]).axes[0].get_yticklabels()
+        best = case.best.estimate("lai").mean
     ratio = 1.015 * 3.44 / np.array(lais)
     assert pair.gain_per_leaf_area.mean == pytest.approx(100 * (ratio[0] - 1))
     # The leaf area is exact: the error is that of the light.
@@ -85,51 +86,80 @@ def test_leaf_area_stands_beside_every_gain(tmp_path: Path) -> None:
     assert pair.gain_per_leaf_area.standard_error == pytest.approx(error)
     found = dict(zip(table.header, table.rows[0]))
     assert found["LAI baseline"] == "3.44"
-    assert found["LAI best"].startswith("5.5\u00a0±\u00a06.4")
+    # The table has the best plant alone.
+    assert found["LAI best"] == f"{best:.2f}"
     mean = case.gain_per_leaf_area().mean
     assert mean == pytest.approx(100 * (ratio.mean() - 1))
-    assert found["gain per leaf area [%]"].startswith(f"{mean:.0f}\u00a0±")
-    assert tick.get_text() == "a\nLAI 3.44 → 5.50"
+    assert found["gain per leaf area [%]"].startswith(
+        f"{mean:.0f}\u00a0±".replace("-", "\N{MINUS SIGN}")
+    )
 
 
 @pytest.mark.parametrize("seeds", [(1, 1), (2, 2), (1, 2)])
-def test_one_seed_does_not_tell_the_noise_of_the_search(
+def test_each_interval_of_a_gain_holds_the_search(
     tmp_path: Path, seeds: tuple[int, int]
 ) -> None:
-    """This holds in every text, table and figure; "95 %" stands for several
-    seeds alone."""
+    """A single search takes it from other searches, and says so."""
     place = (("ames", 42.0), ("edmonton", 53.5))
     for (site, latitude), count in zip(place, seeds):
         for seed in range(1, count + 1):
             name = f"{site}_r{seed}"
             attributes = {"site": site, "latitude": latitude, "case": name}
             make(tmp_path / f"{name}.h5", **attributes)
-    plants = [
-        f"{site}_r{k + 1}"
-        for (site, _), n in zip(place, seeds)
-        for k in range(n)
-    ]
-    cross = Cross(
-        tuple(plants), ("ames",), np.full((len(plants), 1), 11.0),
-        np.full((len(plants), 1), 0.01),
-    )  # fmt: skip
     with open_study(tmp_path) as study:
         cases = study.cases()
         table, *_ = gains(cases, None)
-        told = {
-            "gains": draw_gains(cases).get_suptitle(),
-            "energy": draw_energy(cases).get_suptitle(),
-            "latitudes": draw_latitudes(cases).get_suptitle(),
-            "cross": draw_cross(cross).get_suptitle(),
-            "table": table.caption,
-        }
-        printed = {len(c.pairs): str(c.relative_gain()) for c in cases}
-    for name, text in told.items():
-        said = " ".join(text.split())
-        assert (ONE_SEED in said) == (1 in seeds), name
-        assert ("95 %" in said) == (2 in seeds), name
-    for count, text in printed.items():
-        assert text.endswith(f" % ({ONE_SEED})") == (count == 1)
+        sentences = answer(cases).sentences
+        results = study.results()
+        pairs = [case.pairs for case in cases]
+        drawn = [
+            segment
+            for group in draw_gains(cases).axes[0].containers
+            for segment in group.lines[2][0].get_segments()
+        ]
+    said = " ".join(table.caption.split()), sentences[0][1]
+    for text in said:
+        assert (ONE_SEED in text) == (1 in seeds)
+    assert ("over searches" in said[0]) == (2 in seeds)
+    for k, own in enumerate(pairs):
+        half_width = results.gain_percent_half_width[k]
+        assert np.ptp(drawn[k][:, 0]) / 2 == pytest.approx(half_width)
+        light = NORMAL * own[0].gain.standard_error
+        if len(own) == 1:
+            search = NORMAL * SEARCH_SCATTER * own[0].gain.mean
+            assert half_width == pytest.approx(np.hypot(light, search))
+        else:
+            assert half_width >= light / np.sqrt(len(own))
+
+
+def test_results_have_a_line_for_each_case_in_natural_order(
+    tmp_path: Path,
+) -> None:
+    sites = ("lat0", "lat8", "lat16", "lat60s")
+    for site in sites:
+        attributes = {"site": site, "latitude": 1.0, "case": f"{site}_r1"}
+        make(tmp_path / f"{site}_r1.h5", **attributes)
+    with open_study(tmp_path) as study:
+        table = study.results()
+        (case, *_) = study.cases()
+        best = case.best.objective
+    assert [*table.site] == [*sites]
+    first = table.iloc[0]
+    assert first.best == best.mean
+    assert first.best_half_width == pytest.approx(NORMAL * best.standard_error)
+    assert first.gain == pytest.approx(first.best - first.baseline)
+    assert first.searches == 1 and first.best_lai > 0 and first.is_final
+    assert first.evaluations > 0
+    assert table.attrs["units"]["gain_percent"] == "%"
+
+
+def test_cases_are_called_by_what_tells_them_apart(tmp_path: Path) -> None:
+    for site in ("ames", "edmonton"):
+        attributes = {"site": site, "case": f"{site}_all_r1"}
+        make(tmp_path / f"{site}_all_r1.h5", **attributes)
+    with open_study(tmp_path) as study:
+        names = short_names(study.cases())
+    assert names == {"ames_all": "ames", "edmonton_all": "edmonton"}
 
 
 def test_the_interval_of_several_seeds_is_that_between_them() -> None:
@@ -255,7 +285,7 @@ def test_plots_alone_have_a_panel_of_their_own(tmp_path: Path) -> None:
     assert stands.get_xlabel() == "part of the incident PAR"
     assert "isolated plot" in plots.get_xlabel()
     assert [t.get_text() for t in plots.get_yticklabels()] == [
-        *("plot baseline", "plot best"),
+        *("plot\nbaseline", "best"),
     ]
 
 

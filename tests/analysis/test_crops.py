@@ -13,7 +13,6 @@ from real_program import output_of, run_crop
 from ideotype.analysis import HistoryError
 from ideotype.analysis.azimuths import azimuths
 from ideotype.analysis.case import Case
-from ideotype.analysis.correlation import draw_correlation
 from ideotype.analysis.genes import curve
 from ideotype.analysis.shape import (
     draw_plant_traits,
@@ -125,22 +124,3 @@ def test_a_profile_is_a_curve_through_its_points(maize: Path) -> None:
     assert baseline == pytest.approx(np.ones(101))
     at = np.searchsorted(np.linspace(0, 1, 101), [0, 1]), [0, -1]
     assert bred[-1][at[0]] == pytest.approx(fittest[at[1]])
-
-
-def test_traits_of_plants_are_named_among_correlations(maize: Path) -> None:
-    with open_study(maize) as study:
-        table, _ = draw_correlation(study.cases()[0]).axes
-    shown = [t.label1.get_text() for t in table.yaxis.get_minor_ticks()]
-    ranks = [str(n) for n in range(1, 11)]
-    assert shown == [*ranks, "leaf plane", "height", "1", "2", "3", "4"]
-    blocks = [t.label1.get_text() for t in table.yaxis.get_major_ticks()]
-    assert blocks == ["azimuth deviation", "", "", "length profile"]
-
-
-def test_correlations_go_without_traits_of_leaves(
-    sorghum: list[Path],
-) -> None:
-    with open_study(sorghum[1]) as study:
-        table, _ = draw_correlation(study.cases()[0]).axes
-    ticks = [t.label1.get_text() for t in table.xaxis.get_minor_ticks()]
-    assert ticks == ["1", "2", "3"]

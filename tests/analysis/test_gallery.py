@@ -1,62 +1,97 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Figures become files."""
+"""Figures become files, and their numbers CSV."""
 
 from __future__ import annotations
 
+import csv
 from pathlib import Path
 
 import numpy as np
+import pytest
 from matplotlib.figure import Figure
-from PIL import Image
 
+from ideotype._progress import bar
 from ideotype.analysis import HistoryError
 from ideotype.analysis.blocks import Drawing, Picture, Section
+from ideotype.analysis.figure_numbers import HEADER, write_numbers
 from ideotype.analysis.gallery import draw, draw_all
+from ideotype.analysis.style import answer
 
 
-def test_figures_for_documents_are_small(tmp_path: Path) -> None:
-    random = np.random.default_rng(1)
-
-    def noise() -> Figure:
+def test_a_figure_is_a_vector_file_that_is_the_same_again(
+    tmp_path: Path,
+) -> None:
+    def make() -> Figure:
         figure = Figure(figsize=(3, 3))
-        figure.add_subplot().imshow(random.random((500, 500)))
+        axes = figure.add_subplot()
+        axes.plot([0, 1], [2, 3])
+        axes.set_xlabel("leaf area")
+        axes.imshow(np.random.default_rng(1).random((300, 300)))
+        answer(figure, "Yes.")
         return figure
 
-    picture = draw(
-        tmp_path, 1e6, False, Drawing("noise", "Is it noise?", "", noise)
+    texts = []
+    for _ in range(2):
+        drawing = Drawing("some", "Is it?", "", make)
+        picture = draw(tmp_path, False, drawing)
+        assert isinstance(picture, Picture) and picture.answer == "Yes."
+        texts.append((tmp_path / "some.svg").read_text())
+    assert texts[0] == texts[1]
+    assert "leaf area</text>" in texts[0]
+    # Painted parts would be several times as large as PNG.
+    assert "data:image/webp" in texts[0] and len(texts[0]) < 200_000
+    draw(tmp_path, True, Drawing("some", "Is it?", "", make))
+    assert (tmp_path / "some.pdf").read_bytes().startswith(b"%PDF")
+
+
+def test_the_numbers_of_each_kind_of_mark_are_told(tmp_path: Path) -> None:
+    figure = Figure()
+    first, second = figure.subplots(1, 2)
+    first.errorbar([1, 2], [3, 4], [0.1, 0.2], [0.3, 0.4], label="bars")
+    first.plot([5, 6], [7, 8], label="line")
+    second.barh([0, 1], [0.25, 0.5], label="parts")
+    second.set_yticks([0, 1], ["ames", "oslo"])
+    write_numbers(figure, tmp_path / "numbers.csv")
+    with (tmp_path / "numbers.csv").open() as file:
+        header, *rows = csv.reader(file)
+    assert tuple(header) == HEADER
+    found = {
+        series: [row[2:] for row in rows if row[1] == series]
+        for series in ("bars", "line", "parts")
+    }
+    bars = np.array(found["bars"], float)
+    assert bars == pytest.approx(
+        np.array([[1, 3, 0.3, 0.1], [2, 4, 0.4, 0.2]])
     )
-    assert isinstance(picture, Picture)
-    assert (tmp_path / "noise.png").stat().st_size <= 150_000
-    with Image.open(tmp_path / "noise.png") as image:
-        assert image.width == image.height > 200
+    assert [row[:2] for row in found["line"]] == [["5", "7"], ["6", "8"]]
+    assert found["parts"] == [
+        ["0.25", "ames", "", ""],
+        ["0.5", "oslo", "", ""],
+    ]
 
 
-def test_a_figure_of_any_width_is_painted_upright(tmp_path: Path) -> None:
-    def half() -> Figure:
-        # The width is 1140 pixels, which is 1139.99... as a product.
-        figure = Figure(figsize=(1.9 * 3, 2))
-        figure.add_axes(
-            (0, 0, 0.5, 1), facecolor="black", xticks=[], yticks=[]
-        )
-        return figure
-
-    draw(tmp_path, 1e6, False, Drawing("half", "Is it upright?", "", half))
-    with Image.open(tmp_path / "half.png") as image:
-        assert abs(image.width - 1140) < 2
-        grey = np.asarray(image.convert("L"))
-    middle = image.width // 2
-    assert np.all(grey[60:-4, 4 : middle - 4] == 0)
-    assert np.all(grey[60:, middle + 4 :] > 250)
-
-
-def test_each_part_with_figures_is_told(tmp_path: Path) -> None:
+def test_progress_tells_each_figure(tmp_path: Path) -> None:
     def missing() -> Figure:
         raise HistoryError("no light")
 
     parts = [Section("ames"), Section("words alone"), Section("oslo")]
     for part in parts[::2]:
         part.draw("gain", "How much?", "", missing)
-    lines: list[str] = []
-    assert draw_all(parts, tmp_path, map, lines.append, False) == []
-    assert lines == ["[1/2] ames", "[2/2] oslo"]
+    told: list[tuple[int, int, str]] = []
+    files = draw_all(
+        parts, tmp_path, map, lambda *words: told.append(words), False
+    )
+    assert files == []
+    assert told == [(1, 2, "ames"), (2, 2, "oslo")]
     assert "Not drawn: no light." in parts[0].blocks[0].text
+
+
+@pytest.mark.parametrize("columns", [20, 60, 80, 200])
+def test_a_bar_fits_the_width(columns: int) -> None:
+    line = bar(12, 40, "12 of 40 figures drawn", 180, "ames", columns)
+    assert len(line) <= columns
+    if columns >= 60:
+        assert "12 of 40 figures drawn, 3:00 left" in line
+        assert (
+            0.2 < line.count("#") / (line.count("#") + line.count(".")) < 0.4
+        )

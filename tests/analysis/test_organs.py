@@ -11,8 +11,8 @@ import pytest
 
 from ideotype.analysis.commands import report
 from ideotype.analysis.comparison import draw_energy, shares
+from ideotype.analysis.light_tables import organs
 from ideotype.analysis.study import open_study
-from ideotype.analysis.tables import organs
 
 
 def test_light_by_organ_is_drawn_and_listed(sorghum: list[Path]) -> None:
@@ -43,7 +43,7 @@ def test_a_report_of_sorghum_is_complete(
 ) -> None:
     arguments = [sorghum[0].parent, "-o", tmp_path]
     assert report([str(argument) for argument in arguments]) == 0
-    figures = {path.stem for path in (tmp_path / "figures").glob("*.png")}
+    figures = {path.stem for path in (tmp_path / "figures").glob("*.svg")}
     for case, own in (("all", "traits"), ("angle_profile", "profiles")):
         for name in (own, "field", "leaves", "azimuths", "parts"):
             assert f"ames_0807_700x143_{case}_{name}" in figures

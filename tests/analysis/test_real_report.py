@@ -67,7 +67,7 @@ def test_a_browser_shows_the_report_of_a_real_run(
     shown, errors = run_in_browser(out / "report.html", script, tmp_path)
     assert errors == []
     assert shown["faces"] == 2 * FACES and shown["turns"]
-    figures = {path.stem for path in (out / "figures").glob("*.png")}
+    figures = {path.stem for path in (out / "figures").glob("*.svg")}
     assert {"cross", "gains", "energy"} < figures
     assert len(shown["pictures"]) == len(figures)
     assert min(shown["pictures"]) > 200

@@ -81,7 +81,6 @@ sed -e '/^bounds = /d' \
     -e 's/^baseline = .*/&\nbounds = { length = [1.05, 1.1] }/' \
     campaigns/verbs.toml >campaigns/narrow.toml
 expect 0 "$ideotype" evaluate campaigns/narrow.toml
-expect 0 "$ideotype" compare campaigns/crops/maize.toml --under campaigns/narrow.toml
 expect 0 "$ideotype" check campaigns/narrow.toml
 says "warning: campaigns/crops/maize.toml:.*leaf.length of leaf 1 .*outside the table's bounds 1.05 .. 1.1 m"
 says "narrow.toml:.*write in .plant.bounds.:"
@@ -178,16 +177,6 @@ done
 grep -q 'absorbed_by_hour\|absorbed_by_leaf' heads && fail "profiles are no scalars"
 awk -F, 'NF != '"$(wc -l <heads)"' { exit 1 }' all.csv || fail "uneven lines"
 expect 0 "$ideotype" export "$history" --best --to bred.toml
-# The plant is exported, whatever way it is written.
-expect 0 "$ideotype" compare "$history" bred.toml plant.csv \
-    --under campaigns/verbs.toml --csv same.csv
-[ "$(tail -n +2 same.csv | cut -d, -f1 | sort -u | wc -l)" -eq 3 ] || fail "not three plants"
-tail -n +2 same.csv | awk -F, '$9 * $9 + $10 * $10 > 1e-24 { exit 1 }' ||
-    fail "a plant file changes the plant: $(cat same.csv)"
-sed 's/^width = /wdith = /' bred.toml >typo_plant.toml
-expect 3 "$ideotype" compare "$history" typo_plant.toml \
-    --under campaigns/verbs.toml
-says "typo_plant.toml:.*did you mean 'width'"
 for shape in plant field; do
     [ $shape = plant ] && whole=() || whole=(--field)
     expect 0 "$ideotype" export "$history" --best "${whole[@]}" --to $shape.vtp

@@ -39,8 +39,7 @@ flip() {
     # Whatever reads rows.
     local reader
     for reader in status "status --json" "evaluate --best" \
-        "export --generations --to flipped.csv" "export --best --to flipped.toml" \
-        "compare --under campaigns/flipped.toml"; do
+        "export --generations --to flipped.csv" "export --best --to flipped.toml"; do
         # shellcheck disable=SC2086
         expect 4 "$ideotype" $reader "$history"
         says "damaged: $3 does not have its checksum"

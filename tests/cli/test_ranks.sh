@@ -51,8 +51,6 @@ for verb in check evaluate; do
     refused_once "$verb: 3 copies" $verb campaigns/one.toml
 done
 refused_once "status: 3 copies" status alone
-refused_once "compare: 3 copies" \
-    compare campaigns/one.toml --under campaigns/one.toml
 
 # Ranks that another MPI's launcher starts do not find each other, which is told
 # once; here its variables take the place of that launcher.

@@ -13,6 +13,7 @@ from pathlib import Path
 VERBS = {
     "summary": "ideotype.analysis.commands:summary",
     "report": "ideotype.analysis.commands:report",
+    "compare": "ideotype.compare:main",
     "weather": "ideotype.weather:main",
     "fidelity": "ideotype.fidelity:main",
     "indices": "ideotype.analysis.indices_command:main",

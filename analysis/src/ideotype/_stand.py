@@ -23,6 +23,7 @@ from ._errors import Error, did_you_mean
 from ._evaluated import dataset_of
 from ._geometry import Mesh
 from ._settings import Settings, words_of
+from ._stand_views import StandViews, processors
 
 _GENES = (
     "name",
@@ -37,7 +38,7 @@ _GENES = (
 )
 
 
-class Stand:
+class Stand(StandViews):
     """The plants of one case of a campaign and the light on them.
 
     `Stand(tables)` takes the tables of a campaign file as dictionaries, with
@@ -240,7 +241,7 @@ class Stand:
                 genome, generation, final, seed, tolerance
             )
 
-        found = _map(one, plants, threads or _processors())
+        found = _map(one, plants, threads or processors())
         return dataset_of(self._case, found, wanted)
 
     @property
@@ -249,12 +250,21 @@ class Stand:
         crop first."""
         return list(self._case.components)
 
-    def mesh(self, genome: ArrayLike, component: int = 0) -> Mesh:
+    def mesh(
+        self,
+        genome: ArrayLike,
+        component: int = 0,
+        thermal_time: float | None = None,
+    ) -> Mesh:
         """Returns the surfaces of one plant: its foot at the origin, y along
         the row, z up [m].
 
-        component: place of the plant's component in `components`."""
-        return Mesh.of(*self._case.mesh(self._plants(genome)[0], component))
+        component: place of the plant's component in `components`.
+        thermal_time: age since emergence [deg C d] of a plant that grows;
+            else it is full-grown."""
+        return Mesh.of(
+            *self._case.mesh(self._plants(genome)[0], component, thermal_time)
+        )
 
     def light_at(
         self,
@@ -355,13 +365,6 @@ def _restored(campaign: str, case: str, isa: str) -> Stand:
     return Stand._of(
         _core.CaseStand.from_history(campaign, "a stand", case, [], isa)
     )
-
-
-def _processors() -> int:
-    try:
-        return len(os.sched_getaffinity(0))
-    except AttributeError:  # Not every system tells this.
-        return os.cpu_count() or 1
 
 
 def _map(one: Any, plants: NDArray[np.float64], threads: int) -> list[Any]:

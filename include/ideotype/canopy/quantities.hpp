@@ -66,6 +66,9 @@ struct Randomised {
     std::vector<double> by_randomisation;
 };
 
+//! The numbers of measure(), each by randomisation where it is known so.
+std::vector<Randomised> measure_by_randomisation(const CanopyReport& report);
+
 //! A quantity without axes.
 //! @throws Error if the report has none of this name.
 Randomised measure_objective(const std::string& name,

@@ -23,7 +23,7 @@ _ARROW: dict[str, Any] = {"arrowstyle": "-|>", "shrinkA": 0, "shrinkB": 0}
 _RANK_LABEL: dict[str, Any] = {
     "ha": "center",
     "va": "center",
-    "fontsize": 7,
+    "fontsize": 8,
     "zorder": 1.9,  # Lies above the circles and below the plants.
     "bbox": {"facecolor": "white", "edgecolor": "none", "pad": 0.5},
 }
@@ -76,7 +76,7 @@ def draw_azimuths(case: Case) -> Figure:
     fittest plants, their circular mean and deviation, and the baseline."""
     plants = azimuths(case, case.top(COUNT).genome)
     leaves = np.arange(plants.shape[1]) + 1
-    figure = style.new_figure(7.0, 6.4)
+    figure = style.new_figure(style.WIDTH, 5.2)
     grid = figure.add_gridspec(1, 2, width_ratios=(1, 0.16))
     axes = cast(PolarAxes, figure.add_subplot(grid[0], projection="polar"))
     _draw_compass(figure.add_subplot(grid[1]), case)
@@ -98,8 +98,18 @@ def draw_azimuths(case: Case) -> Figure:
         np.arange(0, 360, 45),
         ["0° along the row"] + [f"{a}°" for a in range(45, 360, 45)],
     )
-    told = "\nleaf azimuths from above; circles: leaf rank, lowest innermost"
-    return finish(figure, case, axes, told)
+    if case.pairs:
+        both = azimuths(
+            case,
+            np.vstack([p.row.genome for p in (case.best, case.baseline)]),
+        )
+        turn = np.abs((both[0] - both[1] + 180) % 360 - 180)
+        style.answer(
+            figure,
+            f"The leaves of the best plant point {turn.mean():.0f}° away from "
+            "where the baseline's point, on average.",
+        )
+    return finish(figure, axes)
 
 
 def _draw_arcs(axes: Axes, values: NDArray, leaves: NDArray) -> None:
@@ -122,7 +132,7 @@ def _draw_compass(axes: Axes, case: Case) -> None:
     axes.set_anchor("N")
     axes.set(xlim=(-1.5, 1.5), ylim=(-1.75, 1.5))
     axes.plot([0, 0], [-1, 1], color=style.QUIET, linestyle="--")
-    axes.text(0, 1.1, "row, 0°", ha="center", va="bottom", fontsize=7)
+    axes.text(0, 1.1, "row, 0°", ha="center", va="bottom", fontsize=8)
     turn = np.deg2rad(np.linspace(10, 80, 30))
     x, y = 0.62 * np.sin(turn), 0.62 * np.cos(turn)
     axes.plot(x, y, color=style.QUIET)
@@ -131,7 +141,7 @@ def _draw_compass(axes: Axes, case: Case) -> None:
         arrowprops=_ARROW | {"color": style.QUIET},
     )  # fmt: skip
     axes.text(
-        0, -1.1, "azimuths\nclockwise", ha="center", va="top", fontsize=7
+        0, -1.1, "azimuths\nclockwise", ha="center", va="top", fontsize=8
     )
     direction = row_direction(case)
     if direction is None:

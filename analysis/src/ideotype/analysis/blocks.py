@@ -25,14 +25,15 @@ class Drawing:
 
 @dataclass(frozen=True)
 class Picture:
-    """A figure in the page, where its title is text; its files have the same
-    name."""
+    """A figure in the page; its files have the same name."""
 
     name: str
     question: str
+    answer: str
+    """A sentence that answers the question from the data."""
     caption: str
     data: str
-    """The picture as WebP in base64."""
+    """The picture as SVG in base64."""
 
 
 @dataclass(frozen=True)
@@ -40,6 +41,9 @@ class Note:
     """A plain sentence on the page."""
 
     text: str
+    is_aside: bool = False
+    """Whether it is about the report and not about the plants, so that it is
+    folded."""
 
 
 @dataclass(frozen=True)
@@ -49,6 +53,13 @@ class Table:
     header: Sequence[str]
     rows: Sequence[Sequence[str]]
     caption: str = ""
+
+
+@dataclass(frozen=True)
+class Answer:
+    """The sentences that a report begins with, each with a heading."""
+
+    sentences: Sequence[tuple[str, str]]
 
 
 @dataclass(frozen=True)
@@ -67,7 +78,7 @@ class Viewer:
     caption: str
 
 
-Block = Drawing | Picture | Note | Table | Listing | Viewer
+Block = Drawing | Picture | Note | Table | Listing | Viewer | Answer
 
 
 @dataclass

@@ -14,7 +14,7 @@ from .estimate import Estimate
 from .file import HistoryError
 from .front import Front
 from .history import History
-from .interval import Interval, interval
+from .interval import SEARCH_SCATTER, Interval, interval
 from .pair import Pair
 from .rows import Evaluation, Rows, join
 
@@ -48,6 +48,11 @@ class Case:
     def is_sensitivity(self) -> bool:
         """Whether the case is a sensitivity study and no search."""
         return self.histories[0].is_sensitivity
+
+    @property
+    def known(self) -> tuple[tuple[History, Pair], ...]:
+        """The histories that have both, with baseline and best."""
+        return self._known
 
     @cached_property
     def _known(self) -> tuple[tuple[History, Pair], ...]:
@@ -155,12 +160,20 @@ class Case:
     def gain(self) -> Interval:
         """Returns the mean over seeds of the gain."""
         self.need_pairs()
-        return interval(self.gains())
+        return interval(self.gains(), self._scatter)
+
+    @property
+    def _scatter(self) -> float:
+        """The standard deviation of gains between searches, in the unit of
+        the objective, as it is known of other searches."""
+        gains = [abs(gain.mean) for gain in self.gains()]
+        return SEARCH_SCATTER * float(np.mean(gains))
 
     def relative_gain(self) -> Interval:
         """Returns the mean over seeds of the gain [%]."""
         self.need_pairs()
-        return interval([pair.gain for pair in self.pairs])
+        gains = [pair.gain for pair in self.pairs]
+        return interval(gains, SEARCH_SCATTER * abs(gains[0].mean))
 
     def gain_per_leaf_area(self) -> Interval:
         """Returns the mean over seeds of the gain in PAR per leaf area [%].
@@ -176,9 +189,10 @@ class Case:
         Raises HistoryError if it is not known."""
         self.need_pairs()
         plants = [getattr(pair, who) for pair in self.pairs]
-        return interval(
-            [p.objective if name is None else p.estimate(name) for p in plants]
-        )
+        if name is not None:
+            return interval([plant.estimate(name) for plant in plants])
+        search = self._scatter if who == "best" else 0.0
+        return interval([plant.objective for plant in plants], search)
 
     def light_by_organ(self, who: str) -> dict[str, Interval]:
         """Returns what each organ but leaves of "baseline" or "best" absorbs

@@ -11,18 +11,17 @@ from matplotlib.figure import Figure
 from .azimuths import draw_azimuths
 from .case import Case
 from .convergence import draw_convergence
-from .correlation import draw_correlation
 from .front_figures import draw_front, draw_hypervolume
 from .profiles import (
-    draw_assimilation,
     draw_days,
     draw_hours,
     draw_layers,
     draw_leaves,
-    draw_parts,
     draw_sunlit,
 )
+from .season_figures import draw_carbon, draw_leaf_area
 from .shape import draw_plant_traits, draw_profiles, draw_traits
+from .shares import draw_assimilation, draw_parts
 
 
 class CaseFigure(NamedTuple):
@@ -34,15 +33,13 @@ class CaseFigure(NamedTuple):
     caption: str
 
 
-_BARS = "Error bars are standard errors."
-
 CASE_FIGURES: dict[str, CaseFigure] = {
     "convergence": CaseFigure(
         draw_convergence,
         "Has the search come to its end?",
-        "Error bars and the grey band are standard errors. Coloured bands are "
-        "the range of seeds or, with a single seed, the standard deviation of "
-        "the population.",
+        "The grey band is the interval of the baseline. Coloured bands are the "
+        "range of seeds or, with a single seed, the standard deviation of the "
+        "population.",
     ),
     "traits": CaseFigure(
         draw_traits,
@@ -72,50 +69,53 @@ CASE_FIGURES: dict[str, CaseFigure] = {
     "hours": CaseFigure(
         draw_hours,
         "When do the leaves absorb light?",
-        "PAR by hour; several days are shown by their mean. Error bars are "
-        "standard errors; those of the difference take baseline and best as "
-        "independent.",
+        "PAR by hour; several days are shown by their mean. Bars of the "
+        "difference take baseline and best as independent.",
     ),
     "sunlit": CaseFigure(
         draw_sunlit,
         "How much of the leaf area does the sun shine on?",
         "Sunlit over all leaf area, by hour; several days are shown by their "
-        f"mean. {_BARS}",
+        "mean.",
     ),
     "assimilation": CaseFigure(
         draw_assimilation,
         "When do the leaves assimilate, and which of them?",
         "CO2 that leaves take up, gross by hour, and gross and net of their "
-        f"respiration by leaf rank, per area of ground. {_BARS}",
+        "respiration by leaf rank, per area of ground.",
     ),
     "days": CaseFigure(
         draw_days,
         "On which days does the best plant do well, and on which better than "
         "the baseline?",
-        f"Each day of the season. {_BARS}",
+        "Each day of the season.",
     ),
     "leaves": CaseFigure(
         draw_leaves,
         "Which leaves absorb the light?",
-        f"By leaf rank, per area of ground. {_BARS}",
+        "By leaf rank, per area of ground.",
     ),
     "layers": CaseFigure(
         draw_layers,
         "How high above the soil is the light absorbed?",
-        f"By height layer, per area of ground. {_BARS}",
+        "By height layer, per area of ground.",
     ),
     "parts": CaseFigure(
         draw_parts,
         "Where does the absorbed light come from, and on which face?",
         "Beam comes straight from the sun, scattered light from other "
-        f"surfaces; adaxial is the upper face. {_BARS}",
+        "surfaces; adaxial is the upper face.",
     ),
-    "correlation": CaseFigure(
-        draw_correlation,
-        "Which traits go together?",
-        "Spearman's rank correlation over all evaluated plants, less the means "
-        "of their seeds, with circular traits as cosine and sine. Traits that "
-        "evolution fixes together correlate too.",
+    "leaf_area": CaseFigure(
+        draw_leaf_area,
+        "How much leaf area has the stand over the season?",
+        "At each age at which plants are evaluated.",
+    ),
+    "carbon": CaseFigure(
+        draw_carbon,
+        "In which weeks does the stand gain carbon?",
+        "Sums of each week since emergence; ages between those that are "
+        "evaluated are linear in time. The last week may be short.",
     ),
 }
 """The figures by name, in the order of the page."""
@@ -126,7 +126,7 @@ _FRONT_FIGURES: dict[str, CaseFigure] = {
         "What does more of one objective cost in the other?",
         "The front has plants that no other of their seed betters in all "
         "objectives. They were evaluated again, and some fell off it then. "
-        f"{_BARS}",
+        "",
     ),
     "hypervolume": CaseFigure(
         draw_hypervolume,

@@ -10,7 +10,8 @@ import sys
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
-from .._errors import printable, printable_lines
+from .._errors import printable_lines
+from .._progress import Progress
 from .file import HistoryError
 from .study import Study, open_study
 
@@ -31,6 +32,16 @@ def summary(arguments: Sequence[str] | None = None) -> int:
         epilog=_EXIT_CODES,
     )
     _add_results(parser)
+    parser.add_argument(
+        "--csv",
+        action="store_true",
+        help="print a line of CSV for each case, with its coordinates",
+    )
+    parser.add_argument(
+        "--all",
+        action="store_true",
+        help="print what should be known about the numbers, too",
+    )
     return _guard(parser, arguments, _summarize)
 
 
@@ -47,7 +58,12 @@ def report(arguments: Sequence[str] | None = None) -> int:
     add = parser.add_argument
     add(
         "-o", "--output", type=Path, default=Path("report"), metavar="DIR",
-        help="gets report.html and figures/ (default: report)",
+        help="gets report.html, results.csv and figures/ (default: report)",
+    )  # fmt: skip
+    add(
+        "--figures", action="append", metavar="CASE",
+        help="figures of the cases whose names have this in them; \"\" of all "
+        "(default: of all, if there are three or fewer)",
     )  # fmt: skip
     add(
         "--cross",
@@ -58,7 +74,7 @@ def report(arguments: Sequence[str] | None = None) -> int:
     add(
         "--pdf",
         action="store_true",
-        help="write each figure as PDF too, besides PNG",
+        help="write each figure as PDF too, besides SVG",
     )
     add(
         "-j", "--jobs", type=int, default=0, metavar="N",
@@ -113,12 +129,16 @@ def _drop_output() -> None:
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
-def _summarize(_: argparse.Namespace, study: Study) -> None:
+def _summarize(options: argparse.Namespace, study: Study) -> None:
+    if options.csv:
+        print(printable_lines(study.results().to_csv(index=False)), end="")
+        return
     # The import stands here, so that wrong command lines need not wait for the
     # plotting library.
     from .tables import gains, markdown
 
-    print(printable_lines(markdown(gains(study.cases(), cross=None))))
+    found = gains(study.cases(), cross=None)
+    print(printable_lines(markdown(found if options.all else found[:1])))
 
 
 def _report(options: argparse.Namespace, study: Study) -> None:
@@ -131,18 +151,21 @@ def _report(options: argparse.Namespace, study: Study) -> None:
     # others.
     os.environ.setdefault("OMP_NUM_THREADS", "1")
     cross = read_cross(options.cross) if options.cross else None
-    written = write_report(
-        study,
-        options.output,
-        cross=cross,
-        command=options.command,
-        tell=lambda line: print(printable(line), file=sys.stderr, flush=True),
-        has_pdf=options.pdf,
-        jobs=options.jobs or len(os.sched_getaffinity(0)),
-    )
+    with Progress("figures drawn") as progress:
+        written = write_report(
+            study,
+            options.output,
+            cross=cross,
+            command=options.command,
+            tell=progress.tell,
+            has_pdf=options.pdf,
+            jobs=options.jobs or len(os.sched_getaffinity(0)),
+            figures_of=options.figures,
+        )
     size = written.page.stat().st_size / 1e6
-    print(f"{written.page} ({size:.1f} MB)")
+    folder = written.page.parent
     print(
-        f"{len(written.figures)} figure files in "
-        f"{written.page.parent / 'figures'}"
+        f"{len(written.figures)} files of figures and their numbers in "
+        f"{folder / 'figures'}, a line for each case in "
+        f"{folder / 'results.csv'}\nopen {written.page} ({size:.1f} MB)"
     )

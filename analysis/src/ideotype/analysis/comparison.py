@@ -11,12 +11,16 @@ from matplotlib.figure import Figure
 
 from . import style
 from .case import Case
+from .coordinates import short_names
 from .cross import Cross
 from .file import HistoryError
-from .interval import Interval, meaning
+from .interval import Interval, interval, meaning
 
 ELITE = "elite"
 """The name of the elite plant in a cross-evaluation."""
+
+_MANY = 12
+"""The number of cases from which on figures are as dense as they can be."""
 
 _PARTS = {
     "leaves": (style.MEAN, ""),
@@ -48,54 +52,86 @@ def intervals_of(cases: Sequence[Case]) -> str:
 
 def draw_gains(cases: Sequence[Case], cross: Cross | None = None) -> Figure:
     """Draws by case best minus baseline, and minus the elite plant where a
-    cross-evaluation has it, in %: mean of seeds with its interval, and the
-    seeds."""
+    cross-evaluation has it, in %: mean of searches with its interval, and each
+    search."""
     known = known_cases(cases)
-    figure = style.new_figure(style.WIDTH, 1.4 + 0.42 * len(known))
+    lines = _gain_lines(known, cross)
+    rows = sorted({y for y, *_ in lines})
+    step = 0.27 if len(rows) > _MANY else 0.5
+    figure = style.new_figure(style.WIDTH, 1.5 + step * len(rows))
     axes = figure.add_subplot()
+    for y, _, gain, color, marker, label in lines:
+        _draw_interval(axes, gain, y, color, marker, label)
     for y, case in enumerate(known):
-        seeds = [pair.gain.mean for pair in case.pairs]
-        axes.plot(
-            seeds, [y] * len(seeds), "|", color=style.QUIET, markersize=9,
-            label="one seed" if y == 0 else None,
-        )  # fmt: skip
-        _draw_interval(
-            axes, case.relative_gain(), y, style.BEST, "o",
-            "over the baseline" if y == 0 else None,
-        )  # fmt: skip
-    elite = [
-        (y, gain)
-        for y, case in enumerate(known)
-        if cross and (gain := cross.relative_gain(case, ELITE))
-    ]
-    for i, (y, gain) in enumerate(elite):
-        _draw_interval(
-            axes, gain, y + 0.2, style.ANEW, "s",
-            "over the elite plant" if i == 0 else None,
-        )  # fmt: skip
+        if len(known) > 1 and len(case.pairs) > 1:
+            axes.plot(
+                [pair.gain.mean for pair in case.pairs],
+                [y] * len(case.pairs), "|", color=style.QUIET, markersize=9,
+                label="one search",
+            )  # fmt: skip
     axes.axvline(0, color=style.BASELINE, linewidth=1, linestyle="--")
-    axes.set_yticks(range(len(known)), [_with_leaf_area(c) for c in known])
-    axes.set_ylim(len(known) - 0.5, -0.5)
-    names = {case.best.row.goals[0].name for case in known}
-    what = style.words(names.pop()) if len(names) == 1 else "the objective"
+    ticks = {y: name for y, name, *_ in lines if name}
+    axes.set_yticks([*ticks], [*ticks.values()])
+    axes.set_ylim(max(ticks) + 0.5, -0.5)
+    goals = {case.best.row.goals[0].name for case in known}
+    what = style.words(goals.pop()) if len(goals) == 1 else "the objective"
     axes.set_xlabel(f"gain in {what} [%]")
-    figure.legend(loc="outside lower center", ncols=3, fontsize=8)
-    style.say(figure, intervals_of(known))
+    handles, labels = axes.get_legend_handles_labels()
+    shown = dict(zip(labels, handles))
+    figure.legend(
+        shown.values(), shown.keys(), loc="outside lower center", ncols=2
+    )
+    style.answer(figure, _sure(known))
     return figure
 
 
-def _with_leaf_area(case: Case) -> str:
-    """Returns the case's name, and how far a gain is one of more leaves."""
-    try:
-        lais = [case.mean(who, "lai").mean for who in ("baseline", "best")]
-    except HistoryError:
-        return case.name
-    return f"{case.name}\nLAI {lais[0]:.2f} \N{RIGHTWARDS ARROW} {lais[1]:.2f}"
+_Line = tuple[float, str, Interval, str, str, str]
+"""A mark in the figure of gains: place, name of the line, gain, colour, marker
+and label."""
+
+
+def _gain_lines(known: Sequence[Case], cross: Cross | None) -> list[_Line]:
+    """Returns the gain of each case; of a single case that of each search,
+    too, whose interval is that of the light."""
+    names = short_names(known)
+    lines: list[_Line] = []
+    if len(known) == 1 and len(known[0].pairs) > 1:
+        for search, pair in enumerate(known[0].pairs, start=1):
+            gain = interval([pair.gain])
+            lines.append(
+                (search, f"search {search}", gain, style.QUIET, "|",
+                 "one search, with the noise of its light")
+            )  # fmt: skip
+        names = {known[0].name: "mean of searches"}
+    elif len(known) == 1:
+        names = {known[0].name: "the search"}
+    for y, case in enumerate(known):
+        lines.append(
+            (y, names[case.name], case.relative_gain(), style.BEST, "o",
+             "over the baseline")
+        )  # fmt: skip
+        if elite := cross and cross.relative_gain(case, ELITE):
+            lines.append(
+                (y + 0.2, "", elite, style.ANEW, "s", "over the elite plant")
+            )
+    return lines
+
+
+def _sure(known: Sequence[Case]) -> str:
+    gains = [case.relative_gain() for case in known]
+    if len(gains) == 1:
+        return f"By {gains[0].number()} %."
+    sure = sum(abs(x.mean) > x.half_width for x in gains)
+    low, high = min(x.mean for x in gains), max(x.mean for x in gains)
+    return (
+        f"By {low:.1f} to {high:.1f} %; in {sure} of {len(gains)} cases the gain "
+        "is larger than half of its interval."
+    )
 
 
 def _draw_interval(
     axes: Axes, x: Interval, y: float, color: str, marker: str,
-    label: str | None,
+    label: str,
 ) -> None:  # fmt: skip
     axes.errorbar(
         [x.mean], [y], xerr=[np.nan_to_num(x.half_width)],
@@ -105,34 +141,57 @@ def _draw_interval(
 
 def draw_energy(cases: Sequence[Case]) -> Figure:
     """Draws where the incident PAR goes, for baseline and best of each case,
-    with the interval of each part. Isolated plots have a panel of their own:
-    light from their sides adds to what falls on their ground."""
-    known = known_cases(cases)
+    or of the cases that gain most and least, with the interval of each part.
+    Isolated plots have a panel of their own: light from their sides adds to
+    what falls on their ground."""
+    every = known_cases(cases)
+    known = every
+    if len(every) > _MANY:
+        ranked = sorted(every, key=lambda case: case.relative_gain().mean)
+        shown = [*ranked[: _MANY // 2], *ranked[-_MANY // 2 :]]
+        known = [case for case in every if case in shown]
     panels = [
         [case for case in known if case.is_isolated is alone]
         for alone in (False, True)
     ]
     panels = [panel for panel in panels if panel]
     figure = style.new_figure(
-        style.WIDTH, 1.2 + 0.5 * len(panels) + 0.5 * len(known)
+        style.WIDTH, 1.6 + 0.5 * len(panels) + 0.6 * len(known)
     )
     grid = figure.subplots(
         len(panels), 1, squeeze=False, height_ratios=[*map(len, panels)]
     )
+    names = short_names(known)
     for (axes,), members in zip(grid, panels):
-        _draw_balance(axes, members)
+        _draw_balance(axes, members, names)
     bars = {
         label: handle
         for (axes,) in grid
         for handle, label in zip(*axes.get_legend_handles_labels())
     }
-    shown = [part for part in _PARTS if part in bars]
+    parts = [part for part in _PARTS if part in bars]
     figure.legend(
-        [bars[part] for part in shown], shown,
-        loc="outside lower center", ncols=len(shown), fontsize=8,
+        [bars[part] for part in parts], parts,
+        loc="outside lower center", ncols=3,
     )  # fmt: skip
-    style.say(figure, intervals_of(known))
+    style.answer(figure, _leaves_take(every))
     return figure
+
+
+def _leaves_take(known: Sequence[Case]) -> str:
+    told = []
+    for who in ("best", "baseline"):
+        parts = [case.mean(who, "absorbed_fraction") for case in known]
+        low, high = (f(100 * x.mean for x in parts) for f in (min, max))
+        told.append(
+            f"{100 * parts[0].mean:.1f} ± {100 * parts[0].half_width:.1f} %"
+            if len(parts) == 1
+            else f"{low:.0f} to {high:.0f} %"
+        )
+    return (
+        f"Leaves of the best plants take {told[0]} of it, and those of the "
+        f"baseline {told[1]}."
+    )
 
 
 def shares(case: Case, who: str) -> dict[str, Interval]:
@@ -148,7 +207,9 @@ def shares(case: Case, who: str) -> dict[str, Interval]:
     return found
 
 
-def _draw_balance(axes: Axes, known: Sequence[Case]) -> None:
+def _draw_balance(
+    axes: Axes, known: Sequence[Case], names: dict[str, str]
+) -> None:
     ticks: list[float] = []
     labels: list[str] = []
     for i, case in enumerate(known):
@@ -165,12 +226,13 @@ def _draw_balance(axes: Axes, known: Sequence[Case]) -> None:
                 )  # fmt: skip
                 start += share.mean
             ticks.append(y)
-            labels.append(f"{case.name} {who}")
+            name = names[case.name] if len(names) > 1 else ""
+            labels.append(f"{name}\n{who}" if name and not j else who)
     axes.set_yticks(ticks, labels)
     axes.set_ylim(len(known) - 0.4, -0.4)
     if known[0].is_isolated:
         axes.set_xlabel(
-            "PAR in an isolated plot, over the incident on its ground"
+            "PAR in an isolated plot,\nover the incident on its ground"
         )
     else:
         axes.set_xlim(0, 1.02)

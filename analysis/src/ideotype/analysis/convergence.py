@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pandas
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
@@ -13,7 +14,7 @@ from . import style
 from .case import Case
 from .file import HistoryError
 from .state import Generations
-from .style import label_light
+from .style import answer, axis_label, half_width
 
 
 def draw_convergence(case: Case) -> Figure:
@@ -25,7 +26,7 @@ def draw_convergence(case: Case) -> Figure:
     runs = [run for run in runs if len(run)]
     if not runs:
         raise HistoryError("no generation is complete yet")
-    figure = style.new_figure(style.WIDTH, 4.8)
+    figure = style.new_figure(style.WIDTH, 4.4)
     axes = figure.add_subplot()
     if len(runs) == 1:
         _draw_seed(axes, runs[0])
@@ -35,13 +36,42 @@ def draw_convergence(case: Case) -> Figure:
     if case.pairs:
         _draw_pairs(axes, case, count)
     objective = case.histories[0].objectives[0]
-    label_light(axes, "y", objective.name, objective.unit)
+    axes.set_ylabel(axis_label(objective.name, objective.unit))
     axes.set_xlabel("generation")
     _set_ticks(axes, count, case.is_final)
-    seeds = f", {len(runs)} seeds" if len(runs) > 1 else ""
-    axes.set_title(f"{case.name}{seeds}")
-    figure.legend(loc="outside lower center", ncols=2, fontsize=8)
+    figure.legend(loc="outside lower center", ncols=1)
+    answer(figure, _verdict(runs))
     return figure
+
+
+def _verdict(runs: list[Generations]) -> str:
+    """Tells whether the means of populations still changed in the second half
+    of the generations, by more than they scatter about a line."""
+    changing = 0
+    for run in runs:
+        values = run.mean.values[len(run) // 2 :]
+        if len(values) < 4:
+            return "The search is too short to tell."
+        number = np.arange(len(values))
+        line, squares, *_ = np.polyfit(number, values, 1, full=True)
+        error = np.sqrt(squares.sum() / (len(values) - 2) / number.var())
+        changing += abs(line[0]) > 2 * error / np.sqrt(len(values))
+    of = (
+        f"{changing} of {len(runs)} searches"
+        if len(runs) > 1
+        else "the search"
+    )
+    if changing:
+        return (
+            f"No: in the second half of its generations the mean plant of {of} "
+            "still changed by more than its noise, so that more generations "
+            "would probably gain more."
+        )
+    return (
+        "Yes, as far as one can see: in the second half of the generations the "
+        "mean plant no longer changed by more than its noise. A better plant "
+        "elsewhere is not excluded."
+    )
 
 
 def _draw_seed(axes: Axes, run: Generations) -> None:
@@ -49,12 +79,12 @@ def _draw_seed(axes: Axes, run: Generations) -> None:
     axes.errorbar(
         number,
         run.best.values,
-        run.best.standard_error,
+        half_width(run.best.standard_error),
         color=style.BEST,
         marker="o",
         markersize=3,
         elinewidth=1,
-        label="best of its generation ± standard error (not evaluated again)",
+        label="best of its generation (not evaluated again)",
     )
     mean, spread = run.mean.values, run.spread.values
     axes.plot(number, mean, color=style.MEAN, label="mean")
@@ -101,11 +131,12 @@ def _draw_pairs(axes: Axes, case: Case, end: int) -> None:
         baseline.mean,
         color=style.BASELINE,
         linestyle="--",
-        label="baseline ± standard error",
+        label="baseline",
     )
+    error = float(half_width(baseline.standard_error))
     axes.axhspan(
-        baseline.mean - baseline.standard_error,
-        baseline.mean + baseline.standard_error,
+        baseline.mean - error,
+        baseline.mean + error,
         color=style.BASELINE,
         alpha=0.15,
         linewidth=0,
@@ -115,11 +146,11 @@ def _draw_pairs(axes: Axes, case: Case, end: int) -> None:
         axes.errorbar(
             [end] * len(again),
             [best.mean for best in again],
-            [best.standard_error for best in again],
+            half_width([best.standard_error for best in again]),
             color=style.ANEW,
             marker="D",
             linestyle="none",
-            label="best plant, evaluated again ± standard error",
+            label="best plant, evaluated again",
         )
 
 

@@ -140,8 +140,8 @@ def draw_cross(cross: Cross) -> Figure:
     )
     best = np.nanmax(mean, axis=0)
     share, error = 100 * mean / best, 100 * error / best
-    width = 3.2 + 0.95 * len(cross.cases)
-    figure = style.new_figure(width, 2.4 + 0.5 * len(table))
+    width = max(style.WIDTH, 2.0 + 0.62 * len(cross.cases))
+    figure = style.new_figure(width, 2.8 + 0.5 * len(table))
     axes = figure.add_subplot()
     image = axes.imshow(share, cmap="viridis", aspect="auto")
     axes.grid(visible=False)
@@ -160,6 +160,14 @@ def draw_cross(cross: Cross) -> Figure:
     axes.set_yticks(range(len(table)), [name for name, _ in table])
     axes.set_xlabel("under the light of")
     axes.set_ylabel("plant")
-    figure.colorbar(image, label="% of the best there")
-    style.say(figure, cross.intervals())
+    figure.colorbar(
+        image, location="bottom", aspect=40, label="% of the best there"
+    )
+    worst = np.nanmin(share, axis=1)
+    robust = int(np.nanargmax(worst))
+    style.answer(
+        figure,
+        f"Most robust is {table[robust][0]}: nowhere does it have less than "
+        f"{worst[robust]:.1f} % of the best there.",
+    )
     return figure

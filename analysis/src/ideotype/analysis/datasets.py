@@ -21,6 +21,8 @@ class Datasets:
         self.path = Path(path)
         self._file = open_file(path)
         self._axes: dict[str, dict[str, tuple[str, ...]]] = {}
+        self._about: dict[str, dict[str, str]] = {}
+        self._open: dict[str, h5py.Dataset] = {}
 
     def __reduce__(self) -> tuple[type[Datasets], tuple[Path]]:
         """Lets another process open the file for itself."""
@@ -62,13 +64,16 @@ class Datasets:
     def about(self, name: str) -> dict[str, str]:
         """Returns a dataset's unit, as "units", and description, as
         "long_name"."""
-        with self._reading(name):
-            known = self._dataset(name).attrs
-            return {
-                key: text(known[key])
-                for key in ("units", "long_name")
-                if key in known
-            }
+        if name not in self._about:
+            # As dimensions, they never change.
+            with self._reading(name):
+                known = dict(self._dataset(name).attrs)
+                self._about[name] = {
+                    key: text(known[key])
+                    for key in ("units", "long_name")
+                    if key in known
+                }
+        return dict(self._about[name])
 
     def read(
         self, name: str, first: int = 0, last: int | None = None
@@ -126,10 +131,12 @@ class Datasets:
         return found
 
     def _dataset(self, name: str) -> h5py.Dataset:
-        found = self._file[name]
-        if not isinstance(found, h5py.Dataset):
-            raise HistoryError(f"{self.path}: has no {name}")
-        return found
+        if name not in self._open:
+            found = self._file[name]
+            if not isinstance(found, h5py.Dataset):
+                raise HistoryError(f"{self.path}: has no {name}")
+            self._open[name] = found
+        return self._open[name]
 
     @contextmanager
     def _reading(self, name: str) -> Iterator[None]:

@@ -9,11 +9,20 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-MOL_PER_MJ_PAR = 4.57
-"""The photons per energy of sunlight in the PAR band [mol MJ-1] (McCree 1972,
-doi:10.1016/0002-1571(72)90045-3)."""
+NORMAL = 1.960
+"""Half the width of a 95 % interval over the standard error."""
 
 DAILY_ENERGY = "MJ m-2 day-1"
+
+
+def with_half_width(mean: float, half_width: float) -> str:
+    """Returns "1.50 ± 0.06"; the error decides the digits."""
+    if not math.isfinite(half_width):
+        return f"{mean:.4g} ± ?"
+    digits = 2
+    if half_width > 0:
+        digits = min(max(1 - math.floor(math.log10(half_width)), 0), 6)
+    return f"{mean:.{digits}f} ± {half_width:.{digits}f}"
 
 
 @dataclass(frozen=True)
@@ -40,16 +49,23 @@ class Estimate:
         )
 
     def number(self) -> str:
-        """Returns mean and error without the unit; the error decides the
-        digits."""
-        if math.isfinite(self.standard_error) and self.standard_error > 0:
-            digits = 1 - math.floor(math.log10(self.standard_error))
-            digits = min(max(digits, 0), 9)
-            error = f"{self.standard_error:.{digits}f}"
-            return f"{self.mean:.{digits}f} +- {error}"
+        """Returns mean and standard error without the unit; the error decides
+        the digits."""
+        if not math.isfinite(self.standard_error):
+            return f"{self.mean:.6g} ± ?"
         if self.standard_error == 0:
-            return f"{self.mean:.6g} +- 0"
-        return f"{self.mean:.6g} +- unknown"
+            return f"{self.mean:.6g}"
+        digits = 1 - math.floor(math.log10(self.standard_error))
+        digits = min(max(digits, 0), 9)
+        return f"{self.mean:.{digits}f} ± {self.standard_error:.{digits}f}"
+
+    def interval_text(self) -> str:
+        """Returns mean and half of the 95 % interval; an exact number, or one
+        without a known error, has none."""
+        half_width = NORMAL * self.standard_error
+        if not half_width > 1e-9 * abs(self.mean):
+            return f"{self.mean:.4g}"
+        return with_half_width(self.mean, half_width)
 
     def __str__(self) -> str:
         return f"{self.number()} {self.unit}"

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from matplotlib import colormaps
@@ -148,9 +149,9 @@ def show(axes: Axes, view: View) -> None:
         if view.horizon < top:
             axes.imshow(
                 ramp, cmap=shades, extent=(left, right, low, high),
-                origin="lower", aspect="auto",
+                origin="lower", aspect="auto", gid="painted",
             )  # fmt: skip
-    axes.imshow(_painted(view), extent=view.limits)
+    axes.imshow(_painted(view), extent=view.limits, gid="painted")
     axes.set(xlim=(left, right), ylim=(bottom, top), xticks=[], yticks=[])
     axes.set_aspect("equal")
     axes.grid(visible=False)
@@ -209,6 +210,32 @@ def add_key(
     )
 
 
+def draw_stand(mesh: Mesh, resolved: dict[str, Any], case: str) -> Figure:
+    """Draws a field of one plant at eye height and from above, its leaves
+    green; the spacing is that of a case of a resolved campaign."""
+    spacings = resolved["spacing"]
+    spacing = next(
+        (each for each in spacings if f"_{each['name']}_" in f"{case}_"),
+        spacings[0],
+    )
+    row, plant = spacing["row"], spacing["plant"]
+    colors = np.array(
+        [
+            to_rgb("#4E9A3A" if g.startswith("leaf") else style.organ_color(g))
+            for g in mesh.groups
+        ]
+    )
+    size = (_ROWS, int(np.clip(_LENGTH / plant, _PLANTS, 2 * _PLANTS)))
+    jitter = float(resolved.get("field", {}).get("jitter", 0))
+    field = plant_field(mesh, colors, row, plant, jitter, size)
+    figure = style.new_figure(5.8, 2.3)
+    for axes, view in zip(
+        figure.subplots(1, 2), (at_eye_height(field), from_above(field))
+    ):
+        show(axes, view)
+    return figure
+
+
 def draw_field(case: Case, baseline: Mesh, best: Mesh) -> Figure:
     """Draws fields of baseline and best plant; leaves have the colour of the
     PAR that they absorb per area of leaf.
@@ -233,7 +260,7 @@ def draw_field(case: Case, baseline: Mesh, best: Mesh) -> Figure:
     if case.is_isolated:
         size = (int(field.get("rows", 1)), int(field.get("plants", 1)))
         size = (min(size[0], _ROWS), min(size[1], 2 * _PLANTS))
-    figure = style.new_figure(5.8, 5.2)
+    figure = style.new_figure(style.WIDTH, 4.6)
     grid = figure.subplots(2, 2)
     for column, (_, mesh), light, name in zip(
         grid.T, pairs, lights, ("baseline", "best")
@@ -250,5 +277,12 @@ def draw_field(case: Case, baseline: Mesh, best: Mesh) -> Figure:
         figure, list(grid.ravel()), brightest,
         f"absorbed PAR [{unit} of leaf]",
     )  # fmt: skip
-    figure.suptitle(case.name, fontsize=10)
+    told_best = {k: x for k, x in lights[1].items() if x is not None}
+    most = max(told_best, key=lambda group: told_best[group])
+    style.answer(
+        figure,
+        f"Leaf {int(most.removeprefix('leaf'))} of {len(told_best)} of the best "
+        f"plant absorbs most per area of leaf, {told_best[most]:.3g} "
+        f"{style.unit_label(case.best.profile('absorbed_by_leaf').unit)}.",
+    )
     return figure

@@ -32,7 +32,7 @@ def draw_front(case: Case) -> Figure:
     columns = min(len(pairs), 2)
     rows = -(-len(pairs) // columns)
     space = " " if columns == 1 else "\n"
-    figure = style.new_figure(style.WIDTH, 1.0 + rows * 6.6 / (columns + 0.5))
+    figure = style.new_figure(style.WIDTH, 1.2 + rows * 4.2 / columns)
     panels = figure.subplots(rows, columns, squeeze=False).ravel()
     for axes, pair in zip_longest(panels, pairs):
         if pair is None:
@@ -45,14 +45,27 @@ def draw_front(case: Case) -> Figure:
             f"{objectives[k].sense}d"
             for k in (across, up)
         )
-        axes.set_xlabel(x, fontsize=8)
-        axes.set_ylabel(y, fontsize=8)
+        axes.set_xlabel(x)
+        axes.set_ylabel(y)
     handles, labels = panels[0].get_legend_handles_labels()
-    figure.legend(
-        handles, labels, loc="outside lower center", ncols=3, fontsize=8
-    )
-    figure.suptitle(case.name, fontsize=10)
+    figure.legend(handles, labels, loc="outside lower center", ncols=1)
+    style.answer(figure, _exchange(case))
     return figure
+
+
+def _exchange(case: Case) -> str:
+    """Tells what the ends of the front of the best seed have."""
+    _, front = max(case.fronts, key=lambda each: int(each[1].is_kept.sum()))
+    rows = front.members.take(front.is_kept)
+    order = np.argsort(rows.objectives[:, 0])
+    told = []
+    for k, goal in enumerate(case.histories[0].objectives[:2]):
+        first, last = rows.objectives[order[[0, -1]], k]
+        unit = "" if goal.unit == "1" else f" {style.unit_label(goal.unit)}"
+        told.append(
+            f"{style.words(goal.name)} goes from {first:.3g} to {last:.3g}{unit}"
+        )
+    return f"Along the front of {len(rows)} plants {' while '.join(told)}."
 
 
 def _draw_pair(axes: Axes, case: Case, shown: list[int]) -> None:
@@ -84,7 +97,9 @@ def _draw_rows(
     **colors: Any,
 ) -> None:  # fmt: skip
     x, y = rows.objectives[:, shown].T
-    x_error, y_error = rows.objectives_standard_error[:, shown].T
+    x_error, y_error = style.half_width(
+        rows.objectives_standard_error[:, shown]
+    ).T
     axes.errorbar(
         x, y, y_error, x_error, marker=marker, linestyle="none", elinewidth=1,
         label=label, **colors,
@@ -108,7 +123,8 @@ def draw_hypervolume(case: Case) -> Figure:
         color, _ = style.series(seed - 1)
         number: NDArray = np.arange(len(run.values))
         lower, upper = (
-            run.values + sign * run.standard_error for sign in (-1, 1)
+            run.values + sign * style.half_width(run.standard_error)
+            for sign in (-1, 1)
         )
         axes.fill_between(
             number, lower, upper, color=color, alpha=0.2, linewidth=0
@@ -117,7 +133,14 @@ def draw_hypervolume(case: Case) -> Figure:
     axes.set_xlabel("generation")
     axes.set_ylabel(style.axis_label("hypervolume", known[0][1].unit))
     axes.xaxis.set_major_locator(MaxNLocator(8, integer=True))
-    axes.set_title(case.name)
     if len(runs) > 1:
-        figure.legend(loc="outside lower center", ncols=6, fontsize=8)
+        figure.legend(loc="outside lower center", ncols=3)
+    run = known[0][1]
+    half = len(run.values) // 2
+    before, now = run.values[half], run.values[-1]
+    style.answer(
+        figure,
+        f"In the second half of its generations the hypervolume grew by "
+        f"{100 * (now - before) / max(abs(now), 1e-12):.2g} % of what it is.",
+    )
     return figure

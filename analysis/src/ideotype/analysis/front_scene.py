@@ -8,13 +8,12 @@ import math
 from typing import Any
 
 from .case import Case
-from .estimate import Estimate, relative_gain
+from .estimate import NORMAL, Estimate, relative_gain
 from .pair import Pair
 from .rows import Evaluation, join
 from .style import axis_label, short, unit_label, words
 from .tables import UNKNOWN
 
-_ERROR = "±\u00a0"
 """The sign before an error, which a line never parts from its number."""
 
 _BOOKKEEPING = ("balance_error", "paths", "capped")
@@ -108,9 +107,9 @@ def _titled(name: str, of: Estimate) -> str:
 
 
 def _objectives(plant: Evaluation) -> list[list[float]]:
-    """Returns value and standard error of each objective."""
+    """Returns each objective with half of its 95 % interval."""
     found = (plant.estimate(objective.name) for objective in plant.row.goals)
-    return [[short(x.mean), short(x.standard_error)] for x in found]
+    return [[short(x.mean), short(NORMAL * x.standard_error)] for x in found]
 
 
 def _numbers(pair: Pair, names: list[str]) -> list[list[str]]:
@@ -151,20 +150,18 @@ def _scenarios(pair: Pair) -> list[dict[str, Any]]:
 
 
 def _text(of: Estimate) -> str:
-    if of.standard_error == 0:
-        return _signed(f"{of.mean:.4g}")
-    return _signed(
-        of.number().replace(" +- unknown", "").replace("+- ", _ERROR)
-    )
+    return _signed(of.interval_text())
 
 
 def _gain(gain: Estimate) -> str:
     """Returns a gain as "+1.50 ± 0.06"."""
     if not math.isfinite(gain.mean):
         return UNKNOWN
-    text = f"{gain.mean:+.2f} {_ERROR}{gain.standard_error:.2f}"
-    return _signed(text.removesuffix(f" {_ERROR}0.00"))
+    plus = "+" if gain.mean > 0 else ""
+    is_exact = gain.standard_error == 0
+    text = f"{gain.mean:.2f}" if is_exact else gain.interval_text()
+    return _signed(plus + text)
 
 
 def _signed(text: str) -> str:
-    return text.replace("-", "\N{MINUS SIGN}")
+    return text.replace("-", "\N{MINUS SIGN}").replace("± ", "±\u00a0")

@@ -1,73 +1,61 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Draws figures as files, and small enough for a page."""
+"""Draws figures as files and for the page, and writes their numbers."""
 
 from __future__ import annotations
 
 import base64
 import io
 import re
-import textwrap
 from collections.abc import Callable, Sequence
 from functools import partial
 from pathlib import Path
-from typing import Any, TypeGuard
+from typing import TypeGuard
 
 import matplotlib
 from matplotlib.backends.backend_pdf import FigureCanvasPdf
+from matplotlib.backends.backend_svg import FigureCanvasSVG
 from matplotlib.figure import Figure
-from matplotlib.text import Text
 from PIL import Image
 
 from .blocks import Block, Drawing, Note, Picture, Section
+from .figure_numbers import write_numbers
 from .file import HistoryError
-from .style import RC, pixels
+from .style import RC, answer_of
 from .workers import Map
 
-_BYTES = 5_000_000
-"""The bytes of all pictures in a page: in base64, and with plants, less than 8
-MB."""
-
-_SIZES = (
-    *((33_000, 0.7, 80), (25_000, 0.6, 75), (18_500, 0.5, 65)),
-    *((15_500, 0.5, 40), (0, 0.4, 30)),
-)
-"""The bytes that a picture in the page takes on average, its pixels over those
-of the file, and its quality. The first is sharp when enlarged; the last, of 10
-kB, is still legible."""
-
-_FILE_BYTES = 150_000
-"""The bytes of a PNG file, which is for documents."""
-
-_COLORS = 256
+_QUALITY = 80
+"""The quality of painted parts of a figure, such as fields."""
 
 
 def draw_all(
     sections: Sequence[Section],
     folder: Path,
     run: Map,
-    tell: Callable[[str], object],
+    tell: Callable[[int, int, str], object],
     has_pdf: bool,
 ) -> list[Path]:
-    """Puts pictures in the place of drawings, and returns their files, PNG
-    and, if wanted, PDF. `run` is map() or does as it does; each section is
-    told before its figures."""
+    """Puts pictures in the place of drawings, and returns their files: SVG,
+    the numbers as CSV and, if wanted, PDF. `run` is map() or does as it does;
+    `tell` gets how many of how many are drawn, and of what."""
     folder.mkdir(parents=True, exist_ok=True)
     drawings = [b for s in sections for b in s.blocks if _is_drawing(b)]
-    most = _BYTES / max(len(drawings), 1)
-    drawn = iter(run(partial(draw, folder, most, has_pdf), drawings))
-    parts = [s for s in sections if any(map(_is_drawing, s.blocks))]
-    for i, section in enumerate(parts, start=1):
-        tell(f"[{i}/{len(parts)}] {section.title}")
-        section.blocks = [
-            next(drawn) if _is_drawing(block) else block
-            for block in section.blocks
-        ]
+    drawn = iter(run(partial(draw, folder, has_pdf), drawings))
+    done = 0
+    for section in sections:
+        blocks = []
+        for block in section.blocks:
+            if _is_drawing(block):
+                block = next(drawn)
+                done += 1
+                tell(done, len(drawings), section.title)
+            blocks.append(block)
+        section.blocks = blocks
     return [
         folder / f"{block.name}.{end}"
-        for section in parts
+        for section in sections
         for block in section.blocks
         if isinstance(block, Picture)
-        for end in ("png", "pdf")[: 1 + has_pdf]
+        for end in ("svg", "csv", "pdf")[: 2 + has_pdf]
     ]
 
 
@@ -75,85 +63,55 @@ def _is_drawing(block: Block) -> TypeGuard[Drawing]:
     return isinstance(block, Drawing)
 
 
-def draw(folder: Path, most: float, has_pdf: bool, drawing: Drawing) -> Block:
-    """Returns the picture, of about so many bytes in the page, and its files;
-    or where the data are missing, a sentence that says so."""
+def draw(folder: Path, has_pdf: bool, drawing: Drawing) -> Block:
+    """Returns the picture and leaves its files; or where the data are missing,
+    a sentence that says so."""
     name = file_name(drawing.name)
-    with matplotlib.rc_context(RC):
+    with matplotlib.rc_context({**RC, "svg.hashsalt": name}):
         try:
             figure = drawing.make()
         except HistoryError as reason:
-            return Note(f"{drawing.question} Not drawn: {reason}.")
-        title, part = _entitle(figure, drawing.question)
-        figure.set_dpi(RC["savefig.dpi"])
-        image = Image.fromarray(pixels(figure)).convert("RGB")
+            return Note(f"{drawing.question} Not drawn: {reason}.", True)
+        svg = _svg(figure)
         if has_pdf:
-            # The figure is laid out once, and both files are alike; savefig()
-            # would draw it once more to lay it out.
+            # The figure is laid out once, and both files are alike.
             figure.set_layout_engine("none")
             FigureCanvasPdf(figure).print_pdf(  # type: ignore[no-untyped-call]
                 folder / f"{name}.pdf", metadata={"CreationDate": None}
             )
-    (folder / f"{name}.png").write_bytes(_png(image))
-    data = _small(_below(image, figure, title, part), most)
-    return Picture(name, drawing.question, drawing.caption, data)
+    (folder / f"{name}.svg").write_text(svg, encoding="utf-8")
+    write_numbers(figure, folder / f"{name}.csv")
+    data = base64.b64encode(svg.encode()).decode("ascii")
+    return Picture(
+        name, drawing.question, answer_of(figure), drawing.caption, data
+    )
 
 
-def _entitle(figure: Figure, question: str) -> tuple[Text, float]:
-    """Puts the question above what the figure tells of itself, and returns its
-    text and the part of the title's height that it takes."""
-    lines = textwrap.wrap(question, round(12 * figure.get_figwidth()))
-    every = [*lines, *filter(None, figure.get_suptitle().split("\n"))]
-    title = figure.suptitle("\n".join(every), fontsize=10)
-    return title, len(lines) / len(every)
+def _svg(figure: Figure) -> str:
+    """Returns a figure as SVG whose texts are texts, without a date, painted
+    parts in a format that is small."""
+    out = io.StringIO()
+    canvas = FigureCanvasSVG(figure)
+    canvas.print_svg(out, metadata={"Date": None})  # type: ignore[no-untyped-call]
+    # Coordinates of a tenth of a point are finer than screens and printers.
+    text = re.sub(
+        r"\d+\.\d{3,}", lambda m: f"{float(m[0]):.2f}", out.getvalue()
+    )
+    text = text.replace("'DejaVu Sans'", "'DejaVu Sans', Verdana, sans-serif")
+    return re.sub(
+        r"data:image/png;base64,([^\"]*)", lambda m: _smaller(m[1]), text
+    )
 
 
-def _below(
-    image: Image.Image, figure: Figure, title: Text, part: float
-) -> Image.Image:
-    """Returns the image without the lines of the question, which the page
-    tells."""
-    box, whole = title.get_window_extent(), figure.bbox.height
-    top = whole - box.y1 + part * box.height
-    rows = round(top / whole * image.height)
-    return image.crop((0, rows, *image.size))
-
-
-def _png(image: Image.Image) -> bytes:
-    """Returns the content of a file: with all colours and pixels if there is
-    room, else with 256 good colours and, if the figure is very large, fewer
-    pixels."""
-    data = _encoded(image, "PNG")
-    while len(data) > _FILE_BYTES:
-        # This way is by far the fastest; figures have few colours that matter.
-        few = image.quantize(_COLORS, Image.Quantize.FASTOCTREE)
-        data = _encoded(few, "PNG")
-        # Bytes fall more slowly than pixels do.
-        scale = 0.95 * (_FILE_BYTES / len(data)) ** 0.5
-        image = _scaled(image, min(scale, 0.95))
-    return data
-
-
-def _encoded(image: Image.Image, kind: str, **options: Any) -> bytes:
-    data = io.BytesIO()
-    image.save(data, format=kind, **options)
-    return data.getvalue()
-
-
-def _scaled(image: Image.Image, scale: float) -> Image.Image:
-    size = round(scale * image.width), round(scale * image.height)
-    # This is nearly as sharp as the best filter, in half its time.
-    return image.resize(size, Image.Resampling.HAMMING)
+def _smaller(png: str) -> str:
+    image = Image.open(io.BytesIO(base64.b64decode(png)))
+    out = io.BytesIO()
+    image.save(out, format="WEBP", quality=_QUALITY)
+    return (
+        "data:image/webp;base64," + base64.b64encode(out.getvalue()).decode()
+    )
 
 
 def file_name(name: str) -> str:
     """Returns letters, digits, - and _ of a name; the rest becomes _."""
     return re.sub(r"[^\w-]+", "_", name)
-
-
-def _small(image: Image.Image, most: float) -> str:
-    """Returns a picture for the page: in a format made for it, with as many
-    pixels as pictures have that take at most so many bytes on average."""
-    scale, quality = next(size for least, *size in _SIZES if least <= most)
-    data = _encoded(_scaled(image, scale), "WEBP", quality=quality)
-    return base64.b64encode(data).decode("ascii")

@@ -276,10 +276,11 @@ def draw_indices(case: Case) -> Figure:
         else f"change of {style.axis_label(name, found.unit)} over the range"
     )
     axes.legend(loc="lower right")
-    figure.suptitle(
-        f"{case.name}: {found.samples} samples, "
-        f"{found.mean:.4g} ± {found.standard_deviation:.2g} "
-        f"{style.unit_label(found.unit)} (standard deviation)",
-        fontsize=10,
+    most = found.factors[order[-1]].replace("_", " ")
+    style.answer(
+        figure,
+        f"Most on {most}, as {found.samples} samples tell. They have "
+        f"{found.mean:.4g} {style.unit_label(found.unit)} on average, with a "
+        f"standard deviation of {found.standard_deviation:.2g}.",
     )
     return figure

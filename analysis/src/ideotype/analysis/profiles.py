@@ -15,25 +15,25 @@ from . import style
 from .case import Case
 from .file import HistoryError
 from .quantity import Axis, Profile
-from .style import label_light
+from .style import answer, axis_label, half_width
 
 _SUNLIT = "sunlit_lai_by_hour"
-_BY_HOUR = "assimilation_by_hour"
-_BY_LEAF = {"gross": "assimilation_by_leaf", "net": "net_assimilation_by_leaf"}
-_ELSEWHERE = (_SUNLIT, _BY_HOUR, *_BY_LEAF.values())
+BY_HOUR = "assimilation_by_hour"
+BY_LEAF = {"gross": "assimilation_by_leaf", "net": "net_assimilation_by_leaf"}
+_ELSEWHERE = (_SUNLIT, BY_HOUR, *BY_LEAF.values())
 """Quantities that have figures of their own."""
 
-_PLANTS: dict[str, dict[str, Any]] = {
+PLANTS: dict[str, dict[str, Any]] = {
     "baseline": {
         "color": style.BASELINE,
         "marker": "D",
         "linestyle": "--",
-        "label": "baseline ± standard error",
+        "label": "baseline",
     },
     "best": {
         "color": style.BEST,
         "marker": "o",
-        "label": "best ± standard error",
+        "label": "best",
     },
 }
 _SIZE = {"markersize": 4}
@@ -44,12 +44,12 @@ def draw_hours(case: Case) -> Figure:
     error of the difference takes both as independent. Parts of the light have
     a panel each if the history tells them apart."""
     figure = _draw_courses(case, "hour")
-    span = "season" if case.best.row.with_axis("day") else "day"
-    kind = "" if case.best_pair.is_final else "provisional "
-    gain = case.best_pair.gain.number().replace("+-", "±")
-    figure.suptitle(
-        f"{case.name}: {kind}gain over the {span} {gain} % (standard error)",
-        fontsize=10,
+    name = _names(case, "hour", "hour")[0]
+    hour, more = _most_different(case, name)
+    answer(
+        figure,
+        f"The leaves of the best plant differ most from the baseline's at "
+        f"{_clock(hour)}, when they absorb {more}.",
     )
     return figure
 
@@ -59,30 +59,57 @@ def draw_days(case: Case) -> Figure:
 
     Raises HistoryError if there is nothing by day."""
     figure = _draw_courses(case, "day")
-    figure.suptitle(case.name, fontsize=10)
+    name = _names(case, "day", "day")[0]
+    was, now = case.baseline.profile(name), case.best.profile(name)
+    better = int(np.count_nonzero(now.values > was.values))
+    answer(
+        figure,
+        f"The best plant has more {title_of(name)} on {better} of "
+        f"{len(now.values)} days.",
+    )
     return figure
+
+
+def _most_different(case: Case, name: str) -> tuple[Any, str]:
+    """Returns the label at which baseline and best differ most, and by how
+    much."""
+    was, now = case.baseline.profile(name), case.best.profile(name)
+    by = now.values - was.values
+    at = int(np.argmax(np.abs(by)))
+    unit = style.unit_label(now.unit)
+    sense = "more" if by[at] > 0 else "less"
+    return now.labels[at], f"{abs(by[at]):.3g} {unit} {sense}"
+
+
+def _clock(hour: float) -> str:
+    minutes = round(60 * float(hour))
+    return f"{minutes // 60}:{minutes % 60:02}"
 
 
 def _draw_courses(case: Case, axis: str) -> Figure:
     names = _names(case, axis, axis)
-    figure = style.new_figure(max(6.4, 3.6 * len(names)), 5.2)
+    figure = style.new_figure(style.WIDTH, 4.4 * len(names))
     grid = figure.subplots(
-        2, len(names), sharex="col", height_ratios=(2, 1), squeeze=False
+        2 * len(names), 1, height_ratios=(2, 1) * len(names)
     )
-    for (upper, lower), name in zip(grid.T, names):
+    for (upper, lower), name in zip(grid.reshape(-1, 2), names):
         baseline, best = case.baseline.profile(name), case.best.profile(name)
-        _draw_course(upper, case, name)
+        draw_course(upper, case, name)
         lower.axhline(0, color=style.QUIET, linewidth=1)
         lower.errorbar(
             _instants(best),
             best.values - baseline.values,
-            np.hypot(best.standard_error, baseline.standard_error),
-            **_PLANTS["best"] | _SIZE | {"label": None},
+            half_width(np.hypot(best.standard_error, baseline.standard_error)),
+            **PLANTS["best"] | _SIZE | {"label": None},
         )
-        label_light(upper, "y", _title(name), best.unit)
-        lower.set_ylabel(style.axis_label("best − baseline\n", best.unit))
+        upper.set_ylabel(_two_lines(axis_label(title_of(name), best.unit)))
+        lower.set_ylabel("best −\nbaseline")
         lower.set_xlabel(upper.get_xlabel())
         upper.set_xlabel("")
+        labels = [label.get_text() for label in upper.get_xticklabels()]
+        lower.set_xticks(upper.get_xticks(), labels)
+        lower.set_xlim(upper.get_xlim())
+        upper.set_xticklabels([])
         upper.legend()
     return figure
 
@@ -92,36 +119,45 @@ def draw_sunlit(case: Case) -> Figure:
 
     Raises HistoryError if the history does not tell it."""
     case.need_pairs()
-    figure, (axes,) = _panels(case, 1, 3.2)
-    _draw_course(axes, case, _SUNLIT, over="lai", factor=100)
+    figure, (axes,) = new_panels(1, 3.2)
+    draw_course(axes, case, _SUNLIT, over="lai", factor=100)
     axes.set_ylabel("sunlit part of the leaf area [%]")
-    axes.legend(fontsize=8)
+    axes.legend()
+    was, now = (
+        100 * plant.profile(_SUNLIT).values.max() / plant.estimate("lai").mean
+        for plant in (case.baseline, case.best)
+    )
+    answer(
+        figure,
+        f"At most {now:.0f} % of the leaf area of the best plant is sunlit, "
+        f"and {was:.0f} % of the baseline's.",
+    )
     return figure
 
 
-def _draw_course(
+def draw_course(
     axes: Axes, case: Case, name: str, over: str = "", factor: float = 1
 ) -> None:
     """Draws both plants by day, or by whole hours, as many as there is room for, and
     their clock; over another quantity if that is wanted."""
-    for who, looks in _PLANTS.items():
+    for who, looks in PLANTS.items():
         plant = getattr(case, who)
         found = plant.profile(name)
         scale = factor / plant.estimate(over).mean if over else factor
         axes.errorbar(
             _instants(found),
             scale * found.values,
-            scale * found.standard_error,
+            half_width(scale * found.standard_error),
             **looks | _SIZE,
         )
     axes.set_ylim(bottom=0)
     if found.labels.dtype.kind == "U":
-        days = _instants(found)[:: -(-len(found.labels) // 8)]
+        days = _instants(found)[:: -(-len(found.labels) // 4)]
         axes.set_xticks(days, [f"{day:%-d %b}" for day in days.tolist()])
         return
     axes.set_xlabel(f"{found.meaning} [h]")
     first, last = np.floor(found.labels.min()), np.ceil(found.labels.max())
-    step = max(1, round((last - first) / 14))
+    step = max(1, round((last - first) / 8))
     axes.set_xticks(np.arange(first, last + 1, step))
 
 
@@ -134,106 +170,57 @@ def _instants(found: Profile) -> NDArray:
 def draw_leaves(case: Case) -> Figure:
     """Draws what is known by leaf rank, such as absorbed PAR: baseline and
     best with standard errors, a panel each."""
-    figure, panels = _draw_along(case, _names(case, "leaf", "leaf rank"))
+    names = _names(case, "leaf", "leaf rank")
+    figure, panels = _draw_along(case, names)
     leaf = cast(Axis, case.best.row.with_axis("leaf")[0].axis)
     for axes in panels:
         axes.set_yticks(leaf.labels)
-    panels[0].set_ylabel("leaf rank (1 = lowest)")
+        axes.set_ylabel("leaf rank (1 = lowest)")
+    shares = []
+    for plant in (case.best, case.baseline):
+        values = plant.profile(names[0]).values
+        upper = values[len(values) // 2 :].sum()
+        shares.append(f"{100 * upper / values.sum():.0f} %")
+    answer(
+        figure,
+        f"The upper half of the leaves absorbs {shares[0]} of the light of "
+        f"the best plant's leaves, and {shares[1]} of the baseline's.",
+    )
     return figure
 
 
 def draw_layers(case: Case) -> Figure:
     """Draws what is known by height above the soil, as by leaf rank; points
     are at the middle of their layers."""
-    figure, panels = _draw_along(case, _names(case, "layer", "height layer"))
+    names = _names(case, "layer", "height layer")
+    figure, panels = _draw_along(case, names)
     for axes in panels:
         axes.set_ylim(bottom=0)
-    panels[0].set_ylabel("height above the soil [m]")
+        axes.set_ylabel("height above the soil [m]")
+    heights = []
+    for plant in (case.best, case.baseline):
+        found = plant.profile(names[0])
+        weights = found.values / found.values.sum()
+        heights.append(f"{float(weights @ found.labels):.2f} m")
+    answer(
+        figure,
+        f"Light is absorbed {heights[0]} above the soil on average by the best "
+        f"plant, and {heights[1]} by the baseline.",
+    )
     return figure
 
 
 def _draw_along(case: Case, names: list[str]) -> tuple[Figure, NDArray]:
     """Draws labels upwards and values to the right."""
-    figure, panels = _panels(case, len(names))
+    figure, panels = new_panels(len(names))
     for axes, name in zip(panels, names):
-        for who, looks in _PLANTS.items():
+        for who, looks in PLANTS.items():
             found = getattr(case, who).profile(name)
-            _draw(axes, found, **looks)
-        label_light(axes, "x", _title(name), found.unit)
+            draw_profile(axes, found, **looks)
+        axes.set_xlabel(axis_label(title_of(name), found.unit))
         axes.set_xlim(left=min(0, axes.get_xlim()[0]))
-    panels[0].legend(fontsize=8)
+    panels[0].legend()
     return figure, panels
-
-
-def draw_parts(case: Case) -> Figure:
-    """Draws light that leaves absorb by origin, face of the leaf, or whatever
-    else has words for labels and the objective's unit."""
-    case.need_pairs()
-    unit = case.best.objective.unit
-    names = [
-        q.name
-        for q in case.best.row.quantities.values()
-        if q.axis
-        and q.axis.labels.dtype.kind == "U"
-        and q.axis.name not in ("organ", "day")
-        and q.unit == unit
-    ]
-    if not names:
-        raise HistoryError("the history does not tell parts of the light")
-    words = [w for name in names for w in case.best.profile(name).labels]
-    figure, (axes,) = _panels(case, 1, 1.6 + 0.45 * len(words))
-    place = np.arange(len(words))
-    for (who, looks), shift in zip(_PLANTS.items(), (-0.15, 0.15)):
-        parts = [getattr(case, who).profile(name) for name in names]
-        values, errors = (
-            np.concatenate([getattr(part, what) for part in parts])
-            for what in ("values", "standard_error")
-        )
-        found = Profile(place + shift, unit, values, errors)
-        _draw(axes, found, **looks | {"linestyle": "none"})
-    axes.set_yticks(place, words)
-    axes.set_ylim(len(words) - 0.5, -0.5)
-    axes.set_xlim(left=0)
-    label_light(axes, "x", _title(names[0]), unit)
-    axes.legend(fontsize=8)
-    return figure
-
-
-def draw_assimilation(case: Case) -> Figure:
-    """Draws gross assimilation by hour above, gross and net by leaf rank
-    below, as far as the history tells them, for baseline and best.
-
-    Raises HistoryError if it tells none."""
-    case.need_pairs()
-    known = case.best.row.quantities
-    by_leaf = {kind: n for kind, n in _BY_LEAF.items() if n in known}
-    count = (_BY_HOUR in known) + bool(by_leaf)
-    if not count:
-        raise HistoryError("the history has no assimilation by leaf or hour")
-    figure = style.new_figure(5.4, 0.8 + 3.0 * count)
-    panels = list(figure.subplots(count, 1, squeeze=False)[:, 0])
-    if _BY_HOUR in known:
-        axes = panels.pop(0)
-        _draw_course(axes, case, _BY_HOUR)
-        unit = style.unit_label(known[_BY_HOUR].unit).replace("umol", "µmol")
-        axes.set_ylabel(f"gross assimilation\n[{unit} of ground]")
-        axes.legend(fontsize=8)
-    for axes in panels:
-        for who, looks in _PLANTS.items():
-            for kind, name in by_leaf.items():
-                found = getattr(case, who).profile(name)
-                own: dict[str, Any] = {"label": f"{who}, {kind}"}
-                if kind == "net":
-                    own |= {"alpha": 0.55, "fillstyle": "none"}
-                _draw(axes, found, **looks | own)
-        unit = style.unit_label(found.unit)
-        axes.set_xlabel(f"assimilation [{unit} of ground]")
-        axes.set_ylabel("leaf rank (1 = lowest)")
-        axes.set_yticks(found.labels)
-        axes.set_xlim(left=min(0, axes.get_xlim()[0]))
-        axes.legend(fontsize=8)
-    figure.suptitle(case.name, fontsize=10)
-    return figure
 
 
 def _names(case: Case, axis: str, what: str) -> list[str]:
@@ -248,22 +235,22 @@ def _names(case: Case, axis: str, what: str) -> list[str]:
     return names
 
 
-def _panels(
-    case: Case, count: int, height: float = 4.2
-) -> tuple[Figure, NDArray]:
-    figure = style.new_figure(max(5.2, 3.4 * count), height)
-    panels = figure.subplots(1, count, sharey=True, squeeze=False)[0]
-    figure.suptitle(case.name, fontsize=10)
-    return figure, panels
+def new_panels(count: int, height: float = 3.4) -> tuple[Figure, NDArray]:
+    figure = style.new_figure(style.WIDTH, height * count)
+    return figure, figure.subplots(count, 1, squeeze=False)[:, 0]
 
 
-def _draw(axes: Axes, found: Profile, **looks: Any) -> None:
+def draw_profile(axes: Axes, found: Profile, **looks: Any) -> None:
     axes.errorbar(
-        found.values, found.labels, xerr=found.standard_error,
+        found.values, found.labels, xerr=half_width(found.standard_error),
         **_SIZE | looks,
     )  # fmt: skip
 
 
-def _title(name: str) -> str:
+def title_of(name: str) -> str:
     what = style.words(name).split(" by ")[0]
     return "absorbed PAR" if what == "absorbed" else what
+
+
+def _two_lines(label: str) -> str:
+    return label.replace(" [", "\n[", 1)

@@ -9,66 +9,52 @@ from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
 
-from .._errors import Error
 from . import tables
-from .blocks import Note, Section, Viewer
+from .answer import answer, leaf_table
+from .blocks import Section, Viewer
 from .case import Case
-from .case_figures import figures_of
+from .case_section import plants_of, section_of
 from .comparison import draw_energy, draw_gains, intervals_of
 from .cross import Cross, draw_cross
-from .field import draw_field
 from .file import HistoryError
-from .front_plants import draw_front_plants
+from .gain_maps import draw_gain_map, draw_set_map, two_sets
 from .gallery import draw_all
 from .indices import draw_indices
+from .light_tables import balance, organs
 from .page import render
-from .places import (
-    draw_gain_map,
-    draw_latitudes,
-    draw_set_map,
-    draw_spacings,
-    two_sets,
-)
+from .places import draw_latitudes, draw_spacings
 from .provenance import provenance
-from .scene import Plants, build_plants, scene_of
+from .results import results_of
+from .scene import Plants, scene_of
 from .study import Study
 from .workers import workers
 
-_FIELD = (
-    "The field of the baseline and of the best plant at eye height, 1.6 m, "
-    "and from above. Leaves have the colour of the PAR that they absorb over "
-    "the day per area of leaf, as a mean over the leaf, shaded a little; other "
-    "organs are dull green or grey. Plants are alike and turned at random."
-)
-_ALONG = (
-    "The baseline, and plants at equal steps along the front in the order of "
-    "the first objective, from the side at one scale; objectives with standard "
-    "errors."
-)
 _VIEW = (
-    "The baseline is on the left and the {} on the right. Leaves are coloured "
-    "by what they absorb over the day; sheaths are dull green, stalks and other "
-    "organs grey, neighbours pale and all turned alike. Numbers are ± standard "
-    "errors. Lines on the ground are the rows. "
+    "Choose any two plants. Leaves are coloured by what they absorb over the "
+    "day; sheaths are dull green, stalks and other organs grey, neighbours "
+    "pale and all turned alike. Lines on the ground are the rows. "
     "Drag (on a touch screen sideways) or use the arrow keys to turn; pinch, "
     "Ctrl and the wheel, or + and - zoom; Home starts again."
 )
 _FRONT = (
     "The front has plants that no other betters in all objectives, evaluated "
-    "again, with standard errors. Choose one with a click, a tap or the arrow "
-    "keys: it is shown beside the baseline, with its numbers ± standard errors. "
-    "Differences from the baseline have paired errors in objectives, and take "
-    "both plants as independent in all else. The last generation is pale, and "
-    "drawn as far as it lies within the axes. "
+    "again. Choose one with a click, a tap or the arrow keys: it is shown "
+    "beside the baseline, with its numbers. Differences from the baseline have "
+    "paired errors in objectives, and take both plants as independent in all "
+    "else. The last generation is pale, and drawn as far as it lies within the "
+    "axes. "
 )
 _READING = (
-    "All figures use the palette of Okabe and Ito and the maps viridis and "
-    "PuOr, which the colour-blind can tell apart; lines also differ by marker "
-    "or dash. Black is always the baseline, blue the best plant. Axes of "
-    "photons take 4.57 mol for each MJ of PAR (McCree 1972). In tables and "
-    "figures over cases ± is half of the interval that they name; in what is "
-    "told of a single plant it is a standard error."
+    "On this page ± is half of a 95 % interval, and so is each error bar. That "
+    "of a gain holds how searches differ; that of a number of a single plant "
+    "holds the noise of the light and of the field. Black is always the "
+    "baseline, blue the best plant. Each figure is a file of its name in "
+    "figures/, its numbers are in the .csv beside it."
 )
+
+_FEW = 3
+"""The number of cases up to which each has its figures without being asked
+for."""
 
 
 @dataclass(frozen=True)
@@ -85,16 +71,19 @@ def write_report(
     *,
     cross: Cross | None = None,
     command: str = "",
-    tell: Callable[[str], object] = lambda line: None,
+    tell: Callable[[int, int, str], object] = lambda done, count, what: None,
     has_pdf: bool = False,
     jobs: int = 1,
+    figures_of: Sequence[str] | None = None,
 ) -> Written:
-    """Writes report.html and figures/ into the folder, over those of an
-    earlier report. `command` is what the page names as its origin; `tell`
-    gets a line for each part of the page. With
-    `has_pdf` each figure is a PDF file too, besides PNG. `jobs` processes
+    """Writes report.html, results.csv and figures/ into the folder, over those
+    of an earlier report. `command` is what the page names as its origin;
+    `tell` gets how many of how many figures are drawn, and what of. With
+    `has_pdf` each figure is a PDF file too, besides SVG. `jobs` processes
     draw the figures; with several, a script needs
-    `if __name__ == "__main__":`.
+    `if __name__ == "__main__":`. Cases whose name has one of the words
+    `figures_of` in it get figures of their own: without it all, if there are
+    few.
 
     Raises HistoryError if nothing is evaluated in any history, OSError if
     the folder can't be written."""
@@ -110,38 +99,62 @@ def write_report(
         )
     for case in cases:
         case.remember()
+    single = _with_figures(cases, figures_of)
     with workers(jobs) as run:
-        plants = list(run(_plants, cases))
+        plants = list(run(plants_of, cases))
         shapes = [
             (case, found if isinstance(found, Plants) else None)
             for case, found in zip(cases, plants)
             if isinstance(found, Plants) or case.fronts
         ]
         searched = [
-            _overview(study, cases, cross),
+            _answer(study, cases),
+            _gains(cases, cross),
             _places(cases, cross),
             _view(shapes),
-            *map(_case, cases, plants),
+            *(
+                section_of(case, found)
+                for case, found in zip(cases, plants)
+                if case in single
+            ),
         ]
-        if len(cases) == 1:
-            searched[3].is_folded = False
+        if len(single) == 1:
+            searched[-1].is_folded = False
         sections = [
             *(searched if cases else ()),
             *map(_study, studies),
+            _about(cases, cross),
             _provenance(every, command),
         ]
-        figures = draw_all(
-            sections,
-            folder / "figures",
-            run,
-            tell,
-            has_pdf,
-        )
+        figures = draw_all(sections, folder / "figures", run, tell, has_pdf)
+    results_of(cases).to_csv(folder / "results.csv", index=False)
     page = folder / "report.html"
     fresh = page.with_suffix(".html.part")
-    fresh.write_text(render(_title(every), _subtitle(study), sections))
+    fresh.write_text(
+        render(
+            _title(every), _subtitle(study), [s for s in sections if s.blocks]
+        )
+    )
     fresh.replace(page)
     return Written(page, figures)
+
+
+def _with_figures(
+    cases: Sequence[Case], words: Sequence[str] | None
+) -> list[Case]:
+    """Returns the cases that have figures of their own.
+
+    Raises HistoryError if a word is in no name."""
+    if words is None:
+        return [*cases] if len(cases) <= _FEW else []
+    for word in words:
+        if not any(word in case.name for case in cases):
+            raise HistoryError(
+                f"no case has '{word}' in its name; there are "
+                + ", ".join(case.name for case in cases[:_FEW])
+                + (", ..." if len(cases) > _FEW else "")
+            )
+    return [case for case in cases if any(w in case.name for w in words)]
 
 
 def _title(cases: Sequence[Case]) -> str:
@@ -157,36 +170,62 @@ def _subtitle(study: Study) -> str:
     )
 
 
-def _overview(
-    study: Study, cases: Sequence[Case], cross: Cross | None
-) -> Section:
-    section = Section("Gains")
+def _answer(study: Study, cases: Sequence[Case]) -> Section:
+    """Returns what the page begins with."""
+    section = Section("The answer")
     for error in study.damaged:
         section.note(f"A history is left out. {error}.")
-    section.blocks += tables.gains(cases, cross)
-    section.blocks += tables.scenarios(cases)
+    if any(case.pairs for case in cases):
+        section.blocks.append(answer(cases))
+        section.note(_READING)
+        known = [case for case in cases if case.pairs]
+        best = max(known, key=lambda case: case.relative_gain().mean)
+        if len(known) > 1:
+            section.note(
+                f"The leaves below are those bred in the case that gains most, "
+                f"{best.name}; those of any other are in three dimensions "
+                "below, and ideotype export writes them."
+            )
+        section.blocks.append(leaf_table(best))
+    return section
+
+
+def _gains(cases: Sequence[Case], cross: Cross | None) -> Section:
+    section = Section("Gains")
     section.draw(
         "gains",
         "How much better than the baseline are the bred plants?",
-        f"Mean over seeds with its interval ({intervals_of(cases)}); grey "
-        "strokes are single seeds.",
+        f"Means of searches; intervals: {intervals_of(cases)}.",
         partial(draw_gains, cases, cross),
     )
     section.draw(
         "energy",
         "Where does the light go?",
-        f"Parts of the incident PAR. Error bars: {intervals_of(cases)}.",
+        "Parts of the incident PAR.",
         partial(draw_energy, cases),
     )
-    section.blocks += tables.organs(cases)
-    section.blocks += [tables.balance(cases), Note(_READING)]
+    section.blocks += tables.gains(cases, cross)[:1]
+    section.blocks += tables.scenarios(cases)
+    return section
+
+
+def _about(cases: Sequence[Case], cross: Cross | None) -> Section:
+    """Returns what should be known about the numbers, folded."""
+    section = Section("How the numbers were made", is_folded=True)
+    if cases:
+        section.blocks += tables.gains(cases, cross)[1:]
+        if len(cases) <= _FEW * 4:
+            section.blocks += organs(cases)
+        section.blocks.append(balance(cases))
     return section
 
 
 def _places(cases: Sequence[Case], cross: Cross | None) -> Section:
-    bars = f"Error bars: {intervals_of(cases)}."
-    section = Section("Latitudes, spacings, cross-evaluation")
-    cells = f"Numbers are % ± half of the interval ({intervals_of(cases)})."
+    bars = "The upper panel has the objective, the lower one the gain."
+    section = Section("Places")
+    if len(cases) < 2 and cross is None:
+        return section
+    cells = "Numbers are %."
     section.draw(
         "latitudes",
         "What does latitude do to light and gain?",
@@ -215,14 +254,12 @@ def _places(cases: Sequence[Case], cross: Cross | None) -> Section:
             partial(draw_set_map, cases, sets),
         )
     if cross is None:
-        section.note("Cross-evaluation: none is given (--cross FILE).")
         return section
     section.draw(
         "cross",
         "How does each plant do under the light of each case?",
-        "Each plant under the light of each case, in % of the best there ± "
-        f"half of the interval ({cross.intervals()}); the seeds of a case are "
-        "put together.",
+        "In % of the best under the same light; the seeds of a case are put "
+        f"together. Intervals: {cross.intervals()}.",
         partial(draw_cross, cross),
     )
     return section
@@ -233,49 +270,10 @@ def _view(shapes: list[tuple[Case, Plants | None]]) -> Section:
     front = "Front, and its " if has_front else ""
     section = Section((front + "plants in three dimensions").capitalize())
     if shapes:
-        caption = (
-            _FRONT + _VIEW.format("plant that is chosen, or the best")
-            if has_front
-            else _VIEW.format("best plant")
-        )
+        caption = _FRONT + _VIEW if has_front else _VIEW
         section.blocks.append(Viewer(scene_of(shapes), caption))
     else:
         section.note("The plants are not shown; each case below says why.")
-    return section
-
-
-def _plants(case: Case) -> Plants | Note:
-    """Returns the shapes of baseline and best, or why they are not known."""
-    try:
-        return build_plants(case)
-    except Error as reason:
-        return Note(f"Plants: not drawn, {reason}.")
-
-
-def _case(case: Case, plants: Plants | Note) -> Section:
-    section = Section(case.name, is_folded=True)
-    if isinstance(plants, Note):
-        section.blocks.append(plants)
-    else:
-        if case.fronts:
-            section.draw(
-                f"{case.name}_front_plants",
-                "How do plants change along the front?",
-                _ALONG,
-                partial(
-                    draw_front_plants, case, plants.baseline, plants.members
-                ),
-            )
-        section.draw(
-            f"{case.name}_field",
-            "How does the bred field look, and which leaves get the light?",
-            _FIELD,
-            partial(draw_field, case, plants.baseline, plants.best),
-        )
-    for name, (draw, question, caption) in figures_of(case).items():
-        section.draw(
-            f"{case.name}_{name}", question, caption, partial(draw, case)
-        )
     return section
 
 
@@ -287,7 +285,7 @@ def _study(case: Case) -> Section:
         "Sobol' indices: the share of its variance that a factor makes by "
         "itself, and together with all others; or elementary effects by "
         "Morris. Factors vary evenly in their ranges. Noise is taken off, but "
-        "not of μ*. The 15 that matter most, with 95 % intervals.",
+        "not of μ*. The 15 that matter most.",
         partial(draw_indices, case),
     )
     return section

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import base64
 import json
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -28,6 +28,9 @@ _LARGEST = 2**15 - 1
 """The largest coordinate in the page: a step is a tenth of a millimetre in a
 plant of three metres."""
 
+_FINALISTS = 3
+"""The number of finalists of each search that are shown."""
+
 _NEIGHBOURS = 3
 """The number of plants that are shown before and behind a plant in its row."""
 
@@ -40,6 +43,8 @@ class Plants:
     best: Mesh
     members: tuple[Mesh, ...] = ()
     """The members of the fronts of all seeds."""
+    others: tuple[tuple[str, Evaluation, Mesh], ...] = ()
+    """Other finalists of all seeds, with a name."""
 
 
 def build_plants(case: Case) -> Plants:
@@ -53,7 +58,24 @@ def build_plants(case: Case) -> Plants:
         for history, front in case.fronts
         for mesh in _shapes(history, front.members.genome)
     )
-    return Plants(baseline, best, tuple(members))
+    return Plants(baseline, best, tuple(members), tuple(_finalists(case)))
+
+
+def _finalists(case: Case) -> Iterator[tuple[str, Evaluation, Mesh]]:
+    """Returns the finalists of all searches but the best plant of the case and
+    the baseline, the best of each search first; none where there is a
+    front."""
+    best = case.best.row.genome[0]
+    for search, history in enumerate(case.histories, start=1):
+        if case.fronts or not case.is_final:
+            return
+        done = history.finalists().done
+        ranked = done.take(done.slot > 0).top(_FINALISTS)
+        shapes = _shapes(history, ranked.genome)
+        for place, mesh in enumerate(shapes):
+            if not np.array_equal(ranked.genome[place], best):
+                name = f"search {search}, finalist {place + 1}"
+                yield name, ranked.one(place, True), mesh
 
 
 def _shapes(
@@ -94,10 +116,12 @@ def _case(
         pairs += zip(members, plants.members)
     else:
         pairs.append((case.best, plants.best))
+        pairs += [(plant, mesh) for _, plant, mesh in plants.others]
+        names = ("baseline", "best", *(name for name, *_ in plants.others))
         titles = [
-            f"{name}: {plant.objective.number().replace('+-', '±')} "
+            f"{name}: {plant.objective.interval_text()} "
             f"{unit_label(plant.objective.unit)}"
-            for name, (plant, _) in zip(("baseline", "best"), pairs)
+            for name, (plant, _) in zip(names, pairs)
         ]
     return scene | {
         "plants": [

@@ -19,7 +19,7 @@ from .genes import Kind, curve
 COUNT = 10
 """The number of plants that are shown."""
 
-_ACROSS = 4
+_ACROSS = 2
 """The number of panels beside each other."""
 
 _BASELINE_MARKER: dict[str, Any] = {
@@ -55,7 +55,8 @@ def draw_traits(case: Case) -> Figure:
         axes.set_ylim(leaves.min() - 0.6, leaves.max() + 0.6)
     for axes in panels[::_ACROSS]:
         axes.set_ylabel("leaf rank (1 = lowest)")
-    return finish(figure, case, panels[0])
+    style.answer(figure, _change(case, traits))
+    return finish(figure, panels[0])
 
 
 def draw_profiles(case: Case) -> Figure:
@@ -76,7 +77,8 @@ def draw_profiles(case: Case) -> Figure:
         axes.set_yticks([0, 0.5, 1], ["lowest", "middle", "highest"])
     for axes in panels[::_ACROSS]:
         axes.set_ylabel("leaf position")
-    return finish(figure, case, panels[0])
+    style.answer(figure, _change(case, traits))
+    return finish(figure, panels[0])
 
 
 def draw_plant_traits(case: Case) -> Figure:
@@ -87,7 +89,8 @@ def draw_plant_traits(case: Case) -> Figure:
     for axes, trait in zip(panels, traits):
         _draw_trait(axes, case, trait, np.zeros(1))
         axes.set_yticks([])
-    return finish(figure, case, panels[0])
+    style.answer(figure, _change(case, traits))
+    return finish(figure, panels[0])
 
 
 def _bred(case: Case, kind: Kind) -> list[str]:
@@ -109,22 +112,47 @@ def _panels(traits: list[str], height: float) -> tuple[Figure, list[Axes]]:
     return figure, list(grid[: len(traits)])
 
 
-def finish(figure: Figure, case: Case, first: Axes, told: str = "") -> Figure:
-    """Adds the legend and the title, which ends with what is `told`."""
+def finish(figure: Figure, first: Axes) -> Figure:
+    """Adds the legend."""
     handles, labels = first.get_legend_handles_labels()
     shown = dict(zip(labels, handles))
     figure.legend(
         shown.values(), shown.keys(),
-        loc="outside lower center", ncols=3, fontsize=8,
+        loc="outside lower center", ncols=2,
     )  # fmt: skip
-    top = case.top(COUNT)
-    begin, end = int(top.generation.min()), int(top.generation.max())
-    of = f"generations {begin}-{end}" if begin < end else f"generation {end}"
-    title = f"{case.name}\nthe {len(top)} fittest plants of {of}"
-    if (seeds := len(case.histories)) > 1:
-        title += f", from {case.seeds_of_top(COUNT)} of {seeds} seeds"
-    figure.suptitle(title + told, fontsize=10)
     return figure
+
+
+def _change(case: Case, traits: list[str]) -> str:
+    """Tells in which two traits the best plant is farthest from the baseline,
+    relative to their bounds, and by how much its leaves differ on average."""
+    if not case.pairs:
+        return ""
+    genes = case.genes
+    by = case.best.row.genome[0] - case.baseline.row.genome[0]
+    told = []
+    for trait in traits:
+        columns = genes.columns(trait)
+        change = by[columns]
+        if genes.is_circular[columns].all():
+            change = (change + 180) % 360 - 180
+        width = (genes.upper - genes.lower)[columns]
+        mean = float(np.abs(change).mean())
+        what, _, unit = genes.label(trait).partition(" [")
+        unit = (
+            "" if unit == "1]" else f" {unit.rstrip(']')}".replace(" °", "°")
+        )
+        is_one_way = abs(change.mean()) > 0.9 * mean
+        size = f"{change.mean():+.2g}" if is_one_way else f"{mean:.2g}"
+        text = f"{what} by {size}{unit}"
+        if len(columns) > 1:
+            text += " on average" if is_one_way else " on average, up or down"
+        told.append((float(np.mean(np.abs(change) / width)), text))
+    told.sort(reverse=True)
+    words = "; ".join(text for _, text in told[:2]).replace(
+        "-", "\N{MINUS SIGN}"
+    )
+    return f"The best plant differs most from the baseline in {words}."
 
 
 def draw_plants(

@@ -58,8 +58,13 @@ def leaf_light(
         told = plant.profile("absorbed_by_leaf")
     except HistoryError:
         return found
+    if told.labels.dtype.kind == "U":  # of several components
+        return found
+    leaves = sum(group.startswith("leaf") for group in found)
+    # Crops that grow have lower leaves, which a full-grown plant has lost.
+    lost = max(len(told.labels) - leaves, 0)
     for leaf, value in zip(told.labels, told.values.tolist()):
-        if (group := f"leaf{leaf:02}") in found:
+        if (group := f"leaf{leaf - lost:02}") in found:
             over = mesh.area(group) / ground if ground else 1
             found[group] = value / over
     return found

@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Self
 
 from .case import Case
+from .coordinates import natural
 from .file import HistoryError
 from .history import History, open_history
 
@@ -47,7 +48,7 @@ def find_histories(*places: Place) -> list[Path]:
 def _histories_of(place: Place) -> list[Path]:
     path = Path(place)
     if path.is_dir():
-        files = sorted(path.rglob("*.h5"))
+        files = sorted(path.rglob("*.h5"), key=lambda x: natural(str(x)))
         if not files:
             raise HistoryError(
                 f"{path}: no history (.h5) in this folder; give the one that "
@@ -55,7 +56,7 @@ def _histories_of(place: Place) -> list[Path]:
             )
         return files
     if not path.exists() and glob.has_magic(str(place)):
-        matches = sorted(glob.glob(str(place), recursive=True))
+        matches = sorted(glob.glob(str(place), recursive=True), key=natural)
         if not matches:
             raise HistoryError(f"{place}: no file matches this pattern")
         return [file for match in matches for file in _histories_of(match)]
@@ -125,6 +126,16 @@ class Study:
             )
             for key, each in members.items()
         ]
+
+    def results(self) -> pandas.DataFrame:
+        """Returns a line for each case: coordinates, baseline, best, gain with
+        half of its 95 % interval, leaf area index, number of searches; units
+        are in .attrs["units"]."""
+        from .results import results_of
+
+        return results_of(
+            [case for case in self.cases() if not case.is_sensitivity]
+        )
 
     def frame(self) -> pandas.DataFrame:
         """Returns all complete evaluations of all histories, one a row; the

@@ -5,17 +5,16 @@ the colour-blind can tell both apart."""
 from __future__ import annotations
 
 import re
-from textwrap import fill
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
 from matplotlib import colormaps
-from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.colors import to_hex
 from matplotlib.figure import Figure
 from numpy.typing import ArrayLike, NDArray
 
-from .estimate import DAILY_ENERGY, MOL_PER_MJ_PAR
+from .estimate import DAILY_ENERGY, NORMAL
 
 BASELINE = "#000000"
 BEST = "#0072B2"
@@ -23,8 +22,8 @@ MEAN = "#009E73"
 ANEW = "#D55E00"
 QUIET = "#8C8C8C"
 
-WIDTH = 7.2
-"""The width of a figure that fills a printed page without being scaled
+WIDTH = 4.8
+"""The width of figures, whose words can then be read on a telephone
 [inches]."""
 
 _SERIES_COLORS = (
@@ -34,7 +33,10 @@ _SERIES_COLORS = (
 _SERIES_MARKERS = ("o", "s", "^", "D", "v", "P", "X", "*")
 
 RC: dict[Any, Any] = {
-    "font.size": 9.0,
+    "font.size": 10.0,
+    "font.family": "DejaVu Sans",
+    "svg.fonttype": "none",
+    "legend.fontsize": 9.0,
     "axes.titlesize": 10.0,
     "axes.spines.top": False,
     "axes.spines.right": False,
@@ -47,20 +49,28 @@ RC: dict[Any, Any] = {
     "lines.markersize": 4.5,
     "errorbar.capsize": 2.0,
     "pdf.fonttype": 42,
-    "savefig.dpi": 200,
 }
 
-_PHOTONS = {DAILY_ENERGY: "mol m-2 day-1", "W m-2": "µmol m-2 s-1"}
-"""The unit of photons for each unit of light, which is per area of ground, or
-of leaf where the name says so; the factor is that of mol and MJ."""
+_LIGHT = (DAILY_ENERGY, "W m-2")
+"""The units of light, which is per area of ground, or of leaf where the name
+says so."""
 
 _SUPERSCRIPT = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
-def say(figure: Figure, text: str) -> None:
-    """Writes a text above all panels; the question is put above it later."""
-    lines = fill(text, round(12 * figure.get_figwidth()))
-    figure.suptitle(lines, fontsize=10)
+def answer(figure: Figure, text: str) -> None:
+    """Keeps the sentence that answers the question of a figure."""
+    figure.set_label(text)
+
+
+def answer_of(figure: Figure) -> str:
+    """Returns that sentence, or "" if there is none."""
+    return str(figure.get_label() or "")
+
+
+def half_width(standard_error: ArrayLike) -> NDArray[np.float64]:
+    """Returns half of the 95 % interval of numbers, which all bars show."""
+    return NORMAL * np.asarray(standard_error, dtype=float)
 
 
 def new_figure(width: float, height: float) -> Figure:
@@ -90,36 +100,9 @@ def axis_label(name: str, unit: str) -> str:
     unit."""
     if unit == "1":
         return words(name)
-    is_light = unit in _PHOTONS
+    is_light = unit in _LIGHT
     area = " of leaf" if "leaf_area" in name else " of ground"
     return f"{words(name)} [{unit_label(unit)}{area if is_light else ''}]"
-
-
-def label_light(
-    axes: Axes, which: Literal["x", "y"], name: str, unit: str
-) -> None:
-    """Labels an axis of light, and adds a second one of photons on its other
-    side. An axis of anything else only gets its label."""
-    axes.set(**{f"{which}label": axis_label(name, unit)})
-    if unit not in _PHOTONS:
-        return
-    both = (_to_photons, _to_energy)
-    if which == "x":
-        axes.secondary_xaxis("top", functions=both)
-    else:
-        axes.secondary_yaxis("right", functions=both)
-    other = axes.child_axes[-1]
-    other.spines["top" if which == "x" else "right"].set_visible(True)
-    label = f"photons [{unit_label(_PHOTONS[unit])}]"
-    other.set(**{f"{which}label": label})
-
-
-def _to_photons(energy: ArrayLike) -> NDArray[np.float64]:
-    return np.asarray(energy) * MOL_PER_MJ_PAR
-
-
-def _to_energy(photons: ArrayLike) -> NDArray[np.float64]:
-    return np.asarray(photons) / MOL_PER_MJ_PAR
 
 
 def words(name: str) -> str:
@@ -147,6 +130,11 @@ def organ_color(group: str) -> str:
     """Returns the colour of a group of a mesh that is no leaf: a muted green
     for sheaths and what is as green, grey for the rest."""
     return "#7E9470" if group.startswith("sheath") else "#969696"
+
+
+def ordered(count: int) -> list[str]:
+    """Returns colours for values in their order, from dark to bright."""
+    return [to_hex(color) for color in ranked_colors(count)]
 
 
 def ranked_colors(count: int) -> NDArray[np.float64]:

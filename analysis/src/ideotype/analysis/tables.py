@@ -4,9 +4,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import replace
-
-import numpy as np
 
 from .blocks import Block, Note, Table
 from .case import Case
@@ -17,32 +14,45 @@ from .file import HistoryError
 from .interval import Interval, interval
 from .style import axis_label, unit_label
 
+_MOST = 6
+"""The number of cases that a remark names."""
+
 UNKNOWN = "–"
 """The text of a cell without a figure."""
 
 _GAINS = (
-    *("case", "seeds", "baseline", "best", "gain", "gain [%]"),
+    *("case", "searches", "gain [%]", "by search [%]", "baseline", "best"),
     *("LAI baseline", "LAI best", "gain per leaf area [%]"),
-    *("over elite [%]", "left to the ceiling [%]"),
 )
+_ELITE = "over elite [%]"
+_CEILING = "left to the ceiling [%]"
 
 
 def gains(cases: Sequence[Case], cross: Cross | None) -> list[Block]:
     """Tells what each case gains, and what should be known about it."""
-    rows = [_gain_row(case, cross) for case in cases]
+    columns = {
+        _ELITE: [_over_elite(case, cross) for case in cases],
+        _CEILING: [_room(case) for case in cases],
+    }
+    shown = [x for x, cells in columns.items() if {*cells} != {UNKNOWN}]
+    rows = [
+        [*_gain_row(case), *(columns[name][i] for name in shown)]
+        for i, case in enumerate(cases)
+    ]
     blocks: list[Block] = [
         Table(
-            _GAINS,
+            (*_GAINS, *shown),
             rows,
-            f"Means over seeds ± half of the interval{_held(cases)}, in "
-            f"{_unit(cases)}, of plants evaluated again after the evolution.",
+            f"Gains are means of searches{held(cases)}. Baseline and best are "
+            f"the plants of the best search, evaluated again after it, in "
+            f"{_unit(cases)}.",
         )
     ]
     blocks += [Note(text) for text in _remarks(cases, cross)]
     return blocks
 
 
-def _held(cases: Sequence[Case]) -> str:
+def held(cases: Sequence[Case]) -> str:
     told = intervals_of(cases)
     return f" ({told})" if told else ""
 
@@ -73,29 +83,34 @@ def _unit(cases: Sequence[Case]) -> str:
     return " or ".join(sorted(map(unit_label, units))) or "no unit yet"
 
 
-def _gain_row(case: Case, cross: Cross | None) -> list[str]:
-    seeds = str(len(case.histories))
+def _gain_row(case: Case) -> list[str]:
+    searches = str(len(case.histories))
     if not case.pairs:
-        return [case.name, seeds, *[UNKNOWN] * (len(_GAINS) - 2)]
-    elite = cross.relative_gain(case, ELITE) if cross else None
+        return [case.name, searches, *[UNKNOWN] * (len(_GAINS) - 2)]
+    gains = [pair.gain.mean for pair in case.pairs]
+    alone = f"{gains[0]:.1f}"
     return [
         case.name,
-        seeds,
-        _bare(case.mean("baseline")),
-        _bare(case.mean("best")),
-        _bare(case.gain()),
-        _bare(case.relative_gain()),
+        searches,
+        bare(case.relative_gain()),
+        f"{min(gains):.1f} .. {max(gains):.1f}" if len(gains) > 1 else alone,
+        case.baseline.objective.interval_text().replace(" ", "\u00a0"),
+        case.best.objective.interval_text().replace(" ", "\u00a0"),
         _known(lambda: _lai(case, "baseline")),
         _known(lambda: _lai(case, "best")),
-        _known(lambda: _bare(case.gain_per_leaf_area())),
-        _bare(elite) if elite else UNKNOWN,
-        _known(lambda: _room(case)),
+        _known(lambda: bare(case.gain_per_leaf_area())),
     ]
 
 
-def _bare(figure: Interval) -> str:
+def _over_elite(case: Case, cross: Cross | None) -> str:
+    gain = cross.relative_gain(case, ELITE) if cross and case.pairs else None
+    return bare(gain) if gain else UNKNOWN
+
+
+def bare(figure: Interval) -> str:
     # The browser keeps this on one line.
-    return figure.number().replace(" ", "\u00a0")
+    text = figure.number().replace(" ", "\u00a0")
+    return text.replace("-", "\N{MINUS SIGN}")
 
 
 def _known(cell: Callable[[], str]) -> str:
@@ -107,16 +122,16 @@ def _known(cell: Callable[[], str]) -> str:
 
 
 def _lai(case: Case, who: str) -> str:
-    lai = case.mean(who, "lai")
-    # It is exact for a single plant: seeds give it a scatter, nothing else.
-    return _bare(lai) if lai.half_width > 1e-9 else f"{lai.mean:.2f}"
+    return f"{getattr(case, who).estimate('lai').mean:.2f}"
 
 
 def _room(case: Case) -> str:
-    room = case.headroom()
+    try:
+        room = case.headroom()
+    except HistoryError:
+        return UNKNOWN
     ceiling = room.mean + case.best.objective.mean
-    error = 196 * room.standard_error / ceiling
-    return f"{100 * room.mean / ceiling:.2f}\u00a0±\u00a0{error:.2f}"
+    return room.scaled(100 / ceiling, "%").interval_text()
 
 
 def _remarks(cases: Sequence[Case], cross: Cross | None) -> list[str]:
@@ -126,18 +141,12 @@ def _remarks(cases: Sequence[Case], cross: Cross | None) -> list[str]:
         "seed is the latter. Standard errors of gains over the baseline are "
         "paired: baseline and best share random numbers, and are compared "
         "randomisation by randomisation.",
-        "LAI is the one-sided leaf area per ground area, which is known "
-        "without error; the gain per leaf area is that in absorbed PAR per "
+        "LAI is the one-sided leaf area per ground area; the gain per leaf area is that in absorbed PAR per "
         "one-sided leaf area.",
         "The ceiling is what leaves would absorb if other organs and soil "
         "took nothing: incident light less what the best plant's canopy reflects.",
     ]
-    if cross is None or ELITE not in cross.plants:
-        remarks.append(
-            "The gain over the elite plant is not known: it needs a "
-            f"cross-evaluation (--cross) with a plant called {ELITE}."
-        )
-    else:
+    if cross and ELITE in cross.plants:
         remarks.append(
             "The error of the gain over the elite plant takes both as "
             "independent: a cross-evaluation has random numbers of its own."
@@ -147,8 +156,16 @@ def _remarks(cases: Sequence[Case], cross: Cross | None) -> list[str]:
         for remark in _case_remarks(case, cross):
             named.setdefault(remark, []).append(case.name)
     return remarks + [
-        f"{remark}: {', '.join(names)}." for remark, names in named.items()
+        f"{remark}: {_named(names, len(cases))}."
+        for remark, names in named.items()
     ]
+
+
+def _named(names: Sequence[str], cases: int) -> str:
+    if len(names) == cases > 1:
+        return "all cases"
+    more = f" and {len(names) - _MOST} others" if len(names) > _MOST else ""
+    return ", ".join(names[:_MOST]) + more
 
 
 def _case_remarks(case: Case, cross: Cross | None) -> Iterator[str]:
@@ -234,31 +251,6 @@ def _among(case: Case, who: str) -> str:
     return told
 
 
-def organs(cases: Sequence[Case]) -> list[Table]:
-    """Tells what organs other than leaves take, where histories have it."""
-    plants = [
-        (f"{case.name} {who}", case.light_by_organ(who))
-        for case in cases
-        if case.pairs
-        for who in ("baseline", "best")
-    ]
-    names = list(dict.fromkeys(name for _, parts in plants for name in parts))
-    if names == ["stalk"]:
-        return []
-    rows = [
-        [plant, *(_percent(parts.get(name)) for name in names)]
-        for plant, parts in plants
-    ]
-    return [
-        Table(
-            ("plant", *(name.replace("_", " ") for name in names)),
-            rows,
-            "PAR that organs other than leaves absorb, in % of the incident: "
-            f"means over seeds ± half of the interval{_held(cases)}.",
-        )
-    ]
-
-
 def scenarios(cases: Sequence[Case]) -> list[Table]:
     """Returns each objective in every scenario that it is taken over."""
     found: dict[str, list[list[str]]] = {}
@@ -275,40 +267,15 @@ def scenarios(cases: Sequence[Case]) -> list[Table]:
             labels = case.best.profile(objective.name).labels
             for label, was, now in zip(labels, baseline, best):
                 gains = [*map(relative_gain, now, was)]
-                cells = [_bare(interval(each)) for each in (was, now, gains)]
+                cells = [bare(interval(each)) for each in (was, now, gains)]
                 rows.append([f"{case.name}: {label}", *cells])
     return [
         Table(
             ("case: scenario", "baseline", "best", "gain [%]"),
             rows,
             f"{title[0].upper()}{title[1:]}: means over seeds ± half of the "
-            f"interval{_held(cases)}; that of gains takes baseline and best "
+            f"interval{held(cases)}; that of gains takes baseline and best "
             "as independent.",
         )
         for title, rows in found.items()
     ]
-
-
-def _percent(share: Interval | None) -> str:
-    if share is None:
-        return UNKNOWN
-    half_width = 100 * share.half_width
-    return _bare(replace(share, mean=100 * share.mean, half_width=half_width))
-
-
-def balance(cases: Sequence[Case]) -> Note:
-    """Tells how well the energy balance closes."""
-    errors = [
-        abs(pair_member.estimate("balance_error").mean)
-        for case in cases
-        for pair in case.pairs
-        for pair_member in (pair.baseline, pair.best)
-        if "balance_error" in pair_member.row.quantities
-    ]
-    if not errors:
-        return Note("The histories do not say how well the balance closes.")
-    return Note(
-        "Leaves, other organs, soil and reflected light add up to the light "
-        "that enters; the largest deviation of all plants shown is "
-        f"{np.max(errors):.1g} of it."
-    )

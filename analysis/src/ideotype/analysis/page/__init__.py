@@ -22,6 +22,9 @@ def render(title: str, subtitle: str, sections: Sequence[Section]) -> str:
         lstrip_blocks=True,
     )
     environment.tests["a"] = lambda block, kind: type(block).__name__ == kind
+    environment.tests["aside"] = lambda block: getattr(
+        block, "is_aside", False
+    )
     template = environment.from_string(_text("page.html"))
     return template.render(
         title=title,

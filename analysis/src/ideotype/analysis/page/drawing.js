@@ -22,8 +22,8 @@ function colorAt(part) {
 }
 
 // Of the values of the plants shown, so that their colours compare.
-function rangeOf(quantity, shown) {
-  const all = shown.flatMap((i) => quantity.values[i])
+function rangeOf(shown) {
+  const all = shown.flatMap(({ values }) => values)
     .filter((v) => v !== null);
   return all.length ? [Math.min(...all), Math.max(...all)] : [0, 1];
 }
@@ -69,9 +69,11 @@ function unpack(scene) {
   }
 }
 
-// Scale and size of `count` plants side by side, the same for all of a case:
+// Scale and size of plants side by side, the same for all of their cases:
 // `reach` is the ground's radius [m].
-function frame({ plants }, count, places, width, height) {
+function frame(shown, places, width, height) {
+  const plants = shown.flatMap(({ of }) => of.plants);
+  const count = shown.length;
   const tall = Math.max(...plants.map((plant) => plant.tall));
   const wide = Math.max(...plants.map((plant) => plant.wide));
   const far = Math.max(...places.map((p) => Math.hypot(...p)));
@@ -160,10 +162,10 @@ function rasterOf(canvas, width, height) {
   return last;
 }
 
-// Draws the plants of these numbers. Returns how many of their faces were
-// drawn, the pixels of a metre, and the length of the scale.
-function drawScene(canvas, chosen, shown, quantity, view, hasNeighbours) {
-  const plants = shown.map((i) => chosen.plants[i]);
+// Draws plants beside each other, each with its case and the values of its
+// groups. Returns how many of their faces were drawn, the pixels of a metre,
+// and the length of the scale.
+function drawScene(canvas, shown, view, hasNeighbours) {
   const [width, height] = [canvas.clientWidth, canvas.clientHeight];
   // two pixels a point have smooth edges; too many are slow to turn
   const dense = Math.min(
@@ -173,17 +175,22 @@ function drawScene(canvas, chosen, shown, quantity, view, hasNeighbours) {
     canvas, Math.round(width * dense), Math.round(height * dense));
   // kept in memory, where the raster is too
   const context = canvas.getContext("2d", { willReadFrequently: true });
-  const places = [[0, 0], ...(hasNeighbours ? chosen.neighbours : [])];
-  const { tall, reach, fit } = frame(chosen, shown.length, places, width, height);
+  const placesOf = ({ neighbours }) =>
+    [[0, 0], ...(hasNeighbours ? neighbours : [])];
+  const every = shown.flatMap(({ of }) => placesOf(of));
+  const { tall, reach, fit } = frame(shown, every, width, height);
   const scale = fit * view.zoom;
   const look = camera(view);
-  const ground = groundOf(reach, chosen.row_direction, places);
   const panel = width / shown.length;
   const [s, c] = [Math.sin(view.tilt), Math.cos(view.tilt)];
   const middle = c * tall / 2 - s * c * reach / 2;
-  const [low, high] = rangeOf(quantity, shown);
+  const [low, high] = rangeOf(shown);
   const labels = [];
-  plants.forEach((plant, index) => {
+  let faces = 0;
+  shown.forEach(({ of, plant, values }, index) => {
+    const places = placesOf(of);
+    const ground = groundOf(reach, of.row_direction, places);
+    faces += plant.faces.length * places.length;
     const onScreen = (point) => {
       const [across, up, away] = look(point);
       return [
@@ -195,7 +202,7 @@ function drawScene(canvas, chosen, shown, quantity, view, hasNeighbours) {
     for (const [corners, color] of ground.faces)
       raster.fill(corners.map(onScreen), [0, 0, 0], color, columns);
     const origin = onScreen([0, 0, 0]);
-    const colors = quantity.values[shown[index]].map((value, i) => value === null
+    const colors = values.map((value, i) => value === null
       ? plant.colors[i] : colorAt((value - low) / (high - low || 1)));
     paintPlant(raster, plant, colors, {
       seen: plant.vertices.map(look),
@@ -217,6 +224,5 @@ function drawScene(canvas, chosen, shown, quantity, view, hasNeighbours) {
   context.textAlign = "center";
   for (const label of labels) drawLabel(context, ...label);
   const metres = drawScale(context, scale, panel, height);
-  const faces = plants.reduce((sum, p) => sum + p.faces.length, 0);
-  return { faces: faces * places.length, scale, metres };
+  return { faces, scale, metres };
 }

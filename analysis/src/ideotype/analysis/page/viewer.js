@@ -4,45 +4,67 @@ const scene = JSON.parse(document.getElementById("scene").textContent);
 unpack(scene);
 const part = (name) => document.getElementById(`view${name}`);
 const canvas = part("");
-const [caseList, quantityList] = [part("-case"), part("-quantity")];
+const quantityList = part("-quantity");
+const sides = [part("-left"), part("-right")];
 const pairList = part("-pair");
 const neighbours = part("-neighbours");
 const view = { ...START };
 let member = 0;
 const chart = new Chart(part("-chart"), (i) => {
   member = i;
+  chooseMember();
   drawAll();
 });
 
-const chosenCase = () => scene.cases[caseList.selectedIndex];
+// What lists of plants choose: a case and a plant of it.
+const entries = scene.cases.flatMap((each, i) =>
+  each.plants.map((plant, k) => ({ of: each, case: i, plant: k })));
+const chosen = (side) => entries[sides[side].selectedIndex];
+// The front, if any, is that of the plant on the right.
+const frontOf = () =>
+  (chosen(1)?.of ?? scene.cases.find((each) => each.front))?.front;
 
 function fill(list, labels) {
   list.replaceChildren(
     ...labels.map((label, i) => new Option(label, String(i))));
 }
 
+function fillPlants(list) {
+  const groups = scene.cases.map((each) => {
+    const group = document.createElement("optgroup");
+    group.label = each.name;
+    group.append(...each.plants.map((plant) => new Option(plant.title)));
+    return group;
+  });
+  list.replaceChildren(...groups);
+}
+
 function draw() {
-  const chosen = chosenCase();
-  if (!chosen.plants.length) return;
-  const shown = [0, chosen.front ? 1 + member : 1];
-  const quantity = chosen.quantities[quantityList.selectedIndex];
-  const drawn =
-    drawScene(canvas, chosen, shown, quantity, view, neighbours.checked);
+  if (!entries.length) return;
+  const place = quantityList.selectedIndex;
+  const shown = [0, 1].map((side) => {
+    const { of, plant } = chosen(side);
+    const quantity = of.quantities[Math.min(place, of.quantities.length - 1)];
+    return { of, plant: of.plants[plant], values: quantity.values[plant] };
+  });
+  const drawn = drawScene(canvas, shown, view, neighbours.checked);
   Object.assign(canvas.dataset, drawn);
-  part("-titles").replaceChildren(...shown.map((i) => {
+  const isOneCase = shown[0].of === shown[1].of;
+  part("-titles").replaceChildren(...shown.map(({ of, plant }) => {
     const title = document.createElement("span");
-    title.textContent = chosen.plants[i].title;
+    title.textContent = isOneCase ? plant.title : `${of.name}, ${plant.title}`;
     return title;
   }));
-  const [low, high] = rangeOf(quantity, shown);
-  part("-low").textContent = low.toPrecision(3);
-  part("-high").textContent = high.toPrecision(3);
-  part("-bar").textContent = `absorbed PAR ${quantity.label}`;
+  const [low, high] = rangeOf(shown);
+  part("-low").textContent = low.toPrecision(2);
+  part("-high").textContent = high.toPrecision(2);
+  part("-bar").textContent =
+    `absorbed PAR ${quantityList.selectedOptions[0]?.text ?? ""}`;
 }
 
 // The chart, and the numbers of the chosen member.
 function drawFront() {
-  const { front } = chosenCase();
+  const front = frontOf();
   if (!front) return;
   chart.show(front, ...pairsOf(front)[pairList.selectedIndex], member);
   part("-tables").replaceChildren(...tablesOf(front, front.members[member]));
@@ -53,24 +75,34 @@ function drawAll() {
   draw();
 }
 
-function chooseCase() {
-  const { front, plants, quantities, neighbours: others } = chosenCase();
+// Shows the chosen member of the front on the right.
+function chooseMember() {
+  const own = chosen(1)?.case;
+  const found = entries.findIndex(
+    (each) => each.case === own && each.plant === member + 1);
+  if (found >= 0) sides[1].selectedIndex = found;
+}
+
+function choose() {
+  const front = frontOf();
   part("-panel").classList.toggle("has-front", Boolean(front));
-  part("-plant").hidden = !plants.length;
-  part("-missing").hidden = plants.length > 0;
+  part("-plant").hidden = !entries.length;
+  part("-missing").hidden = entries.length > 0;
   pairList.parentElement.hidden = !front || front.axes.length < 3;
   if (front) {
     fill(pairList, pairsOf(front).map((pair) =>
       pair.map((k) => front.axes[k].name).join(", ")));
-    member = front.first;
+    const plant = chosen(1)?.plant ?? 0;
+    member = plant > 0 ? plant - 1 : front.first;
     part("-told").textContent = front.told;
     part("-seeds").hidden = front.seeds < 2;
   }
-  if (plants.length) {
+  if (entries.length) {
+    const { of } = chosen(1);
     const kept = Math.max(quantityList.selectedIndex, 0);
-    fill(quantityList, quantities.map((q) => q.label));
-    quantityList.selectedIndex = Math.min(kept, quantities.length - 1);
-    neighbours.disabled = !others.length;
+    fill(quantityList, of.quantities.map((q) => q.label));
+    quantityList.selectedIndex = Math.min(kept, of.quantities.length - 1);
+    neighbours.disabled = !of.neighbours.length;
   }
   drawAll();
 }
@@ -140,12 +172,16 @@ canvas.addEventListener("keydown", (event) => {
 });
 for (const button of document.querySelectorAll("button[data-view]"))
   button.addEventListener("click", () => actions[button.dataset.view]());
-caseList.addEventListener("change", chooseCase);
+for (const list of sides) list.addEventListener("change", choose);
 pairList.addEventListener("change", drawFront);
 quantityList.addEventListener("change", draw);
 neighbours.addEventListener("change", draw);
 window.addEventListener("resize", drawAll);
 const ramp = STOPS.map((color) => `rgb(${color.join()})`).join();
 part("-ramp").style.background = `linear-gradient(to right, ${ramp})`;
-fill(caseList, scene.cases.map((each) => each.name));
-chooseCase();
+for (const list of sides) fillPlants(list);
+if (entries.length > 1) {
+  sides[0].selectedIndex = 0;
+  sides[1].selectedIndex = 1 + (entries[0].of.front?.first ?? 0);
+}
+choose();

@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A bar on a terminal that tells how far something has come."""
+
+from __future__ import annotations
+
+import shutil
+import sys
+import time
+from threading import Lock
+from typing import Self, TextIO
+
+
+class Progress:
+    """A bar that fits the width of the terminal, and is gone at the end.
+    Nothing is written where there is no terminal."""
+
+    def __init__(self, what: str, stream: TextIO | None = None) -> None:
+        """`what` is the verb of a step that is done, such as "drawn"."""
+        self._what = what
+        self._stream = stream or sys.stderr
+        self._is_shown = self._stream.isatty()
+        self._started = time.monotonic()
+        self._lock = Lock()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._write("")
+
+    def tell(self, done: int, count: int, about: str = "") -> None:
+        """Shows that so many of `count` steps are done."""
+        spent = time.monotonic() - self._started
+        left = spent / done * (count - done) if done else 0
+        self._write(
+            bar(
+                done, count, f"{done} of {count} {self._what}", left, about,
+                shutil.get_terminal_size().columns - 1,
+            )
+        )  # fmt: skip
+
+    def _write(self, text: str) -> None:
+        if not self._is_shown:
+            return
+        with self._lock:
+            self._stream.write(f"\r\x1b[K{text}")
+            self._stream.flush()
+
+
+def bar(
+    done: int, count: int, words: str, left: float, about: str, columns: int
+) -> str:
+    """Returns a line of at most so many columns: a bar, words, the seconds
+    that are left, and what is being done; the latter give way first."""
+    if left >= 1:
+        words += f", {int(left) // 60}:{int(left) % 60:02} left"
+    whole = f"{words}  {about}" if about else words
+    told = whole if len(whole) + 12 <= columns else words
+    width = min(columns - len(told) - 3, 40)
+    if width < 5:
+        return told[:columns]
+    full = round(width * done / max(count, 1))
+    return f"[{'#' * full}{'.' * (width - full)}] {told}"

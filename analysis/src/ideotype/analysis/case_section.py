@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The part of a report about a single case."""
+
+from __future__ import annotations
+
+from functools import partial
+
+from matplotlib.figure import Figure
+
+import ideotype
+
+from .._errors import Error
+from .blocks import Note, Section
+from .case import Case
+from .case_figures import figures_of
+from .field import draw_field
+from .file import HistoryError
+from .front_plants import draw_front_plants
+from .importance import changes_of, draw_importance
+from .scene import Plants, build_plants
+from .season_figures import DAY, chosen_stages, draw_stages, stages
+
+_FIELD = (
+    "At eye height, 1.6 m, and from above. Leaves have the colour of the PAR "
+    "that they absorb over the day per area of leaf, as a mean over the leaf, "
+    "shaded a little; other organs are dull green or grey. Plants are alike "
+    "and turned at random."
+)
+_ALONG = (
+    "The baseline, and plants at equal steps along the front in the order of "
+    "the first objective, from the side at one scale."
+)
+
+
+def plants_of(case: Case) -> Plants | Note:
+    """Returns the shapes of baseline and best, or why they are not known."""
+    try:
+        return build_plants(case)
+    except Error as reason:
+        return Note(f"Plants: not drawn, {reason}.")
+
+
+def section_of(case: Case, plants: Plants | Note) -> Section:
+    section = Section(case.name, is_folded=True)
+    if isinstance(plants, Note):
+        section.blocks.append(plants)
+    else:
+        if case.fronts:
+            section.draw(
+                f"{case.name}_front_plants",
+                "How do plants change along the front?",
+                _ALONG,
+                partial(
+                    draw_front_plants, case, plants.baseline, plants.members
+                ),
+            )
+        section.draw(
+            f"{case.name}_field",
+            "How does the bred field look, and which leaves get the light?",
+            _FIELD,
+            partial(draw_field, case, plants.baseline, plants.best),
+        )
+    section.draw(
+        f"{case.name}_importance",
+        "Which traits make the gain, and which must be right?",
+        "The best plant with one trait changed, evaluated in the same fields "
+        "and light as the best plant itself; the interval is that of pairs.",
+        partial(_draw_importance, case),
+    )
+    if case.pairs and DAY in case.best.row.quantities:
+        section.draw(
+            f"{case.name}_stages",
+            "How do the plants grow and age?",
+            "From the side, at one scale.",
+            partial(_draw_stages, case),
+        )
+    for name, (draw, question, caption) in figures_of(case).items():
+        section.draw(
+            f"{case.name}_{name}", question, caption, partial(draw, case)
+        )
+    return section
+
+
+def _draw_importance(case: Case) -> Figure:
+    """Draws which traits matter.
+
+    Raises HistoryError if plants cannot be evaluated here."""
+    case.need_pairs()
+    try:
+        changes = changes_of(case)
+    except Error as reason:
+        raise HistoryError(str(reason)) from reason
+    return draw_importance(case, changes)
+
+
+def _draw_stages(case: Case) -> Figure:
+    """Draws baseline and best at each stage.
+
+    Raises HistoryError if their shapes are not known."""
+    times = stages(case).labels
+    try:
+        stand = ideotype.Stand.from_history(
+            case.best_history.path, same_isa=False
+        )
+        plants = [
+            (
+                name,
+                [
+                    stand.mesh(plant.row.genome[0], 0, float(times[k]))
+                    for k in chosen_stages(len(times))
+                ],
+            )
+            for name, plant in (
+                ("baseline", case.baseline), ("best", case.best),
+            )
+        ]  # fmt: skip
+    except Error as reason:
+        raise HistoryError(str(reason)) from reason
+    return draw_stages(case, plants)

@@ -1,0 +1,157 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Takes from a figure the numbers that it shows."""
+
+from __future__ import annotations
+
+import csv
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.container import BarContainer, ErrorbarContainer
+from matplotlib.figure import Figure
+from matplotlib.ticker import FixedLocator
+from numpy.typing import NDArray
+
+HEADER = ("panel", "series", "x", "y", "x_half_width", "y_half_width")
+
+
+def write_numbers(figure: Figure, path: Path) -> None:
+    """Writes the numbers of a figure as CSV, a line for each point, bar or
+    cell of a map; half widths are those of error bars."""
+    with path.open("w", newline="", encoding="utf-8") as file:
+        writer = csv.writer(file)
+        writer.writerow(HEADER)
+        for panel, axes in enumerate(figure.axes, start=1):
+            title = _panel(axes) or str(panel)
+            for series, line in _lines(axes):
+                writer.writerow((title, series, *map(_text, line)))
+
+
+def _panel(axes: Axes) -> str:
+    words = (axes.get_title(), axes.get_ylabel(), axes.get_xlabel())
+    return " | ".join(word.replace("\n", " ") for word in words if word)
+
+
+def _text(value: Any) -> str:
+    if isinstance(value, str):
+        return value
+    return "" if np.isnan(value) else f"{value:.7g}"
+
+
+def _lines(axes: Axes) -> Iterator[tuple[str, tuple[Any, ...]]]:
+    """Returns the name of a series, and x, y and their half widths."""
+    inside: set[int] = set()
+    for group in axes.containers:
+        parts = (x for x in group if x is not None)
+        for part in parts:
+            inside |= {
+                id(x) for x in (part if isinstance(part, tuple) else (part,))
+            }
+        if isinstance(group, ErrorbarContainer):
+            yield from _errorbars(axes, group)
+        elif isinstance(group, BarContainer):
+            yield from _bars(axes, group)
+    for line in axes.lines:
+        label = str(line.get_label())
+        if id(line) not in inside and not label.startswith("_"):
+            for x, y in zip(*_numbers(line.get_data()), strict=True):
+                yield (
+                    label,
+                    (_named(axes, "x", x), _named(axes, "y", y), "", ""),
+                )
+    for image in axes.images:
+        array: NDArray[Any] = np.ma.filled(
+            np.ma.asarray(image.get_array(), float), np.nan
+        )
+        if array.ndim == 2 and image.get_gid() != "painted":
+            for (i, j), value in np.ndenumerate(array):
+                if not np.isnan(value):
+                    place = f"{_named(axes, 'x', j)}, {_named(axes, 'y', i)}"
+                    yield place, (value, "", "", "")
+
+
+def _errorbars(
+    axes: Axes, group: ErrorbarContainer
+) -> Iterator[tuple[str, tuple[Any, ...]]]:
+    line, _, collections = group.lines
+    if line is None:
+        return
+    halves: dict[str, list[float]] = {"x": [], "y": []}
+    names = [x for x in "xy" if getattr(group, f"has_{x}err")]
+    for name, bars in zip(names, collections, strict=False):
+        axis = 0 if name == "x" else 1
+        halves[name] = [
+            float(np.ptp(np.asarray(segment)[:, axis])) / 2
+            if len(segment)
+            else np.nan
+            for segment in bars.get_segments()
+        ]
+    x, y = _numbers(line.get_data())
+    for i in range(len(x)):
+        errors = [
+            each[i] if each and i < len(each) else ""
+            for each in halves.values()
+        ]
+        yield _label(group, line), (
+            _named(axes, "x", x[i]), _named(axes, "y", y[i]), *errors,
+        )  # fmt: skip
+
+
+def _bars(
+    axes: Axes, group: BarContainer
+) -> Iterator[tuple[str, tuple[Any, ...]]]:
+    for bar in group.patches:
+        x, y, width, height = (
+            bar.get_x(), bar.get_y(), bar.get_width(), bar.get_height(),
+        )  # fmt: skip
+        if group.orientation == "horizontal":
+            at = width, _named(axes, "y", y + height / 2)
+        else:
+            at = _named(axes, "x", x + width / 2), height
+        yield str(group.get_label()), (*at, "", "")
+
+
+def _label(group: Any, line: Any) -> str:
+    for each in (group, line):
+        if (label := str(each.get_label())) and not label.startswith("_"):
+            return label
+    return ""
+
+
+def _numbers(data: Any) -> list[NDArray[np.float64]]:
+    """Returns numbers, dates as days."""
+    found = []
+    for values in data:
+        array = np.asarray(values)
+        if np.issubdtype(array.dtype, np.datetime64):
+            array = array.astype("datetime64[D]").astype(float)
+        found.append(np.atleast_1d(np.asarray(array, float)))
+    return found
+
+
+def _named(axes: Axes, which: str, value: float) -> Any:
+    """Returns the text of the tick at a place where ticks are words, the date
+    of a day, or the number."""
+    axis = getattr(axes, f"{which}axis")
+    if isinstance(axis.get_major_locator(), FixedLocator):
+        ticks = axis.get_major_locator().locs
+        labels = axis.get_major_formatter().format_ticks(ticks)
+        if len(ticks):
+            near = int(np.argmin(np.abs(np.asarray(ticks) - value)))
+            is_word = labels[near] and not _is_number(labels[near])
+            if is_word and abs(ticks[near] - value) < 0.45:
+                return labels[near].replace("\n", " ")
+    if "Date" in type(axis.get_converter()).__name__:
+        return str(np.datetime64(round(value), "D"))
+    return float(value)
+
+
+def _is_number(text: str) -> bool:
+    try:
+        float(text.replace("\N{MINUS SIGN}", "-"))
+    except ValueError:
+        return False
+    return True

@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Tells what organs other than leaves absorb, and how well light adds up."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from .blocks import Note, Table
+from .case import Case
+from .interval import Interval
+from .tables import UNKNOWN, bare, held
+
+
+def organs(cases: Sequence[Case]) -> list[Table]:
+    """Tells what organs other than leaves take, where histories have it."""
+    plants = [
+        (f"{case.name} {who}", case.light_by_organ(who))
+        for case in cases
+        if case.pairs
+        for who in ("baseline", "best")
+    ]
+    names = list(dict.fromkeys(name for _, parts in plants for name in parts))
+    if names == ["stalk"]:
+        return []
+    rows = [
+        [plant, *(_percent(parts.get(name)) for name in names)]
+        for plant, parts in plants
+    ]
+    return [
+        Table(
+            ("plant", *(name.replace("_", " ") for name in names)),
+            rows,
+            "PAR that organs other than leaves absorb, in % of the incident: "
+            f"means over seeds ± half of the interval{held(cases)}.",
+        )
+    ]
+
+
+def _percent(share: Interval | None) -> str:
+    if share is None:
+        return UNKNOWN
+    half_width = 100 * share.half_width
+    return bare(replace(share, mean=100 * share.mean, half_width=half_width))
+
+
+def balance(cases: Sequence[Case]) -> Note:
+    """Tells how well the energy balance closes."""
+    errors = [
+        abs(pair_member.estimate("balance_error").mean)
+        for case in cases
+        for pair in case.pairs
+        for pair_member in (pair.baseline, pair.best)
+        if "balance_error" in pair_member.row.quantities
+    ]
+    if not errors:
+        return Note("The histories do not say how well the balance closes.")
+    return Note(
+        "Leaves, other organs, soil and reflected light add up to the light "
+        "that enters; the largest deviation of all plants shown is "
+        f"{np.max(errors):.1g} of it."
+    )

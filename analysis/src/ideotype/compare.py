@@ -1,0 +1,229 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The verb `ideotype compare`."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import ideotype._core as _core
+
+from ._compared import Comparison, Plant, Quantity, compare_plants
+from ._compared_text import page_of
+from ._errors import Error, InputError, printable_lines
+from ._progress import Progress
+from .analysis.file import HistoryError
+
+
+def cases_of(
+    campaign: Path, settings: Sequence[str]
+) -> list[tuple[str, _core.CaseStand, int | None]]:
+    """Returns the stand of each case of a campaign, its replicates put
+    together, or of each of its scenarios."""
+    found: list[tuple[str, _core.CaseStand, int | None]] = []
+    for index, (_, replicate) in enumerate(
+        _core.case_names(str(campaign), list(settings))
+    ):
+        if replicate > 1:
+            continue
+        stand = _core.CaseStand.from_file(
+            str(campaign), index, list(settings), ""
+        )
+        names = stand.scenarios
+        for place, scenario in enumerate(names):
+            own = scenario.rpartition("_r")[0]
+            found.append((own, stand, place))
+    return found
+
+
+def to_json(found: Comparison, seed: int) -> dict[str, Any]:
+    """Returns what the schema `compare.schema.json` describes."""
+    objective = found.objective
+    plants, cases = range(len(found.plants)), range(len(found.cases))
+    draws = [
+        [found.numbers[p, c][objective.name, 0].draws.tolist() for c in cases]
+        for p in plants
+    ]
+    profiles = {
+        each.name: {
+            "unit": each.unit,
+            "axis": each.axis,
+            "axis_unit": "m" if each.axis == "layer" else "1",
+            "coordinates": list(each.coordinates),
+            **_matrices(found, each),
+        }
+        for each in found.quantities
+        if each.axis
+    }
+    numbers = {
+        each.name: {"unit": each.unit, **_matrices(found, each)}
+        for each in found.quantities
+        if not each.axis
+    }
+    return {
+        "objective": objective.name,
+        "unit": objective.unit,
+        "seed": seed,
+        "plants": list(found.plants),
+        "cases": list(found.cases),
+        **_matrices(found, objective),
+        "by_randomisation": draws,
+        "quantities": numbers,
+        "profiles": profiles,
+    }
+
+
+def _matrices(found: Comparison, quantity: Quantity) -> dict[str, Any]:
+    """Returns means and standard errors by plant and case, of profiles by
+    place too, and the same of differences from the first plant."""
+
+    def matrix(take: Any, what: str) -> list[list[Any]]:
+        return [
+            [
+                _entry(take, p, c, quantity, what)
+                for c in range(len(found.cases))
+            ]
+            for p in range(len(found.plants))
+        ]
+
+    def both(take: Any) -> dict[str, Any]:
+        return {x: matrix(take, x) for x in ("mean", "standard_error")}
+
+    return {**both(found.value), "difference": both(found.difference)}
+
+
+def _entry(
+    take: Any, plant: int, case: int, quantity: Quantity, what: str
+) -> Any:
+    count = len(quantity.coordinates)
+    places = range(count) if quantity.axis != "leaf" else range(count)[::-1]
+    values = [take(plant, case, (quantity.name, place)) for place in places]
+    numbers = [None if x is None else getattr(x, what) for x in values]
+    return numbers if quantity.axis else numbers[0]
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Compares plants and returns the exit code: 0, 1 if something failed, 2
+    for a wrong command line, 3 for a wrong campaign or plant, 4 for a history
+    that is damaged or a file that exists."""
+    options = _parser().parse_args(arguments)
+    try:
+        if options.csv and options.csv.exists():
+            raise FileExistsError(
+                f"{options.csv}: exists already and is not overwritten"
+            )
+        return _compare(options)
+    except InputError as error:
+        return _fail(3, error)
+    except (HistoryError, FileExistsError) as error:
+        return _fail(4, error)
+    except (Error, OSError, MemoryError) as error:
+        return _fail(1, error)
+
+
+def _fail(code: int, error: Exception) -> int:
+    print(printable_lines(f"ideotype: {error}"), file=sys.stderr)
+    return code
+
+
+def _compare(options: argparse.Namespace) -> int:
+    settings = list(options.set)
+    if options.seed is not None:
+        settings.append(f"seed={options.seed}")
+    stands = cases_of(options.under, settings)
+    first = stands[0][1]
+    plants = [Plant.read(path, first) for path in options.plants]
+    with Progress("evaluated") as progress:
+        found = compare_plants(
+            plants,
+            stands,
+            tolerance=options.tolerance,
+            threads=options.threads,
+            tell=progress.tell,
+        )
+    if options.csv:
+        columns = [x for x in found.table if not x.startswith("percent")]
+        found.table[columns].to_csv(options.csv, index=False, mode="x")
+    if options.json:
+        import tomllib
+
+        seed = int(tomllib.loads(first.resolved)["seed"])
+        print(json.dumps(to_json(found, seed), indent=2))
+    else:
+        print(page_of(found, options.all))
+    return 0
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(
+        prog="ideotype compare",
+        description="Evaluates plants in the same light, as finalists are, and "
+        "tells how each differs from the first, with paired errors.",
+        epilog="example: ideotype compare maize.toml field.csv --under "
+        "campaigns/ames_quick.toml",
+    )
+    add = parser.add_argument
+    add(
+        "plants", nargs="+", metavar="PLANT",
+        help="crop files (.toml), measured plants (.csv), histories (.h5: "
+        "their best plant) and campaigns (.toml: their baseline)",
+    )  # fmt: skip
+    add(
+        "--under", type=Path, required=True, metavar="CAMPAIGN",
+        help="campaign in whose cases all plants are evaluated",
+    )  # fmt: skip
+    add(
+        "--set", action="append", default=[], metavar="KEY=VALUE",
+        help="replaces a key of the campaign",
+    )  # fmt: skip
+    add(
+        "--seed", type=_seed, metavar="N",
+        help="of all random numbers, in the place of the campaign's",
+    )  # fmt: skip
+    add(
+        "--tolerance", type=_tolerance, metavar="X",
+        help="relative standard error of the light that leaves absorb, in the "
+        "place of the campaign's [final]",
+    )  # fmt: skip
+    add(
+        "--threads", type=_threads, metavar="N",
+        default=len(os.sched_getaffinity(0)),
+        help="threads that evaluate (default: one per core)",
+    )  # fmt: skip
+    add("--all", action="store_true", help="print every quantity")
+    add(
+        "--csv", type=Path, metavar="FILE",
+        help="also write every number, those by leaf and layer too, to this "
+        "new file",
+    )  # fmt: skip
+    add("--json", action="store_true", help="print JSON instead of text")
+    return parser
+
+
+def _seed(word: str) -> int:
+    return _within(int(word), 0, 2**63 - 1)
+
+
+def _threads(word: str) -> int:
+    return _within(int(word), 1, 4096)
+
+
+def _tolerance(word: str) -> float:
+    return _within(float(word), 1e-5, 0.05)
+
+
+def _within(value: Any, least: float, most: float) -> Any:
+    if not least <= value <= most:
+        raise argparse.ArgumentTypeError(
+            f"{value} (expected: {least:g} .. {most:g})"
+        )
+    return value
+
+
+if __name__ == "__main__":
+    sys.exit(main())

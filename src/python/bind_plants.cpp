@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <optional>
+
+#include <fmt/format.h>
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/unique_ptr.h>
+#include <nanobind/stl/vector.h>
+
+#include "arrays.hpp"
+#include "bindings.hpp"
+#include "campaign/stages.hpp"
+#include "ideotype/core/error.hpp"
+#include "ideotype/crop/measures.hpp"
+#include "stand.hpp"
+
+namespace ideotype::python {
+
+namespace nb = nanobind;
+
+namespace {
+
+//! The plant of the campaign's crop, and those of components that are bred.
+struct AnyPlants {
+    Plants plants;
+};
+
+AnyPlants read_plants(const CaseStand& under, const std::string& path) {
+    return {{read_crop(path, &under.campaign().crop.baseline).baseline}};
+}
+
+AnyPlants grown_plants(const CaseStand& stand, const Input<double, 1>& genome) {
+    return {grow(stand.campaign(), to_vector(genome))};
+}
+
+//! Returns how high a leaf of any of these plants can reach [m].
+double reach_of(const AnyPlants& each) {
+    double top = 0;
+    for (const Plant& plant : each.plants)
+        for (const Leaf& leaf : plant.leaves)
+            top = std::max(top, furthest(plant, leaf));
+    return top;
+}
+
+//! Name, unit and number of each measure of the leaves of a plant, the lowest
+//! leaf first; those that need not be told are left out where all are 0.
+nb::list leaves_of(const AnyPlants& each, std::size_t component) {
+    const std::vector<Leaf>& leaves = each.plants.at(component).leaves;
+    nb::list list;
+    for (std::size_t m = 0; m < leaf_measures.size(); ++m) {
+        std::vector<double> values;
+        for (const Leaf& leaf : leaves)
+            values.push_back(leaf.*leaf_measures[m].value);
+        if (m < usual_leaf_measures ||
+            std::ranges::any_of(values, [](double x) { return x != 0; }))
+            list.append(nb::make_tuple(leaf_measures[m].name,
+                                       leaf_measures[m].unit,
+                                       to_array(values, {values.size()})));
+    }
+    return list;
+}
+
+//! Plants of any shape in one case of a campaign, or in one of its scenarios.
+//! Several threads may evaluate.
+class PlantStand {
+  public:
+    //! @param reach no leaf of plants that are compared reaches higher [m]
+    //! @param scenario its place, or nothing: all scenarios together
+    PlantStand(const CaseStand& under, const AnyPlants& any, double reach,
+               std::optional<std::size_t> scenario)
+        : campaign_(with(under.campaign(), any.plants, reach)),
+          chosen_(scenario ? scenarios(under.chosen()).at(*scenario)
+                           : under.chosen()),
+          plants_(any.plants),
+          stand_(campaign_, chosen_),
+          devices_(under.isa()) {
+        stand_.prepare();
+    }
+    PlantStand(const PlantStand&) = delete;
+    PlantStand& operator=(const PlantStand&) = delete;
+
+    const OutcomeSchema& schema() const { return stand_.schema(false); }
+
+    //! The objectives as estimates and by randomisation [objective,
+    //! randomisation], and the same of all numbers of quantities
+    //! [randomisation, number], which are NaN where they are not known so.
+    //! @throws Error if the evaluation fails
+    nb::tuple evaluate(std::uint32_t generation, bool is_final,
+                       std::optional<std::uint64_t> seed,
+                       std::optional<double> tolerance) {
+        RandomisedOutcome found;
+        {
+            const nb::gil_scoped_release released;
+            const Sampling sampling = sampling_of(
+                {generation, is_final, seed, tolerance}, campaign_, chosen_);
+            found = devices_.with([&](const Device& device) {
+                return stand_.evaluate_by_randomisation(plants_, sampling,
+                                                        device);
+            });
+        }
+        const auto& [outcome, by_randomisation] = found;
+        std::vector<double> numbers;
+        for (const std::vector<double>& each : by_randomisation)
+            numbers.insert(numbers.end(), each.begin(), each.end());
+        const std::size_t count = by_randomisation.size();
+        return nb::make_tuple(
+            to_array(outcome.objectives),
+            to_array(outcome.randomisations,
+                     {outcome.objectives.size(), count}),
+            to_array(outcome.quantities),
+            to_array(numbers, {count, outcome.quantities.size()}));
+    }
+
+  private:
+    static Campaign with(Campaign campaign, const Plants& plants,
+                         double reach) {
+        campaign.reach = std::max(campaign.reach, reach);
+        for (std::size_t i = 0; i < plants.size(); ++i) {
+            const Growth* growth = growth_of(campaign, i);
+            const auto most = growth ? growth->leaves : 0;
+            const auto leaves = static_cast<int>(plants[i].leaves.size());
+            if (growth && leaves > most)
+                throw Error(fmt::format(
+                    "{} has {} leaves, more than the {} that plants of this "
+                    "campaign grow (growth.leaves of the crop)",
+                    plants[i].name, leaves, most));
+            Crop& crop =
+                i == 0 ? campaign.crop : campaign.components.at(i - 1).crop;
+            crop.baseline = plants[i];
+        }
+        return campaign;
+    }
+
+    Campaign campaign_;
+    Case chosen_;
+    Plants plants_;
+    Stand stand_;
+    Devices devices_;
+};
+
+}  // namespace
+
+void bind_plants(nb::module_& module) {
+    using Released = nb::call_guard<nb::gil_scoped_release>;
+    module.def("read_plants", &read_plants, nb::arg("under"), nb::arg("path"));
+    module.def("grown_plants", &grown_plants, nb::arg("stand"),
+               nb::arg("genome"));
+    nb::class_<AnyPlants>(module, "Plants")
+        .def_prop_ro("name",
+                     [](const AnyPlants& x) { return x.plants.front().name; })
+        .def_prop_ro("reach", &reach_of)
+        .def("leaves", &leaves_of, nb::arg("component"));
+    nb::class_<PlantStand>(module, "PlantStand")
+        .def(nb::init<const CaseStand&, const AnyPlants&, double,
+                      std::optional<std::size_t>>(),
+             Released(), nb::arg("under"), nb::arg("plants"), nb::arg("reach"),
+             nb::arg("scenario").none())
+        .def_prop_ro(
+            "objectives",
+            [](const PlantStand& x) { return objective_list(x.schema()); })
+        .def_prop_ro("axes",
+                     [](const PlantStand& x) { return axis_list(x.schema()); })
+        .def_prop_ro(
+            "quantities",
+            [](const PlantStand& x) { return quantity_list(x.schema()); })
+        .def("evaluate", &PlantStand::evaluate, nb::arg("generation"),
+             nb::arg("is_final"), nb::arg("seed").none(),
+             nb::arg("tolerance").none());
+}
+
+}  // namespace ideotype::python

@@ -267,6 +267,14 @@ void check_light(const Campaign& campaign, Problems& problems) {
                      fmt::format("light.randomisations is {} (too few to tell "
                                  "whether a tolerance is met); use {} or more",
                                  light.randomisations, fewest));
+    constexpr int fewest_in_field = 4;
+    if (light.fields == 1 && light.randomisations < fewest_in_field &&
+        (campaign.photosynthesis || asks_for_assimilation(campaign)) &&
+        problems.usable({&light.randomisations}))
+        problems.add(&light.randomisations,
+                     fmt::format("light.randomisations is {} (too few for "
+                                 "assimilation in one field); use {} or more",
+                                 light.randomisations, fewest_in_field));
     constexpr int fewest_fields = 4;
     if (!problems.usable({&light.fields, &light.randomisations}) ||
         light.fields == 1)

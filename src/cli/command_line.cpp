@@ -3,7 +3,6 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
-#include <cstdlib>
 #include <exception>
 #include <system_error>
 
@@ -11,6 +10,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "ideotype/core/ending.hpp"
 #include "ideotype/core/text.hpp"
 #include "ranks.hpp"
 #include "run/provenance.hpp"
@@ -84,26 +84,6 @@ ExitCode code_of(const std::exception& error) {
     return own != nullptr ? own->exit_code() : ExitCode::runtime;
 }
 
-//! Embree and TBB end the program where they get no thread or memory: says so,
-//! and ends it as other failures do.
-[[noreturn]] void end_with_reason() {
-    std::string reason = "no reason given";
-    try {
-        if (const auto error = std::current_exception())
-            std::rethrow_exception(error);
-    } catch (const std::exception& error) {
-        reason = reason_of(error);
-    } catch (...) {
-        reason = "an exception of unknown type";
-    }
-    fmt::print(stderr,
-               "ideotype: a library ended the program ({}), as a rule for lack "
-               "of memory or threads (see ulimit -a); what a run has recorded "
-               "is kept, go on with --resume\n",
-               reason);
-    std::_Exit(static_cast<int>(ExitCode::runtime));
-}
-
 }  // namespace
 
 ExitCode report_error(const std::exception& error) {
@@ -164,8 +144,9 @@ int run_verb(int argc, char** argv) {
 }  // namespace
 
 int run_command_line(int argc, char** argv) {
-    std::set_terminate(end_with_reason);
+    watch_for_foreign_end();
     const int code = run_verb(argc, argv);
+    end_in_order();
     // Output may still be buffered, and of a part that was lost before only the
     // loss is known.
     errno = 0;

@@ -339,6 +339,22 @@ void History::finish(const std::string& reason) {
     });
 }
 
+void History::close() {
+    IDEOTYPE_EXPECT(file_->lock);
+    const std::string path = file_->path;
+    const std::optional<FileLock> lock = std::move(file_->lock);
+    Handle id = std::move(file_->id);
+    file_.reset();
+    try {
+        id.close("close it");
+    } catch (const Hdf5Error& error) {
+        throw Error(
+            fmt::format("{}: {}; all that was recorded is safe; go on with "
+                        "--resume when the disk takes it",
+                        path, error.what()));
+    }
+}
+
 std::optional<std::string> History::finished() const {
     return file_->read([&] { return file_->journal.finished(); });
 }

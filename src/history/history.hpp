@@ -207,6 +207,10 @@ class History {
     //! Marks the case finished with a reason such as "generations".
     void finish(const std::string& reason);
 
+    //! Closes the file of a writer, after which nothing else may be asked.
+    //! @throws Error if the last of it cannot be written; rows are safe then.
+    void close();
+
     //! Returns why the case finished, if it did.
     std::optional<std::string> finished() const;
 

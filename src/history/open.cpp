@@ -198,12 +198,25 @@ std::uint64_t bytes_with(HistoryHeader header, int generations) {
         checked(H5Fget_file_image(file, nullptr, 0), action));
 }
 
+//! Waits until the disk has an open file. Returns why it has not, or 0.
+int wait_for_disk(int descriptor) {
+    while (fsync(descriptor) != 0)
+        if (errno != EINTR) return errno;
+    return 0;
+}
+
 //! Waits until the disk has a closed file or folder.
 void synchronize_path(const std::filesystem::path& path) {
     const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
     if (descriptor < 0) throw Error(path.string() + ": " + system_reason());
-    fsync(descriptor);
+    const int failure = wait_for_disk(descriptor);
     ::close(descriptor);
+    // Some file systems cannot wait for a folder.
+    if (failure == 0 || failure == EINVAL) return;
+    throw Error(
+        fmt::format("{}: cannot be brought to the disk: {}; look at the "
+                    "disk, or choose another folder with --out",
+                    path.string(), std::generic_category().message(failure)));
 }
 
 //! Gives a complete file the name of another, which it replaces if it exists;
@@ -310,8 +323,9 @@ void flush(hid_t file) {
 }
 
 void synchronize(hid_t file) {
-    if (fsync(descriptor_of(file)) != 0)
-        throw Hdf5Error("cannot write: " + system_reason());
+    if (const int failure = wait_for_disk(descriptor_of(file)); failure != 0)
+        throw Hdf5Error("cannot write: " +
+                        std::generic_category().message(failure));
 }
 
 int descriptor_of(hid_t file) {

@@ -15,7 +15,9 @@
 #include <mpi.h>
 
 #include "ideotype/core/contract.hpp"
+#include "ideotype/core/ending.hpp"
 #include "ideotype/core/error.hpp"
+#include "ideotype/core/host.hpp"
 #include "messages.hpp"
 
 namespace ideotype {
@@ -39,6 +41,28 @@ void wait_for(MPI_Request request, const RankClock& clock) {
     }
 }
 
+//! Says that MPI has failed and ends the job: MPI's own words may get lost on
+//! their way.
+void end_job(MPI_Comm* /*ranks*/, int* failure, ...) {
+    std::array<char, MPI_MAX_ERROR_STRING> reason{};
+    int length = 0;
+    MPI_Error_string(*failure, reason.data(), &length);
+    fmt::print(stderr,
+               "ideotype: MPI failed on {}: {}; what a run has recorded is "
+               "kept, go on with --resume\n",
+               host_name(), reason.data());
+    std::fflush(nullptr);
+    end_in_order();
+    MPI_Abort(MPI_COMM_WORLD, static_cast<int>(ExitCode::runtime));
+}
+
+void tell_failures_of(MPI_Comm ranks) {
+    MPI_Errhandler handler = MPI_ERRHANDLER_NULL;
+    MPI_Comm_create_errhandler(end_job, &handler);
+    MPI_Comm_set_errhandler(ranks, handler);
+    MPI_Errhandler_free(&handler);
+}
+
 }  // namespace
 
 Session::Session(const RankClock& clock)
@@ -46,6 +70,7 @@ Session::Session(const RankClock& clock)
     // Only this thread calls MPI; the ray tracer may have threads of its own.
     int provided = 0;
     MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided);
+    tell_failures_of(MPI_COMM_WORLD);
 }
 
 Session::Session(const RankClock& clock, const Ranks& ranks)
@@ -74,6 +99,7 @@ Session Session::split(int part) const {
     if (!ranks_) return alone();
     MPI_Comm communicator = MPI_COMM_NULL;
     MPI_Comm_split(ranks_->communicator, part, rank(), &communicator);
+    tell_failures_of(communicator);
     return {clock_, {communicator, Ranks::End::free}};
 }
 
@@ -157,6 +183,7 @@ void Session::abort(int exit_code) const {
     std::cout.flush();
     std::cerr.flush();
     std::fflush(nullptr);
+    end_in_order();
     if (ranks_) MPI_Abort(MPI_COMM_WORLD, exit_code);
     std::_Exit(exit_code);
 }

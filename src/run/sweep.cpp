@@ -113,6 +113,7 @@ Routine<Ending> Sweep::evolve_one(const Case& chosen) {
         if (ending == Ending::drained) {
             // The file may have been deleted since it was saved.
             history.require_in_place();
+            history.close();
             co_return ending;
         }
     }
@@ -127,6 +128,7 @@ Routine<Ending> Sweep::evolve_one(const Case& chosen) {
                                ? to_text(result, path, "finished before")
                                : to_text(result, path, "finished") +
                                      left_to_gain(history, campaign_));
+    history.close();
     co_return Ending::finished;
 }
 

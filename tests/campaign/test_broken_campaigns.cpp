@@ -228,6 +228,16 @@ TEST(BrokenCampaign, FieldsDivideTheRandomisations) {
               std::string::npos);
 }
 
+TEST(BrokenCampaign, AssimilationInOneFieldNeedsRandomisations) {
+    const std::string light = "[light]\ntolerance = 0\nrandomisations = 2\n";
+    const std::string wanted =
+        "[objective]\nmaximise = \"net_assimilation\"\n";
+    EXPECT_NE(problem_of(sample_text("", light + wanted))
+                  .find("light.randomisations is 2 (too few for assimilation"),
+              std::string::npos);
+    EXPECT_NO_THROW(parse_campaign(sample_text("", light), "sample.toml"));
+}
+
 TEST(BrokenCampaign, LinesThatAreNotTomlSayHowToWriteThem) {
     const std::pair<const char*, const char*> lines[] = {
         {"start = 05:00", "write times as in start = 05:00:00"},

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ideotype/core/ending.hpp"
+
+#include <array>
+#include <atomic>
+#include <cstdlib>
+#include <exception>
+#include <new>
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+#include "ideotype/core/error.hpp"
+
+namespace ideotype {
+
+namespace {
+
+std::atomic<bool> is_in_order = false;
+
+[[noreturn]] void end(const char* reason) {
+    std::array<char, 1024> text{};
+    const auto [last, size] = fmt::format_to_n(
+        text.data(), text.size(),
+        "ideotype: a library ended the program ({}), as a rule for lack of "
+        "memory or threads (see ulimit -a); what a run has recorded is kept, "
+        "go on with --resume\n",
+        reason);
+    static_cast<void>(!write(STDERR_FILENO, text.data(),
+                             static_cast<std::size_t>(last - text.data())));
+    std::_Exit(static_cast<int>(ExitCode::runtime));
+}
+
+[[noreturn]] void end_with_reason() {
+    try {
+        if (const auto error = std::current_exception())
+            std::rethrow_exception(error);
+    } catch (const std::bad_alloc&) {
+        end("not enough memory");
+    } catch (const std::exception& error) {
+        end(error.what());
+    } catch (...) {
+        end("an exception of unknown type");
+    }
+    end("no reason given");
+}
+
+}  // namespace
+
+void watch_for_foreign_end() {
+    std::set_terminate(end_with_reason);
+    std::atexit([] {
+        if (!is_in_order) end("no reason given");
+    });
+}
+
+void end_in_order() {
+    is_in_order = true;
+}
+
+}  // namespace ideotype

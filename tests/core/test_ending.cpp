@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cstdlib>
+#include <exception>
+#include <new>
+
+#include <gtest/gtest.h>
+
+#include "ideotype/core/ending.hpp"
+
+namespace ideotype {
+namespace {
+
+using testing::ExitedWithCode;
+
+TEST(Ending, TellsThatALibraryCallsExit) {
+    EXPECT_EXIT(
+        {
+            watch_for_foreign_end();
+            std::exit(255);
+        },
+        ExitedWithCode(1), "^ideotype: a library ended the program");
+}
+
+TEST(Ending, TellsWhyNobodyCatches) {
+    EXPECT_EXIT(
+        {
+            watch_for_foreign_end();
+            try {
+                throw std::bad_alloc();
+            } catch (...) {
+                std::terminate();
+            }
+        },
+        ExitedWithCode(1), "the program \\(not enough memory\\)");
+}
+
+TEST(Ending, IsSilentInOrder) {
+    EXPECT_EXIT(
+        {
+            watch_for_foreign_end();
+            end_in_order();
+            std::exit(3);
+        },
+        ExitedWithCode(3), "^$");
+}
+
+}  // namespace
+}  // namespace ideotype

@@ -1,0 +1,165 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""What maize transpires: CO2, leaf area, the parts of the model, and their cost.
+
+water.py [--only PART] [--rough]
+
+Prints, for maize that assimilates by Collatz in the weather of Bondville: the response
+to 550 umol mol-1 of CO2 in a hot week of 2011, with the air of the canopy and without,
+beside the field's (Hussain et al. 2013, doi:10.1111/gcb.12155; Leakey et al. 2006);
+transpiration against leaf area index (Suyker and Verma 2008: linear up to 3 to 4, then
+flat); what each part of the model changes; the growing seasons of 2011 and of the
+drought of 2012; and processor time over that without water, in pairs. Parts are co2,
+area, parts, seasons and cost. --rough is for tests.
+"""
+
+from __future__ import annotations
+
+import argparse
+import statistics
+import time
+import tomllib
+from datetime import date
+from typing import Any
+
+from shared import CAMPAIGNS, guard, print_table
+
+from ideotype import Stand
+
+FIGURES = (
+    "transpiration",
+    "canopy_conductance",
+    "leaf_warming",
+    "net_assimilation",
+    "water_use_efficiency",
+)
+WEEK = {"from": date(2011, 7, 21), "to": date(2011, 7, 28)}
+PARTS: dict[str, dict[str, Any]] = {
+    "all": {},
+    "air above the canopy": {"canopy_air": False},
+    "leaves as warm as the air": {"leaf_temperature": False},
+    "stomata of Ball and Berry": {"stomata": "ball_berry"},
+    "no fall of wind": {"wind_attenuation": 0.0},
+}
+
+
+def week(paths: int, density: float = 8.6, co2: float = 390, **water: Any) -> Stand:
+    """Returns the hot week of bondville.toml, with [water]."""
+    found = tomllib.loads((CAMPAIGNS / "bondville.toml").read_text())
+    found["climate"] = [{**found["climate"][0], **WEEK, "co2": co2}]
+    found["spacing"] = [{"row": 0.762, "density": density}]
+    found["photosynthesis"] = {"model": "collatz"}
+    found["objective"] = {"maximise": "net_assimilation"}
+    found["light"] = {"paths": paths}
+    found["water"] = water
+    return Stand(found, folder=CAMPAIGNS)
+
+
+def season(paths: int, year: int, has_water: bool) -> Stand:
+    """Returns a growing season of growing_season.toml."""
+    found = tomllib.loads((CAMPAIGNS / "growing_season.toml").read_text())
+    found["climate"] = [x for x in found["climate"] if x["name"] == str(year)]
+    found["objective"] = {"maximise": "carbon_balance"}
+    found["light"] = {"paths": paths}
+    if has_water:
+        found["water"] = {}
+    return Stand(found, folder=CAMPAIGNS)
+
+
+def numbers(stand: Stand, names: tuple[str, ...] = FIGURES) -> list[float]:
+    found = stand.evaluate(stand.baseline, names)
+    return [float(found[name][0]) for name in names]
+
+
+def print_co2(paths: int) -> None:
+    rows = []
+    for name, water in list(PARTS.items())[:2]:
+        now, rich = (numbers(week(paths, co2=co2, **water)) for co2 in (372, 550))
+        change = [100 * (b / a - 1) for a, b in zip(now, rich, strict=True)]
+        rows.append(
+            [
+                name,
+                f"{change[0]:+.1f}",
+                f"{change[1]:+.1f}",
+                f"{rich[2] - now[2]:+.2f}",
+                f"{change[3]:+.1f}",
+            ]
+        )
+    rows.append(["field", "-7 to -11", "-34", "+0.5 to +0.6", "0"])
+    print_table(
+        ["550 over 372 umol mol-1", "E [%]", "gs [%]", "T [K]", "A [%]"], rows
+    )
+
+
+def print_area(paths: int) -> None:
+    rows = []
+    for density in (1.0, 2.0, 4.0, 6.0, 8.6, 12.0):
+        stand = week(paths, density)
+        lai = numbers(stand, ("lai",))[0]
+        found = numbers(stand)
+        rows.append([f"{lai:.2f}", f"{found[0]:.2f}", f"{found[2]:+.2f}",
+                     f"{found[4]:.2f}"])
+    print_table(["leaf area index", "E [mm/d]", "T - Ta [K]", "[g C/kg]"], rows)
+
+
+def print_parts(paths: int) -> None:
+    rows = [
+        [name, *(f"{x:.3f}" for x in numbers(week(paths, **water)))]
+        for name, water in PARTS.items()
+    ]
+    print_table(["part", *FIGURES], rows)
+
+
+def print_seasons(paths: int) -> None:
+    names = ("water_use", "carbon_balance", "water_use_efficiency", "leaf_warming",
+             "hot_hours")
+    rows = [
+        [str(year), *(f"{x:.3f}" for x in numbers(season(paths, year, True), names))]
+        for year in (2011, 2012)
+    ]
+    print_table(["season", *names], rows)
+
+
+def print_cost(paths: int, pairs: int) -> None:
+    """Prints processor time with water over that without, and over the square of
+    errors of carbon, which tells what an equal error costs."""
+    stands = [season(paths, 2011, has_water) for has_water in (False, True)]
+    ratios, errors = [], []
+    for _ in range(pairs):
+        used = []
+        for stand in stands:
+            start = time.process_time()
+            found = stand.evaluate(stand.baseline, ["carbon_balance"])
+            used.append(time.process_time() - start)
+            errors.append(float(found["carbon_balance_error"][0]))
+        ratios.append(used[1] / used[0])
+    plain, wet = statistics.fmean(errors[::2]), statistics.fmean(errors[1::2])
+    middle = statistics.median(ratios)
+    print(
+        f"a season with water takes {middle:.2f} times one without "
+        f"({min(ratios):.2f} to {max(ratios):.2f}, {pairs} pairs); at an equal "
+        f"error {middle * (wet / plain) ** 2:.2f} times"
+    )
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--only", choices=("co2", "area", "parts", "seasons", "cost"))
+    parser.add_argument("--rough", action="store_true")
+    options = parser.parse_args()
+    paths = 256 if options.rough else 4096
+    parts = {
+        "co2": lambda: print_co2(paths),
+        "area": lambda: print_area(paths),
+        "parts": lambda: print_parts(paths),
+        "seasons": lambda: print_seasons(paths),
+        "cost": lambda: print_cost(paths, 1 if options.rough else 10),
+    }
+    for name, show in parts.items():
+        if options.only in (None, name):
+            show()
+            print()
+
+
+if __name__ == "__main__":
+    guard(main)

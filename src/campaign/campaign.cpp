@@ -153,18 +153,20 @@ void check_again(Draft& draft) {
 }
 
 //! Reports ends of ranges that contradict the rest of the campaign.
-void try_ends(Draft& draft, Problems& problems) {
-    for (const KeyFactor& factor : draft.factors())
-        for (const double end : {factor.range.lower, factor.range.upper}) try {
+void try_ends(Draft& draft, const Problems& problems) {
+    const std::string table = draft.is_study ? "sensitivity" : "search";
+    const std::vector<KeyFactor>& factors = draft.factors();
+    for (std::size_t i = 0; i < factors.size(); ++i)
+        for (const double end :
+             {factors[i].range.lower, factors[i].range.upper})
+            try {
                 Draft varied = draft;
-                set_key(varied, factor, end);
+                set_key(varied, factors[i], end);
                 check_again(varied);
             } catch (const InputError& error) {
-                problems.add(
-                    &factor.range,
-                    fmt::format("{}.keys: with {} of {}, {}",
-                                draft.is_study ? "sensitivity" : "search", end,
-                                factor.key, error.problems().front().what));
+                problems.in(table).in("keys", i).add(
+                    "range", "{}.keys: with {} of {}, {}", table, end,
+                    factors[i].key, error.problems().front().what);
                 break;
             }
 }
@@ -260,7 +262,7 @@ SeasonLight read_climate(const std::string& path) {
     campaign.sites.assign(1, {});
     campaign.climates.assign(1, {});
     // It has no [optics].
-    problems.locate(&campaign.par_fraction, {path, 1, 1});
+    problems.locate("optics.par_fraction", {path, 1, 1});
     read_tables(text, path, climate_file_tables(campaign), problems);
     read_weathers(path, PlantSource::file_or_table, draft, problems);
     problems.throw_if_any();

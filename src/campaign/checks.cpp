@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -23,42 +24,63 @@ std::string lower_case(std::string text) {
 }
 
 void check_surface(const std::string& name, const Lambertian& surface,
-                   Problems& problems) {
-    if (!problems.usable({&surface.reflectance, &surface.transmittance}))
+                   const Problems& problems) {
+    const std::string reflectance = name + "_reflectance",
+                      transmittance = name + "_transmittance";
+    if (!problems.usable(reflectance) || !problems.usable(transmittance))
         return;
     // Decimal fractions such as 0.7 + 0.3 may exceed 1 by rounding.
     if (surface.reflectance + surface.transmittance <= 1 + 1e-12) return;
-    problems.add(&surface.transmittance,
-                 fmt::format("optics.{}_transmittance is {} (more than all "
-                             "light with a reflectance of {}); use {:.6g} or "
-                             "less",
-                             name, surface.transmittance, surface.reflectance,
-                             1 - surface.reflectance));
+    problems.add(transmittance,
+                 "{} is {} (more than all light with a reflectance of {}); use "
+                 "{:.6g} or less",
+                 transmittance, surface.transmittance, surface.reflectance,
+                 1 - surface.reflectance);
+}
+
+void check_plant_optics(const std::string& table, const PlantOptics& optics,
+                        const Problems& problems) {
+    check_surface(table + ".leaf", optics.leaf, problems);
+    check_surface(table + ".stalk", optics.stalk, problems);
+    check_surface(table + ".sheath", optics.sheath, problems);
+}
+
+std::vector<ObjectiveKey> objective_keys(const Campaign& campaign,
+                                         const Problems& problems) {
+    std::vector<ObjectiveKey> all;
+    if (problems.usable({"objective.maximise"}))
+        for (const std::string& each : campaign.maximised)
+            all.push_back({"objective.maximise", each});
+    if (problems.usable({"objective.minimise"}))
+        for (const std::string& each : campaign.minimised)
+            all.push_back({"objective.minimise", each});
+    return all;
 }
 
 namespace {
 
 template <class Entry>
 void check_names(const std::string& axis, const std::vector<Entry>& entries,
-                 Problems& problems) {
+                 const Problems& problems) {
     // Names of cases are lower case: they are names of files.
-    std::map<std::string, const std::string*> first;
-    for (const Entry& entry : entries) {
-        const std::string* name = &entry.name;
-        if (!problems.usable({name})) continue;
-        const auto [earlier, is_new] = first.emplace(lower_case(*name), name);
+    std::map<std::string, std::size_t> first;
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        const Problems own = problems.in(axis, i);
+        if (!own.usable({"name"})) continue;
+        const auto [earlier, is_new] =
+            first.emplace(lower_case(entries[i].name), i);
         if (!is_new)
-            problems.add(
-                name,
-                fmt::format("{}.name is \"{}\" (already used in line "
-                            "{}); give each a name of its own",
-                            axis, *name, problems.where(earlier->second).line));
+            own.add("name",
+                    "{}.name is \"{}\" (already used in line {}); give each a "
+                    "name of its own",
+                    axis, entries[i].name,
+                    problems.in(axis, earlier->second).where("name").line);
     }
 }
 
 //! Many cases are work for months, and too many to look at in time. Returns
 //! whether there are few enough.
-bool check_count(const Campaign& campaign, Problems& problems) {
+bool check_count(const Campaign& campaign, const Problems& problems) {
     double count = campaign.replicates;
     const auto multiply = [&](const std::string& axis, std::size_t entries) {
         if (!is_over(campaign, axis)) count *= static_cast<double>(entries);
@@ -68,165 +90,154 @@ bool check_count(const Campaign& campaign, Problems& problems) {
     multiply("spacing", campaign.spacings.size());
     multiply("traits", campaign.trait_sets.size());
     if (count <= static_cast<double>(most_cases)) return true;
-    problems.add(&campaign.replicates,
-                 fmt::format("there are {:.0f} cases (sites x days x spacings "
-                             "x trait sets x replicates; the limit is {}); "
-                             "split the campaign",
-                             count, most_cases));
+    problems.add("replicates",
+                 "there are {:.0f} cases (sites x days x spacings x trait sets "
+                 "x replicates; the limit is {}); split the campaign",
+                 count, most_cases);
     return false;
 }
 
 //! Names may contain the underscore that joins them to the name of a case.
-void check_case_names(const Campaign& campaign, Problems& problems) {
-    std::map<std::string, const Case> first;
+void check_case_names(const Campaign& campaign, const Problems& problems) {
+    std::set<std::string> names;
     for (const Case& chosen : cases(campaign)) {
-        const auto [earlier, is_new] = first.emplace(chosen.name, chosen);
-        if (is_new) continue;
-        const auto named = std::find_if(
-            campaign.sites.begin(), campaign.sites.end(),
-            [&](const Site& site) { return site.name == chosen.site.name; });
-        if (problems.usable({&named->name}))
-            problems.add(&named->name,
-                         fmt::format("site.name is \"{}\" (with the names of "
-                                     "the other axes two cases are called {}); "
-                                     "rename one of the entries",
-                                     named->name, chosen.name));
+        if (names.insert(chosen.name).second) continue;
+        const auto named =
+            std::ranges::find(campaign.sites, chosen.site.name, &Site::name);
+        const Problems own = problems.in(
+            "site", static_cast<std::size_t>(named - campaign.sites.begin()));
+        if (own.usable({"name"}))
+            own.add("name",
+                    "site.name is \"{}\" (with the names of the other axes two "
+                    "cases are called {}); rename one of the entries",
+                    named->name, chosen.name);
         return;
     }
 }
 
-void check_spacing(const Spacing& spacing, Problems& problems) {
+void check_spacing(const Spacing& spacing, const Problems& problems) {
     // Wider than crops stand, and too wide for plants to meet.
     constexpr double usual = 2;
-    const auto check = [&](const std::string& name, const double& value) {
-        if (problems.usable({&value}) && value > usual)
+    for (const auto& [name, value] :
+         {std::pair("row", spacing.row), std::pair("plant", spacing.plant)})
+        if (problems.usable({name}) && value > usual)
             problems.warn(
-                &value,
+                name,
                 fmt::format("spacing.{} is {} m (crops stand closer; {} inches "
                             "are {:.4g} m, {} feet {:.4g} m); give metres",
                             name, value, value, value * 0.0254, value,
                             value * 0.3048));
-    };
-    check("row", spacing.row);
-    check("plant", spacing.plant);
-    if (problems.usable({&spacing.row, &spacing.plant, &spacing.density}) &&
-        !(spacing.plant > 0))
-        problems.add(&spacing.row,
+    if (problems.usable({"row", "plant", "density"}) && !(spacing.plant > 0))
+        problems.add("row",
                      "missing key 'plant' in [[spacing]], the distance [m] "
                      "between neighbours in a row; or 'density', the number of "
                      "plants per square metre");
 }
 
 //! Warns of stands that hold more leaves of the baseline than fields have.
-void check_leaf_area(const Campaign& campaign, Problems& problems) {
+void check_leaf_area(const Campaign& campaign, const Problems& problems) {
     const double area =
         plant_area(build_plant(campaign.crop.baseline, campaign.tessellation))
             .leaves;
-    for (const auto& [name, spacing] : campaign.spacings)
-        if (const std::string doubt =
-                doubt_of_lai(area / (spacing.row * spacing.plant));
-            !doubt.empty())
-            problems.warn(&spacing.row,
-                          fmt::format("spacing.row is {} m (with {} m between "
-                                      "plants the baseline {}); check both "
-                                      "distances",
-                                      spacing.row, spacing.plant, doubt));
+    for (std::size_t i = 0; i < campaign.spacings.size(); ++i) {
+        const Spacing& spacing = campaign.spacings[i].value;
+        const std::string doubt =
+            doubt_of_lai(area / (spacing.row * spacing.plant));
+        if (!doubt.empty())
+            problems.in("spacing", i)
+                .warn("row",
+                      fmt::format("spacing.row is {} m (with {} m between "
+                                  "plants the baseline {}); check both "
+                                  "distances",
+                                  spacing.row, spacing.plant, doubt));
+    }
 }
 
 void check_objectives(const Campaign& campaign, bool is_study,
-                      Problems& problems) {
-    if (!problems.usable({&campaign.maximised, &campaign.minimised})) return;
+                      const Problems& problems) {
+    if (!problems.usable({"objective.maximise", "objective.minimise"})) return;
     const std::size_t count = objectives_of(campaign).size();
     for (const std::string& each : campaign.minimised)
-        if (std::count(campaign.maximised.begin(), campaign.maximised.end(),
-                       each) > 0)
-            problems.add(&campaign.minimised,
-                         fmt::format("objective.minimise has {} (which is "
-                                     "maximised too); remove one of the two",
-                                     each));
+        if (std::ranges::count(campaign.maximised, each) > 0)
+            problems.add("objective.minimise",
+                         "objective.minimise has {} (which is maximised too); "
+                         "remove one of the two",
+                         each);
     if (campaign.field.boundary == Boundary::isolated)
-        for (const auto* list : {&campaign.maximised, &campaign.minimised})
-            if (std::count(list->begin(), list->end(), extinction) > 0)
-                problems.add(
-                    list, fmt::format("the objective {} needs plants without "
-                                      "end (light enters a plot from its "
-                                      "sides); use \"fapar\"",
-                                      extinction));
+        for (const auto& [key, name] : objective_keys(campaign, problems))
+            if (name == extinction)
+                problems.add(key,
+                             "the objective {} needs plants without end (light "
+                             "enters a plot from its sides); use \"fapar\"",
+                             extinction);
     const std::vector<double>& reference = campaign.search.reference;
     if (!reference.empty() && reference.size() != count &&
-        problems.usable({&reference}))
-        problems.add(
-            &reference,
-            fmt::format("search.reference has {} numbers (there are {} "
-                        "objectives); give one for each, those that are "
-                        "maximised first",
-                        reference.size(), count));
+        problems.usable({"search.reference"}))
+        problems.add("search.reference",
+                     "search.reference has {} numbers (there are {} "
+                     "objectives); give one for each, those that are maximised "
+                     "first",
+                     reference.size(), count);
     const bool is_pareto = campaign.search.optimizer == OptimizerKind::nsga2;
     if (count == 0)
-        problems.add(&campaign.maximised,
+        problems.add("objective.maximise",
                      "objective.maximise is empty (nothing would be searched "
                      "for); name a quantity");
     else if (is_pareto && count == 1)
-        problems.add(&campaign.search.optimizer,
+        problems.add("search.optimizer",
                      "search.optimizer is \"nsga2\" (which finds a front of "
                      "several objectives); name another in objective.minimise, "
                      "or use \"cma_es\"");
     else if (!is_pareto && count > 1 && !is_study)
-        problems.add(&campaign.minimised,
-                     fmt::format("there are {} objectives (only nsga2 finds a "
-                                 "front of several); use one, or "
-                                 "search.optimizer = \"nsga2\"",
-                                 count));
+        problems.add("objective.minimise",
+                     "there are {} objectives (only nsga2 finds a front of "
+                     "several); use one, or search.optimizer = \"nsga2\"",
+                     count);
 }
 
-void check_scenarios(const Campaign& campaign, Problems& problems) {
-    if (!problems.usable({&campaign.over})) return;
+void check_scenarios(const Campaign& campaign, const Problems& problems) {
+    if (!problems.usable({"objective.over"})) return;
     const bool has_days = campaign.climates.empty();
     const std::string wrong = has_days ? "climate" : "day";
     if (is_over(campaign, wrong))
-        problems.add(&campaign.over,
-                     fmt::format("objective.over has \"{}\" (this campaign has "
-                                 "[[{}]]); use that, or remove it",
-                                 wrong, has_days ? "day" : "climate"));
+        problems.add("objective.over",
+                     "objective.over has \"{}\" (this campaign has [[{}]]); "
+                     "use that, or remove it",
+                     wrong, has_days ? "day" : "climate");
 }
 
 //! Reports what only campaigns with a near infrared band can have.
-void check_bands(const Campaign& campaign, Problems& problems) {
+void check_bands(const Campaign& campaign, const Problems& problems) {
     if (campaign.has_nir) return;
     const std::string add = "add [[band]] with name = \"nir\"";
     if (campaign.bounded_band == BoundedBand::nir)
         problems.add(
-            &campaign.bounded_band,
+            "light.band",
             "light.band is \"nir\" (light is followed in PAR alone); " + add);
-    for (const ObjectiveEntry& objective : objectives_of(campaign)) {
-        const auto* list = objective.sense == Sense::maximise
-                               ? &campaign.maximised
-                               : &campaign.minimised;
-        if (problems.usable({list}) && is_of_nir(objective.quantity))
-            problems.add(list,
-                         fmt::format("the objective {} needs near infrared; {}",
-                                     objective.name, add));
-    }
+    for (const auto& [key, name] : objective_keys(campaign, problems))
+        if (problems.usable(key) && is_of_nir(quantity_of(name)))
+            problems.add(key, "the objective {} needs near infrared; {}", name,
+                         add);
 }
 
-void check_stop(const StopRules& stop, Problems& problems) {
+void check_stop(const StopRules& stop, const Problems& problems) {
     constexpr int fewest = 5;
     if (stop.no_gain > 0 && stop.no_gain < fewest)
-        problems.add(&stop.no_gain,
-                     fmt::format("stop.no_gain is {} (too few generations for "
-                                 "the error of a slope); use {} or more, or 0",
-                                 stop.no_gain, fewest));
+        problems.add("stop.no_gain",
+                     "stop.no_gain is {} (too few generations for the error of "
+                     "a slope); use {} or more, or 0",
+                     stop.no_gain, fewest);
 }
 
-void check_search(const Campaign& campaign, bool is_study, Problems& problems) {
-    const int& population = campaign.search.population;
-    const auto at_most = [&](const std::string& name, const int& value,
-                             int most) {
-        if (problems.usable({&population, &value}) && value > most)
-            problems.add(&value,
-                         fmt::format("{} is {} (the population is {}); use {} "
-                                     "or fewer",
-                                     name, value, population, most));
+void check_search(const Campaign& campaign, bool is_study,
+                  const Problems& problems) {
+    const int population = campaign.search.population;
+    const bool has_population = problems.usable({"search.population"});
+    const auto at_most = [&](const std::string& key, int value, int most) {
+        if (has_population && problems.usable(key) && value > most)
+            problems.add(key,
+                         "{} is {} (the population is {}); use {} or fewer",
+                         key, value, population, most);
     };
     check_objectives(campaign, is_study, problems);
     check_stop(campaign.stop, problems);
@@ -234,98 +245,93 @@ void check_search(const Campaign& campaign, bool is_study, Problems& problems) {
     // Each search by CMA-ES ranks four plants or more.
     const int fewest =
         campaign.search.optimizer == OptimizerKind::automatic ? 8 : 4;
-    if (uses_cma_es(campaign.search) && problems.usable({&population}) &&
-        population < fewest)
-        problems.add(
-            &population,
-            fmt::format("search.population is {} (CMA-ES ranks at least "
-                        "{} plants); use {} or more, or leave it out",
-                        population, fewest, fewest));
+    if (uses_cma_es(campaign.search) && has_population && population < fewest)
+        problems.add("search.population",
+                     "search.population is {} (CMA-ES ranks at least {} "
+                     "plants); use {} or more, or leave it out",
+                     population, fewest, fewest);
     constexpr double most_rows = std::numeric_limits<std::int32_t>::max();
-    const int& generations = campaign.stop.generations;
-    if (problems.usable({&population, &generations}) &&
+    const int generations = campaign.stop.generations;
+    if (problems.usable({"search.population", "stop.generations"}) &&
         1. * population * generations > most_rows)
-        problems.add(
-            &generations,
-            fmt::format("stop.generations is {} (with a population of "
-                        "{} a history would have more rows than {:.0f}); "
-                        "use {:.0f} or fewer",
-                        generations, population, most_rows,
-                        std::floor(most_rows / population)));
+        problems.add("stop.generations",
+                     "stop.generations is {} (with a population of {} a "
+                     "history would have more rows than {:.0f}); use {:.0f} or "
+                     "fewer",
+                     generations, population, most_rows,
+                     std::floor(most_rows / population));
     at_most("search.elites", campaign.search.ga.elites, population - 1);
     at_most("search.tournament", campaign.search.ga.tournament, population);
     at_most("final.candidates", campaign.final_rule.candidates, population);
 }
 
-void check_light(const Campaign& campaign, Problems& problems) {
-    const Accuracy& light = campaign.sampling;
-    if (!problems.usable({&light.tolerance})) return;
+void check_light(const Accuracy& light, bool assimilates,
+                 const Problems& problems) {
+    if (!problems.usable({"tolerance"})) return;
+    const bool has_randomisations = problems.usable({"randomisations"});
     constexpr int fewest = 8;
-    if (light.tolerance > 0 && problems.usable({&light.randomisations}) &&
+    if (light.tolerance > 0 && has_randomisations &&
         light.randomisations < fewest)
-        problems.add(&light.randomisations,
-                     fmt::format("light.randomisations is {} (too few to tell "
-                                 "whether a tolerance is met); use {} or more",
-                                 light.randomisations, fewest));
+        problems.add("randomisations",
+                     "light.randomisations is {} (too few to tell whether a "
+                     "tolerance is met); use {} or more",
+                     light.randomisations, fewest);
     constexpr int fewest_in_field = 4;
     if (light.fields == 1 && light.randomisations < fewest_in_field &&
-        (campaign.photosynthesis || asks_for_assimilation(campaign)) &&
-        problems.usable({&light.randomisations}))
-        problems.add(&light.randomisations,
-                     fmt::format("light.randomisations is {} (too few for "
-                                 "assimilation in one field); use {} or more",
-                                 light.randomisations, fewest_in_field));
+        assimilates && has_randomisations)
+        problems.add("randomisations",
+                     "light.randomisations is {} (too few for assimilation in "
+                     "one field); use {} or more",
+                     light.randomisations, fewest_in_field);
     constexpr int fewest_fields = 4;
-    if (!problems.usable({&light.fields, &light.randomisations}) ||
-        light.fields == 1)
+    if (!problems.usable({"fields", "randomisations"}) || light.fields == 1)
         return;
     if (light.fields < fewest_fields)
-        problems.add(
-            &light.fields,
-            fmt::format("light.fields is {} (too few to tell how fields "
-                        "differ); use 1, or {} or more",
-                        light.fields, fewest_fields));
+        problems.add("fields",
+                     "light.fields is {} (too few to tell how fields differ); "
+                     "use 1, or {} or more",
+                     light.fields, fewest_fields);
     else if (light.randomisations % light.fields != 0)
-        problems.add(&light.fields,
-                     fmt::format("light.fields is {}, among which {} "
-                                 "randomisations can't be divided evenly",
-                                 light.fields, light.randomisations));
+        problems.add("fields",
+                     "light.fields is {}, among which {} randomisations can't "
+                     "be divided evenly",
+                     light.fields, light.randomisations);
 }
 
 //! Faces of the leaves of a field must have room in the memory.
-void check_faces(const Campaign& campaign, Problems& problems) {
+void check_faces(const Campaign& campaign, const Problems& problems) {
     constexpr double most = 20e6;
     const FieldForm& field = campaign.field;
-    const int& cells = campaign.tessellation.cells_along;
-    if (!problems.usable({&field.rows, &field.plants, &cells})) return;
+    const int cells = campaign.tessellation.cells_along;
+    if (!problems.usable({"field.rows", "field.plants", "plant.cells_along"}))
+        return;
     const auto leaves =
         static_cast<double>(campaign.crop.baseline.leaves.size());
     const double faces = 2. * cells * leaves * field.rows * field.plants;
     if (faces > most)
-        problems.add(
-            &cells,
-            fmt::format("plant.cells_along is {} (the leaves of {} x {} "
-                        "plants have {:.0f} faces, the limit is {:.0f});"
-                        " use fewer, or a smaller field",
-                        cells, field.rows, field.plants, faces, most));
+        problems.add("plant.cells_along",
+                     "plant.cells_along is {} (the leaves of {} x {} plants "
+                     "have {:.0f} faces, the limit is {:.0f}); use fewer, or a "
+                     "smaller field",
+                     cells, field.rows, field.plants, faces, most);
 }
 
-void check_field(const FieldForm& field, Problems& problems) {
-    if (!problems.usable({&field.rows, &field.plants, &field.border_rows}))
+void check_field(const FieldForm& field, const Problems& problems) {
+    if (!problems.usable({"rows", "plants", "border_rows"}) ||
+        field.border_rows == 0)
         return;
-    if (field.border_rows == 0) return;
+    const int fewest = std::min(field.rows, field.plants);
     if (field.boundary == Boundary::periodic)
-        problems.add(
-            &field.border_rows,
-            "field.border_rows is not 0 (a field that repeats without end has "
-            "no edges); add boundary = \"isolated\" or leave it out");
-    else if (2 * field.border_rows >= std::min(field.rows, field.plants))
-        problems.add(
-            &field.border_rows,
-            fmt::format("field.border_rows is {} (nothing is left of {} x {} "
-                        "plants); use {} or less",
-                        field.border_rows, field.rows, field.plants,
-                        (std::min(field.rows, field.plants) - 1) / 2));
+        problems.add("border_rows",
+                     "field.border_rows is not 0 (a field that repeats without "
+                     "end has no edges); add boundary = \"isolated\" or leave "
+                     "it out");
+    else if (2 * field.border_rows >= fewest)
+        problems.add("border_rows",
+                     "field.border_rows is {} (nothing is left of {} x {} "
+                     "plants); use {} or less",
+                     field.border_rows, field.rows, field.plants,
+                     (fewest - 1) / 2);
 }
 
 }  // namespace
@@ -339,7 +345,7 @@ std::string doubt_of_lai(double lai) {
                       : "";
 }
 
-void check_draft(Draft& draft, Problems& problems) {
+void check_draft(Draft& draft, const Problems& problems) {
     const Campaign& campaign = draft.campaign;
     check_names("site", campaign.sites, problems);
     check_names("day", campaign.days, problems);
@@ -350,24 +356,20 @@ void check_draft(Draft& draft, Problems& problems) {
     // Repeated names of one axis have been told apart already.
     if (problems.empty()) check_case_names(campaign, problems);
     if (are_few) check_sky(campaign, problems);
-    for (const Named<Spacing>& spacing : campaign.spacings)
-        check_spacing(spacing.value, problems);
-    check_surface("leaf", campaign.optics.leaf, problems);
-    check_surface("stalk", campaign.optics.stalk, problems);
-    check_surface("sheath", campaign.optics.sheath, problems);
-    for (const auto& [name, surface] :
-         {std::pair("nir.leaf", &campaign.nir_optics.leaf),
-          std::pair("nir.stalk", &campaign.nir_optics.stalk),
-          std::pair("nir.sheath", &campaign.nir_optics.sheath)})
-        check_surface(name, *surface, problems);
+    for (std::size_t i = 0; i < campaign.spacings.size(); ++i)
+        check_spacing(campaign.spacings[i].value, problems.in("spacing", i));
+    check_plant_optics("optics", campaign.optics, problems);
+    check_plant_optics("optics.nir", campaign.nir_optics, problems);
     check_names("band", campaign.bands, problems);
     check_bands(campaign, problems);
     check_components(draft, problems);
     check_growing(draft, problems);
     check_objects(draft, problems);
-    check_field(campaign.field, problems);
+    check_field(campaign.field, problems.in("field"));
     if (draft.is_crop_known) check_faces(campaign, problems);
-    check_light(campaign, problems);
+    check_light(campaign.sampling,
+                campaign.photosynthesis || asks_for_assimilation(campaign),
+                problems.in("light"));
     check_search(campaign, draft.is_study, problems);
     check_sensitivity(draft, problems);
     check_photosynthesis(
@@ -375,7 +377,7 @@ void check_draft(Draft& draft, Problems& problems) {
         draft.is_crop_known ? campaign.crop.baseline.leaves.size() : 0,
         problems);
     check_water(draft, problems);
-    check_plant(draft, problems);
+    check_plant(draft, problems.in("plant.baseline"));
     check_breeding(draft, problems);
     check_feasibility(draft, problems);
     if (draft.is_crop_known && problems.empty())

@@ -12,31 +12,31 @@ namespace {
 
 //! Reports a day of emergence that is not of its period, or without weather
 //! that plants could grow by.
+//! @param problems of the climate
 void check_emergence(const Draft& draft, const Named<Climate>& named,
-                     Problems& problems) {
-    const Climate& climate = named.value;
-    const Date& day = climate.emergence;
-    if (!problems.usable({&day, &climate.period.from, &climate.period.to}))
-        return;
+                     const Problems& problems) {
+    const auto& [from, to] = named.value.period;
+    const Date& day = named.value.emergence;
+    if (!problems.usable({"emergence", "from", "to"})) return;
     const auto add = [&](const std::string& why) {
-        problems.add(&day, fmt::format("climate.emergence is {} {}",
-                                       to_string(day), why));
+        problems.add("emergence", "climate.emergence is {} {}", to_string(day),
+                     why);
     };
-    if (day < climate.period.from || day > climate.period.to)
-        return add(fmt::format(
-            "(the period is from {} to {}); give a day of "
-            "it, or a longer period",
-            to_string(climate.period.from), to_string(climate.period.to)));
+    if (day < from || day > to)
+        return add(
+            fmt::format("(the period is from {} to {}); give a day of it, or a "
+                        "longer period",
+                        to_string(from), to_string(to)));
     if (draft.is_crop_known && !draft.has_growth)
         return add(
-            "(the crop file tells no growth); add [growth] to it, an "
-            "empty one has a hybrid of maize");
+            "(the crop file tells no growth); add [growth] to it, an empty one "
+            "has a hybrid of maize");
     for (const SiteWeather& weather : draft.campaign.weathers) {
         if (weather.climate != named.name || !problems.empty()) continue;
         if (weather.temperature.empty())
             return add(
-                "(the weather has no temperature, which growth "
-                "follows); name its column");
+                "(the weather has no temperature, which growth follows); name "
+                "its column");
         double sum = 0;
         const std::size_t steps = weather.hours.size();
         for (std::size_t d = 0; d < weather.dates.size(); ++d)
@@ -46,13 +46,12 @@ void check_emergence(const Draft& draft, const Named<Climate>& named,
                     {weather.temperature.data() + d * steps, steps});
         if (!(sum > leaf_dates(draft.growth).front().collar))
             return add(
-                fmt::format("(until the end of the period there are "
-                            "{:.0f} deg C d, too few for a leaf); give "
-                            "a longer period",
+                fmt::format("(until the end of the period there are {:.0f} deg "
+                            "C d, too few for a leaf); give a longer period",
                             sum));
         if (sum < maturity_time(draft.growth))
             problems.warn(
-                &day,
+                "emergence",
                 fmt::format("plants of climate \"{}\" are not mature at the "
                             "end of the period, with {:.0f} of {:.0f} deg C d; "
                             "take a longer one, if the weather file has it",
@@ -61,51 +60,51 @@ void check_emergence(const Draft& draft, const Named<Climate>& named,
 }
 
 //! Reports leaves that do not grow by coming out of a whorl.
-void check_leaves(const Draft& crop, Problems& problems) {
+//! @param problems of the crop
+void check_leaves(const Draft& crop, const Problems& problems) {
     const Plant& plant = crop.campaign.crop.baseline;
     if (crop.is_crop_known && crop.has_growth &&
         (plant.blade.leaflets > 1 || has_petioles(plant)))
-        problems.add(
-            &crop.growth.leaves,
-            "growth.leaves are those of grasses, whose blades come out "
-            "tip first (this plant has petioles or leaflets); leave "
-            "out climate.emergence, or [growth] of this crop");
+        problems.add("growth.leaves",
+                     "growth.leaves are those of grasses, whose blades come "
+                     "out tip first (this plant has petioles or leaflets); "
+                     "leave out climate.emergence, or [growth] of this crop");
 }
 
 }  // namespace
 
-void check_growing(const Draft& draft, Problems& problems) {
+void check_growing(const Draft& draft, const Problems& problems) {
     const auto& climates = draft.campaign.climates;
-    const auto growing =
-        std::count_if(climates.begin(), climates.end(),
-                      [](const auto& each) { return each.value.grows(); });
-    for (const Named<Climate>& each : climates)
-        if (each.value.grows())
-            check_emergence(draft, each, problems);
-        else if (growing > 0)
-            problems.add(&each.name,
-                         fmt::format("climate \"{}\" has no emergence (plants "
-                                     "grow in another); give one to each",
-                                     each.name));
-    if (growing > 0) check_leaves(draft, problems);
-    for (const std::shared_ptr<Draft>& each : draft.components) {
-        if (growing > 0) check_leaves(*each, problems);
-        if (each->standing.later > 0 && (growing == 0 || !each->has_growth))
-            problems.add(
-                &each->standing.later,
-                "component.later is for plants that grow; remove it, or "
-                "give [growth] to its crop file and emergence to each "
-                "[[climate]]");
+    const bool grows = std::ranges::any_of(
+        climates, [](const auto& each) { return each.value.grows(); });
+    for (std::size_t i = 0; i < climates.size(); ++i) {
+        const Problems own = problems.in("climate", i);
+        if (climates[i].value.grows())
+            check_emergence(draft, climates[i], own);
+        else if (grows)
+            own.add("name",
+                    "climate \"{}\" has no emergence (plants grow in "
+                    "another); give one to each",
+                    climates[i].name);
     }
-    if (growing > 0) return;
-    for (const auto* list :
-         {&draft.campaign.maximised, &draft.campaign.minimised})
-        for (const std::string& each : *list)
-            if (problems.usable({list}) && is_of_growth(each))
-                problems.add(list, fmt::format("the objective {} is of plants "
-                                               "that grow; add emergence to "
-                                               "[[climate]]",
-                                               each));
+    if (grows) check_leaves(draft, problems.in("plant.baseline"));
+    for (std::size_t i = 0; i < draft.components.size(); ++i) {
+        const Draft& each = *draft.components[i];
+        const Problems own = problems.in("component", i);
+        if (grows) check_leaves(each, own.in("crop"));
+        if (each.standing.later > 0 && (!grows || !each.has_growth))
+            own.add("later",
+                    "component.later is for plants that grow; remove it, or "
+                    "give [growth] to its crop file and emergence to each "
+                    "[[climate]]");
+    }
+    if (grows) return;
+    for (const auto& [key, name] : objective_keys(draft.campaign, problems))
+        if (problems.usable(key) && is_of_growth(name))
+            problems.add(key,
+                         "the objective {} is of plants that grow; add "
+                         "emergence to [[climate]]",
+                         name);
 }
 
 }  // namespace ideotype

@@ -86,20 +86,21 @@ std::string fault(const NamedKey& found) {
 }
 
 //! Whether a range lies in that of a key; otherwise reports.
+//! @param problems of the factor
 bool is_in_range(const KeyFactor& factor, const NamedKey& found,
-                 Problems& problems) {
+                 const Problems& problems) {
     for (const double bound : {factor.range.lower, factor.range.upper}) {
         double scratch = 0;
         Key probe = found.key;
         probe.value = &scratch;
-        Problems own;
-        own.locate(&scratch, problems.where(&factor.range));
+        const Problems own;
+        own.locate(probe.name, problems.where("range"));
         read_value(toml::value(bound), found.section, probe, own);
         if (own.empty()) continue;
         try {
             own.throw_if_any();
         } catch (const InputError& error) {
-            problems.add(&factor.range, error.problems().front().what);
+            problems.add("range", error.problems().front().what);
         }
         return false;
     }
@@ -107,62 +108,61 @@ bool is_in_range(const KeyFactor& factor, const NamedKey& found,
 }
 
 //! @param table of the study or search
+//! @param problems of the factor
 void check_key(const std::string& table, KeyFactor& factor,
-               const std::vector<NamedKey>& keys, Problems& problems) {
-    const auto found = std::find_if(
-        keys.begin(), keys.end(),
-        [&](const NamedKey& each) { return each.name == factor.key; });
+               const std::vector<NamedKey>& keys, const Problems& problems) {
+    const auto found = std::ranges::find(keys, factor.key, &NamedKey::name);
     const std::string what =
         found == keys.end() ? "(there is no such number)" : fault(*found);
     if (!what.empty())
-        return problems.add(
-            &factor.key,
-            fmt::format("{}.keys has \"{}\" {}; {}", table, factor.key, what,
-                        advice(factor.key, keys)));
-    if (!problems.usable({&factor.range}) ||
-        !is_in_range(factor, *found, problems))
+        return problems.add("key", "{}.keys has \"{}\" {}; {}", table,
+                            factor.key, what, advice(factor.key, keys));
+    if (!problems.usable({"range"}) || !is_in_range(factor, *found, problems))
         return;
     const std::vector<double> numbers = *numbers_of(found->key);
     const auto& [lower, upper] = factor.range;
-    factor.unit = found->key.unit.empty() ? "1" : found->key.unit;
+    const std::string& unit = found->key.bounds.unit;
+    factor.unit = unit.empty() ? "1" : unit;
     factor.value = numbers.empty() ? (lower + upper) / 2 : numbers.front();
 }
 
 //! Checks the keys [[TABLE.keys]].
 void check_keys(const std::string& table, std::vector<KeyFactor>& factors,
-                Draft& draft, Problems& problems) {
+                Draft& draft, const Problems& problems) {
     std::set<std::string> seen;
     const std::vector<NamedKey> keys = variable_keys(draft);
-    for (KeyFactor& factor : factors) {
+    for (std::size_t i = 0; i < factors.size(); ++i) {
+        KeyFactor& factor = factors[i];
+        const Problems own = problems.in(table).in("keys", i);
         // Without its file nothing is known of the plant.
-        if (!problems.usable({&factor.key}) ||
+        if (!own.usable({"key"}) ||
             (!draft.is_crop_known && factor.key.starts_with(plant_prefix)))
             continue;
         if (seen.insert(factor.key).second)
-            check_key(table, factor, keys, problems);
+            check_key(table, factor, keys, own);
         else
-            problems.add(&factor.key,
-                         fmt::format("{}.keys has \"{}\" twice; remove one",
-                                     table, factor.key));
+            own.add("key", "{}.keys has \"{}\" twice; remove one", table,
+                    factor.key);
     }
 }
 
 }  // namespace
 
-void check_sensitivity(Draft& draft, Problems& problems) {
-    Variation& varied = draft.varied;
-    const int& levels = draft.design.levels;
-    if (problems.usable({&levels}) && levels % 2 != 0)
-        problems.add(&levels, fmt::format("sensitivity.levels is {} (steps are "
-                                          "half of them); use {}",
-                                          levels, levels + 1));
-    if (problems.usable({&varied.has_traits}) && !varied.has_traits &&
-        varied.keys.empty() && draft.is_study)
-        problems.add(&varied.has_traits,
-                     "sensitivity.traits is false (and there are no "
-                     "sensitivity.keys, so nothing would vary); name a key, or "
-                     "leave it out");
-    check_keys("sensitivity", varied.keys, draft, problems);
+void check_sensitivity(Draft& draft, const Problems& problems) {
+    const Problems own = problems.in("sensitivity");
+    const Variation& varied = draft.varied;
+    const int levels = draft.design.levels;
+    if (own.usable({"levels"}) && levels % 2 != 0)
+        own.add("levels",
+                "sensitivity.levels is {} (steps are half of them); use {}",
+                levels, levels + 1);
+    if (own.usable({"traits"}) && !varied.has_traits && varied.keys.empty() &&
+        draft.is_study)
+        own.add("traits",
+                "sensitivity.traits is false (and there are no "
+                "sensitivity.keys, so nothing would vary); name a key, or "
+                "leave it out");
+    check_keys("sensitivity", draft.varied.keys, draft, problems);
     check_keys("search", draft.searched, draft, problems);
 }
 

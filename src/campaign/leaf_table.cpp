@@ -34,7 +34,7 @@ struct ReadColumn {
 class LeafReader {
   public:
     LeafReader(const std::string& text, const std::string& file,
-               Problems& problems)
+               const Problems& problems)
         : text_(text), file_(file), problems_(problems) {}
 
     LeafTable read() {
@@ -220,7 +220,7 @@ class LeafReader {
 
     const std::string& text_;
     const std::string& file_;
-    Problems& problems_;
+    const Problems& problems_;
     LeafTable table_;  //!< header in line 0: not read yet
     std::vector<ReadColumn> columns_;
     bool has_ranks_ = false;
@@ -230,7 +230,7 @@ class LeafReader {
 }  // namespace
 
 LeafTable read_leaf_table(const std::string& text, const std::string& file,
-                          Problems& problems) {
+                          const Problems& problems) {
     return LeafReader(text, file, problems).read();
 }
 

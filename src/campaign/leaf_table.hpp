@@ -36,7 +36,7 @@ struct LeafTable {
 
 //! Reads a table and reports all that is wrong with it.
 LeafTable read_leaf_table(const std::string& text, const std::string& file,
-                          Problems& problems);
+                          const Problems& problems);
 
 //! A text and where it is written.
 struct Written {

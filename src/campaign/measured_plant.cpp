@@ -28,18 +28,16 @@ double highest_insertion(const Plant& plant) {
 
 //! Reports measures that neither the table nor the crop tells.
 void require_columns(const LeafTable& table, std::size_t leaves_of_crop,
-                     Problems& problems) {
+                     const Problems& problems) {
     if (table.rows.size() == leaves_of_crop) return;
     for (std::size_t m = 0; m < needed_leaf_measures; ++m) {
         const auto& [name, unit, limits, value, meaning] = leaf_measures[m];
         if (table.has[m]) continue;
-        problems.add(
-            table.header,
-            fmt::format("there is no column of the {} (the {} leaves of "
-                        "the crop cannot stand for {} measured ones); "
-                        "add {}_{}",
-                        name, leaves_of_crop, table.rows.size(), name,
-                        std::string_view(unit) == "m" ? "cm" : unit));
+        problems.add(table.header,
+                     "there is no column of the {} (the {} leaves of the crop "
+                     "cannot stand for {} measured ones); add {}_{}",
+                     name, leaves_of_crop, table.rows.size(), name,
+                     std::string_view(unit) == "m" ? "cm" : unit);
     }
 }
 
@@ -65,11 +63,11 @@ double height_of(const Leaf& leaf, const Blade& blade, LeafHeight of) {
 
 //! Finds by bisection the curvature with which a leaf has the height that was
 //! measured; the more it bends the lower are its tip and its highest point.
+//! @param problems of the leaf
 void bend(const LeafRow& row, const Blade& blade, Leaf& leaf,
-          Problems& problems) {
+          const Problems& problems) {
     const std::size_t of_curvature = index_of(&Leaf::curvature);
-    const auto& [name, unit, limits, value, meaning] =
-        leaf_measures[of_curvature];
+    const Range limits = leaf_measures[of_curvature].limits;
     leaf.midrib.clear();
     const auto height = [&](double curvature) {
         leaf.curvature = curvature;
@@ -81,15 +79,13 @@ void bend(const LeafRow& row, const Blade& blade, Leaf& leaf,
     if (row.height < lowest - 0.01 || row.height > highest + 0.01) {
         problems.add(
             row.places[of_curvature],
-            fmt::format(
-                "the {} of the leaf is at {:.4g} m (a leaf of "
-                "{:.4g} m that leaves the stalk at {:.4g} m by "
-                "{:.4g} deg has it at {:.4g} .. {:.4g} m); "
-                "correct one of these",
-                row.of_height == LeafHeight::tip ? "tip" : "highest point",
-                row.height, leaf.length, leaf.insertion_height,
-                leaf.insertion_angle, lowest, highest));
-        return problems.spoil(&leaf.curvature);
+            "the {} of the leaf is at {:.4g} m (a leaf of {:.4g} m that leaves "
+            "the stalk at {:.4g} m by {:.4g} deg has it at {:.4g} .. {:.4g} "
+            "m); correct one of these",
+            row.of_height == LeafHeight::tip ? "tip" : "highest point",
+            row.height, leaf.length, leaf.insertion_height,
+            leaf.insertion_angle, lowest, highest);
+        return problems.spoil("curvature");
     }
     while (range.upper - range.lower > 1e-6) {
         const double middle = (range.lower + range.upper) / 2;
@@ -112,29 +108,30 @@ void stack(const LeafTable& table, bool has_internodes, Plant& plant) {
 }
 
 //! Puts what the table tells of each leaf in the place of what is there.
-void overlay(const LeafTable& table, Plant& plant, Problems& problems) {
+void overlay(const LeafTable& table, Plant& plant, const Problems& problems) {
     const bool has_same_leaves = plant.leaves.size() == table.rows.size();
     const bool has_internodes =
         !plant.leaves.empty() && plant.leaves.back().internode > 0;
     if (!has_same_leaves) plant.leaves.assign(table.rows.size(), {});
     for (std::size_t i = 0; i < table.rows.size(); ++i) {
         const LeafRow& row = table.rows[i];
+        const Problems own = problems.in("leaf", i);
         for (std::size_t m = 0; m < leaf_measures.size(); ++m) {
-            double& value = plant.leaves[i].*leaf_measures[m].value;
+            const Measure<Leaf>& measure = leaf_measures[m];
             const bool is_told = row.places[m].line > 0;
-            problems.locate(&value, is_told ? row.places[m] : row.where);
+            own.locate(measure.name, is_told ? row.places[m] : row.where);
             if (is_told)
-                value = row.leaf.*leaf_measures[m].value;
+                plant.leaves[i].*measure.value = row.leaf.*measure.value;
             else if (table.has[m] ||
                      (!has_same_leaves && m < needed_leaf_measures))
-                problems.spoil(&value);  // its own problem is told already
+                own.spoil(measure.name);  // its own problem is told already
         }
     }
     stack(table, has_internodes, plant);
     for (std::size_t i = 0; i < table.rows.size(); ++i) {
         const LeafRow& row = table.rows[i];
         if (row.of_height != LeafHeight::none && plant.leaves[i].length > 0)
-            bend(row, plant.blade, plant.leaves[i], problems);
+            bend(row, plant.blade, plant.leaves[i], problems.in("leaf", i));
     }
 }
 
@@ -145,7 +142,8 @@ bool is_measured(const std::string& path) {
 }
 
 void read_measured_plant(const std::string& text, const std::string& file,
-                         bool is_crop_known, Plant& plant, Problems& problems) {
+                         bool is_crop_known, Plant& plant,
+                         const Problems& problems) {
     const LeafTable table = read_leaf_table(text, file, problems);
     if (table.rows.empty()) return;
     const auto more = static_cast<int>(table.rows.size()) -
@@ -157,7 +155,7 @@ void read_measured_plant(const std::string& text, const std::string& file,
     if (is_crop_known)
         plant.stalk.height =
             was_high + (highest_insertion(plant) - was_highest);
-    problems.locate(&plant.stalk.height, table.header);
+    problems.locate("stalk.height", table.header);
     for (Organ& organ : plant.organs)
         if (organ.leaf > 0) organ.leaf = std::max(1, organ.leaf + more);
     plant.name = make_name(std::filesystem::path(file).stem().string());

@@ -17,6 +17,7 @@ bool is_measured(const std::string& path);
 //! leaf keep its rank from the highest one.
 //! @param is_crop_known false: the plant could not be read
 void read_measured_plant(const std::string& text, const std::string& file,
-                         bool is_crop_known, Plant& plant, Problems& problems);
+                         bool is_crop_known, Plant& plant,
+                         const Problems& problems);
 
 }  // namespace ideotype

@@ -26,7 +26,7 @@ struct Entry {
 
 class SceneReader {
   public:
-    SceneReader(const std::string& file, Problems& problems)
+    SceneReader(const std::string& file, const Problems& problems)
         : file_(file), problems_(problems), tables_(file, problems) {
         scene_.file = file;
     }
@@ -268,7 +268,7 @@ class SceneReader {
     }
 
     const std::string& file_;
-    Problems& problems_;
+    const Problems& problems_;
     TableReader tables_;
     MeshScene scene_;
     std::vector<Entry> entries_;

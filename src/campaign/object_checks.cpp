@@ -48,119 +48,127 @@ std::string remedy(const std::string& key, double part, double own,
                                   : other;
 }
 
-//! Tells a length that does not go into a period.
-void check_period(const std::string& key, const double& value, double own,
-                  const Period& period, Problems& problems) {
+//! Tells a length of panels that does not go into a period.
+//! @param own what it consists of besides the value of the key
+void check_period(const std::string& key, double value, double own,
+                  const Period& period, const Problems& problems) {
     const double part = value + own, whole = period.length();
-    if (divides(part, whole)) return;
-    problems.add(
-        &value,
-        fmt::format("panel.{} is {} ({}{:.6g} m does not go into the "
-                    "cell of {} {} x {} {:.6g} m = {:.6g} m a whole "
-                    "number of times); use {}",
-                    key, value, own > 0 ? "module and gap, " : "", part,
-                    period.count_key, period.count, period.step_key,
-                    period.step, whole, remedy(key, part, own, period)));
+    if (!divides(part, whole))
+        problems.add(key,
+                     "panel.{} is {} ({}{:.6g} m does not go into the cell of "
+                     "{} {} x {} {:.6g} m = {:.6g} m a whole number of times); "
+                     "use {}",
+                     key, value, own > 0 ? "module and gap, " : "", part,
+                     period.count_key, period.count, period.step_key,
+                     period.step, whole, remedy(key, part, own, period));
 }
 
+//! @param problems of the rows
 void check_rows(const PanelRows& rows, const FieldForm& field,
-                const Spacing& spacing, Problems& problems) {
-    if (!problems.usable({&rows.pitch, &rows.azimuth, &rows.module_length,
-                          &rows.gap, &spacing.row, &spacing.plant,
-                          &spacing.row_direction, &field.rows,
-                          &field.plants}) ||
-        !(spacing.plant > 0))
-        return;
+                const Spacing& spacing, const Problems& problems) {
     Period across{"field.rows", "spacing.row", spacing.row, field.rows,
                   std::max(1, static_cast<int>(field.row_pattern.size()))};
     Period along{"field.plants", "spacing.plant", spacing.plant, field.plants};
     Cell cell;
     cell.period_x = across.length();
     cell.period_y = along.length();
-    const auto layout = layout_of(rows, cell, spacing.row_direction);
+    const double towards = spacing.row_direction;
+    const auto layout = layout_of(rows, cell, towards);
     if (!layout)
         return problems.add(
-            &rows.azimuth,
-            fmt::format("panel.azimuth is {} (rows of plants run towards {} "
-                        "deg, so that no cell repeats both); use {}, or "
-                        "another spacing.row_direction",
-                        rows.azimuth, spacing.row_direction,
-                        std::fmod(spacing.row_direction +
-                                      90 * std::round((rows.azimuth -
-                                                       spacing.row_direction) /
-                                                      90) +
-                                      360,
-                                  360)));
+            "azimuth",
+            "panel.azimuth is {} (rows of plants run towards {} deg, so that "
+            "no cell repeats both); use {}, or another spacing.row_direction",
+            rows.azimuth, towards,
+            std::fmod(
+                towards + 90 * std::round((rows.azimuth - towards) / 90) + 360,
+                360));
     if (!layout->is_along) std::swap(across, along);
     if (rows.pitch > 0) check_period("pitch", rows.pitch, 0, across, problems);
-    const double pitch = in_cell(rows, cell, spacing.row_direction).pitch;
-    if (problems.usable({&rows.width}) && rows.width > pitch)
-        problems.add(
-            &rows.width,
-            fmt::format("panel.width is {} (rows are {:.6g} m apart, so "
-                        "that modules would meet); use {:.6g} or less",
-                        rows.width, pitch, pitch));
+    const double pitch = in_cell(rows, cell, towards).pitch;
+    if (problems.usable({"width"}) && rows.width > pitch)
+        problems.add("width",
+                     "panel.width is {} (rows are {:.6g} m apart, so that "
+                     "modules would meet); use {:.6g} or less",
+                     rows.width, pitch, pitch);
     if (rows.module_length > 0)
         check_period("gap", rows.gap, rows.module_length, along, problems);
 }
 
-void check_optics(const std::string& table, const Lambertian& optics,
-                  Problems& problems) {
+//! @param prefix of the keys
+void check_optics(const std::string& table, const std::string& prefix,
+                  const Lambertian& optics, const Problems& problems) {
     constexpr double most = .99;
-    if (problems.usable({&optics.reflectance, &optics.transmittance}) &&
-        optics.scattered() > most)
-        problems.add(
-            &optics.transmittance,
-            fmt::format("a {} reflects and transmits {} of the light "
-                        "(of what it does not absorb nothing is known); "
-                        "use {} or less",
-                        table, optics.scattered(), most));
+    const std::string transmittance = prefix + "transmittance";
+    if (problems.usable(prefix + "reflectance") &&
+        problems.usable(transmittance) && optics.scattered() > most)
+        problems.add(transmittance,
+                     "a {} reflects and transmits {} of the light (of what it "
+                     "does not absorb nothing is known); use {} or less",
+                     table, optics.scattered(), most);
 }
 
 //! Tells modules that meet each other or the soil.
-void check_modules(const PanelRows& rows, Problems& problems) {
-    if (!problems.usable({&rows.width, &rows.height, &rows.tilt, &rows.tracks,
-                          &rows.max_angle}))
+void check_modules(const PanelRows& rows, const Problems& problems) {
+    if (!problems.usable({"width", "height", "tilt", "tracks", "max_angle"}))
         return;
     const double steepest = rows.tracks ? rows.max_angle : rows.tilt;
     const double lowest = rows.width / 2 * std::sin(steepest * degree);
     if (rows.height < lowest)
-        problems.add(
-            &rows.height,
-            fmt::format("panel.height is {} (of the middle of modules, "
-                        "whose lower edge would be in the soil); use "
-                        "{:.6g} or more",
-                        rows.height, lowest));
-    if (problems.usable({&rows.gap, &rows.module_length}) && rows.gap > 0 &&
+        problems.add("height",
+                     "panel.height is {} (of the middle of modules, whose "
+                     "lower edge would be in the soil); use {:.6g} or more",
+                     rows.height, lowest);
+    if (problems.usable({"gap", "module_length"}) && rows.gap > 0 &&
         rows.module_length == 0)
-        problems.add(&rows.gap, fmt::format("panel.gap is {} (modules without "
-                                            "end have none); add "
-                                            "module_length, or remove it",
-                                            rows.gap));
+        problems.add("gap",
+                     "panel.gap is {} (modules without end have none); add "
+                     "module_length, or remove it",
+                     rows.gap);
 }
 
 //! Tells numbers of faces that are of no vertex.
-void check_faces(const ObjectEntry& object, Problems& problems) {
-    if (!problems.usable({&object.file, &object.faces, &object.vertices}))
-        return;
+void check_faces(const ObjectEntry& object, const Problems& problems) {
+    if (!problems.usable({"obj", "faces", "vertices"})) return;
     const double count = static_cast<double>(object.vertices.size()) / 3;
     if (object.vertices.size() % 3 != 0 || object.faces.size() % 4 != 0 ||
         object.faces.empty() ||
-        std::any_of(object.faces.begin(), object.faces.end(), [&](double v) {
+        std::ranges::any_of(object.faces, [&](double v) {
             return !(v >= 0 && v < count && v == std::floor(v));
         }))
-        problems.add(&object.faces,
-                     fmt::format("object \"{}\" has no surfaces that fit its "
-                                 "vertices; give a file: obj = \"post.obj\"",
-                                 object.name));
+        problems.add("faces",
+                     "object \"{}\" has no surfaces that fit its vertices; "
+                     "give a file: obj = \"post.obj\"",
+                     object.name);
+}
+
+//! Tells panels that do not repeat with the field of any spacing.
+void check_panel(const PanelEntry& panel, const Campaign& campaign,
+                 const Problems& own, const Problems& problems) {
+    check_modules(panel.rows, own);
+    check_optics("panel", "", panel.optics, own);
+    check_optics("panel", "nir_", panel.nir_optics, own);
+    for (std::size_t i = 0; i < campaign.spacings.size(); ++i) {
+        const Spacing& spacing = campaign.spacings[i].value;
+        if (own.usable({"pitch", "azimuth", "module_length", "gap"}) &&
+            problems.in("spacing", i)
+                .usable({"row", "plant", "row_direction"}) &&
+            problems.usable({"field.rows", "field.plants"}) &&
+            spacing.plant > 0)
+            check_rows(panel.rows, campaign.field, spacing, own);
+    }
 }
 
 }  // namespace
 
-void read_objects(const std::string& file, Draft& draft, Problems& problems) {
-    for (ObjectEntry& object : draft.campaign.objects) {
+void read_objects(const std::string& file, Draft& draft,
+                  const Problems& problems) {
+    std::vector<ObjectEntry>& objects = draft.campaign.objects;
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+        ObjectEntry& object = objects[i];
+        const Problems own = problems.in("object", i);
         if (!object.vertices.empty() || object.file.empty() ||
-            !problems.usable({&object.file}))
+            !own.usable({"obj"}))
             continue;
         try {
             const Mesh mesh = read_obj(path_from(file, object.file)).mesh;
@@ -171,55 +179,51 @@ void read_objects(const std::string& file, Draft& draft, Problems& problems) {
                                     face.end());
         } catch (const InputError& error) {
             for (const Problem& problem : error.problems())
-                problems.add(problem.where, problem.what);
+                own.add(problem.where, problem.what);
         } catch (const Error& error) {
-            problems.add(&object.file,
-                         std::string(error.what()) +
-                             "; give a path relative to this file");
+            own.add("obj", std::string(error.what()) +
+                               "; give a path relative to this file");
         }
     }
 }
 
-void check_objects(const Draft& draft, Problems& problems) {
+void check_objects(const Draft& draft, const Problems& problems) {
     const Campaign& campaign = draft.campaign;
     std::map<std::string, int> names;
     for (const std::shared_ptr<Draft>& each : draft.components)
         names[lower_case(each->campaign.name)] = 1;
     const auto check_name = [&](const std::string& table,
-                                const std::string& name) {
-        if (problems.usable({&name}) && ++names[lower_case(name)] > 1)
-            problems.add(&name, fmt::format("{}.name is \"{}\" (already used); "
-                                            "give each a name of its own",
-                                            table, name));
-        if (problems.usable({&campaign.field.boundary, &name}) &&
+                                const std::string& name, const Problems& own) {
+        if (own.usable({"name"}) && ++names[lower_case(name)] > 1)
+            own.add("name",
+                    "{}.name is \"{}\" (already used); give each a name of its "
+                    "own",
+                    table, name);
+        if (problems.usable({"field.boundary"}) && own.usable({"name"}) &&
             campaign.field.boundary == Boundary::isolated)
-            problems.add(&name,
-                         fmt::format("{} \"{}\" repeats with the field, "
-                                     "and field.boundary is \"isolated\"; "
-                                     "use \"periodic\"",
-                                     table, name));
+            own.add("name",
+                    "{} \"{}\" repeats with the field, and field.boundary is "
+                    "\"isolated\"; use \"periodic\"",
+                    table, name);
     };
-    for (const PanelEntry& each : campaign.panels) {
-        check_name("panel", each.rows.name);
-        check_modules(each.rows, problems);
-        check_optics("panel", each.optics, problems);
-        check_optics("panel", each.nir_optics, problems);
-        for (const Named<Spacing>& spacing : campaign.spacings)
-            check_rows(each.rows, campaign.field, spacing.value, problems);
+    for (std::size_t i = 0; i < campaign.panels.size(); ++i) {
+        const Problems own = problems.in("panel", i);
+        check_name("panel", campaign.panels[i].rows.name, own);
+        check_panel(campaign.panels[i], campaign, own, problems);
     }
-    for (const ObjectEntry& each : campaign.objects) {
-        check_name("object", each.name);
-        check_faces(each, problems);
-        check_optics("object", each.optics, problems);
-        check_optics("object", each.nir_optics, problems);
+    for (std::size_t i = 0; i < campaign.objects.size(); ++i) {
+        const ObjectEntry& each = campaign.objects[i];
+        const Problems own = problems.in("object", i);
+        check_name("object", each.name, own);
+        check_faces(each, own);
+        check_optics("object", "", each.optics, own);
+        check_optics("object", "nir_", each.nir_optics, own);
     }
-    for (const auto* list : {&campaign.maximised, &campaign.minimised})
-        for (const std::string& each : *list)
-            if (problems.usable({list}) && is_of_panels(each) &&
-                campaign.panels.empty())
-                problems.add(list, fmt::format("the objective {} needs panels; "
-                                               "add [[panel]]",
-                                               each));
+    if (!campaign.panels.empty()) return;
+    for (const auto& [key, name] : objective_keys(campaign, problems))
+        if (problems.usable(key) && is_of_panels(name))
+            problems.add(key, "the objective {} needs panels; add [[panel]]",
+                         name);
 }
 
 }  // namespace ideotype

@@ -46,17 +46,18 @@ void each_number(FarquharLeaf& leaf, const auto& with) {
 
 struct Model {
     const char* name;
+    LeafModel kind;
     LeafRates leaf;  //!< where a table has no numbers
 };
 
-//! All models in the order of LeafModel.
-constexpr Model models[] = {{"hyperbola", HyperbolaLeaf{}},
-                            {"collatz", CollatzLeaf{}},
-                            {"farquhar", FarquharLeaf{}}};
+constexpr Model models[] = {
+    {"hyperbola", LeafModel::hyperbola, HyperbolaLeaf{}},
+    {"collatz", LeafModel::collatz, CollatzLeaf{}},
+    {"farquhar", LeafModel::farquhar, FarquharLeaf{}}};
 static_assert(std::size(models) == std::variant_size_v<LeafRates>);
 
 const Model& model_of(const PhotosynthesisTable& table) {
-    return models[static_cast<std::size_t>(table.model)];
+    return *std::ranges::find(models, table.model, &Model::kind);
 }
 
 //! A leaf with what each_number() tells such a function to fill in.
@@ -99,114 +100,102 @@ std::size_t leaves_of(const PhotosynthesisTable& table) {
     return most;
 }
 
-Key by_leaf(const std::string& name, std::vector<double>& value, double least,
-            double most, const std::string& unit, const std::string& initial,
-            const std::string& meaning) {
-    return Key(name, &value, meaning)
-        .within(least, most, unit)
-        .set(&Key::count, any_count)
-        .set(&Key::initial, initial);
-}
-
 }  // namespace
 
 Section photosynthesis_section(PhotosynthesisTable& table) {
-    return {
-        "photosynthesis",
-        {Key("model", choice(table.model),
-             "response of leaves to light: the non-rectangular hyperbola, "
-             "the C4 model of Collatz et al. 1992, or the C3 model of "
-             "Farquhar, von Caemmerer and Berry 1980")
-             .one_of(names_of_models([](const Model&) { return true; })),
-         by_leaf("phi", table.phi, 0, 0.2, "", "0.06",
-                 "quantum yield of the hyperbola [mol mol-1]"),
-         by_leaf("theta", table.theta, 0, 1, "",
-                 "0.7 of the hyperbola, 0.83 by Collatz, 0.97875 by Farquhar",
-                 "curvature of the response to light; by Farquhar that of "
-                 "electron transport, at 25 deg C"),
-         by_leaf("amax", table.amax, 0, 1e9, "umol m-2 s-1", "50",
-                 "gross assimilation of the hyperbola in saturating light, at "
-                 "30 deg C"),
-         by_leaf("rd", table.rd, 0, 1000, "umol m-2 s-1",
-                 "0.04 amax, at 30 deg C; 0.8 by Collatz and 1.28 by Farquhar, "
-                 "at 25 deg C",
-                 "respiration in the dark"),
-         by_leaf("vmax", table.vmax, 0, 1e6, "umol m-2 s-1", "39",
-                 "capacity by Collatz, at 25 deg C"),
-         by_leaf("alpha", table.alpha, 0, 0.2, "", "0.067",
-                 "quantum yield by Collatz [mol mol-1]"),
-         by_leaf("beta", table.beta, 0, 1, "",
-                 "0.93 by Collatz, 0.98 by Farquhar",
-                 "curvature between light and CO2 by Collatz, between the "
-                 "limits by Farquhar, where 1 is the smallest limit itself"),
-         by_leaf("k", table.k, 0, 100, "mol m-2 s-1", "0.7",
-                 "initial slope of the response to CO2 by Collatz, at 25 deg "
-                 "C"),
-         by_leaf("vcmax", table.vcmax, 0, 1e6, "umol m-2 s-1", "110",
-                 "capacity of Rubisco by Farquhar, at 25 deg C"),
-         by_leaf("jmax", table.jmax, 0, 1e6, "umol m-2 s-1", "195",
-                 "capacity of electron transport by Farquhar, at 25 deg C, "
-                 "from a fit with 4.5 ci + 10.5 Gamma*"),
-         by_leaf("tpu", table.tpu, 0, 1e6, "umol m-2 s-1", "13",
-                 "capacity of the use of triose phosphate by Farquhar, at 25 "
-                 "deg C"),
-         by_leaf("g1", table.g1, 0, 100, "kPa^0.5", "5.79",
-                 "slope of stomata by Farquhar, after Medlyn et al. 2011"),
-         Key("profile", choice(table.profile),
+    Section keys{"photosynthesis"};
+    const auto add_by_leaf =
+        [&](const std::string& name, std::vector<double>& value,
+            const Bounds& bounds, const std::string& initial,
+            const std::string& meaning) {
+            keys.add(name, value, bounds, meaning).or_list().defaults(initial);
+        };
+    ValueNames<LeafModel> names;
+    for (const Model& each : models) names.emplace_back(each.name, each.kind);
+    keys.add("model", table.model, names,
+             "response of leaves to light: the non-rectangular hyperbola, the "
+             "C4 model of Collatz et al. 1992, or the C3 model of Farquhar, "
+             "von Caemmerer and Berry 1980");
+    add_by_leaf("phi", table.phi, {0, 0.2}, "0.06",
+                "quantum yield of the hyperbola [mol mol-1]");
+    add_by_leaf("theta", table.theta, {0, 1},
+                "0.7 of the hyperbola, 0.83 by Collatz, 0.97875 by Farquhar",
+                "curvature of the response to light; by Farquhar that of "
+                "electron transport, at 25 deg C");
+    add_by_leaf("amax", table.amax, {0, 1e9, "umol m-2 s-1"}, "50",
+                "gross assimilation of the hyperbola in saturating light, at "
+                "30 deg C");
+    add_by_leaf("rd", table.rd, {0, 1000, "umol m-2 s-1"},
+                "0.04 amax, at 30 deg C; 0.8 by Collatz and 1.28 by Farquhar, "
+                "at 25 deg C",
+                "respiration in the dark");
+    add_by_leaf("vmax", table.vmax, {0, 1e6, "umol m-2 s-1"}, "39",
+                "capacity by Collatz, at 25 deg C");
+    add_by_leaf("alpha", table.alpha, {0, 0.2}, "0.067",
+                "quantum yield by Collatz [mol mol-1]");
+    add_by_leaf("beta", table.beta, {0, 1}, "0.93 by Collatz, 0.98 by Farquhar",
+                "curvature between light and CO2 by Collatz, between the "
+                "limits by Farquhar, where 1 is the smallest limit itself");
+    add_by_leaf("k", table.k, {0, 100, "mol m-2 s-1"}, "0.7",
+                "initial slope of the response to CO2 by Collatz, at 25 deg C");
+    add_by_leaf("vcmax", table.vcmax, {0, 1e6, "umol m-2 s-1"}, "110",
+                "capacity of Rubisco by Farquhar, at 25 deg C");
+    add_by_leaf("jmax", table.jmax, {0, 1e6, "umol m-2 s-1"}, "195",
+                "capacity of electron transport by Farquhar, at 25 deg C, "
+                "from a fit with 4.5 ci + 10.5 Gamma*");
+    add_by_leaf("tpu", table.tpu, {0, 1e6, "umol m-2 s-1"}, "13",
+                "capacity of the use of triose phosphate by Farquhar, at 25 "
+                "deg C");
+    add_by_leaf("g1", table.g1, {0, 100, "kPa^0.5"}, "5.79",
+                "slope of stomata by Farquhar, after Medlyn et al. 2011");
+    keys.add("profile", table.profile,
+             {{"none", CapacityProfile::none},
+              {"exponential", CapacityProfile::exponential},
+              {"nitrogen", CapacityProfile::nitrogen},
+              {"rank", CapacityProfile::rank}},
              "how the capacity of leaves falls with depth: not, as exp(-kn L) "
-             "of the leaf area index L above, by a fixed canopy nitrogen "
-             "that is spread in this way, or as rank_capacity tells")
-             .one_of({"none", "exponential", "nitrogen", "rank"}),
-         Key("rank_capacity", &table.rank_capacity,
+             "of the leaf area index L above, by a fixed canopy nitrogen that "
+             "is spread in this way, or as rank_capacity tells");
+    keys.add("rank_capacity", table.rank_capacity, {0, 2},
              "of the profile by rank: capacity over the above at equal "
              "distances from the lowest leaf to the highest, linear in between")
-             .within(0, 2)
-             .set(&Key::count, any_count)
-             .set(&Key::type, "number or list"),
-         Key("kn", &table.kn, "of the profile, per leaf area index")
-             .within(0, 5),
-         Key("nitrogen", &table.nitrogen, "in leaves, per ground area")
-             .within(0.01, 100, "g m-2"),
-         Key("weather", &table.follows_weather,
-             "whether leaves have the temperature and humidity of the "
-             "weather; else, and on clear days, they have 30 deg C and 60 %"),
-         Key("leaf_mass", &table.building_cost,
-             "that leaves are built of, which the carbon balance pays for")
-             .within(0, 1000, "g m-2"),
-         Key("leaf_days", &table.building_days,
-             "that the building of leaves is spread over")
-             .within(1, 1000, "day")}};
-}
-
-Table photosynthesis_table(Draft& draft) {
-    Table table = one_table(photosynthesis_section(draft.photosynthesis));
-    table.is_default = !draft.has_photosynthesis;
-    return table;
+        .or_list("number or list");
+    keys.add("kn", table.kn, {0, 5}, "of the profile, per leaf area index");
+    keys.add("nitrogen", table.nitrogen, {0.01, 100, "g m-2"},
+             "in leaves, per ground area");
+    keys.add("weather", table.follows_weather,
+             "whether leaves have the temperature and humidity of the weather; "
+             "else, and on clear days, they have 30 deg C and 60 %");
+    keys.add("leaf_mass", table.building_cost, {0, 1000, "g m-2"},
+             "that leaves are built of, which the carbon balance pays for");
+    keys.add("leaf_days", table.building_days, {1, 1000, "day"},
+             "that the building of leaves is spread over");
+    return keys;
 }
 
 void check_photosynthesis(const PhotosynthesisTable& table, std::size_t leaves,
-                          Problems& problems) {
+                          const Problems& root) {
+    const Problems problems = root.in("photosynthesis");
     const std::size_t count = leaves > 0 ? leaves : leaves_of(table);
     for (const LeafKey& key : leaf_keys) {
         const std::vector<double>& numbers = table.*key.numbers;
-        if (numbers.empty() || !problems.usable({&numbers})) continue;
+        if (numbers.empty() || !problems.usable({key.name})) continue;
         if (!has(model_of(table), key.numbers))
             problems.add(
-                &numbers,
-                fmt::format("photosynthesis.{} is no number of the model "
-                            "\"{}\" (it is one of \"{}\"); remove it",
-                            key.name, model_of(table).name,
-                            fmt::join(names_of_models([&](const Model& each) {
-                                          return has(each, key.numbers);
-                                      }),
-                                      "\" or \"")));
+                key.name,
+                "photosynthesis.{} is no number of the model \"{}\" (it is one "
+                "of \"{}\"); remove it",
+                key.name, model_of(table).name,
+                fmt::join(names_of_models([&](const Model& each) {
+                              return has(each, key.numbers);
+                          }),
+                          "\" or \""));
         else if (numbers.size() != 1 && numbers.size() != count)
-            problems.add(
-                &numbers,
-                fmt::format("photosynthesis.{} has {} values ({} has "
-                            "{}); give one number, or one for each leaf",
-                            key.name, numbers.size(),
-                            leaves > 0 ? "the plant" : "another list", count));
+            problems.add(key.name,
+                         "photosynthesis.{} has {} values ({} has {}); give "
+                         "one number, or one for each leaf",
+                         key.name, numbers.size(),
+                         leaves > 0 ? "the plant" : "another list", count);
     }
 }
 

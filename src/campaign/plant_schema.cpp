@@ -7,315 +7,255 @@ namespace ideotype {
 namespace {
 
 template <class Part>
-Key measure_key(const Measure<Part>& measure, Part& part) {
-    const auto& [least, most] = measure.limits;
-    Key key(measure.name, &(part.*measure.value), measure.meaning);
+void add_measure(Section& keys, const Measure<Part>& measure, Part& part) {
     const std::string unit = measure.unit;
-    if (unit == "m") return key.metres(least, most);
-    return key.within(least, most, unit == "1" ? "" : unit);
+    const auto& [least, most] = measure.limits;
+    Key& key =
+        keys.add(measure.name, part.*measure.value,
+                 {least, most, unit == "1" ? "" : unit}, measure.meaning);
+    if (unit == "m") key.in_metres();
 }
 
-template <class Part, std::size_t count>
-std::vector<Key> measure_keys(const std::array<Measure<Part>, count>& measures,
-                              Part& part) {
-    std::vector<Key> keys;
-    for (const Measure<Part>& each : measures)
-        keys.push_back(measure_key(each, part));
+template <class Part>
+void add_measures(Section& keys, const auto& measures, Part& part) {
+    for (const Measure<Part>& each : measures) add_measure(keys, each, part);
+}
+
+void add_presence(Section& keys, bool& value) {
+    keys.add("present", value, "whether plants have it");
+}
+
+//! A part that a plant has once, or does not have.
+template <class Part>
+Section part_section(const std::string& name, const auto& measures,
+                     Part& part) {
+    Section keys{name};
+    add_presence(keys, part.is_present);
+    add_measures(keys, measures, part);
     return keys;
 }
 
-Key presence(bool& value) {
-    return Key("present", &value, "whether plants have it");
-}
-
 Section stalk_section(Stalk& stalk) {
-    Section section{"stalk", measure_keys(stalk_measures, stalk)};
-    section.keys.insert(section.keys.begin(), presence(stalk.is_present));
-    section.keys.push_back(Key("leaf_base", choice(stalk.leaf_base),
-                               "where the midribs of leaves begin")
-                               .one_of({"surface", "axis"}));
-    return section;
-}
-
-Section sheath_section(Sheath& sheath) {
-    Section section{"sheath", measure_keys(sheath_measures, sheath)};
-    section.keys.insert(section.keys.begin(), presence(sheath.is_present));
-    return section;
-}
-
-//! The table is not written of plants that have no petiole.
-Table petiole_table(Plant& plant) {
-    Section section{"petiole", measure_keys(petiole_measures, plant.petiole)};
-    section.keys.insert(section.keys.begin(),
-                        presence(plant.petiole.is_present));
-    Table table = one_table(section);
-    table.is_default = !has_petioles(plant);
-    return table;
-}
-
-Key thermal_time(const std::string& name, double& value,
-                 const std::string& meaning) {
-    return Key(name, &value, meaning).within(0, 5000, "deg C d");
-}
-
-Key fraction_of_leaves(const std::string& name, double& value,
-                       const std::string& meaning) {
-    return Key(name, &value, meaning).within(0.01, 0.99);
+    Section keys = part_section("stalk", stalk_measures, stalk);
+    keys.add("leaf_base", stalk.leaf_base,
+             {{"surface", LeafBase::surface}, {"axis", LeafBase::axis}},
+             "where the midribs of leaves begin");
+    return keys;
 }
 
 Section growth_section(Growth& growth) {
-    return {
-        "growth",
-        {Key("leaves", &growth.leaves,
-             "of the main stem; the plant's are the highest of them")
-             .within(3, 40),
-         thermal_time("interval", growth.interval,
-                      "between the tips of successive leaves"),
-         Key("largest_area", &growth.largest_area,
-             "of the blade that is largest, one-sided")
-             .within(1e-5, 1, "m2"),
-         fraction_of_leaves("largest", growth.largest,
-                            "rank of the largest blade over the leaves"),
-         Key("narrowing", &growth.narrowing,
-             "a of the area by rank, exp(-a x^2 + b x^3) with x = (n - m) / "
-             "(m - 1) and m the rank of the largest")
-             .within(0, 100),
-         Key("skewness", &growth.skewness, "b of the area by rank")
-             .within(-100, 100),
-         thermal_time("first_extension", growth.first_extension,
-                      "from tip to collar of the first leaf"),
-         thermal_time("longest_extension", growth.longest_extension,
-                      "from tip to collar of the leaf that takes longest"),
-         thermal_time("last_extension", growth.last_extension,
-                      "from tip to collar of the highest leaf"),
-         fraction_of_leaves("slowest", growth.slowest,
-                            "rank of the leaf that takes longest over the "
-                            "leaves"),
-         fraction_of_leaves("lower_leaves", growth.lower_leaves,
-                            "ranks up to it over the leaves die while the "
-                            "plant grows"),
-         thermal_time("lower_death", growth.lower_death,
-                      "from emergence to the death of the lowest leaf"),
-         thermal_time("lower_interval", growth.lower_interval,
-                      "between the deaths of lower leaves"),
-         thermal_time("upper_death", growth.upper_death,
-                      "from silking to the death of the first upper leaf"),
-         thermal_time("upper_interval", growth.upper_interval,
-                      "between the deaths of upper leaves"),
-         thermal_time("fading", growth.fading,
-                      "from the death of a blade to its last green"),
-         thermal_time("silking", growth.silking,
-                      "from as many intervals as there are leaves to silking"),
-         thermal_time("maturity", growth.maturity, "from silking to maturity"),
-         Key("internode_rate", &growth.internode_rate,
-             "growth of an internode from the collar of its leaf on")
-             .within(1e-5, 0.1, "m / (deg C d)"),
-         Key("base", &growth.base,
-             "temperature that thermal time is counted from")
-             .within(-5, 20, "deg C"),
-         Key("cap", &growth.cap, "temperature above which growth is no faster")
-             .within(20, 50, "deg C")}};
+    Section keys{"growth"};
+    const Bounds thermal_time{0, 5000, "deg C d"}, of_leaves{0.01, 0.99};
+    keys.add("leaves", growth.leaves, {3, 40},
+             "of the main stem; the plant's are the highest of them");
+    keys.add("interval", growth.interval, thermal_time,
+             "between the tips of successive leaves");
+    keys.add("largest_area", growth.largest_area, {1e-5, 1, "m2"},
+             "of the blade that is largest, one-sided");
+    keys.add("largest", growth.largest, of_leaves,
+             "rank of the largest blade over the leaves");
+    keys.add("narrowing", growth.narrowing, {0, 100},
+             "a of the area by rank, exp(-a x^2 + b x^3) with x = (n - m) / (m "
+             "- 1) and m the rank of the largest");
+    keys.add("skewness", growth.skewness, {-100, 100}, "b of the area by rank");
+    keys.add("first_extension", growth.first_extension, thermal_time,
+             "from tip to collar of the first leaf");
+    keys.add("longest_extension", growth.longest_extension, thermal_time,
+             "from tip to collar of the leaf that takes longest");
+    keys.add("last_extension", growth.last_extension, thermal_time,
+             "from tip to collar of the highest leaf");
+    keys.add("slowest", growth.slowest, of_leaves,
+             "rank of the leaf that takes longest over the leaves");
+    keys.add("lower_leaves", growth.lower_leaves, of_leaves,
+             "ranks up to it over the leaves die while the plant grows");
+    keys.add("lower_death", growth.lower_death, thermal_time,
+             "from emergence to the death of the lowest leaf");
+    keys.add("lower_interval", growth.lower_interval, thermal_time,
+             "between the deaths of lower leaves");
+    keys.add("upper_death", growth.upper_death, thermal_time,
+             "from silking to the death of the first upper leaf");
+    keys.add("upper_interval", growth.upper_interval, thermal_time,
+             "between the deaths of upper leaves");
+    keys.add("fading", growth.fading, thermal_time,
+             "from the death of a blade to its last green");
+    keys.add("silking", growth.silking, thermal_time,
+             "from as many intervals as there are leaves to silking");
+    keys.add("maturity", growth.maturity, thermal_time,
+             "from silking to maturity");
+    keys.add("internode_rate", growth.internode_rate,
+             {1e-5, 0.1, "m / (deg C d)"},
+             "growth of an internode from the collar of its leaf on");
+    keys.add("base", growth.base, {-5, 20, "deg C"},
+             "temperature that thermal time is counted from");
+    keys.add("cap", growth.cap, {20, 50, "deg C"},
+             "temperature above which growth is no faster");
+    return keys;
 }
 
 Section blade_section(Blade& blade) {
-    Section section{"blade", measure_keys(blade_measures, blade)};
-    section.keys.push_back(
-        Key("leaflets", &blade.leaflets, "of each leaf").within(1, 15));
+    Section keys{"blade"};
+    add_measures(keys, blade_measures, blade);
+    keys.add("leaflets", blade.leaflets, {1, 15}, "of each leaf");
     // A single blade has the first two.
-    for (std::size_t i = 2; i < section.keys.size(); ++i)
-        section.keys[i].is_written = blade.leaflets > 1;
-    section.keys.push_back(
-        Key("width_controls", &blade.width_controls,
-            "width from base to tip: control values of a cubic B-spline "
-            "with knots at 1/3 and 2/3, scaled to a maximum of 1")
-            .within(0, 2)
-            .set(&Key::count, 6));
-    return section;
-}
-
-//! The material of an organ that is no leaf.
-Choice material_choice(PlantMaterial& material) {
-    return {
-        &material,
-        [](const void* from) {
-            return static_cast<std::size_t>(*static_cast<const PlantMaterial*>(
-                                                from) == PlantMaterial::sheath);
-        },
-        [](void* to, std::size_t position) {
-            *static_cast<PlantMaterial*>(to) =
-                position == 0 ? PlantMaterial::stalk : PlantMaterial::sheath;
-        }};
+    for (std::size_t i = 2; i < keys.keys.size(); ++i)
+        keys.keys[i].written_if(blade.leaflets > 1);
+    keys.add("width_controls", blade.width_controls, {0, 2},
+             "width from base to tip: control values of a cubic B-spline with "
+             "knots at 1/3 and 2/3, scaled to a maximum of 1")
+        .count = 6;
+    return keys;
 }
 
 Section organ_section(Organ& organ) {
-    Section section{
-        "organ",
-        {Key("name", &organ.name, "of the organ")
-             .set(&Key::range, name_range)
-             .required("\"ear\""),
-         presence(organ.is_present),
-         Key("tissue", material_choice(organ.material),
-             "whose optics its surface has")
-             .one_of({"stalk", "sheath"}),
-         Key("leaf", &organ.leaf,
-             "rank of the leaf at whose insertion it is; 0: the stalk's top")
-             .within(0, most_leaves),
-         Key("count", &organ.count, "of such cones, evenly around the stalk")
-             .within(1, 100),
-         Key("sides", &organ.sides, "faces around each").within(3, 24)}};
-    for (Key& key : measure_keys(organ_measures, organ)) {
+    Section keys{"organ"};
+    keys.add_name("name", organ.name, "of the organ").required("\"ear\"");
+    add_presence(keys, organ.is_present);
+    keys.add(
+        "tissue", organ.material,
+        {{"stalk", PlantMaterial::stalk}, {"sheath", PlantMaterial::sheath}},
+        "whose optics its surface has");
+    keys.add("leaf", organ.leaf, {0, most_leaves},
+             "rank of the leaf at whose insertion it is; 0: the stalk's top");
+    keys.add("count", organ.count, {1, 100},
+             "of such cones, evenly around the stalk");
+    keys.add("sides", organ.sides, {3, 24}, "faces around each");
+    add_measures(keys, organ_measures, organ);
+    for (Key& key : keys.keys) {
         if (key.name == "length") key.required("0.3");
         if (key.name == "base_diameter") key.required("0.01");
-        section.keys.push_back(key);
     }
-    return section;
+    return keys;
 }
 
 Section leaf_section(Leaf& leaf) {
-    Section section{"leaf", measure_keys(leaf_measures, leaf)};
-    section.keys.push_back(
-        Key("midrib", &leaf.midrib,
-            "points of the digitised midrib from base to tip, out from the "
-            "stalk and up, in any unit; where it is told, insertion_angle and "
-            "curvature follow from it, and may be told to bend it further")
-            .set(&Key::range, "two points or more")
-            .set(&Key::initial, "from insertion_angle and curvature"));
-    const auto examples = {"0.651", "0.073", "34", "90", "90", "0.09"};
-    auto example = examples.begin();
+    Section keys{"leaf"};
+    add_measures(keys, leaf_measures, leaf);
+    const char* const examples[] = {"0.651", "0.073", "34", "90", "90", "0.09"};
     for (std::size_t i = 0; i < leaf_measures.size(); ++i) {
-        Key& key = section.keys[i];
+        Key& key = keys.keys[i];
         if (i < needed_leaf_measures)
-            key.required(*example++);
+            key.required(examples[i]);
         else  // Blades that are neither rolled nor twisted need not say so.
-            key.is_written = leaf.*leaf_measures[i].value != 0;
+            key.written_if(leaf.*leaf_measures[i].value != 0);
         if (key.name == "insertion_angle" || key.name == "curvature")
-            key.set(&Key::unless, "midrib");
+            key.unless = "midrib";
         if (key.name == "insertion_height")
-            key.set(&Key::unless, "internode").is_written = leaf.internode == 0;
+            key.written_if(leaf.internode == 0).unless = "internode";
     }
-    return section;
-}
-
-Key acts(const std::string& name, std::vector<std::string>& measures,
-         const std::string& meaning) {
-    return Key(name, &measures, meaning)
-        .set(&Key::range, "measures of the plant")
-        .like("[\"leaf.length\"]");
+    keys.add("midrib", leaf.midrib,
+             "points of the digitised midrib from base to tip, out from the "
+             "stalk and up, in any unit; where it is told, insertion_angle and "
+             "curvature follow from it, and may be told to bend it further")
+        .allows("two points or more")
+        .defaults("from insertion_angle and curvature");
+    return keys;
 }
 
 Section trait_section(TraitEntry& entry) {
+    Section keys{"trait"};
     Trait& trait = entry.trait;
-    return {"trait",
-            {Key("name", &trait.name, "of the trait")
-                 .set(&Key::range, name_range)
-                 .required("\"length\""),
-             Key("per", choice(trait.numbers),
-                 "whether each leaf has a number, the whole plant has one, or "
-                 "the points of a smooth curve over leaf position have")
-                 .one_of({"leaf", "plant", "profile"}),
-             Key("points", &trait.points,
-                 "of a profile, at equal distances from the lowest leaf to the "
-                 "highest")
-                 .within(1, 10),
-             acts("sets", entry.sets, "the measure that is the number"),
-             acts("scales", entry.scales,
-                  "the measures of the baseline that the number multiplies"),
-             acts("shifts", entry.shifts,
-                  "the measures of the baseline that the number is added to"),
-             Key("unit", &trait.unit,
-                 "of the number: that of the measures, \"1\" of a factor")
-                 .one_of({"m", "deg", "1"})
-                 .required("\"m\""),
-             Key("range", &trait.range, "in which it may be bred")
-                 .within(-1000, 1000)
-                 .required("[0.4, 1.1]"),
-             Key("circular", &trait.is_circular,
-                 "whether both ends of the range are the same direction"),
-             Key("bred", &trait.is_bred,
-                 "whether campaigns that name no trait set breed it")}};
+    const auto add_measures = [&](const std::string& name,
+                                  std::vector<std::string>& measures,
+                                  const std::string& meaning) {
+        keys.add(name, measures, meaning)
+            .allows("measures of the plant")
+            .like("[\"leaf.length\"]");
+    };
+    keys.add_name("name", trait.name, "of the trait").required("\"length\"");
+    keys.add("per", trait.numbers,
+             {{"leaf", TraitNumbers::leaf},
+              {"plant", TraitNumbers::plant},
+              {"profile", TraitNumbers::profile}},
+             "whether each leaf has a number, the whole plant has one, or the "
+             "points of a smooth curve over leaf position have");
+    keys.add("points", trait.points, {1, 10},
+             "of a profile, at equal distances from the lowest leaf to the "
+             "highest");
+    add_measures("sets", entry.sets, "the measure that is the number");
+    add_measures("scales", entry.scales,
+                 "the measures of the baseline that the number multiplies");
+    add_measures("shifts", entry.shifts,
+                 "the measures of the baseline that the number is added to");
+    keys.add("unit", trait.unit,
+             "of the number: that of the measures, \"1\" of a factor")
+        .one_of({"m", "deg", "1"})
+        .required("\"m\"");
+    keys.add("range", trait.range, {-1000, 1000}, "in which it may be bred")
+        .required("[0.4, 1.1]");
+    keys.add("circular", trait.is_circular,
+             "whether both ends of the range are the same direction");
+    keys.add("bred", trait.is_bred,
+             "whether campaigns that name no trait set breed it");
+    return keys;
 }
 
-Section bounds_entry_section(BoundsEntry& bounds) {
-    return {"bounds",
-            {Key("name", &bounds.rule, "that campaigns choose the bounds by")
-                 .set(&Key::range, name_range)
-                 .required("\"paper\""),
-             Key("trait", &bounds.trait, "that the bounds are of")
-                 .set(&Key::range, name_range)
-                 .required("\"length\""),
-             Key("range", &bounds.range, "in which it may be bred")
-                 .within(-1000, 1000)
-                 .required("[0.4, 1.1]"),
-             Key("change", &bounds.change,
-                 "largest change of the baseline's value, relative to it; 0: "
-                 "any")
-                 .within(0, 100),
-             Key("bred", &bounds.is_bred,
-                 "whether campaigns that choose these bounds, but name no "
-                 "trait set, breed it; if any of the rule is, no other traits "
-                 "are")}};
+Section bounds_section(BoundsEntry& bounds) {
+    Section keys{"bounds"};
+    keys.add_name("name", bounds.rule, "that campaigns choose the bounds by")
+        .required("\"paper\"");
+    keys.add_name("trait", bounds.trait, "that the bounds are of")
+        .required("\"length\"");
+    keys.add("range", bounds.range, {-1000, 1000}, "in which it may be bred")
+        .required("[0.4, 1.1]");
+    keys.add("change", bounds.change, {0, 100},
+             "largest change of the baseline's value, relative to it; 0: any");
+    keys.add("bred", bounds.is_bred,
+             "whether campaigns that choose these bounds, but name no trait "
+             "set, breed it; if any of the rule is, no other traits are");
+    return keys;
 }
 
-Key own_bounds_key(const Trait& trait, Range& range, Plant& plant) {
-    Key key(trait.name, &range, "of each of its numbers");
-    key.like("[0.4, 1.1]");
-    if (trait.effect != TraitEffect::sets || trait.measures.empty())
-        return key.within(-1000, 1000);
-    const auto measure = find_measure(plant, trait.measures[0]);
-    if (!measure) return key.within(-1000, 1000);
-    const auto& [least, most] = measure->limits;
-    return measure->unit == "m" ? key.metres(least, most)
-                                : key.within(least, most, measure->unit);
+void add_own_bounds(Section& keys, const Trait& trait, Range& range,
+                    Plant& plant) {
+    const auto measure =
+        trait.effect == TraitEffect::sets && !trait.measures.empty()
+            ? find_measure(plant, trait.measures[0])
+            : std::nullopt;
+    const Bounds bounds = measure ? Bounds{measure->limits.lower,
+                                           measure->limits.upper, measure->unit}
+                                  : Bounds{-1000, 1000};
+    Key& key = keys.add(trait.name, range, bounds, "of each of its numbers")
+                   .like("[0.4, 1.1]");
+    if (bounds.unit == "m") key.in_metres();
+}
+
+Section plant_section(Draft& draft) {
+    Section keys{"plant"};
+    Tessellation& faces = draft.campaign.tessellation;
+    keys.add_by_hand("baseline", "path or table",
+                     "crop file, relative to the campaign file; or its content "
+                     "as [plant.baseline]")
+        .required("\"crops/mine.toml\"");
+    keys.add_rule(draft.rule, rule_names(draft),
+                  "a rule of the crop file, \"traits\" for the ranges of its "
+                  "traits, or own values as [plant.bounds]");
+    keys.add("organs", draft.organs, "that plants have besides leaves")
+        .allows(
+            "of \"stalk\", \"sheath\", \"petiole\" and the crop file's "
+            "[[organ]] tables")
+        .defaults("those that the crop file has present")
+        .one_of(all_organs(draft.campaign.crop.baseline));
+    keys.add("cells_along", faces.cells_along, {4, 200},
+             "faces along a leaf with two across; leaflets have two thirds as "
+             "many, with four across")
+        .trades({6, 8, 12, 16, 24});
+    keys.add("stalk_sides", faces.stalk_sides, {3, 100},
+             "faces around stalks and sheaths")
+        .trades({3, 6, 12}, !draft.organs.empty());
+    return keys;
 }
 
 }  // namespace
 
 Table own_bounds_table(Draft& draft, const std::string& parent) {
-    Section section{parent + ".bounds", {}};
+    Section keys{parent + ".bounds"};
     for (std::size_t t = 0; t < draft.traits.size(); ++t)
-        section.keys.push_back(own_bounds_key(complete(draft.traits[t]),
-                                              draft.own_bounds.at(t),
-                                              draft.campaign.crop.baseline));
-    Table table = one_table(section);
+        add_own_bounds(keys, complete(draft.traits[t]), draft.own_bounds.at(t),
+                       draft.campaign.crop.baseline);
+    Table table = one_table(keys);
     table.name = "bounds";
     return table;
 }
-
-namespace {
-
-Section plant_section(Draft& draft) {
-    Campaign& campaign = draft.campaign;
-    return {"plant",
-            {Key("baseline", {},
-                 "crop file, relative to the campaign file; or its content "
-                 "as [plant.baseline]")
-                 .set(&Key::type, "path or table")
-                 .set(&Key::range, "-")
-                 .required("\"crops/mine.toml\""),
-             Key("bounds", draft.rule.empty() ? Target{} : &draft.rule,
-                 "a rule of the crop file, \"traits\" for the ranges of its "
-                 "traits, or own values as [plant.bounds]")
-                 .set(&Key::type, "text or table")
-                 .set(&Key::initial, "\"traits\"")
-                 .one_of(rule_names(draft)),
-             Key("organs", &draft.organs, "that plants have besides leaves")
-                 .set(&Key::range,
-                      "of \"stalk\", \"sheath\", \"petiole\" and the crop "
-                      "file's [[organ]] tables")
-                 .set(&Key::initial, "those that the crop file has present")
-                 .one_of(all_organs(draft.campaign.crop.baseline)),
-             Key("cells_along", &campaign.tessellation.cells_along,
-                 "faces along a leaf with two across; leaflets have two thirds "
-                 "as many, with four across")
-                 .within(4, 200)
-                 .trades({6, 8, 12, 16, 24}),
-             Key("stalk_sides", &campaign.tessellation.stalk_sides,
-                 "faces around stalks and sheaths")
-                 .within(3, 100)
-                 .trades({3, 6, 12}, !draft.organs.empty())}};
-}
-
-}  // namespace
 
 Table plant_table(Draft& draft) {
     Table table = one_table(plant_section(draft));
@@ -331,44 +271,35 @@ std::vector<std::string> all_organs(const Plant& plant) {
 }
 
 Section plant_file_section(Plant& plant) {
-    return {"crop file",
-            {Key("name", &plant.name, "of the plant")
-                 .set(&Key::range, name_range)
-                 .required("\"b73\"")}};
+    Section keys{"crop file"};
+    keys.add_name("name", plant.name, "of the plant").required("\"b73\"");
+    return keys;
 }
 
 std::vector<Table> crop_defaults(Draft& draft) {
-    std::vector<Table> tables{
-        plant_optics_table(draft.campaign),
-        one_table(photosynthesis_section(draft.photosynthesis))};
-    for (Table& table : tables) table.is_optional = true;
-    return tables;
+    return {optics_table(draft.campaign, false).optional(),
+            one_table(photosynthesis_section(draft.photosynthesis)).optional()};
 }
 
 std::vector<Table> plant_tables(Draft& draft) {
     Plant& plant = draft.campaign.crop.baseline;
-    Table leaves = list_of_tables<Leaf>("leaf", leaf_section, plant.leaves);
-    Table organs = list_of_tables<Organ>("organ", organ_section, plant.organs);
-    Table traits =
-        list_of_tables<TraitEntry>("trait", trait_section, draft.traits);
-    Table bounds = list_of_tables<BoundsEntry>("bounds", bounds_entry_section,
-                                               draft.bounds);
-    organs.is_optional = bounds.is_optional = true;
-    Table growth = one_table(growth_section(draft.growth));
-    growth.is_optional = true;
-    growth.is_default = !draft.has_growth;
-    leaves.most = most_leaves;
-    organs.most = most_organs;
-    traits.most = most_traits;
     return {one_table(stalk_section(plant.stalk)),
-            one_table(sheath_section(plant.sheath)),
-            petiole_table(plant),
+            one_table(part_section("sheath", sheath_measures, plant.sheath)),
+            one_table(part_section("petiole", petiole_measures, plant.petiole))
+                .left_out_if(!has_petioles(plant)),
             one_table(blade_section(plant.blade)),
-            growth,
-            leaves,
-            organs,
-            traits,
-            bounds};
+            one_table(growth_section(draft.growth))
+                .optional()
+                .left_out_if(!draft.has_growth),
+            list_of_tables<Leaf>("leaf", leaf_section, plant.leaves)
+                .at_most(most_leaves),
+            list_of_tables<Organ>("organ", organ_section, plant.organs)
+                .optional()
+                .at_most(most_organs),
+            list_of_tables<TraitEntry>("trait", trait_section, draft.traits)
+                .at_most(most_traits),
+            list_of_tables<BoundsEntry>("bounds", bounds_section, draft.bounds)
+                .optional()};
 }
 
 }  // namespace ideotype

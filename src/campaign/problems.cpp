@@ -2,67 +2,111 @@
 #include "problems.hpp"
 
 #include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
 #include <tuple>
+#include <utility>
 
 namespace ideotype {
 
-void Problems::locate(const void* value, const Location& where) {
-    places_[value] = where;
+struct Problems::Collected {
+    std::vector<std::string> files;
+    std::optional<Location> everywhere;
+    std::map<std::string, Location> places;
+    std::set<std::string> unusable;
+    std::set<std::pair<std::string, std::string>> once;
+    std::vector<Problem> problems, warnings;
+};
+
+Problems::Problems() : all_(std::make_shared<Collected>()) {}
+
+Problems::Problems(const std::string& file) : Problems() {
+    all_->everywhere = Location{file};
 }
 
-const Location& Problems::where(const void* value) const {
-    return all_ ? *all_ : places_.at(value);
+Problems Problems::in(const std::string& table) const {
+    Problems part = *this;
+    part.prefix_ += table + '.';
+    return part;
 }
 
-void Problems::add(const Location& where, const std::string& what) {
-    problems_.push_back({where, what});
+Problems Problems::in(const std::string& table, std::size_t entry) const {
+    return in(fmt::format("{}[{}]", table, entry));
 }
 
-void Problems::spoil(const void* value) {
-    unusable_.insert(value);
+void Problems::locate(const std::string& key, const Location& where) const {
+    all_->places[prefix_ + key] = where;
 }
 
-void Problems::add(const void* value, const std::string& what) {
-    spoil(value);
-    add(where(value), what);
+const Location& Problems::where(const std::string& key) const {
+    return all_->everywhere ? *all_->everywhere
+                            : all_->places.at(prefix_ + key);
 }
 
-bool Problems::usable(std::initializer_list<const void*> values) const {
-    return std::none_of(values.begin(), values.end(), [&](const void* value) {
-        return unusable_.count(value) != 0 ||
-               (!all_ && places_.count(value) == 0);
-    });
+void Problems::spoil(const std::string& key) const {
+    all_->unusable.insert(prefix_ + key);
 }
 
-void Problems::add_once(const void* value, const std::string& kind,
-                        const std::string& what) {
-    spoil(value);
-    if (once_.insert({where(value).file, kind}).second) add(where(value), what);
+bool Problems::usable(const std::string& key) const {
+    const std::string path = prefix_ + key;
+    return !all_->unusable.contains(path) &&
+           (all_->everywhere || all_->places.contains(path));
 }
 
-void Problems::warn(const void* value, const std::string& what) {
-    warn(Problem{where(value), with_short_quotes(what)});
+bool Problems::usable(std::initializer_list<const char*> keys) const {
+    return std::ranges::all_of(
+        keys, [&](const char* key) { return usable(std::string(key)); });
 }
 
-void Problems::open(const std::string& file) {
-    files_.push_back(file);
+bool Problems::empty() const {
+    return all_->problems.empty();
+}
+
+void Problems::add(const Location& where, const std::string& what) const {
+    all_->problems.push_back({where, what});
+}
+
+void Problems::add(const std::string& key, const std::string& what) const {
+    spoil(key);
+    add(where(key), what);
+}
+
+void Problems::add_once(const std::string& key, const std::string& kind,
+                        const std::string& what) const {
+    spoil(key);
+    if (all_->once.insert({where(key).file, kind}).second)
+        add(where(key), what);
+}
+
+void Problems::warn(const std::string& key, const std::string& what) const {
+    warn(Problem{where(key), with_short_quotes(what)});
+}
+
+void Problems::warn(const Problem& warning) const {
+    all_->warnings.push_back(warning);
+}
+
+void Problems::open(const std::string& file) const {
+    all_->files.push_back(file);
+}
+
+std::vector<Problem> Problems::warnings() const {
+    return sorted(all_->warnings);
 }
 
 std::vector<Problem> Problems::sorted(std::vector<Problem> problems) const {
     const auto position = [&](const Problem& problem) {
         const Location& where = problem.where;
-        return std::tuple(std::find(files_.begin(), files_.end(), where.file),
+        return std::tuple(std::ranges::find(all_->files, where.file),
                           where.line, where.column);
     };
-    std::stable_sort(problems.begin(), problems.end(),
-                     [&](const Problem& a, const Problem& b) {
-                         return position(a) < position(b);
-                     });
+    std::ranges::stable_sort(problems, {}, position);
     return problems;
 }
 
 void Problems::throw_if_any() const {
-    if (!problems_.empty()) throw InputError(sorted(problems_));
+    if (!empty()) throw InputError(sorted(all_->problems));
 }
 
 }  // namespace ideotype

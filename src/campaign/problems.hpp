@@ -2,73 +2,87 @@
 #pragma once
 
 #include <initializer_list>
-#include <map>
-#include <optional>
-#include <set>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "ideotype/core/error.hpp"
 
 namespace ideotype {
 
-//! Collects what is wrong, and remembers where each value was written so that
-//! later checks can point at it. Values are identified by their address.
+//! Collects what is wrong with a campaign, and remembers where each value was
+//! written so that later checks can point at it. Values are known by the paths
+//! of their keys, such as "site[1].latitude". Copies, and the parts that in()
+//! returns, share all that they collect.
 class Problems {
   public:
-    Problems() = default;
+    Problems();
     //! All values come from this file.
-    explicit Problems(const std::string& file) : all_(Location{file}) {}
+    explicit Problems(const std::string& file);
 
-    //! The value comes from this place.
-    void locate(const void* value, const Location& where);
+    //! Returns these problems for a table, whose keys then go without its
+    //! name.
+    Problems in(const std::string& table) const;
+    //! Returns these problems for an entry of a list of tables.
+    Problems in(const std::string& table, std::size_t entry) const;
 
-    //! Where a value was written, or else the table that lacks it.
-    const Location& where(const void* value) const;
+    //! Notes that a value comes from this place.
+    void locate(const std::string& key, const Location& where) const;
 
-    void add(const Location& where, const std::string& what);
+    //! Returns where a value was written, or else the table that lacks it.
+    const Location& where(const std::string& key) const;
 
     //! Makes a value unusable for checks against other values.
-    void spoil(const void* value);
-
-    //! Reports a problem of a value and spoils it.
-    void add(const void* value, const std::string& what);
+    void spoil(const std::string& key) const;
 
     //! Whether checks may rely on these values.
-    bool usable(std::initializer_list<const void*> values) const;
+    bool usable(std::initializer_list<const char*> keys) const;
+    bool usable(const std::string& key) const;
 
     //! Whether nothing is wrong so far.
-    bool empty() const { return problems_.empty(); }
+    bool empty() const;
+
+    void add(const Location& where, const std::string& what) const;
+
+    //! Reports a problem of a value and spoils it.
+    void add(const std::string& key, const std::string& what) const;
+
+    //! Reports a problem, of a place or a value, in a text for these arguments.
+    template <class Place, class... Args>
+    requires(sizeof...(Args) > 0) void add(const Place& place,
+                                           fmt::format_string<Args...> text,
+                                           Args&&... args) const {
+        add(place, fmt::format(text, std::forward<Args>(args)...));
+    }
 
     //! Reports the first problem of this kind in a file and spoils the values
     //! of all.
-    void add_once(const void* value, const std::string& kind,
-                  const std::string& what);
+    void add_once(const std::string& key, const std::string& kind,
+                  const std::string& what) const;
 
     //! Notes what may be wrong with a value; it stays usable.
-    void warn(const void* value, const std::string& what);
-    void warn(const Problem& warning) { warnings_.push_back(warning); }
+    void warn(const std::string& key, const std::string& what) const;
+    void warn(const Problem& warning) const;
 
     //! @throws InputError if there is any problem: file by file in the order
     //! in which they were read, by position in each.
     void throw_if_any() const;
 
     //! Returns the warnings in the order of files and lines.
-    std::vector<Problem> warnings() const { return sorted(warnings_); }
+    std::vector<Problem> warnings() const;
     std::vector<Problem> sorted(std::vector<Problem> problems) const;
 
     //! Fixes the order of files.
-    void open(const std::string& file);
+    void open(const std::string& file) const;
 
   private:
-    std::vector<std::string> files_;
-    std::optional<Location> all_;
-    std::map<const void*, Location> places_;
-    std::set<const void*> unusable_;
-    std::set<std::pair<std::string, std::string>> once_;
-    std::vector<Problem> problems_;
-    std::vector<Problem> warnings_;
+    struct Collected;
+
+    std::shared_ptr<Collected> all_;
+    std::string prefix_;
 };
 
 }  // namespace ideotype

@@ -43,7 +43,8 @@ bool is_plant(const toml::table& top) {
 
 //! The tables of a file, if it is valid TOML.
 std::optional<toml::table> parse(const std::string& text,
-                                 const std::string& file, Problems& problems) {
+                                 const std::string& file,
+                                 const Problems& problems) {
     problems.open(file);
     return parse_toml(text, file, problems);
 }
@@ -52,14 +53,26 @@ std::string month_and_day(const Date& date) {
     return fmt::format("{:02}{:02}", date.month, date.day);
 }
 
+//! Sorts the traits of a set as the crop file does: their order in a campaign
+//! is of no account.
+void sort_traits(const Draft& draft, TraitSet& free) {
+    std::ranges::sort(free, {}, [&](const std::string& name) {
+        return std::ranges::find(
+            draft.traits, name,
+            [](const TraitEntry& each) { return each.trait.name; });
+    });
+}
+
 class DraftReader {
   public:
+    //! @param of_crop the problems of the keys of the crop
     DraftReader(const std::string& file, PlantSource source, Draft& draft,
-                Problems& problems)
+                const Problems& problems, const Problems& of_crop)
         : file_(file),
           source_(source),
           draft_(draft),
           problems_(problems),
+          of_crop_(of_crop),
           tables_(file, problems) {}
 
     void read(const toml::table& top) {
@@ -78,9 +91,8 @@ class DraftReader {
         draft_.has_water = top.contains("water");
         campaign.has_nir =
             (draft_.has_water && draft_.water.rules.has_leaf_temperature) ||
-            std::any_of(
-                campaign.bands.begin(), campaign.bands.end(),
-                [](const BandEntry& band) { return band.name == "nir"; });
+            std::ranges::find(campaign.bands, "nir", &BandEntry::name) !=
+                campaign.bands.end();
         if (const auto lines = top["feasibility"]["lines"])
             read_lines(*lines.node());
         draft_.has_photosynthesis = top.contains("photosynthesis") ||
@@ -94,10 +106,10 @@ class DraftReader {
             campaign.varied.has_traits = draft_.varied.has_traits;
         draft_.has_samples = top["sensitivity"]["samples"].node() != nullptr;
         choose_organs();
-        for (auto& [name, free] : campaign.trait_sets) sort_traits(free);
+        for (auto& [name, free] : campaign.trait_sets)
+            sort_traits(draft_, free);
         for (const std::shared_ptr<Draft>& each : draft_.components)
-            DraftReader(file_, source_, *each, problems_)
-                .sort_traits(each->campaign.trait_sets.front().value);
+            sort_traits(*each, each->campaign.trait_sets.front().value);
         // A number of paths alone means all of them.
         if (top["light"]["paths"] && !top["light"]["tolerance"])
             campaign.sampling.tolerance = 0;
@@ -122,7 +134,28 @@ class DraftReader {
         }
     }
 
-    void read_plant(const toml::table& table) { read_plant(table, tables_); }
+    //! Reads the tables of a crop.
+    //! @param file that they are in
+    void read_plant(const toml::table& table, const std::string& file) {
+        draft_.has_growth = table.contains("growth");
+        // The bounds of the usual traits are not those of others.
+        if (table.contains("trait")) draft_.bounds.clear();
+        Plant& plant = draft_.campaign.crop.baseline;
+        const TableReader tables(file, of_crop_), shared(file, problems_);
+        const std::vector<Table> own = plant_tables(draft_),
+                                 defaults = crop_defaults(draft_);
+        std::vector<Table> all = own;
+        all.insert(all.end(), defaults.begin(), defaults.end());
+        tables.read(table, plant_file_section(plant), all);
+        for (const Table& part : own) tables.read(table, part);
+        // Campaigns have these tables too.
+        for (const Table& part : defaults) shared.read(table, part);
+        for (Leaf& leaf : plant.leaves)
+            if (leaf.insertion_angle == 0 && leaf.curvature == 0)
+                measure_midrib(leaf);
+        stack_internodes(plant);
+        draft_.is_crop_known = true;
+    }
 
     //! A table of measured leaves. What it does not tell is as in the crop that
     //! it names, or, if it names none, in the plant that the draft has.
@@ -144,7 +177,7 @@ class DraftReader {
                 "# crop: FILE.toml");
         }
         read_measured_plant(text, file, draft_.is_crop_known,
-                            draft_.campaign.crop.baseline, problems_);
+                            draft_.campaign.crop.baseline, of_crop_);
     }
 
   private:
@@ -172,37 +205,20 @@ class DraftReader {
         draft_.organs = organ_names(plant);
     }
 
-    //! Sorts the traits of a set as the crop file does: their order in a
-    //! campaign is of no account.
-    void sort_traits(TraitSet& free) const {
-        const auto place = [this](const std::string& name) {
-            return std::find_if(draft_.traits.begin(), draft_.traits.end(),
-                                [&](const TraitEntry& entry) {
-                                    return entry.trait.name == name;
-                                });
-        };
-        std::sort(free.begin(), free.end(),
-                  [&](const std::string& a, const std::string& b) {
-                      return place(a) < place(b);
-                  });
-    }
-
     //! @param key that has the crop, as "plant.baseline"
     void read_baseline(const toml::node& baseline,
                        const std::string& key = "plant.baseline") {
         if (const toml::table* table = baseline.as_table())
-            return read_plant(*table, tables_);
+            return read_plant(*table, file_);
         const bool is_path = baseline.is_string();
         if (!is_path || source_ == PlantSource::table)
             return problems_.add(
-                tables_.where(baseline),
-                fmt::format(
-                    "{} is {} (expected: {}); write {}", key, kind(baseline),
-                    is_path ? "the plant itself" : "path or table",
-                    is_path ? fmt::format("it as [{}]", key)
-                            : fmt::format("for example {} = "
-                                          "\"crops/mine.toml\"",
-                                          key.substr(key.find('.') + 1))));
+                tables_.where(baseline), "{} is {} (expected: {}); write {}",
+                key, kind(baseline),
+                is_path ? "the plant itself" : "path or table",
+                is_path ? fmt::format("it as [{}]", key)
+                        : fmt::format("for example {} = \"crops/mine.toml\"",
+                                      key.substr(key.find('.') + 1)));
         read_plant_file(path_from(file_, *baseline.value<std::string>()), key,
                         tables_.where(baseline));
     }
@@ -213,13 +229,12 @@ class DraftReader {
             draft_.campaign.field.variation, "component.variation");
         draft_.has_variation = true;
         if (const toml::table* table = node.as_table())
-            tables_.read(*table, section);
+            TableReader(file_, problems_.in("variation")).read(*table, section);
         else
             problems_.add(tables_.where(node),
-                          fmt::format("component.variation is {} (expected: "
-                                      "table); write [component.variation] "
-                                      "before its keys",
-                                      kind(node)));
+                          "component.variation is {} (expected: table); write "
+                          "[component.variation] before its keys",
+                          kind(node));
     }
 
     //! Reads what the other keys of a component follow from: its name, its
@@ -244,8 +259,9 @@ class DraftReader {
         for (std::size_t i = 0; i < std::min(count, most_components); ++i) {
             Draft& component =
                 *draft_.components.emplace_back(std::make_shared<Draft>());
+            const Problems own = problems_.in("component", i);
             if (const auto* table = all->get_as<toml::table>(i))
-                DraftReader(file_, source_, component, problems_)
+                DraftReader(file_, source_, component, own, own.in("crop"))
                     .read_component(*table);
         }
     }
@@ -257,11 +273,10 @@ class DraftReader {
         FileText read = read_file(file, most_input_bytes);
         if (read.is_there) return std::move(read.text);
         const std::string near = nearest_file(file);
-        problems_.add(
-            named_at,
-            fmt::format("{} (named by {}); {}", read.refusal(file), named_by,
-                        near.empty() ? "give a path relative to this file"
-                                     : "did you mean '" + near + ".toml'?"));
+        problems_.add(named_at, "{} (named by {}); {}", read.refusal(file),
+                      named_by,
+                      near.empty() ? "give a path relative to this file"
+                                   : "did you mean '" + near + ".toml'?");
         return std::nullopt;
     }
 
@@ -272,7 +287,7 @@ class DraftReader {
             text_of(file, "feasibility.lines", tables_.where(named));
         const auto top = text ? parse(*text, file, problems_) : std::nullopt;
         if (!top) return;
-        TableReader tables(file, problems_);
+        const TableReader tables(file, problems_.in("feasibility"));
         const std::vector<Table> parts = lines_tables(draft_.lines);
         tables.read(*top, lines_section(draft_.lines), parts);
         for (const Table& part : parts) tables.read(*top, part);
@@ -299,48 +314,30 @@ class DraftReader {
             return read_plant_file(file, "# crop", named_at);
         // It begins and ends with the file that the message is about.
         std::rotate(first, tables_above_.end() - 1, tables_above_.end());
-        problems_.add(
-            named_at,
-            fmt::format("the table takes its crop from itself ({} -> {}); name "
-                        "a crop such as maize, or a crop file (.toml)",
-                        fmt::join(first, tables_above_.end(), " -> "), *first));
+        problems_.add(named_at,
+                      "the table takes its crop from itself ({} -> {}); name a "
+                      "crop such as maize, or a crop file (.toml)",
+                      fmt::join(first, tables_above_.end(), " -> "), *first);
         std::rotate(first, first + 1, tables_above_.end());
     }
 
     void read_crop(const std::string& text, const std::string& file) {
-        TableReader tables(file, problems_);
         if (const auto table = parse(text, file, problems_))
-            read_plant(*table, tables);
-    }
-
-    void read_plant(const toml::table& table, TableReader& tables) {
-        draft_.has_growth = table.contains("growth");
-        // The bounds of the usual traits are not those of others.
-        if (table.contains("trait")) draft_.bounds.clear();
-        Plant& plant = draft_.campaign.crop.baseline;
-        std::vector<Table> parts = plant_tables(draft_);
-        for (Table& each : crop_defaults(draft_))
-            parts.push_back(std::move(each));
-        tables.read(table, plant_file_section(plant), parts);
-        for (const Table& part : parts) tables.read(table, part);
-        for (Leaf& leaf : plant.leaves)
-            if (leaf.insertion_angle == 0 && leaf.curvature == 0)
-                measure_midrib(leaf);
-        stack_internodes(plant);
-        draft_.is_crop_known = true;
+            read_plant(*table, file);
     }
 
     const std::string& file_;
     PlantSource source_;
     Draft& draft_;
-    Problems& problems_;
+    Problems problems_, of_crop_;
     TableReader tables_;
     std::vector<std::string> tables_above_;  //!< each names the next as crop
 };
 
 //! A study has no optimizer. Histories of version 0.2.0 name it as one.
 void leave_out_study(toml::table& top, const std::string& file,
-                     PlantSource source, Draft& draft, Problems& problems) {
+                     PlantSource source, Draft& draft,
+                     const Problems& problems) {
     const auto optimizer = top["search"]["optimizer"];
     if (optimizer.value<std::string>() != "sensitivity") return;
     if (source != PlantSource::table)
@@ -356,7 +353,7 @@ void leave_out_study(toml::table& top, const std::string& file,
 
 void read_draft(const std::string& text, const std::string& file,
                 PlantSource source, const std::vector<std::string>& settings,
-                Draft& draft, Problems& problems) {
+                Draft& draft, const Problems& problems) {
     auto table = parse(text, file, problems);
     if (table) apply_settings(settings, *table, problems);
     if (table && is_plant(*table))
@@ -366,42 +363,42 @@ void read_draft(const std::string& text, const std::string& file,
                      "one: ideotype compare PLANT --under CAMPAIGN");
     else if (table) {
         leave_out_study(*table, file, source, draft, problems);
-        DraftReader(file, source, draft, problems).read(*table);
+        DraftReader(file, source, draft, problems,
+                    problems.in("plant.baseline"))
+            .read(*table);
     }
 }
 
 void read_tables(const std::string& text, const std::string& file,
-                 const std::vector<Table>& all, Problems& problems) {
+                 const std::vector<Table>& all, const Problems& problems) {
     problems.open(file);
     const auto top = parse_toml(text, file, problems);
     if (!top) return;
-    TableReader tables(file, problems);
-    tables.read(*top, Section{file, {}}, all);
-    for (const Table& table : all) {
-        if (!top->contains(table.name))
-            problems.add(
-                Location{file, 1, 1},
-                fmt::format("there is no table [{0}] (this file is read "
-                            "for it); write [{0}] and its keys",
-                            table.name));
-        else
+    const TableReader tables(file, problems);
+    tables.read(*top, Section{file}, all);
+    for (const Table& table : all)
+        if (top->contains(table.name))
             tables.read(*top, table);
-    }
+        else
+            problems.add(Location{file, 1, 1},
+                         "there is no table [{0}] (this file is read for it); "
+                         "write [{0}] and its keys",
+                         table.name);
 }
 
 bool read_plant_draft(const std::string& text, const std::string& file,
-                      Draft& draft, Problems& problems) {
+                      Draft& draft, const Problems& problems) {
     const auto table = parse(text, file, problems);
     if (table && !is_plant(*table)) return false;
     if (table)
-        DraftReader(file, PlantSource::table, draft, problems)
-            .read_plant(*table);
+        DraftReader(file, PlantSource::table, draft, problems, problems)
+            .read_plant(*table, file);
     return true;
 }
 
 void read_measured_draft(const std::string& text, const std::string& file,
-                         Draft& draft, Problems& problems) {
-    DraftReader(file, PlantSource::file_or_table, draft, problems)
+                         Draft& draft, const Problems& problems) {
+    DraftReader(file, PlantSource::file_or_table, draft, problems, problems)
         .read_measured(text, file);
 }
 

@@ -23,21 +23,21 @@ enum class PlantSource {
 //! @param settings from the command line, see apply_settings()
 void read_draft(const std::string& text, const std::string& file,
                 PlantSource source, const std::vector<std::string>& settings,
-                Draft& draft, Problems& problems);
+                Draft& draft, const Problems& problems);
 
 //! Reads the text of a crop file into a draft, in which all else stays as it
 //! is. Returns false if it is the text of something else.
 bool read_plant_draft(const std::string& text, const std::string& file,
-                      Draft& draft, Problems& problems);
+                      Draft& draft, const Problems& problems);
 
 //! Reads a table of measured leaves into a draft, whose plant tells the rest if
 //! the table names no crop.
 void read_measured_draft(const std::string& text, const std::string& file,
-                         Draft& draft, Problems& problems);
+                         Draft& draft, const Problems& problems);
 
 //! Reads the text of a file that has these tables and nothing else.
 void read_tables(const std::string& text, const std::string& file,
-                 const std::vector<Table>& all, Problems& problems);
+                 const std::vector<Table>& all, const Problems& problems);
 
 //! A path that a campaign file names, as seen from here.
 std::string path_from(const std::string& file, const std::string& path);

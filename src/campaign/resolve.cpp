@@ -9,13 +9,15 @@ namespace ideotype {
 
 namespace {
 
-//! Whether it is nothing that need not be there.
+//! Whether a key need not be there: it has nothing, or a form of its own.
 bool is_empty(const Key& key) {
     if (!key.is_written) return true;
     return std::visit(
-        [&](auto value) {
-            if constexpr (std::is_same_v<decltype(value),
-                                         std::vector<std::string>*>)
+        [&](const auto& value) {
+            using Value = std::remove_cvref_t<decltype(value)>;
+            if constexpr (std::is_same_v<Value, std::monostate>)
+                return true;
+            else if constexpr (std::is_same_v<Value, std::vector<std::string>*>)
                 return value->empty() && key.initial.empty();
             else if constexpr (requires { value->empty(); })
                 return value->empty() && !key.is_required;
@@ -27,11 +29,10 @@ bool is_empty(const Key& key) {
         key.value);
 }
 
-//! Appends the keys of a section; values with a form of their own have
-//! their own tables.
+//! Appends the keys of a section.
 void append_keys(std::string& text, const Section& section) {
     for (const Key& key : section.keys)
-        if (address(key.value) && !is_empty(key))
+        if (!is_empty(key))
             text += fmt::format("{} = {}\n", key.name, toml_text(key));
 }
 
@@ -108,11 +109,9 @@ std::vector<AccuracyKey> accuracy_keys(Draft& draft) {
         if (table.size() != 1) continue;
         for (const Key& key : table.section(0).keys) {
             if (key.accuracy.empty()) continue;
-            const int* const whole = std::holds_alternative<int*>(key.value)
-                                         ? std::get<int*>(key.value)
-                                         : nullptr;
+            const auto* const whole = std::get_if<int*>(&key.value);
             found.push_back({table.name + '.' + key.name,
-                             whole ? *whole : *std::get<double*>(key.value),
+                             whole ? **whole : *std::get<double*>(key.value),
                              key.accuracy});
         }
     }

@@ -45,7 +45,7 @@ std::optional<toml::table> read(const std::string& setting,
 
 class Merger {
   public:
-    Merger(const std::string& name, Problems& problems)
+    Merger(const std::string& name, const Problems& problems)
         : name_(name), problems_(problems) {}
 
     void merge(toml::table& into, toml::table& from, const std::string& path) {
@@ -83,14 +83,14 @@ class Merger {
     }
 
     const std::string& name_;
-    Problems& problems_;
+    const Problems& problems_;
     bool is_refused_ = false;
 };
 
 }  // namespace
 
 void apply_settings(const std::vector<std::string>& settings,
-                    toml::table& campaign, Problems& problems) {
+                    toml::table& campaign, const Problems& problems) {
     for (const std::string& setting : settings) {
         const std::string name = std::string(command_line_mark) + setting;
         problems.open(name);

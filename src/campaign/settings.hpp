@@ -14,6 +14,6 @@ namespace ideotype {
 //! of those of a file. A value is read as TOML and, where it is none, as text.
 //! What is wrong with one is reported at "--set table.key=value".
 void apply_settings(const std::vector<std::string>& settings,
-                    toml::table& campaign, Problems& problems);
+                    toml::table& campaign, const Problems& problems);
 
 }  // namespace ideotype

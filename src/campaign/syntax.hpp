@@ -14,6 +14,6 @@ namespace ideotype {
 //! nothing.
 std::optional<toml::table> parse_toml(const std::string& text,
                                       const std::string& file,
-                                      Problems& problems);
+                                      const Problems& problems);
 
 }  // namespace ideotype

@@ -58,62 +58,66 @@ Location TableReader::where(const toml::node& node) const {
     return location(node.source(), file_);
 }
 
+TableReader TableReader::in(const Table& table, std::size_t entry) const {
+    return {file_, table.resize || table.is_first_of_list
+                       ? problems_.in(table.name, entry)
+                       : problems_.in(table.name)};
+}
+
 void TableReader::read(const toml::table& table, const Section& section,
-                       const std::vector<Table>& children) {
+                       const std::vector<Table>& children) const {
     const std::set<std::string> misspelt =
         report_unknown(table, section, children);
     for (const Key& key : section.keys) {
         const toml::node* node = table.get(key.name);
-        const void* id = address(key.value);
-        problems_.locate(id, where(node ? *node : table));
-        if (node) {
+        problems_.locate(key.name, where(node ? *node : table));
+        if (node)
             read_value(*node, section.name, key, problems_);
-        } else if (misspelt.count(key.name) != 0) {
-            problems_.spoil(id);
-        } else if (key.is_required && !table.contains(key.unless)) {
-            problems_.add(id, fmt::format("missing key '{}' {} (it has no "
-                                          "default); add {} = {}",
-                                          key.name, place(section.name),
-                                          key.name, key.example));
-        }
+        else if (misspelt.contains(key.name))
+            problems_.spoil(key.name);
+        else if (key.is_required && !table.contains(key.unless))
+            problems_.add(key.name,
+                          "missing key '{}' {} (it has no default); add {} = "
+                          "{}",
+                          key.name, place(section.name), key.name, key.example);
     }
 }
 
-void TableReader::read(const toml::table& parent, const Table& table) {
+void TableReader::read(const toml::table& parent, const Table& table) const {
     const toml::node* node = parent.get(table.name);
     if (!node) report_missing(parent, table);
     auto found =
         node ? entries(*node, table) : std::vector<const toml::table*>{};
     // Checks of entries against each other would take for ever.
     if (found.size() > table.most) {
-        problems_.add(
-            where(*found[table.most]),
-            fmt::format("there are {} tables [[{}]] (the limit is {}); "
-                        "remove some",
-                        found.size(), table.name, table.most));
+        problems_.add(where(*found[table.most]),
+                      "there are {} tables [[{}]] (the limit is {}); remove "
+                      "some",
+                      found.size(), table.name, table.most);
         found.resize(table.most);
     }
     if (node && table.resize) table.resize(found.size());
     for (std::size_t i = 0; i < found.size(); ++i) {
-        read(*found[i], table.section(i), table.children);
-        for (const Table& child : table.children) read(*found[i], child);
+        const TableReader entry = in(table, i);
+        entry.read(*found[i], table.section(i), table.children);
+        for (const Table& child : table.children) entry.read(*found[i], child);
     }
     if (found.empty()) locate(table, where(parent));
 }
 
-void TableReader::locate(const Table& table, const Location& place) {
+void TableReader::locate(const Table& table, const Location& place) const {
     for (std::size_t i = 0; i < table.size(); ++i)
         for (const Key& key : table.section(i).keys)
-            problems_.locate(address(key.value), place);
-    for (const Table& child : table.children) locate(child, place);
+            in(table, i).problems_.locate(key.name, place);
+    for (const Table& child : table.children) in(table, 0).locate(child, place);
 }
 
 std::vector<const toml::table*> TableReader::entries(const toml::node& node,
-                                                     const Table& table) {
+                                                     const Table& table) const {
     if (const toml::table* one = node.as_table()) return {one};
     const auto refuse = [&](const toml::node& found, const std::string& how) {
-        problems_.add(where(found), fmt::format("{} is {} (expected: {}",
-                                                table.name, kind(found), how));
+        problems_.add(where(found), "{} is {} (expected: {}", table.name,
+                      kind(found), how);
     };
     const std::string lists = fmt::format(
         "tables); write [[{}]] before the keys of each", table.name);
@@ -134,7 +138,7 @@ std::vector<const toml::table*> TableReader::entries(const toml::node& node,
 }
 
 void TableReader::report_missing(const toml::table& parent,
-                                 const Table& table) {
+                                 const Table& table) const {
     // Entries that are there already are the default.
     if (table.is_optional || (table.resize && table.size() > 0)) return;
     if (table.resize) table.resize(1);
@@ -144,9 +148,8 @@ void TableReader::report_missing(const toml::table& parent,
     if (table.resize) table.resize(0);
     if (!needed.empty())
         problems_.add(where(parent),
-                      fmt::format("missing table [{}] (it has no default); add "
-                                  "it with {}",
-                                  table.name, fmt::join(needed, ", ")));
+                      "missing table [{}] (it has no default); add it with {}",
+                      table.name, fmt::join(needed, ", "));
 }
 
 namespace {
@@ -168,7 +171,7 @@ const std::vector<GoneKey> gone_keys{
 }  // namespace
 
 bool TableReader::is_gone(const std::string& section, const toml::key& key,
-                          const toml::node& value) {
+                          const toml::node& value) const {
     for (const GoneKey& gone : gone_keys) {
         if (gone.section != section || gone.name != key.str()) continue;
         // Histories tell how they were searched, which nobody does again; a
@@ -178,9 +181,8 @@ bool TableReader::is_gone(const std::string& section, const toml::key& key,
         const bool is_history = file_.ends_with(".h5") && section != "light";
         if (!is_off && !is_history)
             problems_.add(location(key.source(), file_),
-                          fmt::format("{}.{} is a key of versions up to 0.2.3; "
-                                      "use {}",
-                                      section, gone.name, gone.instead));
+                          "{}.{} is a key of versions up to 0.2.3; use {}",
+                          section, gone.name, gone.instead);
         return true;
     }
     return false;
@@ -188,7 +190,7 @@ bool TableReader::is_gone(const std::string& section, const toml::key& key,
 
 std::set<std::string> TableReader::report_unknown(
     const toml::table& table, const Section& section,
-    const std::vector<Table>& children) {
+    const std::vector<Table>& children) const {
     std::vector<std::string> keys;
     for (const Key& key : section.keys) keys.push_back(key.name);
     std::vector<std::string> known = keys;
@@ -196,18 +198,16 @@ std::set<std::string> TableReader::report_unknown(
     std::set<std::string> misspelt;
     for (const auto& [key, value] : table) {
         const std::string name(key.str());
-        if (std::find(known.begin(), known.end(), name) != known.end())
+        if (std::ranges::count(known, name) > 0 ||
+            is_gone(section.name, key, value))
             continue;
-        if (is_gone(section.name, key, value)) continue;
         const bool is_table = value.is_table() || value.is_array_of_tables();
         const std::string nearest = nearest_name(name, is_table ? known : keys);
         misspelt.insert(nearest);
-        problems_.add(
-            location(key.source(), file_),
-            fmt::format("unknown {} '{}' {} (nothing would read it); "
-                        "{}",
-                        is_table ? "table" : "key", name, place(section.name),
-                        advice(name, nearest, section.name, known)));
+        problems_.add(location(key.source(), file_),
+                      "unknown {} '{}' {} (nothing would read it); {}",
+                      is_table ? "table" : "key", name, place(section.name),
+                      advice(name, nearest, section.name, known));
     }
     return misspelt;
 }

@@ -80,7 +80,7 @@ struct Writer {
         return fmt::format("[{}]", fmt::join(all, ", "));
     }
     std::string operator()(const Choice& choice) const {
-        return fmt::format("\"{}\"", key.choices[choice.get(choice.value)]);
+        return quoted(choice.get());
     }
     template <class Plain>
     std::string operator()(const Plain* value) const {
@@ -135,34 +135,21 @@ KeyInfo describe(const Section& section, const Key& key) {
     info.section = section.name;
     info.name = key.name;
     info.type = type_text(key);
-    info.unit = key.unit.empty() ? "-" : key.unit;
+    info.unit = key.bounds.unit.empty() ? "-" : key.bounds.unit;
     Key unitless = key;
-    unitless.unit.clear();
+    unitless.bounds.unit.clear();
     info.range = range_text(unitless);
     if (key.is_required)
         info.initial = "required";
     else
         info.initial = key.initial.empty() ? toml_text(key) : key.initial;
     info.meaning = key.meaning;
-    info.lower = key.lower;
-    info.upper = key.upper;
+    info.lower = key.bounds.lower;
+    info.upper = key.bounds.upper;
     return info;
 }
 
 }  // namespace
-
-const void* address(const Target& target) {
-    return std::visit(
-        [](auto value) -> const void* {
-            if constexpr (std::is_same_v<decltype(value), std::monostate>)
-                return nullptr;
-            else if constexpr (std::is_same_v<decltype(value), Choice>)
-                return value.value;
-            else
-                return value;
-        },
-        target);
-}
 
 std::string clock_text(double hours) {
     const long long total = std::llround(hours * 3.6e12);
@@ -187,10 +174,10 @@ std::string range_text(const Key& key) {
     if (!key.range.empty()) return key.range;
     if (!key.choices.empty())
         return fmt::format("\"{}\"", fmt::join(key.choices, "\" or \""));
-    if (key.lower == key.upper) return "-";
-    std::string text = fmt::format("{} .. {}", key.lower, key.upper);
-    if (!key.unit.empty()) text += ' ' + key.unit;
-    return text;
+    const auto& [lower, upper, unit] = key.bounds;
+    if (lower == upper) return "-";
+    return fmt::format("{} .. {}{}{}", lower, upper, unit.empty() ? "" : " ",
+                       unit);
 }
 
 std::vector<KeyInfo> campaign_keys() {

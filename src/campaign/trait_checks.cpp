@@ -15,7 +15,8 @@ namespace {
 //! One trait of a crop file against the measures of its plant.
 class TraitCheck {
   public:
-    TraitCheck(const TraitEntry& entry, Plant& plant, Problems& problems)
+    //! @param problems of the trait
+    TraitCheck(const TraitEntry& entry, Plant& plant, const Problems& problems)
         : entry_(entry),
           trait_(complete(entry)),
           list_(measures_of(entry)),
@@ -27,11 +28,11 @@ class TraitCheck {
                           static_cast<int>(!entry_.scales.empty()) +
                           static_cast<int>(!entry_.shifts.empty());
         if (lists != 1)
-            return problems_.add(
-                &entry_.trait.name,
-                fmt::format("trait {} has {} of the lists sets, scales and "
-                            "shifts (a trait does one of them); give one",
-                            trait_.name, lists == 0 ? "none" : "several"));
+            return problems_.add("name",
+                                 "trait {} has {} of the lists sets, scales "
+                                 "and shifts (a trait does one of them); give "
+                                 "one",
+                                 trait_.name, lists == 0 ? "none" : "several");
         if (trait_.effect == TraitEffect::sets &&
             (list_.size() > 1 || trait_.numbers == TraitNumbers::profile))
             return fail(list_.size() > 1
@@ -45,7 +46,10 @@ class TraitCheck {
 
   private:
     void fail(const std::string& what) {
-        problems_.add(&list_, fmt::format("trait {} {}", trait_.name, what));
+        const char* const list = !entry_.sets.empty()     ? "sets"
+                                 : !entry_.scales.empty() ? "scales"
+                                                          : "shifts";
+        problems_.add(list, "trait {} {}", trait_.name, what);
     }
 
     void check(const std::string& name) {
@@ -72,21 +76,19 @@ class TraitCheck {
                             name));
         const std::string unit =
             trait_.effect == TraitEffect::scales ? "1" : measure->unit;
-        if (problems_.usable({&entry_.trait.unit}) && trait_.unit != unit)
-            problems_.add(
-                &entry_.trait.unit,
-                fmt::format("trait {} has the unit \"{}\" (what it does "
-                            "to {} has \"{}\"); write unit = \"{}\"",
-                            trait_.name, trait_.unit, name, unit, unit));
+        if (problems_.usable({"unit"}) && trait_.unit != unit)
+            problems_.add("unit",
+                          "trait {} has the unit \"{}\" (what it does to {} "
+                          "has \"{}\"); write unit = \"{}\"",
+                          trait_.name, trait_.unit, name, unit, unit);
         const auto& [least, most] = measure->limits;
         if (trait_.effect == TraitEffect::sets &&
             (trait_.range.lower < least || trait_.range.upper > most))
-            problems_.add(
-                &entry_.trait.range,
-                fmt::format("trait {} has the range {} .. {} (of {} it "
-                            "is at most {} .. {}); narrow it",
-                            trait_.name, trait_.range.lower, trait_.range.upper,
-                            name, least, most));
+            problems_.add("range",
+                          "trait {} has the range {} .. {} (of {} it is at "
+                          "most {} .. {}); narrow it",
+                          trait_.name, trait_.range.lower, trait_.range.upper,
+                          name, least, most);
     }
 
     void fail_unknown(const std::string& name) {
@@ -100,57 +102,58 @@ class TraitCheck {
     void check_range() {
         constexpr double circle = 360;
         const auto& [lower, upper] = trait_.range;
-        if (!problems_.usable({&entry_.trait.range})) return;
+        if (!problems_.usable({"range"})) return;
         if (trait_.effect == TraitEffect::scales && lower < 0)
-            problems_.add(
-                &entry_.trait.range,
-                fmt::format("trait {} has the range {} .. {} (a factor "
-                            "below 0 turns a measure around); begin at "
-                            "0 or more",
-                            trait_.name, lower, upper));
+            problems_.add("range",
+                          "trait {} has the range {} .. {} (a factor below 0 "
+                          "turns a measure around); begin at 0 or more",
+                          trait_.name, lower, upper);
         if (trait_.is_circular &&
             (trait_.unit != "deg" || upper - lower != circle))
-            problems_.add(
-                &entry_.trait.is_circular,
-                fmt::format("trait {} is circular (its range is {} .. "
-                            "{} {}); a circle has 360 deg",
-                            trait_.name, lower, upper, trait_.unit));
+            problems_.add("circular",
+                          "trait {} is circular (its range is {} .. {} {}); a "
+                          "circle has 360 deg",
+                          trait_.name, lower, upper, trait_.unit);
     }
 
     const TraitEntry& entry_;
     Trait trait_;
     const std::vector<std::string>& list_;
     Plant& plant_;
-    Problems& problems_;
+    Problems problems_;
 };
 
 }  // namespace
 
-bool is_sound(const TraitEntry& entry, const Problems& problems) {
-    const Trait& trait = entry.trait;
-    return problems.usable({&trait.name, &trait.points, &trait.range,
-                            &trait.unit, &entry.sets, &entry.scales,
-                            &entry.shifts});
+bool is_sound(std::size_t trait, const Problems& problems) {
+    return problems.in("trait", trait)
+        .usable(
+            {"name", "points", "range", "unit", "sets", "scales", "shifts"});
 }
 
-void check_traits(Draft& draft, Problems& problems) {
+void check_traits(Draft& draft, const Problems& problems) {
     std::set<std::string> names{"lai"};
-    for (const TraitEntry& entry : draft.traits) {
-        const std::string& name = entry.trait.name;
-        if (problems.usable({&name}) && !names.insert(name).second)
-            problems.add(
-                &name, fmt::format("trait.name is \"{}\" (already used); give "
-                                   "each trait a name of its own",
-                                   name));
-        if (is_sound(entry, problems))
-            TraitCheck(entry, draft.campaign.crop.baseline, problems).run();
+    for (std::size_t t = 0; t < draft.traits.size(); ++t) {
+        const Problems own = problems.in("trait", t);
+        const std::string& name = draft.traits[t].trait.name;
+        if (own.usable({"name"}) && !names.insert(name).second)
+            own.add("name",
+                    "trait.name is \"{}\" (already used); give each trait a "
+                    "name of its own",
+                    name);
+        if (is_sound(t, problems))
+            TraitCheck(draft.traits[t], draft.campaign.crop.baseline, own)
+                .run();
     }
-    for (const BoundsEntry& bounds : draft.bounds)
-        if (problems.usable({&bounds.trait}) && names.count(bounds.trait) == 0)
-            problems.add(&bounds.trait,
-                         fmt::format("bounds.trait is \"{}\" (no trait of this "
-                                     "file); use one of {}",
-                                     bounds.trait, fmt::join(names, ", ")));
+    for (std::size_t b = 0; b < draft.bounds.size(); ++b) {
+        const Problems own = problems.in("bounds", b);
+        const std::string& trait = draft.bounds[b].trait;
+        if (own.usable({"trait"}) && !names.contains(trait))
+            own.add("trait",
+                    "bounds.trait is \"{}\" (no trait of this file); use one "
+                    "of {}",
+                    trait, fmt::join(names, ", "));
+    }
 }
 
 }  // namespace ideotype

@@ -21,14 +21,14 @@ struct Reader {
     const toml::node& node;
     const std::string& section;
     const Key& key;
-    Problems& problems;
+    const Problems& problems;
 
     std::string name() const {
         return section == "top" ? key.name : section + '.' + key.name;
     }
 
     void fail(const std::string& what) const {
-        problems.add(address(key.value), name() + ' ' + what);
+        problems.add(key.name, name() + ' ' + what);
     }
 
     //! Returns the text without its quotes as TOML, if that is of the right
@@ -58,42 +58,46 @@ struct Reader {
 
     //! Returns the fault of a number, or "".
     std::string fault(double value) const {
-        const std::string unit = key.unit.empty() ? "" : ' ' + key.unit;
+        const std::string unit =
+            key.bounds.unit.empty() ? "" : ' ' + key.bounds.unit;
         if (!std::isfinite(value))
-            return fmt::format(
-                "is {} (not a finite number); give a number{}", value,
-                key.lower == key.upper ? std::string()
-                                       : " in " + range_text(key));
-        if (key.lower == key.upper) return "";
-        if (value < key.lower)
+            return fmt::format("is {} (not a finite number); give a number{}",
+                               value,
+                               key.bounds.lower == key.bounds.upper
+                                   ? std::string()
+                                   : " in " + range_text(key));
+        if (key.bounds.lower == key.bounds.upper) return "";
+        if (value < key.bounds.lower)
             return fmt::format("is {}{} (below the range {}); use {}{} or more",
-                               value, unit, range_text(key), key.lower, unit);
-        if (value > key.upper)
+                               value, unit, range_text(key), key.bounds.lower,
+                               unit);
+        if (value > key.bounds.upper)
             return fmt::format("is {}{} (above the range {}); use {}{} or less",
-                               value, unit, range_text(key), key.upper, unit);
+                               value, unit, range_text(key), key.bounds.upper,
+                               unit);
         return "";
     }
 
     //! Reports a number that is in the range in another unit; other entries of
     //! a file most likely have that key in the same unit.
     bool is_mistaken(double value) const {
-        if (!(value > key.upper)) return false;
+        if (!(value > key.bounds.upper)) return false;
         std::vector<std::string> units, values;
         for (const auto& [unit, in_ours] : key.mistaken) {
             const double meant = value * in_ours;
-            if (meant < key.lower || meant > key.upper) continue;
+            if (meant < key.bounds.lower || meant > key.bounds.upper) continue;
             units.push_back(unit);
             values.push_back(fmt::format("{:.6g}", meant));
         }
         if (units.empty()) return false;
-        const bool is_length = key.unit == "m";
+        const bool is_length = key.bounds.unit == "m";
         problems.add_once(
-            address(key.value), name(),
+            key.name, name(),
             fmt::format(
                 "{} is {}{}{} (above the range {}, it looks like {}); "
                 "give {}: {}{}",
-                name(), value, key.unit.empty() ? "" : " ", key.unit,
-                range_text(key), fmt::join(units, " or "),
+                name(), value, key.bounds.unit.empty() ? "" : " ",
+                key.bounds.unit, range_text(key), fmt::join(units, " or "),
                 is_length ? "metres" : "a fraction", fmt::join(values, " or "),
                 is_length ? ", and check all lengths of this file" : ""));
         return true;
@@ -161,13 +165,12 @@ struct Reader {
 
     void operator()(std::monostate) const {}
 
-    //! The position of a text in a list of names; otherwise reports.
-    std::optional<std::size_t> position() const {
+    //! A text that is one of the choices; otherwise reports.
+    std::optional<std::string> one_of_choices() const {
         const auto text = node.value<std::string>();
         if (!text) return fail_type(node), std::nullopt;
         const auto& names = key.choices;
-        const auto found = std::find(names.begin(), names.end(), *text);
-        if (found != names.end()) return found - names.begin();
+        if (std::ranges::count(names, *text) > 0) return text;
         fail(fmt::format("is \"{}\" (not one of its values); {}", *text,
                          nearest_name(*text, names).empty()
                              ? "use " + range_text(key)
@@ -176,12 +179,12 @@ struct Reader {
     }
 
     void operator()(const Choice& choice) const {
-        if (const auto found = position()) choice.set(choice.value, *found);
+        if (const auto found = one_of_choices()) choice.set(*found);
     }
 
     void operator()(std::string* value) const {
         if (!key.choices.empty()) {
-            if (const auto found = position()) *value = key.choices[*found];
+            if (const auto found = one_of_choices()) *value = *found;
             return;
         }
         const auto text = node.value<std::string>();
@@ -359,7 +362,7 @@ struct Reader {
 }  // namespace
 
 void read_value(const toml::node& node, const std::string& section,
-                const Key& key, Problems& problems) {
+                const Key& key, const Problems& problems) {
     std::visit(Reader{node, section, key, problems}, key.value);
 }
 

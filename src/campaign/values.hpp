@@ -14,6 +14,6 @@ namespace ideotype {
 //! range. section names the key in messages. The problems must know the place
 //! of the value.
 void read_value(const toml::node& node, const std::string& section,
-                const Key& key, Problems& problems);
+                const Key& key, const Problems& problems);
 
 }  // namespace ideotype

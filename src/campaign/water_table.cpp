@@ -9,55 +9,41 @@
 
 namespace ideotype {
 
-namespace {
-
-Key number(const std::string& name, std::optional<double>& value,
-           const std::string& initial, const std::string& meaning) {
-    return Key(name, &value, meaning).set(&Key::initial, initial);
-}
-
-}  // namespace
-
 Section water_section(WaterTable& table) {
     LeafWater& rules = table.rules;
-    return {
-        "water",
-        {Key("leaf_temperature", &rules.has_leaf_temperature,
+    Section keys{"water"};
+    keys.add("leaf_temperature", rules.has_leaf_temperature,
              "whether leaves have a temperature of their own, by their energy "
              "balance; else they have that of the air, and assimilate as "
-             "without this table"),
-         Key("canopy_air", &rules.has_canopy_air,
+             "without this table");
+    keys.add("canopy_air", rules.has_canopy_air,
              "whether the canopy warms and moistens the air among its leaves; "
-             "else that is the air above"),
-         Key("stomata", choice(table.model),
+             "else that is the air above");
+    keys.add("stomata", table.model,
+             {{"medlyn", Stomata::Model::medlyn},
+              {"ball_berry", Stomata::Model::ball_berry}},
              "model of stomata: that of Medlyn et al. 2011, or that of Ball, "
-             "Woodrow and Berry 1987")
-             .one_of({"medlyn", "ball_berry"}),
-         number("slope", table.slope,
-                "by Medlyn 1.6 of C4 leaves and photosynthesis.g1 of C3 "
-                "leaves [kPa^0.5], by Ball and Berry 4.53",
-                "of the conductance of stomata with assimilation over CO2")
-             .within(0.01, 50),
-         number("intercept", table.intercept,
-                "0.01 by Medlyn, 0.017 by Ball and Berry",
-                "conductance of stomata without assimilation")
-             .within(0, 1, "mol m-2 s-1"),
-         Key("emissivity", &rules.emissivity,
-             "of leaves for longwave radiation")
-             .within(0.5, 1),
-         Key("stomatal_ratio", &rules.stomatal_ratio,
-             "conductance of the lower face over that of the upper face")
-             .within(0, 1000),
-         Key("wind_attenuation", &rules.wind_attenuation,
-             "how fast wind falls within the canopy: a in exp(-a (1 - z / h))")
-             .within(0, 10),
-         Key("hot", &rules.hot,
-             "temperature above which the time of leaves counts as hot")
-             .within(0, 60, "deg C"),
-         Key("limit", &table.limit,
+             "Woodrow and Berry 1987");
+    keys.add("slope", table.slope, {0.01, 50},
+             "of the conductance of stomata with assimilation over CO2")
+        .defaults(
+            "by Medlyn 1.6 of C4 leaves and photosynthesis.g1 of C3 leaves "
+            "[kPa^0.5], by Ball and Berry 4.53");
+    keys.add("intercept", table.intercept, {0, 1, "mol m-2 s-1"},
+             "conductance of stomata without assimilation")
+        .defaults("0.01 by Medlyn, 0.017 by Ball and Berry");
+    keys.add("emissivity", rules.emissivity, {0.5, 1},
+             "of leaves for longwave radiation");
+    keys.add("stomatal_ratio", rules.stomatal_ratio, {0, 1000},
+             "conductance of the lower face over that of the upper face");
+    keys.add("wind_attenuation", rules.wind_attenuation, {0, 10},
+             "how fast wind falls within the canopy: a in exp(-a (1 - z / h))");
+    keys.add("hot", rules.hot, {0, 60, "deg C"},
+             "temperature above which the time of leaves counts as hot");
+    keys.add("limit", table.limit, {0, 1e5, "mm"},
              "water that plants may transpire on all days; those that need "
-             "more are not feasible; 0: any")
-             .within(0, 1e5, "mm")}};
+             "more are not feasible; 0: any");
+    return keys;
 }
 
 Stomata to_stomata(const WaterTable& table,
@@ -70,30 +56,31 @@ Stomata to_stomata(const WaterTable& table,
     return result;
 }
 
-void check_water(const Draft& draft, Problems& problems) {
-    const Campaign& campaign = draft.campaign;
+void check_water(const Draft& draft, const Problems& problems) {
     if (!draft.has_water) {
-        for (const auto* list : {&campaign.maximised, &campaign.minimised})
-            for (const std::string& each : *list)
-                if (problems.usable({list}) && is_of_water(each))
-                    problems.add(
-                        list, fmt::format("the objective {} is of leaves that "
-                                          "transpire; add [water]",
-                                          each));
+        for (const auto& [key, name] : objective_keys(draft.campaign, problems))
+            if (is_of_water(name))
+                problems.add(key,
+                             "the objective {} is of leaves that transpire; "
+                             "add [water]",
+                             name);
         return;
     }
-    const auto check = [&](const Draft& kind, const std::string& whose) {
+    const auto check = [](const Draft& kind, const Problems& own,
+                          const std::string& whose) {
         if (kind.photosynthesis.model == LeafModel::hyperbola)
-            problems.add(
-                &kind.photosynthesis.model,
-                fmt::format("photosynthesis.model{} is \"hyperbola\", which "
-                            "does not follow CO2 (leaves exchange water in "
-                            "[water]); use \"collatz\" or \"farquhar\"",
-                            whose));
+            own.add("photosynthesis.model",
+                    "photosynthesis.model{} is \"hyperbola\", which does not "
+                    "follow CO2 (leaves exchange water in [water]); use "
+                    "\"collatz\" or \"farquhar\"",
+                    whose);
     };
-    check(draft, "");
-    for (const std::shared_ptr<Draft>& each : draft.components)
-        check(*each, " of component \"" + each->campaign.name + "\"");
+    check(draft, problems, "");
+    for (std::size_t i = 0; i < draft.components.size(); ++i) {
+        const Draft& each = *draft.components[i];
+        check(each, problems.in("component", i),
+              " of component \"" + each.campaign.name + "\"");
+    }
 }
 
 }  // namespace ideotype

@@ -30,6 +30,6 @@ Stomata to_stomata(const WaterTable& table,
 
 //! Reports leaves whose photosynthesis does not follow CO2, and objectives that
 //! need the table where there is none.
-void check_water(const Draft& draft, Problems& problems);
+void check_water(const Draft& draft, const Problems& problems);
 
 }  // namespace ideotype

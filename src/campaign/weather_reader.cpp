@@ -15,34 +15,38 @@ namespace ideotype {
 namespace {
 
 //! Reports what cannot be read by; returns whether there is nothing.
-bool check_climate(Climate& climate, Problems& problems) {
-    const Period& period = climate.period;
-    ColumnMap& columns = climate.columns;
-    if (!problems.usable({&climate.file, &climate.stamp, &period.from,
-                          &period.to, &columns.missing, &columns.utc_offset,
-                          &columns.time, &columns.date_order}))
+//! @param problems of the climate
+bool check_climate(const Climate& climate, const Problems& problems) {
+    const auto& [from, to] = climate.period;
+    const ColumnMap& columns = climate.columns;
+    if (!problems.usable({"file", "stamp", "from", "to", "missing",
+                          "utc_offset", "time", "date_order"}))
         return false;
-    if (period.to < period.from) {
-        problems.add(
-            &period.to,
-            fmt::format(
-                "climate.to is {} (before the first day, {}); give a later one",
-                to_string(period.to), to_string(period.from)));
+    if (to < from) {
+        problems.add("to",
+                     "climate.to is {} (before the first day, {}); give a "
+                     "later one",
+                     to_string(to), to_string(from));
         return false;
     }
-    for (std::optional<Column>* column :
-         {&columns.global, &columns.beam_normal, &columns.diffuse,
-          &columns.diffuse_fraction, &columns.ppfd, &columns.temperature,
-          &columns.humidity, &columns.wind, &columns.pressure,
-          &columns.longwave}) {
-        if (!problems.usable({column})) return false;
+    for (const auto& [key, column] :
+         {std::pair("global", &columns.global),
+          std::pair("beam_normal", &columns.beam_normal),
+          std::pair("diffuse", &columns.diffuse),
+          std::pair("diffuse_fraction", &columns.diffuse_fraction),
+          std::pair("ppfd", &columns.ppfd),
+          std::pair("temperature", &columns.temperature),
+          std::pair("humidity", &columns.humidity),
+          std::pair("wind", &columns.wind),
+          std::pair("pressure", &columns.pressure),
+          std::pair("longwave", &columns.longwave)}) {
+        if (!problems.usable({key})) return false;
         if (!*column || !columns.time.empty()) continue;
-        problems.add(
-            column,
-            fmt::format("climate has the column \"{}\" but no 'time' (a "
-                        "file that `ideotype weather` wrote needs "
-                        "neither); name the columns of the time too",
-                        (*column)->name));
+        problems.add(key,
+                     "climate has the column \"{}\" but no 'time' (a file "
+                     "that `ideotype weather` wrote needs neither); name the "
+                     "columns of the time too",
+                     (*column)->name);
         return false;
     }
     return true;
@@ -79,16 +83,17 @@ SiteWeather to_site_weather(const LightSeries& series, bool has_nir) {
 }
 
 //! Reports what a campaign has of its weather and cannot be.
-void check_weather(const SiteWeather& weather, Problems& problems) {
+//! @param problems of the weather
+void check_weather(const SiteWeather& weather, const Problems& problems) {
     const auto& hours = weather.hours;
     const auto check = [&](const std::string& name,
                            const std::vector<double>& values, bool is_fine,
                            const std::string& expected) {
-        if (problems.usable({&values}) && !is_fine)
-            problems.add(&values,
-                         fmt::format("weather.{} has {} values (expected: {}); "
-                                     "take what the program has written",
-                                     name, values.size(), expected));
+        if (problems.usable(name) && !is_fine)
+            problems.add(name,
+                         "weather.{} has {} values (expected: {}); take what "
+                         "the program has written",
+                         name, values.size(), expected);
     };
     check("hours", hours,
           !hours.empty() && std::is_sorted(hours.begin(), hours.end()) &&
@@ -121,20 +126,24 @@ void check_weather(const SiteWeather& weather, Problems& problems) {
 class WeathersReader {
   public:
     WeathersReader(const std::string& campaign_file, PlantSource source,
-                   Draft& draft, Problems& problems)
+                   Draft& draft, const Problems& problems)
         : campaign_file_(campaign_file),
           source_(source),
           campaign_(draft.campaign),
           problems_(problems) {}
 
     void read() {
-        for (const SiteWeather& weather : campaign_.weathers)
-            check_weather(weather, problems_);
+        for (std::size_t i = 0; i < campaign_.weathers.size(); ++i)
+            check_weather(campaign_.weathers[i], problems_.in("weather", i));
         std::vector<SiteWeather> found;
-        for (auto& [name, climate] : campaign_.climates) {
-            if (!check_climate(climate, problems_)) continue;
-            for (const Site& site : campaign_.sites)
-                if (!has(site.name, name)) read(site, name, climate, found);
+        for (std::size_t c = 0; c < campaign_.climates.size(); ++c) {
+            const Problems of_climate = problems_.in("climate", c);
+            const auto& [name, climate] = campaign_.climates[c];
+            if (!check_climate(climate, of_climate)) continue;
+            for (std::size_t s = 0; s < campaign_.sites.size(); ++s)
+                if (!has(campaign_.sites[s].name, name))
+                    read(campaign_.sites[s], campaign_.climates[c],
+                         problems_.in("site", s), of_climate, found);
         }
         for (SiteWeather& each : found)
             campaign_.weathers.push_back(std::move(each));
@@ -149,40 +158,40 @@ class WeathersReader {
                            });
     }
 
-    void read(const Site& site, const std::string& name, Climate& climate,
+    void read(const Site& site, const Named<Climate>& named,
+              const Problems& of_site, const Problems& of_climate,
               std::vector<SiteWeather>& found) {
+        const auto& [name, climate] = named;
         if (source_ == PlantSource::table)
-            return problems_.add(
-                &climate.file,
-                fmt::format("climate \"{}\" has no [[weather]] of site \"{}\" "
-                            "(resolved campaigns have it in them); use the "
-                            "campaign file",
-                            name, site.name));
-        if (!problems_.usable({&site.name, &site.weather, &site.latitude,
-                               &site.longitude, &site.utc_offset,
-                               &site.elevation, &campaign_.par_fraction}))
+            return of_climate.add(
+                "file",
+                "climate \"{}\" has no [[weather]] of site \"{}\" (resolved "
+                "campaigns have it in them); use the campaign file",
+                name, site.name);
+        if (!of_site.usable({"name", "weather", "latitude", "longitude",
+                             "utc_offset", "elevation"}) ||
+            !problems_.usable({"optics.par_fraction"}))
             return;
         if (climate.file.empty() && site.weather.empty())
-            return problems_.add(
-                &climate.file,
-                fmt::format("climate \"{}\" has no file (and site \"{}\" no "
-                            "weather); add file = \"weather/mine.csv\" here, "
-                            "or weather = ... there",
-                            name, site.name));
+            return of_climate.add(
+                "file",
+                "climate \"{}\" has no file (and site \"{}\" no weather); add "
+                "file = \"weather/mine.csv\" here, or weather = ... there",
+                name, site.name);
         if (!climate.file.empty() && !site.weather.empty())
-            return problems_.add(
-                &site.weather,
-                fmt::format("site \"{}\" has weather of its own (climate "
-                            "\"{}\" has a file for all sites); remove one",
-                            site.name, name));
-        const std::string& own =
-            climate.file.empty() ? site.weather : climate.file;
-        const std::string path = path_from(campaign_file_, own);
+            return of_site.add("weather",
+                               "site \"{}\" has weather of its own (climate "
+                               "\"{}\" has a file for all sites); remove one",
+                               site.name, name);
+        const bool is_of_site = climate.file.empty();
+        const std::string path =
+            path_from(campaign_file_, is_of_site ? site.weather : climate.file);
         const FileText file = read_file(path, most_data_bytes);
         if (!file.is_there)
-            return problems_.add(
-                climate.file.empty() ? &site.weather : &climate.file,
-                file.refusal(path) + "; give a path relative to this file");
+            return (is_of_site ? of_site : of_climate)
+                .add(
+                    is_of_site ? "weather" : "file",
+                    file.refusal(path) + "; give a path relative to this file");
         problems_.open(path);
         try {
             const Weather weather = parse_weather(
@@ -208,14 +217,14 @@ class WeathersReader {
     const std::string& campaign_file_;
     PlantSource source_;
     Campaign& campaign_;
-    Problems& problems_;
+    Problems problems_;
     std::set<std::string> told_;
 };
 
 }  // namespace
 
 void read_weathers(const std::string& file, PlantSource source, Draft& draft,
-                   Problems& problems) {
+                   const Problems& problems) {
     WeathersReader(file, source, draft, problems).read();
 }
 

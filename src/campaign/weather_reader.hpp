@@ -14,6 +14,6 @@ namespace ideotype {
 //! with a file is reported with its line.
 //! @param file of the campaign, which names of weather files are relative to
 void read_weathers(const std::string& file, PlantSource source, Draft& draft,
-                   Problems& problems);
+                   const Problems& problems);
 
 }  // namespace ideotype

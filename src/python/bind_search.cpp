@@ -74,13 +74,14 @@ std::unique_ptr<Search> make_search(
     const std::vector<double>& upper, const std::vector<bool>& circular,
     const std::vector<std::string>& traits, const std::vector<bool>& maximise) {
     SearchSettings settings;
-    const auto name =
-        std::find(optimizer_names.begin(), optimizer_names.end(), optimizer);
-    if (name == optimizer_names.end())
+    std::vector<std::string> names;
+    for (const auto& each : optimizers) names.push_back(each.first);
+    const auto name = std::find(names.begin(), names.end(), optimizer);
+    if (name == names.end())
         throw Error(fmt::format("there is no optimizer \"{}\"; use one of {}",
-                                optimizer, fmt::join(optimizer_names, ", ")));
+                                optimizer, fmt::join(names, ", ")));
     settings.optimizer =
-        static_cast<OptimizerKind>(name - optimizer_names.begin());
+        optimizers[static_cast<std::size_t>(name - names.begin())].second;
     settings.population =
         population > 0 ? population
                        : usual_population(settings.optimizer, start.size());

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace ideotype {
@@ -10,9 +11,11 @@ namespace ideotype {
 //! The kinds of optimizers.
 enum class OptimizerKind { automatic, ga, cma_es, nsga2, random, sobol };
 
-//! The names of optimizers, in the order of their kinds.
-inline const std::vector<std::string> optimizer_names{
-    "auto", "ga", "cma_es", "nsga2", "random", "sobol"};
+//! The names of optimizers beside their kinds.
+inline const std::vector<std::pair<std::string, OptimizerKind>> optimizers{
+    {"auto", OptimizerKind::automatic}, {"ga", OptimizerKind::ga},
+    {"cma_es", OptimizerKind::cma_es},  {"nsga2", OptimizerKind::nsga2},
+    {"random", OptimizerKind::random},  {"sobol", OptimizerKind::sobol}};
 
 //! Settings of the genetic algorithm.
 struct GaSettings {

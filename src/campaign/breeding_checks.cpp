@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <optional>
+#include <span>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "checks.hpp"
+#include "ideotype/crop/measures.hpp"
+
+namespace ideotype {
+
+namespace {
+
+//! A crop that is bred, in the order of genes: the campaign's, then those of
+//! components.
+struct BredCrop {
+    Draft& draft;
+    std::string table;     //!< of its bounds: "plant" or "component"
+    Problems of_table;     //!< "plant" or "component[0]"
+    Problems of_baseline;  //!< "plant.baseline" or "component[0].crop"
+
+    bool is_component() const { return table == "component"; }
+};
+
+std::vector<BredCrop> bred_crops(Draft& draft, const Problems& problems) {
+    std::vector<BredCrop> all{
+        {draft, "plant", problems.in("plant"), problems.in("plant.baseline")}};
+    for (std::size_t i = 0; i < draft.components.size(); ++i) {
+        Draft& each = *draft.components[i];
+        const Problems own = problems.in("component", i);
+        if (!each.campaign.trait_sets.front().value.empty())
+            all.push_back({each, "component", own, own.in("crop")});
+    }
+    return all;
+}
+
+//! @param problems of the constraints
+void check_constraints(const Draft& draft, const Problems& problems) {
+    const Constraints& constraints = draft.campaign.constraints;
+    if (problems.usable({"lai"}) && constraints.lai.upper <= 0)
+        problems.add("lai",
+                     "constraints.lai allows no leaves (its upper bound is 0); "
+                     "write [lower, upper]");
+    for (std::size_t t = 0; t < constraints.traits.size(); ++t) {
+        const TraitConstraint& limit = constraints.traits[t];
+        const Trait trait = complete(draft.traits.at(t));
+        if (!constrains(limit) || trait.measures.empty()) continue;
+        const Problems own = problems.in(limit.trait);
+        const std::string& measure = trait.measures.front();
+        if (!measure.starts_with("leaf."))
+            own.add("step",
+                    "constraints.{} is there (the trait acts on {}, which the "
+                    "plant has once); narrow its bounds instead",
+                    trait.name, measure);
+        else if (limit.distichous > 0 && measure != "leaf.azimuth")
+            own.add("distichous",
+                    "constraints.{}.distichous is {} (the trait acts on {}); "
+                    "only azimuths have a plane",
+                    trait.name, limit.distichous, measure);
+    }
+}
+
+//! Any trait set that breeds a trait, or nullptr.
+const Named<TraitSet>* breeder(const Campaign& campaign,
+                               const std::string& trait) {
+    if (!campaign.varied.has_traits) return nullptr;
+    for (const Named<TraitSet>& set : campaign.trait_sets)
+        if (std::ranges::count(set.value, trait) > 0) return &set;
+    return nullptr;
+}
+
+//! The path of a measure in a crop: "leaf[2].length", "organ[0].length".
+//! @param leaf rank of the leaf, if it is a measure of leaves
+std::string key_of(const Plant& plant, const std::string& measure, int leaf) {
+    const std::string part = measure.substr(0, measure.find('.')),
+                      rest = measure.substr(part.size());
+    if (part == "leaf")
+        return fmt::format("leaf[{}]{}", std::max(leaf, 1) - 1, rest);
+    for (std::size_t i = 0; i < plant.organs.size(); ++i)
+        if (plant.organs[i].name == part)
+            return fmt::format("organ[{}]{}", i, rest);
+    return measure;
+}
+
+//! Notes numbers of a baseline that are outside the bounds in which they would
+//! be bred, and the bounds to write.
+class BaselineCheck {
+  public:
+    explicit BaselineCheck(const BredCrop& bred)
+        : bred_(bred),
+          draft_(bred.draft),
+          table_(bred.table + ".bounds"),
+          crop_(crop_of(bred.draft)),
+          wider_(crop_.traits.size()) {}
+
+    std::vector<Problem> run() {
+        const bool is_table = draft_.rule.empty();
+        const Problems& problems = bred_.of_table;
+        if (!is_table && !problems.usable({"bounds"})) return {};
+        const std::vector<TraitNumber> numbers = trait_numbers(crop_);
+        const std::vector<double> baseline = baseline_numbers(crop_);
+        for (std::size_t i = 0; i < numbers.size(); ++i)
+            if (!is_table || problems.usable(own_bounds(numbers[i].trait)))
+                check(numbers[i], baseline[i]);
+        if (found_.empty()) return {};
+        found_ = problems.sorted(std::move(found_));
+        found_.push_back(
+            {problems.where(is_table ? own_bounds(0) : "bounds"),
+             fmt::format("{0} leave the baseline out (what is bred begins "
+                         "with it); {1}{2}",
+                         table_,
+                         is_table
+                             ? "write in [" + table_ + "]:"
+                             : "delete bounds = \"...\" if it is there, "
+                               "and add " +
+                                   place_of_table() + ":\n[" + table_ + ']',
+                         lines())});
+        return std::move(found_);
+    }
+
+  private:
+    std::string own_bounds(std::size_t trait) const {
+        return "bounds." + crop_.traits[trait].name;
+    }
+
+    std::string place_of_table() const {
+        return bred_.is_component() ? "below the keys of its [[component]]"
+                                    : "at the end of the campaign";
+    }
+
+    void check(const TraitNumber& number, double value) {
+        const Trait& trait = crop_.traits[number.trait];
+        const Named<TraitSet>* set = breeder(draft_.campaign, trait.name);
+        const std::string key =
+            trait.effect == TraitEffect::sets
+                ? key_of(crop_.baseline, trait.measures[0], number.leaf)
+                : fmt::format("trait[{}].range", number.trait);
+        if (!set || !bred_.of_baseline.usable(key)) return;
+        const Range range = bounds_of(draft_, number.trait, value);
+        std::optional<Range>& wider = wider_[number.trait];
+        if (!wider) wider = range;
+        wider = {std::min({wider->lower, range.lower, value}),
+                 std::max({wider->upper, range.upper, value})};
+        if (value >= range.lower && value <= range.upper) return;
+        const std::string unit = trait.unit == "1" ? "" : ' ' + trait.unit;
+        found_.push_back(
+            {bred_.of_baseline.where(key),
+             fmt::format(
+                 "{}{} is {}{} (outside the {} bounds {:.6g} .. {:.6g}{}, and "
+                 "{} breeds it); change the baseline, the bounds or the free "
+                 "traits",
+                 trait.effect == TraitEffect::sets ? trait.measures[0]
+                                                   : "trait " + trait.name,
+                 number.leaf > 0 ? fmt::format(" of leaf {}", number.leaf) : "",
+                 value, unit,
+                 draft_.rule.empty() ? "table's" : '"' + draft_.rule + '"',
+                 range.lower, range.upper, unit,
+                 bred_.is_component() ? "component.free"
+                                      : "trait set \"" + set->name + '"')});
+    }
+
+    //! The bred traits whose bounds are not those that a table begins with,
+    //! and which traits are bred if the rule that the table replaces tells.
+    std::string lines() const {
+        std::string text;
+        for (std::size_t t = 0; t < wider_.size(); ++t) {
+            const Range usual = draft_.rule.empty() ? draft_.own_bounds[t]
+                                                    : crop_.traits[t].range;
+            if (wider_[t] && (wider_[t]->lower != usual.lower ||
+                              wider_[t]->upper != usual.upper))
+                text += fmt::format("\n{} = [{}, {}]", crop_.traits[t].name,
+                                    wider_[t]->lower, wider_[t]->upper);
+        }
+        TraitSet by_rule, by_table;
+        for (const TraitEntry& entry : draft_.traits) {
+            if (is_bred(draft_, entry.trait, draft_.rule))
+                by_rule.push_back(entry.trait.name);
+            if (entry.trait.is_bred) by_table.push_back(entry.trait.name);
+        }
+        const Named<TraitSet>& first = draft_.campaign.trait_sets.front();
+        if (!bred_.is_component() && by_rule != by_table &&
+            first.value == by_rule)
+            text += fmt::format("\n[[traits]]\nname = \"{}\"\nfree = [\"{}\"]",
+                                first.name, fmt::join(by_rule, "\", \""));
+        return text;
+    }
+
+    const BredCrop& bred_;
+    Draft& draft_;
+    std::string table_;  //!< of own bounds
+    Crop crop_;
+    //! The bounds of each bred trait, widened to hold the baseline's numbers.
+    std::vector<std::optional<Range>> wider_;
+    std::vector<Problem> found_;
+};
+
+//! Tells numbers of a start that are outside the bounds of a crop.
+//! @param start its numbers begin there
+//! @returns how many numbers the crop has
+std::size_t check_start_of(const Draft& draft, std::span<const double> start,
+                           const Problems& problems) {
+    const Crop crop = crop_of(draft);
+    const std::vector<TraitNumber> numbers = trait_numbers(crop);
+    const std::vector<double> baseline = baseline_numbers(crop);
+    for (std::size_t i = 0; i < std::min(numbers.size(), start.size()); ++i) {
+        const auto& [t, leaf, point] = numbers[i];
+        const std::string& trait = crop.traits[t].name;
+        const Range range = bounds_of(draft, t, baseline[i]);
+        if (!breeder(draft.campaign, trait) ||
+            (start[i] >= range.lower && start[i] <= range.upper))
+            continue;
+        problems.add("search.start",
+                     "search.start has {:.6g} for {}{} (outside the bounds "
+                     "{:.6g} .. {:.6g}); begin with another plant, or widen "
+                     "the bounds",
+                     start[i], trait,
+                     leaf > 0 ? fmt::format(" of leaf {}", leaf) : "",
+                     range.lower, range.upper);
+    }
+    return numbers.size();
+}
+
+//! A start has a number of each gene, those that are bred within their bounds.
+void check_start(Draft& draft, const Problems& problems) {
+    const std::vector<double>& start = draft.campaign.search.start;
+    if (start.empty() || !problems.usable({"search.start", "plant.bounds"}))
+        return;
+    if (!uses_cma_es(draft.campaign.search))
+        return problems.add("search.start",
+                            "search.start is given (only CMA-ES begins around "
+                            "a plant of its own); leave it out, or use "
+                            "search.optimizer = \"auto\"");
+    std::size_t count = 0;
+    for (const BredCrop& each : bred_crops(draft, problems))
+        count += check_start_of(
+            each.draft, std::span(start).subspan(std::min(count, start.size())),
+            problems);
+    if (start.size() != count)
+        problems.add("search.start",
+                     "search.start has {} numbers (the traits that can be bred "
+                     "have {}); begin with run --start PLANT, which writes "
+                     "them",
+                     start.size(), count);
+}
+
+}  // namespace
+
+void check_breeding(Draft& draft, const Problems& problems) {
+    if (!draft.is_crop_known) return;
+    for (std::size_t t = 0; t < draft.traits.size(); ++t)
+        if (!is_sound(t, problems.in("plant.baseline"))) return;
+    check_constraints(draft, problems.in("constraints"));
+    std::vector<Problem>& outside = draft.campaign.outside_bounds;
+    outside.clear();
+    for (const BredCrop& each : bred_crops(draft, problems))
+        if (each.draft.is_crop_known)
+            std::ranges::move(BaselineCheck(each).run(),
+                              std::back_inserter(outside));
+    check_start(draft, problems);
+}
+
+}  // namespace ideotype

@@ -131,7 +131,7 @@ def print_cost(paths: int, pairs: int) -> None:
             start = time.process_time()
             found = stand.evaluate(stand.baseline, ["carbon_balance"])
             used.append(time.process_time() - start)
-            errors.append(float(found["carbon_balance_error"][0]))
+            errors.append(float(found["carbon_balance_standard_error"][0]))
         ratios.append(used[1] / used[0])
     plain, wet = statistics.fmean(errors[::2]), statistics.fmean(errors[1::2])
     middle = statistics.median(ratios)

@@ -284,7 +284,7 @@ class Assimilation {
             points.clear();
             for (std::size_t p = 0; p < places_.count(); ++p)
                 points.push_back({p, 0, 0, places_.index[p]});
-            air.exchange(i);
+            air.exchange_at_night(i);
             const TimeStep& step = light_.series.steps[i];
             for (const LeafFlux kind :
                  {LeafFlux::transpiration, LeafFlux::sensible}) {

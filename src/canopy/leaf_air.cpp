@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "ideotype/core/error.hpp"
 #include "ideotype/physiology/temperature.hpp"
@@ -86,10 +88,12 @@ void LeafAir::see(const LeafPlaces& places, const ExpectedLight& expectation) {
     places_ = &places;
     expectation_ = &expectation;
     at_.assign(places.count(), {});
-    for (std::size_t p = 0; p < places.count(); ++p)
+    for (std::size_t p = 0; p < places.count(); ++p) {
+        at_[p].group = places.group[p];
         at_[p].wind =
             std::exp(-water_.wind_attenuation *
                      (1 - std::min(places.height[p] / leaves_.height, 1.)));
+    }
     if (!leaves_.longwave) return;
     const std::vector<Source>& sources =
         leaves_.longwave->band.light.light.sources;
@@ -117,7 +121,7 @@ void LeafAir::meet(int beam, int sky) {
         seen(*leaves_.nir, beam, *places_, *expectation_);
     const std::vector<double> of_sky =
         seen(*leaves_.nir, sky, *places_, *expectation_);
-    for (std::size_t p = 0; p < at_.size(); ++p) {
+    for (std::size_t p = 0; p < of_sun.size(); ++p) {
         at_[p].nir_of_sun = of_sun[p];
         at_[p].nir_of_sky = of_sky[p];
     }
@@ -219,7 +223,7 @@ void LeafAir::exchange_in(std::size_t step, const CanopyAir& air) {
     LeafSurroundings around;
     LeafInAir leaf;
     for (std::size_t j = 0; j < points_.size(); ++j) {
-        const std::uint32_t group = places_->group[points_[j].place];
+        const std::uint32_t group = at_[points_[j].place].group;
         const Photosynthesis* own = leaves_.leaves[group].photosynthesis;
         if (!own) continue;
         if (own != of) {
@@ -241,6 +245,45 @@ void LeafAir::exchange_in(std::size_t step, const CanopyAir& air) {
                         ? of_own_temperature(points_[j], leaf, over, around)
                         : of_air_temperature(points_[j], leaf, around);
     }
+}
+
+//! Joins the points of each leaf in the sun, and those in the shade, to one at
+//! a place that is their mean.
+//! @return the new point that each old one is a part of
+std::vector<std::size_t> LeafAir::join_points() {
+    std::vector<std::size_t> part_of;
+    std::vector<Point> joined;
+    std::map<std::pair<bool, std::uint32_t>, std::size_t> known;
+    at_.resize(places_->count());
+    for (const Point& point : points_) {
+        const Place own = at_[point.place];
+        const auto [found, is_new] = known.emplace(
+            std::pair(point.cosine > 0, own.group), joined.size());
+        if (is_new) {
+            joined.push_back({at_.size(), 0, 0, 0});
+            at_.push_back({own.group, 0, 0});
+        }
+        part_of.push_back(found->second);
+        Point& sum = joined[found->second];
+        Place& mean = at_[sum.place];
+        const double area = std::max(point.area, 0.);
+        sum.area += area;
+        if (!(sum.area > 0)) continue;
+        // Means grow point by point.
+        const double part = area / sum.area;
+        const auto join = [&](double& x, double more) {
+            x += part * (more - x);
+        };
+        join(sum.ppfd, point.ppfd);
+        join(sum.cosine, point.cosine);
+        join(mean.view, own.view);
+        join(mean.wind, own.wind);
+        join(mean.nir_of_sun, own.nir_of_sun);
+        join(mean.nir_of_sky, own.nir_of_sky);
+        join(mean.nir_absorptance, own.nir_absorptance);
+    }
+    points_ = std::move(joined);
+    return part_of;
 }
 
 //! Solves the exchange of the canopy with the air above for the air within, by
@@ -293,13 +336,31 @@ CanopyAir LeafAir::canopy_air(std::size_t number) {
                        -most_moister, most_moister)};
 }
 
-void LeafAir::exchange(std::size_t step) {
+void LeafAir::find_air(std::size_t step) {
     std::optional<CanopyAir>& air = air_[step];
     if (!air)
         air = water_.has_leaf_temperature && water_.has_canopy_air
                   ? canopy_air(step)
                   : CanopyAir{};
-    exchange_in(step, *air);
+}
+
+void LeafAir::exchange(std::size_t step) {
+    if (!air_[step]) {
+        std::vector<Point> all = points_;
+        join_points();
+        find_air(step);
+        points_ = std::move(all);
+    }
+    exchange_in(step, *air_[step]);
+}
+
+void LeafAir::exchange_at_night(std::size_t step) {
+    const std::vector<std::size_t> part_of = join_points();
+    find_air(step);
+    exchange_in(step, *air_[step]);
+    std::vector<std::array<Expansion, leaf_fluxes>> joined;
+    std::swap(joined, found_);
+    for (const std::size_t part : part_of) found_.push_back(joined[part]);
 }
 
 }  // namespace ideotype

@@ -74,6 +74,10 @@ class LeafAir {
     //! Finds the exchange of all points in a step.
     void exchange(std::size_t step);
 
+    //! Finds the exchange of all points in a step without light, in which those
+    //! of a leaf are taken as alike.
+    void exchange_at_night(std::size_t step);
+
     //! Returns a flux of a point, per area of leaf.
     const Expansion& flux(std::size_t kind, std::size_t point) const {
         return found_[point][kind];
@@ -81,8 +85,9 @@ class LeafAir {
 
   private:
     struct Place {
-        double view = 0;  //!< of the sky, by both faces together
-        double wind = 1;  //!< over that at the top
+        std::uint32_t group = 0;  //!< of plants
+        double view = 0;          //!< of the sky, by both faces together
+        double wind = 1;          //!< over that at the top
         double nir_of_sun = 0, nir_of_sky = 0;  //!< [J m-2 of leaf]
         double nir_absorptance = 0;
     };
@@ -106,6 +111,8 @@ class LeafAir {
     LeafInAir leaf_in(const Above& above, std::uint32_t group) const;
     void exchange_in(std::size_t step, const CanopyAir& air);
     CanopyAir canopy_air(std::size_t step);
+    void find_air(std::size_t step);
+    std::vector<std::size_t> join_points();
     std::array<Expansion, leaf_fluxes> of_own_temperature(
         const Point& point, const LeafInAir& leaf, const Above& above,
         LeafSurroundings around);

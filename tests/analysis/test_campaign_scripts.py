@@ -127,6 +127,21 @@ def test_growth_changes_carbon_as_it_should(tmp_path: Path) -> None:
     }  # fmt: skip
 
 
+def test_maize_transpires_as_in_the_field() -> None:
+    told = run("water.py", "--rough")
+    change = re.search(
+        r"(?m)^\| all \| (\S+) \| (\S+) \| (\S+) \| \S+ \|$", told
+    )
+    assert change is not None, told
+    less, shut, warmer = map(float, change.groups())
+    # The field has -34 % and 0.5 to 0.6 K; its 7 to 11 % less water hold what
+    # the soil evaporates.
+    assert -20 < less < -7 and -45 < shut < -25 and 0.2 < warmer < 1, told
+    season = re.search(r"(?m)^\| 2011 \| (\S+) \|", told)
+    assert season is not None and 200 < float(season[1]) < 578, told
+    assert "a season with water takes" in told
+
+
 def test_searches_are_compared_by_their_gains(tmp_path: Path) -> None:
     words = [
         tmp_path,

@@ -230,8 +230,7 @@ TEST(BrokenCampaign, FieldsDivideTheRandomisations) {
 
 TEST(BrokenCampaign, AssimilationInOneFieldNeedsRandomisations) {
     const std::string light = "[light]\ntolerance = 0\nrandomisations = 2\n";
-    const std::string wanted =
-        "[objective]\nmaximise = \"net_assimilation\"\n";
+    const std::string wanted = "[objective]\nmaximise = \"net_assimilation\"\n";
     EXPECT_NE(problem_of(sample_text("", light + wanted))
                   .find("light.randomisations is 2 (too few for assimilation"),
               std::string::npos);

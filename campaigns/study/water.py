@@ -43,7 +43,9 @@ PARTS: dict[str, dict[str, Any]] = {
 }
 
 
-def week(paths: int, density: float = 8.6, co2: float = 390, **water: Any) -> Stand:
+def week(
+    paths: int, density: float = 8.6, co2: float = 390, **water: Any
+) -> Stand:
     """Returns the hot week of bondville.toml, with [water]."""
     found = tomllib.loads((CAMPAIGNS / "bondville.toml").read_text())
     found["climate"] = [{**found["climate"][0], **WEEK, "co2": co2}]
@@ -74,7 +76,9 @@ def numbers(stand: Stand, names: tuple[str, ...] = FIGURES) -> list[float]:
 def print_co2(paths: int) -> None:
     rows = []
     for name, water in list(PARTS.items())[:2]:
-        now, rich = (numbers(week(paths, co2=co2, **water)) for co2 in (372, 550))
+        now, rich = (
+            numbers(week(paths, co2=co2, **water)) for co2 in (372, 550)
+        )
         change = [100 * (b / a - 1) for a, b in zip(now, rich, strict=True)]
         rows.append(
             [
@@ -97,9 +101,17 @@ def print_area(paths: int) -> None:
         stand = week(paths, density)
         lai = numbers(stand, ("lai",))[0]
         found = numbers(stand)
-        rows.append([f"{lai:.2f}", f"{found[0]:.2f}", f"{found[2]:+.2f}",
-                     f"{found[4]:.2f}"])
-    print_table(["leaf area index", "E [mm/d]", "T - Ta [K]", "[g C/kg]"], rows)
+        rows.append(
+            [
+                f"{lai:.2f}",
+                f"{found[0]:.2f}",
+                f"{found[2]:+.2f}",
+                f"{found[4]:.2f}",
+            ]
+        )
+    print_table(
+        ["leaf area index", "E [mm/d]", "T - Ta [K]", "[g C/kg]"], rows
+    )
 
 
 def print_parts(paths: int) -> None:
@@ -111,10 +123,18 @@ def print_parts(paths: int) -> None:
 
 
 def print_seasons(paths: int) -> None:
-    names = ("water_use", "carbon_balance", "water_use_efficiency", "leaf_warming",
-             "hot_hours")
+    names = (
+        "water_use",
+        "carbon_balance",
+        "water_use_efficiency",
+        "leaf_warming",
+        "hot_hours",
+    )
     rows = [
-        [str(year), *(f"{x:.3f}" for x in numbers(season(paths, year, True), names))]
+        [
+            str(year),
+            *(f"{x:.3f}" for x in numbers(season(paths, year, True), names)),
+        ]
         for year in (2011, 2012)
     ]
     print_table(["season", *names], rows)
@@ -144,7 +164,9 @@ def print_cost(paths: int, pairs: int) -> None:
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--only", choices=("co2", "area", "parts", "seasons", "cost"))
+    parser.add_argument(
+        "--only", choices=("co2", "area", "parts", "seasons", "cost")
+    )
     parser.add_argument("--rough", action="store_true")
     options = parser.parse_args()
     paths = 256 if options.rough else 4096

@@ -240,7 +240,7 @@ class Stand:
                 genome, generation, final, seed, tolerance
             )
 
-        found = _map(one, plants, threads or _processors())
+        found = _map(one, plants, threads or processors())
         return dataset_of(self._case, found, wanted)
 
     @property
@@ -357,7 +357,8 @@ def _restored(campaign: str, case: str, isa: str) -> Stand:
     )
 
 
-def _processors() -> int:
+def processors() -> int:
+    """Counts the processors that this process may use."""
     try:
         return len(os.sched_getaffinity(0))
     except AttributeError:  # Not every system tells this.

@@ -55,25 +55,32 @@ function shade([a, b, c]) {
   return 0.72 + 0.28 * Math.abs(cosine) / (Math.hypot(...n) || 1);
 }
 
-// Gives plants their vertices [m], and what they share with others.
+// Gives plants what they share with others, and their vertices.
 function unpack(scene) {
-  for (const plant of scene.cases.flatMap((each) => each.plants)) {
-    Object.assign(plant, scene.shapes[plant.shape], { vertices: [] });
-    const bytes = Uint8Array.from(atob(plant.points), (c) => c.charCodeAt(0));
-    const steps = [...new Int16Array(bytes.buffer)];
-    for (let i = 0; i < steps.length; i += 3)
-      plant.vertices.push(steps.slice(i, i + 3).map((x) => x * plant.step));
-    const largest = (size) => Math.max(...plant.vertices.map(size));
-    plant.tall = largest((v) => v[2]);
-    plant.wide = largest((v) => Math.hypot(v[0], v[1]));
-  }
+  for (const plant of scene.cases.flatMap((each) => each.plants))
+    unpackPlant(Object.assign(plant, scene.shapes[plant.shape]));
+}
+
+// Gives a plant its vertices [m].
+function unpackPlant(plant) {
+  plant.vertices = [];
+  const bytes = Uint8Array.from(atob(plant.points), (c) => c.charCodeAt(0));
+  const steps = [...new Int16Array(bytes.buffer)];
+  for (let i = 0; i < steps.length; i += 3)
+    plant.vertices.push(steps.slice(i, i + 3).map((x) => x * plant.step));
+  const largest = (size) => Math.max(...plant.vertices.map(size));
+  plant.tall = largest((v) => v[2]);
+  plant.wide = largest((v) => Math.hypot(v[0], v[1]));
+  return plant;
 }
 
 // Scale and size of `count` plants side by side, the same for all of a case:
-// `reach` is the ground's radius [m].
-function frame({ plants }, count, places, width, height) {
-  const tall = Math.max(...plants.map((plant) => plant.tall));
-  const wide = Math.max(...plants.map((plant) => plant.wide));
+// `reach` is the ground's radius [m]. A case may ask for room for plants that
+// are so `tall` and `wide` [m].
+function frame(chosen, count, places, width, height) {
+  const { plants } = chosen;
+  const tall = Math.max(chosen.tall || 0, ...plants.map((p) => p.tall));
+  const wide = Math.max(chosen.wide || 0, ...plants.map((p) => p.wide));
   const far = Math.max(...places.map((p) => Math.hypot(...p)));
   const reach = far + Math.max(wide, 0.3);
   const [c, s] = [Math.cos(START.tilt), Math.sin(START.tilt)];
@@ -136,12 +143,14 @@ function drawScale(context, scale, width, height) {
   return metres;
 }
 
-// The plant, and its neighbours in paler colours, at `shifts` on the screen.
-function paintPlant(raster, plant, colors, { seen, points, shifts, columns }) {
+// The plant, and its neighbours in colours that are paler by a part, at
+// `shifts` on the screen.
+function paintPlant(raster, plant, colors, at) {
+  const { seen, points, shifts, columns, paler } = at;
   plant.faces.forEach((face, i) => {
     const light = shade(face.map((v) => seen[v]));
     const own = mix([0, 0, 0], colors[plant.group[i]], light);
-    const pale = mix(own, [255, 255, 255], 0.6);
+    const pale = mix(own, [255, 255, 255], paler);
     const corners = face.map((v) => points[v]);
     shifts.forEach((shift, k) =>
       raster.fill(corners, shift, k ? pale : own, columns));
@@ -192,7 +201,7 @@ function drawScene(canvas, chosen, shown, quantity, view, hasNeighbours) {
     };
     const columns = [index, index + 1]
       .map((i) => Math.round(i * panel * dense));
-    for (const [corners, color] of ground.faces)
+    for (const [corners, color] of [...ground.faces, ...(chosen.objects || [])])
       raster.fill(corners.map(onScreen), [0, 0, 0], color, columns);
     const origin = onScreen([0, 0, 0]);
     const colors = quantity.values[shown[index]].map((value, i) => value === null
@@ -202,7 +211,7 @@ function drawScene(canvas, chosen, shown, quantity, view, hasNeighbours) {
       points: plant.vertices.map(onScreen),
       shifts: places.map(([x, y]) =>
         onScreen([x, y, 0]).map((v, k) => v - origin[k])),
-      columns,
+      columns, paler: chosen.paler ?? 0.6,
     });
     for (const [text, at] of ground.labels) {
       const [x, y] = onScreen(at);

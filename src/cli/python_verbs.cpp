@@ -44,6 +44,11 @@ constexpr std::array python_verbs{
     PythonVerb{"fit",
                "make a crop file of a plant that was digitised, and tell how "
                "well each leaf is met"},
+    PythonVerb{"play",
+               "a page with sliders: change a plant and its field, and see "
+               "light and carbon follow"},
+    PythonVerb{"watch",
+               "a page about running campaigns, which follows their files"},
 };
 
 //! Its arguments are what to say if the package is missing, and the words. No

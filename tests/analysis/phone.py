@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """Shows a page on a phone: Chromium without a window, 390 points wide, touched
-by fingers. A pipe tells it what to do, in the DevTools protocol."""
+by fingers; or on a wider screen. A pipe tells it what to do, in the DevTools
+protocol."""
 
 from __future__ import annotations
 
+import base64
 import contextlib
 import fcntl
 import json
@@ -11,6 +13,7 @@ import os
 import shutil
 import signal
 import subprocess
+import time
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -19,6 +22,8 @@ import pytest
 from browser import NAMES, OPTIONS
 
 WIDTH, HEIGHT = 390, 844
+Page = Path | str
+"""A file, or an address on this machine."""
 
 
 class Phone:
@@ -28,33 +33,62 @@ class Phone:
         self._from, self._to = os.fdopen(read, "rb"), os.fdopen(write, "wb")
         self._session = ""
         self._count = 0
+        self.errors: list[str] = []
+        """Errors of scripts, of the console and of refused loads."""
 
-    def open(self, page: Path, width: int) -> None:
-        """Opens a page, and returns when it is loaded."""
+    def open(self, page: Page, width: int, height: int = HEIGHT) -> None:
+        """Opens a page in a tab of its own, and returns when it is loaded."""
+        self._session = ""
         target = self.ask("Target.createTarget", url="about:blank")
         session = self.ask("Target.attachToTarget", flatten=True, **target)
         self._session = session["sessionId"]
         self.ask(
             "Emulation.setDeviceMetricsOverride",
-            width=width, height=HEIGHT, deviceScaleFactor=2, mobile=True,
+            width=width, height=height, deviceScaleFactor=2,
+            mobile=width < 1000,
         )  # fmt: skip
-        self.ask("Emulation.setTouchEmulationEnabled", enabled=True)
-        self.ask("Page.enable")
+        self.ask("Emulation.setTouchEmulationEnabled", enabled=width < 1000)
+        for domain in ("Page", "Runtime", "Log"):
+            self.ask(f"{domain}.enable")
         self.show(page)
 
-    def show(self, page: Path) -> None:
+    @property
+    def tab(self) -> str:
+        """The tab that is asked; another one can be put in its place."""
+        return self._session
+
+    @tab.setter
+    def tab(self, session: str) -> None:
+        self._session = session
+
+    def show(self, page: Page) -> None:
         """Shows another page in its place, and returns when it is loaded."""
-        self.ask("Page.navigate", url=page.as_uri())
+        url = page.as_uri() if isinstance(page, Path) else page
+        self.ask("Page.navigate", url=url)
         while self._message().get("method") != "Page.loadEventFired":
             pass
 
     def value(self, expression: str) -> Any:
         """Returns the value of a JavaScript expression in the page."""
         said = self.ask(
-            "Runtime.evaluate", expression=expression, returnByValue=True
-        )
+            "Runtime.evaluate", expression=expression, returnByValue=True,
+            awaitPromise=True,
+        )  # fmt: skip
         assert "exceptionDetails" not in said, said
         return said["result"].get("value")
+
+    def wait(self, condition: str, seconds: float = 30) -> Any:
+        """Waits until a JavaScript expression is true, and returns it."""
+        end = time.monotonic() + seconds
+        while not (found := self.value(condition)):
+            assert time.monotonic() < end, (condition, self.errors)
+            time.sleep(0.05)
+        return found
+
+    def picture(self, path: Path) -> None:
+        """Writes what the screen shows to a PNG file."""
+        data = self.ask("Page.captureScreenshot")["data"]
+        path.write_bytes(base64.b64decode(data))
 
     def swipe(
         self, start: tuple[float, float], step: tuple[float, float]
@@ -80,7 +114,10 @@ class Phone:
     def press(self, key: str) -> None:
         """Presses a key that has a name."""
         for kind in ("keyDown", "keyUp"):
-            self.ask("Input.dispatchKeyEvent", type=kind, key=key)
+            self.ask(
+                "Input.dispatchKeyEvent", type=kind, key=key, code=key,
+                windowsVirtualKeyCode=_CODES.get(key, 0),
+            )  # fmt: skip
 
     def ask(self, method: str, **params: Any) -> dict[str, Any]:
         """Sends a command and waits for its answer."""
@@ -101,12 +138,26 @@ class Phone:
         while (byte := self._from.read(1)) != b"\0":
             assert byte, "the browser ended"
             data += byte
-        return json.loads(data)
+        message = json.loads(data)
+        self._note(message)
+        return message
+
+    def _note(self, message: dict[str, Any]) -> None:
+        told = message.get("params", {})
+        if message.get("method") == "Runtime.exceptionThrown":
+            self.errors.append(str(told["exceptionDetails"]))
+        elif message.get("method") == "Log.entryAdded":
+            if told["entry"]["level"] == "error":
+                self.errors.append(str(told["entry"]))
+
+
+_CODES = {"ArrowRight": 39, "ArrowLeft": 37}
+"""The numbers of keys, without which sliders do not move."""
 
 
 @contextlib.contextmanager
 def phone_with(
-    page: Path, folder: Path, width: int = WIDTH
+    page: Page, folder: Path, width: int = WIDTH, height: int = HEIGHT
 ) -> Iterator[Phone]:
     """Shows a page on a phone, or on a wider screen."""
     name = next(filter(shutil.which, NAMES), None)
@@ -132,7 +183,7 @@ def phone_with(
         os.close(end)
     try:
         phone = Phone(from_browser, to_browser)
-        phone.open(page, width)
+        phone.open(page, width, height)
         yield phone
     finally:
         os.killpg(process.pid, signal.SIGKILL)

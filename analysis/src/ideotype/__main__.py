@@ -19,6 +19,8 @@ VERBS = {
     "indices": "ideotype.analysis.indices_command:main",
     "ceptometer": "ideotype.ceptometer:main",
     "fit": "ideotype.fit:main",
+    "play": "ideotype.live.play:main",
+    "watch": "ideotype.live.watch:main",
 }
 """The module and function of each verb. A function takes the words after the
 verb and returns the exit code; `python_verbs.cpp` has the same names."""

@@ -139,16 +139,23 @@ def _case(
 def _mesh(mesh: Mesh, shapes: list[dict[str, Any]]) -> dict[str, Any]:
     """Returns a mesh for the page; parts that plants share are kept once, in
     `shapes`."""
+    shape = shape_of(mesh)
+    if shape not in shapes:
+        shapes.append(shape)
+    return {"shape": shapes.index(shape), **packed(mesh.vertices)}
+
+
+def shape_of(mesh: Mesh) -> dict[str, Any]:
+    """Returns a mesh for the page without its vertices: faces, the names of
+    groups, the group of each face, and the colours of groups whose light is
+    not shown."""
     names = list(dict.fromkeys(mesh.groups))
-    shape = {
+    return {
         "faces": mesh.faces,
         "groups": names,
         "group": [names.index(group) for group in mesh.groups],
         "colors": [_rgb(name) for name in names],
     }
-    if shape not in shapes:
-        shapes.append(shape)
-    return {"shape": shapes.index(shape), **packed(mesh.vertices)}
 
 
 def packed(vertices: NDArray[np.float64]) -> dict[str, Any]:

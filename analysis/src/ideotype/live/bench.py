@@ -1,0 +1,151 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The stands and threads that evaluate the plants of live pages."""
+
+from __future__ import annotations
+
+import os
+import threading
+from collections import OrderedDict
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .._errors import Error
+from .._stand import Stand
+from .._stand_views import processors
+from .conditions import Conditions, tables_under
+from .numbers import Array, Layout, Samples
+from .opened import Opened
+from .shapes import Growth, grows
+
+Genome = NDArray[np.float64]
+
+TOLERANCE = 0.05
+"""The relative standard error of the leaves' light in one evaluation."""
+
+_ROUGH = {"fields": 1, "randomisations": 8}
+"""The accuracy of one evaluation. Further ones, each with a field of its own,
+refine their mean."""
+
+_CAREFUL = {"fields": 4, "randomisations": 16}
+
+_STANDS, _PLANTS = 6, 12
+"""The numbers of stands, and of plants in each, that are remembered."""
+
+
+@dataclass
+class Place:
+    """A stand under some conditions, with what is known of plants in it."""
+
+    stand: Stand
+    layout: Layout
+    plants: OrderedDict[bytes, Samples] = field(default_factory=OrderedDict)
+
+    def samples(self, genome: Genome) -> Samples:
+        """Returns what is known of a plant."""
+        key = genome.tobytes()
+        found = self.plants.setdefault(key, Samples())
+        self.plants.move_to_end(key)
+        while len(self.plants) > _PLANTS:
+            self.plants.popitem(last=False)
+        return found
+
+    def evaluate(self, genome: Genome, seed: int) -> Array:
+        """Returns the numbers of an evaluation [quantities, value and standard
+        error]. Raises Error if the plant cannot be evaluated."""
+        return evaluate(self.stand, genome, seed, TOLERANCE)[1]
+
+
+def evaluate(
+    stand: Stand, genome: Genome, seed: int, tolerance: float
+) -> tuple[float, Array]:
+    """Returns the violation of constraints, and the numbers [quantities, value
+    and standard error]. Raises Error if the plant cannot be evaluated."""
+    is_done, message, _, _, violation, numbers = stand._case.evaluate(
+        genome, 0, False, seed, tolerance
+    )
+    if not is_done:
+        raise Error(message)
+    return float(violation), np.array(numbers).reshape(-1, 2)
+
+
+class Bench:
+    """Evaluates plants of what was opened, for all pages together.
+
+    One thread answers changes; the others refine at a lower priority, so that
+    answers need not wait for them."""
+
+    def __init__(self, opened: Opened) -> None:
+        self.opened = opened
+        self.own = opened.conditions
+        self.growth = Growth(opened.base) if grows(opened.base) else None
+        count = processors()
+        self.fast = ThreadPoolExecutor(1, "answer")
+        self.slow = ThreadPoolExecutor(
+            max(1, count - 1), "refine", initializer=_yield_to_others
+        )
+        self._places: OrderedDict[Conditions, Place] = OrderedDict()
+        self._lock = threading.Lock()
+        self.place(self.own)
+
+    def place(self, now: Conditions) -> Place:
+        """Returns the stand under some conditions. Raises InputError if plants
+        cannot stand so."""
+        key = _without_what_does_not_matter(now, self.own)
+        with self._lock:
+            if key in self._places:
+                self._places.move_to_end(key)
+                return self._places[key]
+        stand = self._stand(key, _ROUGH)
+        found = Place(stand, Layout(stand))
+        with self._lock:
+            found = self._places.setdefault(key, found)
+            while len(self._places) > _STANDS:
+                self._places.popitem(last=False)
+        return found
+
+    def careful(self, now: Conditions) -> Stand:
+        """Returns a stand whose every evaluation is in several fields."""
+        return self._stand(now, _CAREFUL)
+
+    def _stand(self, now: Conditions, light: dict[str, int]) -> Stand:
+        tables = tables_under(self.opened.base, self.own, now)
+        tables["light"] = tables["light"] | light
+        return Stand(tables)
+
+    def map(self, work: Callable[..., object], *many: object) -> list:
+        """Shares calls among all threads but the one that answers."""
+        return list(self.slow.map(work, *many))  # type: ignore[call-overload]
+
+    def close(self) -> None:
+        """Ends when running evaluations have."""
+        for pool in (self.fast, self.slow):
+            pool.shutdown(cancel_futures=True)
+
+
+def _without_what_does_not_matter(
+    now: Conditions, own: Conditions
+) -> Conditions:
+    """Returns conditions that are the same for the same stand."""
+    same = replace(now, age=0)
+    if now.when == "season":
+        same = replace(same, day=own.day, latitude=own.latitude)
+    if now.when != "hour":
+        same = replace(same, hour=0)
+    if not now.panels:
+        same = replace(
+            same,
+            panel_height=own.panel_height,
+            panel_width=own.panel_width,
+            panel_rows=own.panel_rows,
+        )
+    return same
+
+
+def _yield_to_others() -> None:
+    """Lets a thread run where no other wants to. Not every system can."""
+    if hasattr(os, "setpriority"):
+        os.setpriority(os.PRIO_PROCESS, threading.get_native_id(), 10)

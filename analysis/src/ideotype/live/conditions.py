@@ -1,0 +1,197 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The conditions under which plants stand in the live page: density, rows,
+place, time and panels."""
+
+from __future__ import annotations
+
+import copy
+import datetime
+import math
+from dataclasses import dataclass, fields, replace
+from typing import Any
+
+from .._errors import Error
+
+Tables = dict[str, Any]
+
+_AXES = ("site", "day", "climate", "spacing", "traits")
+
+
+@dataclass(frozen=True)
+class Conditions:
+    """What can be changed beside the plant."""
+
+    density: float
+    """Plants per ground area [m-2]."""
+    row: float
+    """Distance between rows [m]."""
+    direction: float
+    """Direction of rows, clockwise from north [deg]."""
+    latitude: float
+    """Latitude [deg]; a season has its own."""
+    when: str
+    """"season" of measured weather, clear "day", or "hour" of one."""
+    day: int
+    """Day of the year, from 1."""
+    hour: int
+    """Beginning of the hour, on the clock of the site [h]."""
+    age: int
+    """Day after emergence at which a plant that grows is shown."""
+    panels: bool
+    """Whether there are photovoltaic modules above the rows."""
+    panel_height: float
+    """Height of the middle of modules above the soil [m]."""
+    panel_width: float
+    """Width of modules across the row [m]."""
+    panel_rows: int
+    """Rows of plants from one row of modules to the next."""
+
+    @classmethod
+    def of(cls, base: Tables) -> Conditions:
+        """Returns those of a campaign that one_case() has cut."""
+        spacing = base["spacing"][0]
+        has_season = "climate" in base
+        panel = base.get("panel", [{}])[0]
+        row = float(spacing["row"])
+        pitch = panel.get("pitch") or base["field"]["rows"] * row
+        start = base["climate"][0]["from"] if has_season else _date(base)
+        return cls(
+            density=1 / (row * float(spacing["plant"])),
+            row=row,
+            direction=float(spacing.get("row_direction", 90)),
+            latitude=float(base["site"][0]["latitude"]),
+            when="season" if has_season else "day",
+            day=start.timetuple().tm_yday,
+            hour=12,
+            age=0,
+            panels="panel" in base,
+            panel_height=float(panel.get("height", 3.0)),
+            panel_width=float(panel.get("width", 2.0)),
+            panel_rows=round(pitch / row) if "panel" in base else 8,
+        )
+
+    def changed(self, numbers: dict[str, Any]) -> Conditions:
+        """Returns these with numbers of a page in their place. Raises Error if
+        one of them is impossible."""
+        found: dict[str, Any] = {}
+        for field in fields(self):
+            if field.name not in numbers:
+                continue
+            value, kind = numbers[field.name], type(getattr(self, field.name))
+            if kind is float and type(value) is int:
+                value = float(value)
+            if type(value) is not kind or not _is_possible(field.name, value):
+                raise Error(f"{field.name}: {value!r:.40} is impossible")
+            found[field.name] = value
+        return replace(self, **found)
+
+
+_RANGES: dict[str, tuple[float, float]] = {
+    "density": (0.2, 200),
+    "row": (0.05, 5),
+    "direction": (0, 360),
+    "latitude": (-66, 66),
+    "day": (1, 365),
+    "hour": (0, 23),
+    "age": (0, 400),
+    "panel_height": (0.5, 20),
+    "panel_width": (0.1, 20),
+    "panel_rows": (2, 24),
+}
+
+
+def _is_possible(name: str, value: Any) -> bool:
+    if isinstance(value, bool):
+        return True
+    if isinstance(value, str):
+        return value in ("season", "day", "hour")
+    low, high = _RANGES[name]
+    return math.isfinite(value) and low <= value <= high
+
+
+def _date(base: Tables) -> datetime.date:
+    dates = base["day"][0]["date"]
+    return dates[0] if isinstance(dates, list) else dates
+
+
+def one_case(tables: Tables, case: str) -> Tables:
+    """Returns a resolved campaign with the one entry of each axis that the
+    case has, or with the first where the case is a mean over several."""
+    cut = copy.deepcopy(tables)
+    for axis in _AXES:
+        if entries := cut.get(axis):
+            named = [e for e in entries if f"_{e['name']}_" in f"_{case}_"]
+            cut[axis] = (named or entries)[:1]
+    kept = {axis: cut[axis][0]["name"] for axis in ("site", "climate")
+            if axis in cut}  # fmt: skip
+    if "weather" in cut:
+        cut["weather"] = [
+            weather
+            for weather in cut["weather"]
+            if all(weather[axis] == name for axis, name in kept.items())
+        ]
+    cut["objective"].pop("over", None)
+    cut["replicates"] = 1
+    return cut
+
+
+def tables_under(base: Tables, own: Conditions, now: Conditions) -> Tables:
+    """Returns a campaign under other conditions than its own."""
+    changed = dict(base)
+    if (own.density, own.row, own.direction) != (
+        now.density, now.row, now.direction,
+    ):  # fmt: skip
+        changed["spacing"] = [
+            {
+                "row": now.row,
+                "plant": 1 / (now.density * now.row),
+                "row_direction": now.direction,
+            }
+        ]
+    if now.when != "season":
+        changed.pop("climate", None)
+        changed.pop("weather", None)
+        site = base["site"][0] | {"latitude": now.latitude}
+        changed["site"] = [site]
+        if (now.when, now.day) != (own.when, own.day):
+            changed["day"] = [_day_of(base, now)]
+    if now.panels:
+        changed |= _panels(changed, now, own)
+    else:
+        changed.pop("panel", None)
+    return changed
+
+
+def _day_of(base: Tables, now: Conditions) -> dict[str, Any]:
+    year = (
+        base["climate"][0]["from"].year if "climate" in base
+        else _date(base).year
+    )  # fmt: skip
+    date = datetime.date(year, 1, 1) + datetime.timedelta(now.day - 1)
+    start, end = (
+        (now.hour, now.hour + 1) if now.when == "hour" else (0, 24)
+    )
+    return {
+        "name": "clear",
+        "date": date,
+        "start": datetime.time(start),
+        "end": "24:00" if end == 24 else datetime.time(end),
+        "step_minutes": 60,
+    }
+
+
+def _panels(base: Tables, now: Conditions, own: Conditions) -> Tables:
+    """Returns the tables of rows of modules above the rows of plants."""
+    pitch = now.panel_rows * now.row
+    panel = base.get("panel", [{}])[0] | {
+        "pitch": pitch,
+        "height": now.panel_height,
+        "width": now.panel_width,
+    }
+    if not own.panels:
+        panel |= {"azimuth": (now.direction + 90) % 360, "tracks": True}
+    elif own.direction != now.direction:
+        turn = now.direction - own.direction
+        panel["azimuth"] = (panel["azimuth"] + turn) % 360
+    field = base["field"] | {"rows": now.panel_rows}
+    return {"panel": [panel], "field": field}

@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A short search for a better plant, from the one that a page shows."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .._errors import Error
+from .._search import Search
+from .bench import Bench, Genome, evaluate
+from .numbers import Layout
+
+if TYPE_CHECKING:
+    from .session import Shown
+
+EVALUATIONS = 200
+"""The number of evaluations of a search."""
+
+_POPULATION = 8
+_TOLERANCE = 0.01
+_SEED = 1
+"""The seed of all evaluations of a search, which compares plants in the same
+fields: 200 evaluations are too few to learn from other ones each time."""
+
+_CHECKS = 12
+"""The number of evaluations, with random numbers that the search has not seen,
+of the plant that is proposed and of the one that it began with."""
+
+_FINALISTS = 3
+_MINIMISED = {"transpiration", "respiration", "distance_from_lines"}
+
+
+class Improvement:
+    """A search that other threads can end."""
+
+    def __init__(self, bench: Bench, shown: Shown, goal: str) -> None:
+        self.is_ended = False
+        self._bench, self._shown, self._goal = bench, shown, goal
+        self._free = np.flatnonzero(bench.opened.free)
+        if not len(self._free):
+            raise Error("the campaign breeds no trait of this plant")
+        place = bench.place(bench.own)
+        genes = place.stand.genes.iloc[self._free]
+        start = shown.genome[self._free]
+        self._lower = np.minimum(genes["lower"].to_numpy(float), start)
+        self._upper = np.maximum(genes["upper"].to_numpy(float), start)
+        self._genes = genes
+        objectives = place.stand.objectives
+        self._sign = (
+            objectives[goal] == "maximise"
+            if goal in objectives
+            else goal not in _MINIMISED
+        ) * 2 - 1
+
+    def run(self, tell: Callable[[dict[str, Any]], None]) -> None:
+        """Searches, and tells after each generation how far it is and the
+        best plant so far; at the end the gain, which fresh random numbers
+        measured."""
+        stand = self._bench.careful(self._shown.conditions)
+        layout = Layout(stand)
+        if self._goal not in layout.places:
+            raise Error(f"{self._goal!r:.40}: there is no such number")
+
+        def value(genome: Genome, seed: int) -> tuple[float, float]:
+            try:
+                violation, numbers = evaluate(stand, genome, seed, _TOLERANCE)
+            except Error:
+                return float("nan"), 0.0
+            return self._sign * layout.scalar(numbers, self._goal), violation
+
+        search = Search(
+            self._lower,
+            self._upper,
+            start=np.clip(
+                self._shown.genome[self._free], self._lower, self._upper
+            ),
+            optimizer="cma_es",
+            population=_POPULATION,
+            circular=self._genes["is_circular"].to_numpy(bool),
+            traits=list(self._genes["trait"]),
+        )
+        done = 0
+        while done < EVALUATIONS and not self.is_ended:
+            points = search.ask()
+            found = self._bench.map(
+                value, [self._plant(p) for p in points], [_SEED] * len(points)
+            )
+            values, violations = np.array(found).T
+            search.tell(values, violations)
+            done += len(points)
+            best = self._plant(search.best()[0])
+            tell({"done": done, "of": EVALUATIONS, "genome": best.tolist()})
+        self._judge(search, value, tell, done)
+
+    def _plant(self, point: Genome) -> Genome:
+        genome = self._shown.genome.copy()
+        genome[self._free] = point
+        return genome
+
+    def _judge(
+        self,
+        search: Search,
+        value: Callable[[Genome, int], tuple[float, float]],
+        tell: Callable[[dict[str, Any]], None],
+        done: int,
+    ) -> None:
+        """Chooses among the best and measures the gain anew, apart from the
+        numbers that it was chosen by."""
+        seeds = list(range(1000, 1000 + _CHECKS))
+
+        def mean(genome: Genome, among: list[int]) -> np.ndarray:
+            found = self._bench.map(value, [genome] * len(among), among)
+            return np.array(found)[:, 0]
+
+        few = [self._plant(point) for point in search.best(_FINALISTS)]
+        means = [mean(g, list(range(900, 904))).mean() for g in few]
+        best = few[int(np.nanargmax(means))] if np.isfinite(means).any() else few[0]
+        apart = self._sign * (
+            mean(best, seeds) - mean(self._shown.genome, seeds)
+        )
+        gain, error = apart.mean(), apart.std(ddof=1) / np.sqrt(len(apart))
+        is_better = self._sign * gain > 0
+        tell(
+            {
+                "done": done,
+                "of": EVALUATIONS,
+                "is_final": True,
+                "is_better": bool(is_better),
+                "goal": self._goal,
+                "gain": float(gain),
+                "error": float(error),
+                "genome": (best if is_better else self._shown.genome).tolist(),
+            }
+        )

@@ -1,0 +1,158 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The sliders of the live page: for each gene a name, a unit that breeders
+use, and what it does."""
+
+from __future__ import annotations
+
+import re
+from typing import Any
+
+import numpy as np
+
+from .._stand import Stand
+from .conditions import Tables
+
+_WORDS = {
+    "length": ("Leaf length", "How long the blade is, from collar to tip."),
+    "width": ("Leaf width", "The largest width of the blade."),
+    "insertion_angle": (
+        "Leaf angle",
+        "The angle between stalk and leaf base: 0° stands upright.",
+    ),
+    "curvature": (
+        "Leaf bend",
+        "How far the tip bends down from the direction of the base.",
+    ),
+    "azimuth": (
+        "Leaf direction",
+        "Where the leaf points, seen from above, clockwise from the row.",
+    ),
+    "azimuth_deviation": (
+        "Turn out of the plane",
+        "How far the leaf turns away from the plane of the plant.",
+    ),
+    "leaf_plane": (
+        "Turn of the plant",
+        "Turns all leaves of the plant about the stalk.",
+    ),
+    "height": ("Plant height", "The stalk with all leaf collars on it."),
+    "stalk_diameter": ("Stalk thickness", "The diameter of the stalk."),
+    "leaflet_size": ("Leaflet size", "All leaflets of a leaf together."),
+    "leaflet_angle": (
+        "Leaflet angle",
+        "The angle between leaflets and their stalk.",
+    ),
+    "leaflet_width": ("Leaflet width", "The width of all leaflets."),
+    "petiole_length": ("Leaf stalk length", "The stalk of a leaf."),
+    "petiole_angle": (
+        "Leaf stalk angle",
+        "The angle between the stem and the stalk of a leaf.",
+    ),
+    "internode": ("Internode length", "The stem between two leaves."),
+    "internode_length": (
+        "Internode length",
+        "The stem between leaves, everywhere alike.",
+    ),
+}
+_PLACES = {
+    3: ("lowest leaf", "middle leaf", "top leaf"),
+    4: ("lowest leaf", "lower middle", "upper middle", "top leaf"),
+    5: ("lowest leaf", "lower", "middle", "upper", "top leaf"),
+}
+
+
+def levers_of(stand: Stand, base: Tables) -> list[dict[str, Any]]:
+    """Returns a description of each gene: group and label; kind, "profile",
+    "plant" or "leaf"; and how its number is shown, gene x scale + shift, in a
+    unit."""
+    genes = stand.genes.to_dict("records")
+    crops = {"": base["plant"]["baseline"]} | {
+        component["name"]: component["crop"]
+        for component in base.get("component", [])
+    }
+    points = {
+        trait: len({g["name"] for g in genes if g["trait"] == trait})
+        for trait in {gene["trait"] for gene in genes}
+    }
+    return [_lever(gene, crops, points[gene["trait"]]) for gene in genes]
+
+
+def _lever(
+    gene: dict[str, Any], crops: dict[str, Tables], points: int
+) -> dict[str, Any]:
+    component, _, trait = gene["trait"].rpartition(".")
+    crop = crops.get(component, {})
+    table = next(
+        (t for t in crop.get("trait", []) if t["name"] == trait), {}
+    )
+    word, told = _WORDS.get(
+        trait.removesuffix("_profile"),
+        (trait.replace("_", " ").capitalize(), ""),
+    )
+    kind, place, label = "plant", 0.5, word
+    if gene["leaf"]:
+        kind, label = "leaf", f"leaf {gene['leaf']}"
+        # A trait sets what it moves: the number is that of the leaf.
+    elif table.get("per") == "profile" or points > 1:
+        kind, at = "profile", int(re.findall(r"\d+$", gene["name"])[0])
+        place = (at - 1) / max(points - 1, 1)
+        names = _PLACES.get(points)
+        label = names[at - 1] if names else f"point {at} of {points}"
+    return {
+        "name": gene["name"],
+        "component": component,
+        "group": word,
+        "label": label,
+        "kind": kind,
+        "leaf": gene["leaf"],
+        "lower": min(gene["lower"], gene["baseline"]),
+        "upper": max(gene["upper"], gene["baseline"]),
+        "help": told,
+        **_shown(gene, table, crop, place),
+    }
+
+
+def _shown(
+    gene: dict[str, Any], table: Tables, crop: Tables, place: float
+) -> dict[str, Any]:
+    """Returns how a gene's number is shown."""
+    if "scales" in table:
+        path = table["scales"][0]
+        measure = _measure(crop, path, place)
+        if measure is None or _unit(path) is None:
+            return {"scale": 100.0, "shift": 0.0, "unit": "%"}
+        factor, unit = _unit(path) or (1.0, "")
+        return {"scale": measure * factor, "shift": 0.0, "unit": unit}
+    factor, unit = _UNITS.get(gene["unit"], (1.0, gene["unit"]))
+    shift = 0.0
+    if "shifts" in table and not gene["leaf"]:
+        path = table["shifts"][0]
+        if "azimuth" not in path:
+            shift = factor * (_measure(crop, path, place) or 0.0)
+    return {"scale": factor, "shift": shift, "unit": unit}
+
+
+_UNITS = {"m": (100.0, "cm"), "deg": (1.0, "°"), "1": (1.0, "")}
+
+
+def _unit(path: str) -> tuple[float, str] | None:
+    if re.search("length|width|height|diameter", path):
+        return _UNITS["m"]
+    if re.search("angle|curvature|roll|twist", path):
+        return _UNITS["deg"]
+    return None
+
+
+def _measure(crop: Tables, path: str, place: float) -> float | None:
+    """Returns a measure of a crop file; that of leaves at a place from the
+    lowest, 0, to the highest, 1."""
+    part, _, name = path.partition(".")
+    if part != "leaf":
+        value = crop.get(part, {}).get(name)
+        return float(value) if isinstance(value, (int, float)) else None
+    leaves = crop.get("leaf", [])
+    values = [leaf.get(name) for leaf in leaves]
+    if not values or not all(isinstance(v, (int, float)) for v in values):
+        return None
+    at = np.linspace(0, 1, len(values))
+    return float(np.interp(place, at, np.array(values, float)))

@@ -1,0 +1,168 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The numbers of the live page: means over repeated evaluations, their
+standard errors, and differences from another plant."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .._stand import Stand
+
+Array = NDArray[np.float64]
+
+ENOUGH = 6
+"""The number of evaluations whose spread tells their standard error; fewer
+tell it by themselves."""
+
+_CURVES = (
+    "absorbed_by_layer", "assimilation_by_layer",
+    "absorbed_by_hour", "assimilation_by_hour",
+    "absorbed_by_leaf", "net_assimilation_by_leaf",
+    "lai_by_stage", "fapar_by_stage", "absorbed_par_by_stage",
+    "net_assimilation_by_stage", "day_of_stage",
+)  # fmt: skip
+
+_HIDDEN = {"balance_error", "paths", "capped"}
+
+KEYS = {
+    "absorbed_par": "Light caught by leaves",
+    "fapar": "Share of light caught",
+    "net_assimilation": "Net assimilation",
+    "carbon_balance": "Carbon to spare",
+    "dry_matter": "Dry matter",
+    "transpiration": "Water used",
+    "water_use_efficiency": "Carbon per water",
+    "lai": "Leaf area",
+    "distance_from_lines": "Distance to real lines",
+}
+"""The quantities that are shown first, and their names in plain words."""
+
+
+class Layout:
+    """The places of quantities in the numbers of an evaluation."""
+
+    def __init__(self, stand: Stand) -> None:
+        case = stand._case
+        self.axes = {name: labels for name, _, _, labels in case.axes}
+        self.places: dict[str, tuple[slice, tuple[str, ...]]] = {}
+        self.about: dict[str, dict[str, str]] = {}
+        begin = 0
+        for name, unit, meaning, axes, _ in case.quantities:
+            size = int(np.prod([len(self.axes[axis]) for axis in axes]))
+            self.places[name] = slice(begin, begin + size), tuple(axes)
+            self.about[name] = {"unit": unit, "meaning": meaning}
+            begin += size
+
+    @property
+    def scalars(self) -> list[dict[str, str]]:
+        """The single numbers: name, label, unit, meaning."""
+        single = [
+            name
+            for name, (_, axes) in self.places.items()
+            if not axes and name not in _HIDDEN
+        ]
+        single.sort(
+            key=lambda name: [*KEYS].index(name) if name in KEYS else len(KEYS)
+        )
+        return [
+            {
+                "name": name,
+                "label": KEYS.get(name, name.replace("_", " ").capitalize()),
+                "is_key": name in KEYS,  # type: ignore[dict-item]
+                **self.about[name],
+            }
+            for name in single
+        ]
+
+    def scalar(self, numbers: Array, name: str) -> float:
+        """Returns the value of a single number of an evaluation."""
+        return float(numbers[self.places[name][0].start, 0])
+
+
+class Samples:
+    """Evaluations of one plant, each with random numbers of its own."""
+
+    def __init__(self) -> None:
+        self.by_seed: dict[int, Array] = {}
+
+    def together(self, seeds: list[int]) -> tuple[Array, Array]:
+        """Returns means and standard errors [numbers] over seeds."""
+        every = np.array([self.by_seed[seed] for seed in seeds])
+        return _mean(every[..., 0], every[..., 1])
+
+    def less(self, other: Samples, seeds: list[int]) -> tuple[Array, Array]:
+        """Returns differences from another plant, seed by seed, whose random
+        numbers are the same, with standard errors [numbers]."""
+        mine = np.array([self.by_seed[seed] for seed in seeds])
+        others = np.array([other.by_seed[seed] for seed in seeds])
+        apart = mine[..., 0] - others[..., 0]
+        return _mean(apart, np.hypot(mine[..., 1], others[..., 1]))
+
+
+def _mean(values: Array, errors: Array) -> tuple[Array, Array]:
+    count = len(values)
+    if count >= ENOUGH:
+        error = values.std(axis=0, ddof=1) / np.sqrt(count)
+    else:
+        squares = (np.nan_to_num(errors) ** 2).sum(axis=0)
+        error = np.sqrt(squares) / count
+    mean = values.mean(axis=0)
+    # What is exact differs in the last digits only.
+    return mean, np.where(error > 1e-9 * np.abs(mean), error, 0.0)
+
+
+def message_of(
+    layout: Layout, mine: Samples, reference: Samples, seeds: list[int]
+) -> dict[str, Any]:
+    """Returns what the page shows of a plant and of the one that it is
+    compared with, over the seeds that both have."""
+    both = [seed for seed in seeds if seed in reference.by_seed]
+    mean, error = mine.together(seeds)
+    found: dict[str, Any] = {"evaluations": len(seeds)}
+    found["numbers"] = {
+        each["name"]: _pair(layout, each["name"], mean, error)
+        for each in layout.scalars
+    }
+    found["curves"] = _curves(layout, mean, error)
+    if not both:
+        return found
+    its_mean, its_error = reference.together(both)
+    apart, apart_error = mine.less(reference, both)
+    found["reference"] = {
+        each["name"]: _pair(layout, each["name"], its_mean, its_error)
+        for each in layout.scalars
+    }
+    found["differences"] = {
+        each["name"]: _pair(layout, each["name"], apart, apart_error)
+        for each in layout.scalars
+    }
+    found["reference_curves"] = _curves(layout, its_mean, its_error)
+    return found
+
+
+def _pair(
+    layout: Layout, name: str, mean: Array, error: Array
+) -> list[float | None]:
+    place = layout.places[name][0].start
+    return [_json(mean[place]), _json(error[place])]
+
+
+def _curves(layout: Layout, mean: Array, error: Array) -> dict[str, Any]:
+    return {
+        name: {
+            "at": list(layout.axes[layout.places[name][1][0]]),
+            "values": [_json(v) for v in mean[layout.places[name][0]]],
+            "errors": [_json(v) for v in error[layout.places[name][0]]],
+            "unit": layout.about[name]["unit"],
+        }
+        for name in _CURVES
+        if name in layout.places and len(layout.places[name][1]) == 1
+    }
+
+
+def _json(value: float) -> float | None:
+    """Returns a number that JSON can tell, to seven digits."""
+    return float(f"{value:.7g}") if np.isfinite(value) else None

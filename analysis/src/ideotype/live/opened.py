@@ -1,0 +1,237 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Opens what the live page begins with: a campaign, a crop, a plant that was
+measured, or one that was bred."""
+
+from __future__ import annotations
+
+import tomllib
+from dataclasses import dataclass
+from importlib.resources import as_file, files
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .._errors import Error
+from .._stand import Stand
+from .conditions import Conditions, Tables, one_case
+
+CROPS = ("maize", "sorghum", "soybean", "cowpea")
+"""The crops that come with the package."""
+
+_MESHES = {".obj", ".ply", ".dat", ".txt"}
+
+
+@dataclass(frozen=True)
+class Opened:
+    """What a live page begins with."""
+
+    title: str
+    about: str
+    """A sentence that tells where the plant comes from."""
+    base: Tables
+    """A resolved campaign of one case."""
+    genome: NDArray[np.float64]
+    """The plant that the page shows first [genes]."""
+    free: NDArray[np.bool_]
+    """Whether the campaign breeds a gene [genes]."""
+
+    @property
+    def conditions(self) -> Conditions:
+        """The conditions of the campaign."""
+        return Conditions.of(self.base)
+
+
+def open_place(
+    place: str,
+    *,
+    case: int = 0,
+    plant: str | None = None,
+    crop: str = "maize",
+) -> Opened:
+    """Opens a campaign or crop file (.toml), a history (.h5), a plant that was
+    measured (.csv of midribs or of leaves; .obj, .ply or .dat), or a crop by
+    its name.
+
+    case: number of the case of a campaign, from 0.
+    plant: name of the plant in a CSV file that has several.
+    crop: crop, by name or file, that has what was not measured.
+
+    Raises Error if it cannot be used."""
+    path = Path(place)
+    suffix = path.suffix.lower()
+    if place in CROPS:
+        return _of_crop(_known(place), place, "It comes with the package.")
+    if not path.is_file():
+        raise Error(
+            f"{place}: there is no such file; give a campaign, a crop file, a "
+            f"history, a measured plant, or one of {', '.join(CROPS)}"
+        )
+    if suffix == ".h5":
+        return _of_history(path)
+    if suffix in _MESHES or (suffix == ".csv" and _has_midribs(path)):
+        return _of_measured(path, plant, crop)
+    if suffix == ".csv":
+        told = "Its leaves were measured."
+        return _of_crop(str(path.resolve()), path.stem, told)
+    if suffix != ".toml":
+        raise Error(
+            f"{place}: a file of this kind cannot be opened; give .toml, .h5, "
+            ".csv, .obj, .ply or .dat"
+        )
+    try:
+        content = tomllib.loads(path.read_text(encoding="utf-8"))
+    except ValueError as error:
+        raise Error(f"{place}: no TOML ({error})") from None
+    if "leaf" in content and "plant" not in content:
+        told = "It is the plant of a crop file."
+        return _of_crop(str(path.resolve()), path.stem, told)
+    stand = Stand.from_campaign(path, case=case)
+    told = f"It is the baseline of the campaign {path.name}."
+    return _opened(path.stem, told, stand, stand.baseline)
+
+
+def _opened(
+    title: str, about: str, stand: Stand, genome: NDArray[np.float64]
+) -> Opened:
+    base = one_case(tomllib.loads(stand.campaign), stand.name)
+    _add_profiles(base["plant"]["baseline"])
+    breeds = {gene for gene, is_free in zip(stand.genes["name"], stand.free)
+              if is_free}  # fmt: skip
+    _free_all(base)
+    every = Stand(base)
+    names = list(every.genes["name"])
+    if len(names) != len(genome):
+        # Traits of components that the campaign does not breed come in.
+        found = dict(zip(stand.genes["name"], genome))
+        genome = np.array(
+            [found.get(n, b) for n, b in zip(names, every.baseline)]
+        )
+    free = np.array([name in breeds for name in names])
+    return Opened(title, about, base, genome, free)
+
+
+def _add_profiles(crop: Tables) -> None:
+    """Adds profiles over leaf position to a crop file that declares none."""
+    traits = crop.setdefault("trait", [])
+    if any(trait.get("per") == "profile" for trait in traits):
+        return
+    for measure, how, bounds in _PROFILES:
+        if all(measure in leaf for leaf in crop["leaf"]):
+            traits.append(
+                {
+                    "name": f"{measure}_profile",
+                    "per": "profile",
+                    how: [f"leaf.{measure}"],
+                    "unit": "1" if how == "scales" else "deg",
+                    "range": bounds,
+                    "bred": False,
+                }
+            )
+
+
+_PROFILES = (
+    ("length", "scales", [0.65, 1.35]),
+    ("width", "scales", [0.65, 1.35]),
+    ("insertion_angle", "shifts", [-10, 50]),
+    ("curvature", "scales", [0.5, 1.5]),
+)
+"""The measure of each added profile, how it moves it, and by how much, as in
+the crop file of maize."""
+
+
+def _free_all(base: Tables) -> None:
+    """Lets traits of all components be changed."""
+    for component in base.get("component", []):
+        traits = component["crop"].get("trait", [])
+        component["free"] = [trait["name"] for trait in traits]
+
+
+def _of_history(path: Path) -> Opened:
+    from ..analysis import open_history
+
+    with open_history(path) as history:
+        best = history.best()
+        name = str(history.attributes.get("case", path.stem))
+    if best is None:
+        raise Error(f"{path}: no plant is evaluated yet; come back later")
+    stand = Stand.from_history(path, same_isa=False)
+    told = f"It is the best plant that was bred in {path.name}."
+    return _opened(name, told, stand, best.row.genome[0])
+
+
+def _of_measured(path: Path, plant: str | None, crop: str) -> Opened:
+    from .._plant_sources import read_plant
+    from ..fit import agreement, crop_of, mesh_of
+
+    source = Path(_known(crop) if crop in CROPS else crop)
+    blades = read_plant(path, plant)
+    try:
+        like = tomllib.loads(source.read_text(encoding="utf-8"))
+    except (OSError, ValueError) as error:
+        raise Error(f"{source}: {error}") from None
+    if not like.get("leaf") or "stalk" not in like:
+        raise Error(f"{source}: no crop file with [[leaf]] and [stalk]")
+    found = crop_of(blades, like, path.stem, "angles")
+    # A lowest leaf may be digitised a millimetre below the ground.
+    for leaf in found["leaf"]:
+        leaf["insertion_height"] = max(leaf.get("insertion_height", 0), 0)
+    off = agreement(blades, found, mesh_of(found, source.parent))
+    told = (
+        f"It was measured: {len(blades)} leaves of {path.name}, whose midribs "
+        f"are met to {off['midrib_rms_mm'].mean():.0f} mm; what was not "
+        f"measured is that of {source.stem}."
+    )
+    return _of_crop(found, plant or path.stem, told)
+
+
+def _of_crop(crop: str | dict[str, Any], title: str, about: str) -> Opened:
+    """Puts a plant into the field and the season that come with the
+    package."""
+    with as_file(files(__package__) / "start") as folder:
+        tables = tomllib.loads((folder / "quickstart.toml").read_text())
+        # Rules of bounds and measures of lines are those of some crops only.
+        lines = {"lines": "lines/maize_panel.toml"}
+        tries: list[Tables] = [
+            {"bounds": "breedable", "feasibility": lines},
+            {"bounds": "breedable"},
+            {},
+        ]
+        problem: Error | None = None
+        for extra in tries:
+            change = dict(extra)
+            feasibility = change.pop("feasibility", None)
+            campaign = tables | {"plant": {"baseline": crop, **change}}
+            if feasibility:
+                campaign["feasibility"] = feasibility
+            if title in _DENSE:
+                row, density = _DENSE[title]
+                campaign["spacing"] = [{"row": row, "density": density}]
+            try:
+                stand = Stand(campaign, folder=folder)
+            except Error as error:
+                problem = error
+            else:
+                return _opened(title, about, stand, stand.baseline)
+    raise problem or Error(f"{title}: it cannot be opened")
+
+
+_DENSE = {"soybean": (0.38, 35.0), "cowpea": (0.5, 12.0)}
+"""Usual row distances [m] and densities [m-2] of crops that do not stand as
+maize does."""
+
+
+def _known(name: str) -> str:
+    """Returns the path of the file of a crop that comes with the package."""
+    with as_file(files(__package__) / "start" / "crops") as folder:
+        return str(folder / f"{name}.toml")
+
+
+def _has_midribs(path: Path) -> bool:
+    """Tells a table of points along midribs from one of whole leaves."""
+    with path.open(encoding="utf-8", errors="replace") as file:
+        lines = (line for line in file if not line.startswith("#"))
+        head = next(lines, "").lower().split(",")
+    names = {word.strip().split("_")[0] for word in head}
+    return {"x", "z"} <= names

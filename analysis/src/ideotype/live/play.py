@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`ideotype play`: a page on which one changes a plant and sees its light."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import logging
+import sys
+import tomllib
+from collections.abc import Sequence
+from typing import Any
+
+import tomli_w
+from tornado.web import HTTPError
+from tornado.websocket import WebSocketClosedError
+
+from .._errors import Error, printable_lines
+from .._stand import Stand
+from .bench import Bench
+from .conditions import Tables, tables_under
+from .opened import CROPS, open_place
+from .server import Guarded, Socket, add_options, application, serve
+from .session import Session, Shown
+
+_SCRIPTS = (
+    *("state.js", "sliders.js", "numbers.js", "field.js", "play.js"),
+)
+
+
+class _Talk(Socket):
+    def initialize(self, bench: Bench) -> None:
+        self.bench = bench
+
+    def open(self, *_: str) -> None:
+        self.session = Session(self.bench, self._tell)
+        self.session.greet()
+
+    def on_message(self, message: str | bytes) -> None:
+        try:
+            told = json.loads(message)
+            if not isinstance(told, dict):
+                raise Error("a message is no object")
+            self.session.hear(told)
+        except (Error, ValueError) as error:
+            self._tell({"kind": "problem", "text": str(error)})
+
+    def on_close(self) -> None:
+        if hasattr(self, "session"):
+            self.session.close()
+
+    def _tell(self, message: dict[str, Any]) -> None:
+        try:
+            future = self.write_message(json.dumps(message))
+        except WebSocketClosedError:
+            return
+        # A page that is gone is no failure.
+        future.add_done_callback(lambda done: done.exception())
+
+
+class _Save(Guarded):
+    """Sends the plant of a page as a crop file, or its campaign."""
+
+    def initialize(self, bench: Bench) -> None:
+        self.bench = bench
+
+    def post(self, _token: str, form: str) -> None:
+        try:
+            told = json.loads(self.request.body)
+            shown = Session(self.bench, lambda _: None).shown(told)
+            text = saved(self.bench, shown, form)
+        except (Error, ValueError, AttributeError) as error:
+            raise HTTPError(400, reason="It cannot be saved") from error
+        self.set_header("Content-Type", "application/toml; charset=utf-8")
+        self.finish(text)
+
+
+def saved(bench: Bench, shown: Shown, form: str) -> str:
+    """Returns the text of a "crop" file of the component that is shown, or of
+    a "campaign" whose baseline is the plant that is shown."""
+    stand = bench.place(shown.conditions).stand
+    if form == "crop":
+        return stand.crop_file(shown.genome, shown.component)
+    tables: Tables = tables_under(
+        bench.opened.base, bench.own, shown.conditions
+    )
+
+    def crop(component: int) -> Tables:
+        return tomllib.loads(stand.crop_file(shown.genome, component))
+
+    tables["plant"] = tables["plant"] | {"baseline": crop(0)}
+    tables["component"] = [
+        each | {"crop": crop(i + 1)}
+        for i, each in enumerate(tables.get("component", []))
+    ]
+    Stand(tables)
+    return (
+        "# A campaign of ideotype, saved from its live page. Its baseline is "
+        "the plant\n# that was shown there: ideotype check FILE, then "
+        "ideotype run FILE.\n\n" + tomli_w.dumps(tables)
+    )
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Serves the page and returns the exit code: 0, 2 for a wrong command
+    line, 3 for an input that cannot be used."""
+    parser = argparse.ArgumentParser(
+        prog="ideotype play",
+        description="Opens a page on this machine with a plant in its field "
+        "and a slider for each trait; the light, the carbon and other numbers "
+        "follow while one moves them.",
+    )
+    add = parser.add_argument
+    add("plant", nargs="?", default="maize", metavar="PLANT",
+        help="a campaign or crop file (.toml), a history (.h5), a measured "
+        "plant (.csv, .obj, .ply, .dat), or a crop: "
+        f"{', '.join(CROPS)} (default: maize)")  # fmt: skip
+    add("--case", type=int, default=0, metavar="N",
+        help="of the campaign, from 0")  # fmt: skip
+    add("--of", metavar="NAME", help="plant of a CSV file that has several")
+    add("--crop", default="maize", metavar="CROP",
+        help="crop, by name or file, that has what was not measured")  # fmt: skip
+    add_options(parser)
+    options = parser.parse_args(arguments)
+    logging.getLogger("tornado").setLevel(logging.CRITICAL)
+    try:
+        opened = open_place(
+            options.plant, case=options.case, plant=options.of,
+            crop=options.crop,
+        )  # fmt: skip
+        bench = Bench(opened)
+        try:
+            app = application(
+                [
+                    ("talk", _Talk, {"bench": bench}),
+                    ("save/(crop|campaign)", _Save, {"bench": bench}),
+                ],
+                "play",
+                _SCRIPTS,
+            )
+            return serve(app, options, f"ideotype play: {opened.title}")
+        finally:
+            bench.close()
+    except (Error, OSError) as error:
+        print(printable_lines(f"ideotype play: {error}"), file=sys.stderr)
+        return 3

@@ -1,0 +1,178 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What the files of running campaigns tell: read only, again and again."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from .._errors import Error
+from ..analysis.file import HistoryError, Writer
+from ..analysis.history import History, open_history
+from ..analysis.rows import Evaluation, Status
+
+RECENT = 5
+"""The number of generations whose rate is the present one."""
+
+
+@dataclass
+class _Known:
+    """What was read of a file, and of which state of it."""
+
+    stamp: tuple[int, int]
+    told: dict[str, Any]
+
+
+class Folder:
+    """The histories of a folder and of all folders in it."""
+
+    def __init__(self, path: Path) -> None:
+        """Raises Error if there is no such folder."""
+        if not path.is_dir():
+            raise Error(
+                f"{path}: there is no such folder; give the one that "
+                "`ideotype run` writes to, results by default"
+            )
+        self.path = path
+        self._known: dict[Path, _Known] = {}
+
+    def histories(self) -> list[Path]:
+        """Returns the files, by name."""
+        return sorted(path for path in self.path.rglob("*.h5"))
+
+    def tell(self) -> dict[str, Any]:
+        """Returns all cases and their sums, for the page. A file that cannot
+        be read is told with its reason."""
+        cases = [self._case(path) for path in self.histories()]
+        left = [c["core_hours_left"] for c in cases if "problem" not in c]
+        known = [hours for hours in left if hours is not None]
+        return {
+            "folder": str(self.path),
+            "cases": cases,
+            "running": sum(c.get("state") == "running" for c in cases),
+            "finished": sum(c.get("state") == "finished" for c in cases),
+            "rate": sum(
+                c.get("rate") or 0
+                for c in cases
+                if c.get("state") == "running"
+            ),
+            "evaluations": sum(c.get("evaluations", 0) for c in cases),
+            "failures": sum(c.get("failures", 0) for c in cases),
+            "core_hours_left": sum(known),
+            "damaged": sum("problem" in c for c in cases),
+        }
+
+    def _case(self, path: Path) -> dict[str, Any]:
+        name = str(path.relative_to(self.path))
+        try:
+            at = path.stat()
+            stamp = (at.st_mtime_ns, at.st_size)
+            known = self._known.get(path)
+            # Only a finished case cannot change without a new stamp.
+            if (
+                known
+                and known.stamp == stamp
+                and known.told.get("state") == "finished"
+            ):
+                return known.told
+            with open_history(path) as history:
+                told = {"file": name, **case_of(history)}
+        except (HistoryError, OSError) as error:
+            return {"file": name, "problem": str(error)}
+        self._known[path] = _Known(stamp, told)
+        return told
+
+
+def case_of(history: History) -> dict[str, Any]:
+    """Returns what the page tells of a case."""
+    state = history.state()
+    generations = history.generations()
+    status = history.datasets.read("evaluations/status")
+    seconds = history.datasets.read("evaluations/seconds")
+    planned = int(history.attributes["generations"])
+    done = len(generations)
+    objective = history.objectives[0]
+    evaluated = int(np.count_nonzero(status >= Status.DONE))
+    failed = status == Status.FAILED
+    told: dict[str, Any] = {
+        "name": str(history.attributes.get("case", history.path.stem)),
+        "campaign": str(history.attributes.get("campaign", "")),
+        "state": "finished"
+        if state.finished
+        else {
+            Writer.WRITING: "running",
+            Writer.CLOSED: "stopped",
+            Writer.GONE: "interrupted",
+        }[state.writer],
+        "state_told": str(state),
+        "generation": done,
+        "generations": planned,
+        "evaluations": evaluated,
+        "failures": int(np.count_nonzero(failed)),
+        "last_failure": _last_failure(history, failed),
+        "objective": objective.name,
+        "unit": objective.unit,
+        "sign": objective.sign,
+        "wall_time": state.wall_time,
+        "convergence": [
+            _numbers(generations.best.values),
+            _numbers(generations.best.standard_error),
+            _numbers(generations.mean.values),
+        ],
+        **_left(history, seconds[status == Status.DONE], done, planned,
+                state.finished, generations.wall_time.values,
+                generations.evaluations),
+    }  # fmt: skip
+    baseline, best = history.baseline(), history.best()
+    told["baseline"], told["best"] = _plant(baseline), _plant(best)
+    return told
+
+
+def _last_failure(history: History, failed: Any) -> str:
+    if not failed.any():
+        return ""
+    row = int(np.flatnonzero(failed)[-1])
+    return history.datasets.texts("evaluations/message")[row]
+
+
+def _left(
+    history: History,
+    seconds: Any,
+    done: int,
+    planned: int,
+    is_finished: bool,
+    times: Any,
+    counts: Any,
+) -> dict[str, Any]:
+    """Returns the present rate [evaluations/s], the time left [s] and the core
+    hours left, None where nothing tells them yet."""
+    rate = left = None
+    if len(times) > 1:
+        first = max(0, len(times) - 1 - RECENT)
+        passed = float(times[-1] - times[first])
+        if passed > 0:
+            rate = float(counts[first + 1 :].sum()) / passed
+            left = (planned - done) * passed / (len(times) - 1 - first)
+    elif len(times) == 1 and times[0] > 0:
+        rate, left = counts[0] / times[0], (planned - done) * float(times[0])
+    hours = None
+    known = seconds[np.isfinite(seconds)]
+    if len(known) and done:
+        per_generation = counts.sum() / done
+        hours = float((planned - done) * per_generation * known.mean() / 3600)
+    if is_finished:
+        left, hours = 0.0, 0.0
+    return {"rate": rate, "seconds_left": left, "core_hours_left": hours}
+
+
+def _numbers(values: Any) -> list[float | None]:
+    return [float(v) if np.isfinite(v) else None for v in values]
+
+
+def _plant(plant: Evaluation | None) -> list[float | None] | None:
+    if plant is None:
+        return None
+    return _numbers([plant.objective.mean, plant.objective.standard_error])

@@ -1,0 +1,180 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A web server for one user of this machine.
+
+It listens on the loopback interface alone. Every address begins with a random
+token; a request with another one is refused, and so is one that another site
+has sent (`Origin`) or that came by a name of this machine which is not local
+(`Host`, against DNS rebinding)."""
+
+from __future__ import annotations
+
+import argparse
+import asyncio
+import hmac
+import mimetypes
+import secrets
+import signal
+import webbrowser
+from collections.abc import Iterable
+from importlib.resources import files
+from typing import Any
+from urllib.parse import urlsplit
+
+from tornado.httpserver import HTTPServer
+from tornado.netutil import bind_sockets
+from tornado.web import Application, HTTPError, RequestHandler
+from tornado.websocket import WebSocketHandler
+
+from .._errors import Error
+
+_HEADERS = {
+    "Content-Security-Policy": (
+        "default-src 'none'; script-src 'self'; style-src 'self'; "
+        "connect-src 'self'; img-src 'self' data: blob:; base-uri 'none'; "
+        "form-action 'none'; frame-ancestors 'none'"
+    ),
+    "Cache-Control": "no-store",
+    "Cross-Origin-Opener-Policy": "same-origin",
+    "Cross-Origin-Resource-Policy": "same-origin",
+    "Referrer-Policy": "no-referrer",
+    "Server": "ideotype",
+    "X-Content-Type-Options": "nosniff",
+}
+_LOCAL = {"127.0.0.1", "localhost", "::1"}
+_LARGEST = 1_000_000
+"""The largest request or message that is read [bytes]."""
+
+PARTS = {
+    "raster.js": "ideotype.analysis.page",
+    "drawing.js": "ideotype.live.page",
+    **dict.fromkeys(
+        ("base.css", "base.js", "chart.js"), "ideotype.live.page"
+    ),
+}
+"""The packages of the files that both pages load."""
+
+
+class Guarded(RequestHandler):
+    """Answers only those who know the token and ask from the page itself."""
+
+    def set_default_headers(self) -> None:
+        for name, value in _HEADERS.items():
+            self.set_header(name, value)
+
+    def prepare(self) -> None:
+        host = urlsplit(f"//{self.request.host}").hostname
+        if host not in _LOCAL:
+            raise HTTPError(403, reason="Only this machine may ask")
+        origin = self.request.headers.get("Origin")
+        if origin is not None and not self.is_own(origin):
+            raise HTTPError(403, reason="Another site may not ask")
+        given = self.path_args[0] if self.path_args else ""
+        token = self.application.settings["token"]
+        if not hmac.compare_digest(given.encode(), token.encode()):
+            raise HTTPError(403, reason="The key in the address is wrong")
+
+    def is_own(self, origin: str) -> bool:
+        """Tells whether a page at this origin is one of this server."""
+        return origin == f"http://{self.request.host}"
+
+    def write_error(self, status_code: int, **_: Any) -> None:
+        self.set_header("Content-Type", "text/plain; charset=utf-8")
+        self.finish(
+            f"{self._reason}. Take the whole address that the command "
+            "printed when it started.\n"
+        )
+
+
+class Socket(Guarded, WebSocketHandler):
+    """Talks with one open page."""
+
+    def check_origin(self, origin: str) -> bool:
+        return self.is_own(origin)
+
+
+class _Refused(Guarded):
+    def prepare(self) -> None:
+        super().prepare()
+        raise HTTPError(404, reason="There is no such page")
+
+
+class _File(Guarded):
+    def get(self, _token: str, name: str) -> None:
+        pages: dict[str, bytes] = self.application.settings["pages"]
+        if name not in pages:
+            raise HTTPError(404, reason="There is no such page")
+        kind = mimetypes.guess_type(name or "index.html")[0]
+        self.set_header("Content-Type", f"{kind}; charset=utf-8")
+        self.finish(pages[name])
+
+
+def application(
+    handlers: Iterable[tuple[Any, ...]], page: str, scripts: Iterable[str]
+) -> Application:
+    """Returns the application of a page: its handlers, whose patterns come
+    after the token, and its files: `page`.html, `page`.css and `scripts`."""
+    own = dict.fromkeys((f"{page}.html", f"{page}.css", *scripts), "")
+    places = PARTS | dict.fromkeys(own, "ideotype.live.page")
+    pages = {
+        name: files(package).joinpath(name).read_bytes()
+        for name, package in places.items()
+    }
+    pages[""] = pages.pop(f"{page}.html")
+    return Application(
+        [
+            *((rf"/([^/]+)/{tail}", *rest) for tail, *rest in handlers),
+            (r"/([^/]+)/([\w.]*)", _File),
+            (r"/([^/]*).*", _Refused),
+        ],
+        token=secrets.token_urlsafe(18),
+        pages=pages,
+        websocket_max_message_size=_LARGEST,
+        log_function=lambda _: None,
+    )
+
+
+def add_options(parser: argparse.ArgumentParser) -> None:
+    """Declares the options of every live page."""
+    add = parser.add_argument
+    add("--port", type=int, default=0, metavar="N",
+        help="of this machine; else one that is free")  # fmt: skip
+    add("--no-browser", action="store_true",
+        help="print the address, and open no browser")  # fmt: skip
+
+
+def serve(app: Application, options: argparse.Namespace, about: str) -> int:
+    """Serves until SIGINT or SIGTERM, and returns the exit code.
+
+    Raises Error if the port cannot be had."""
+    return asyncio.run(_serve(app, options, about))
+
+
+async def _serve(
+    app: Application, options: argparse.Namespace, about: str
+) -> int:
+    try:
+        sockets = bind_sockets(options.port, "127.0.0.1")
+    except (OSError, OverflowError) as error:
+        raise Error(
+            f"--port {options.port}: {error}; give another one, or none"
+        ) from None
+    server = HTTPServer(app, max_body_size=_LARGEST)
+    server.add_sockets(sockets)
+    port = sockets[0].getsockname()[1]
+    address = f"http://127.0.0.1:{port}/{app.settings['token']}/"
+    print(f"{about}: {address}", flush=True)
+    print(
+        "Only this machine can open it; Ctrl-C ends it. From another machine: "
+        f"ssh -L {port}:127.0.0.1:{port} HOST, then the same address there.",
+        flush=True,
+    )
+    if not options.no_browser:
+        webbrowser.open(address)
+    ended = asyncio.Event()
+    loop = asyncio.get_running_loop()
+    for number in (signal.SIGINT, signal.SIGTERM):
+        loop.add_signal_handler(number, ended.set)
+    await ended.wait()
+    server.stop()
+    await server.close_all_connections()
+    return 0

@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The surfaces of plants, panels and neighbours as the live page draws
+them."""
+
+from __future__ import annotations
+
+import tempfile
+from datetime import timedelta
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+import ideotype._core as _core
+
+from .._geometry import Mesh
+from .._stand import Stand
+from ..analysis.scene import packed, shape_of
+from .conditions import Conditions, Tables
+
+
+def grows(base: Tables) -> bool:
+    """Tells whether the plants of a campaign grow."""
+    return "emergence" in base.get("climate", [{}])[0]
+
+
+class Growth:
+    """The plant of a campaign that grows, day by day."""
+
+    def __init__(self, base: Tables) -> None:
+        climate, weather = base["climate"][0], base["weather"][0]
+        self._emergence = climate["emergence"]
+        first = weather["dates"].index(self._emergence)
+        hourly = np.array(weather["temperature"], float)
+        steps = len(weather["hours"])
+        daily = hourly.reshape(-1, steps)[first:]
+        # A day has 24 hours for the crop, however many the file has.
+        at = np.arange(24) * steps // 24
+        self._hourly = np.ascontiguousarray(daily[:, at].ravel())
+        self._times: NDArray[np.float64] | None = None
+        self.days = len(daily)
+
+    def mesh(self, crop_text: str, age: int) -> tuple[Mesh, float]:
+        """Returns a plant on a day after emergence, and its thermal time
+        [deg C d]."""
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "plant.toml"
+            path.write_text(crop_text, encoding="utf-8")
+            crop = _core.GrowingCrop(str(path))
+        if self._times is None:
+            self._times = np.array(crop.season(self._hourly)[0])
+        time = float(self._times[min(age, len(self._times) - 1)])
+        return Mesh.of(*crop.mesh(min(time, crop.maturity))), time
+
+    def date(self, age: int) -> str:
+        """Returns the date of a day after emergence."""
+        return (self._emergence + timedelta(age)).strftime("%-d %B")
+
+
+def plant_of(
+    stand: Stand,
+    genome: NDArray[np.float64],
+    component: int,
+    growth: Growth | None,
+    age: int,
+) -> dict[str, Any]:
+    """Returns a plant as the page draws it, with the area of each leaf
+    [m2]."""
+    if growth is not None and age and component == 0:
+        mesh, _ = growth.mesh(stand.crop_file(genome), age)
+    else:
+        mesh = stand.mesh(genome, component)
+    shape = shape_of(mesh)
+    shape["areas"] = [mesh.area(group) for group in shape["groups"]]
+    return {**shape, **packed(mesh.vertices)}
+
+
+def panels_of(now: Conditions, base: Tables) -> list[list[list[float]]]:
+    """Returns the modules above a plant, each as its four corners [m]: x
+    across the rows, y along them, z up."""
+    if not now.panels:
+        return []
+    panel = base.get("panel", [{}])[0]
+    tilt = np.radians(0 if panel.get("tracks", True) else panel.get("tilt", 0))
+    half, long = now.panel_width / 2, 1.3
+    pitch = now.panel_rows * now.row
+    found = []
+    for middle in (-pitch / 2, pitch / 2):
+        ends = [
+            (middle + side * half * np.cos(tilt),
+             now.panel_height - side * half * np.sin(tilt))
+            for side in (-1, 1)
+        ]  # fmt: skip
+        (a, low), (b, high) = ends
+        found.append(
+            [[a, -long, low], [b, -long, high], [b, long, high], [a, long, low]]
+        )
+    return found
+
+
+def neighbours_of(now: Conditions) -> list[list[float]]:
+    """Returns the places of neighbours [m], across the rows and along them: a
+    row on each side, and some plants before and behind."""
+    gap = 1 / (now.density * now.row)
+    along = max(1, min(4, round(0.7 / gap)))
+    step = max(gap, 0.12)
+    return [
+        [i * now.row, j * step]
+        for i in (-1, 0, 1)
+        for j in range(-along, along + 1)
+        if i or j
+    ]

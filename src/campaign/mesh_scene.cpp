@@ -262,8 +262,11 @@ class SceneReader {
                 "there is photosynthesis, but no band \"par\" (which "
                 "leaves assimilate); name a band of the materials par");
         PhotosynthesisTable leaves = photosynthesis_of_meshes();
-        tables_.read(*table, photosynthesis_section(leaves));
-        check_photosynthesis(leaves, 0, problems_);
+        const Problems own =
+            problems_.in("component", scene_.components.size());
+        TableReader(file_, own.in("photosynthesis"))
+            .read(*table, photosynthesis_section(leaves));
+        check_photosynthesis(leaves, 0, own);
         return to_photosynthesis(leaves);
     }
 

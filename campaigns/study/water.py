@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""What maize transpires: CO2, leaf area, the parts of the model, and their cost.
+"""Tell what maize transpires: CO2, leaf area, parts of the model, their cost.
 
 water.py [--only PART] [--rough]
 

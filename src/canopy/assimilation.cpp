@@ -45,7 +45,7 @@ Expansion gain(const Expansion& shaded, const Expansion& lit, double beam) {
             (lit.curvature - shaded.curvature) / beam};
 }
 
-//! What is known of one flux.
+//! One flux of the leaves of a field, as far as it is summed.
 struct Flux {
     Responses shaded;          //!< of places, in a step
     Responses lit;             //!< of bins

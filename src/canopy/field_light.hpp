@@ -24,7 +24,8 @@ struct Lines {
     std::vector<Pieces> pieces;  //!< without their meshes
     std::vector<Mesh> meshes;    //!< of the pieces
     std::vector<Group> groups;   //!< of the scene before leaves were cut
-    //! Of blades of each group of plants, if leaves exchange heat [m].
+    //! The width of blades of each group of plants, if leaves exchange heat
+    //! [m].
     std::vector<double> widths;
     double height = 0;  //!< of the highest plant then [m]
 };

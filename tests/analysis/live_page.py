@@ -54,7 +54,7 @@ def served(*words: object) -> Iterator[Served]:
 
 
 class Talk:
-    """What a page says to the program and hears from it."""
+    """Talks to the program as a page does."""
 
     def __init__(self, link: WebSocketClientConnection) -> None:
         self._link = link

@@ -146,9 +146,11 @@ class Phone:
         told = message.get("params", {})
         if message.get("method") == "Runtime.exceptionThrown":
             self.errors.append(str(told["exceptionDetails"]))
-        elif message.get("method") == "Log.entryAdded":
-            if told["entry"]["level"] == "error":
-                self.errors.append(str(told["entry"]))
+        elif (
+            message.get("method") == "Log.entryAdded"
+            and told["entry"]["level"] == "error"
+        ):
+            self.errors.append(str(told["entry"]))
 
 
 _CODES = {"ArrowRight": 39, "ArrowLeft": 37}

@@ -8,8 +8,8 @@
 
 namespace ideotype {
 
-//! What leaves exchange with the air, besides CO2, and their state, each a sum
-//! over leaf area per ground area.
+//! Fluxes between leaves and the air, and the state of leaves, each a sum over
+//! leaf area per ground area.
 enum class LeafFlux : std::size_t {
     gross,          //!< assimilation [umol m-2 s-1]
     transpiration,  //!< [mmol m-2 s-1]

@@ -35,6 +35,9 @@ def rows_of(
     row = found[row_axis].values.astype(int)
     generation, slot = np.full(len(row), _FINAL), row
     if starts is not None and len(row):
+        # The first generation begins with the first row, also before it is
+        # complete.
+        starts = starts if len(starts) else np.zeros(1, int)
         generation = np.searchsorted(starts, row, side="right") - 1
         slot = row - starts[generation]
 

@@ -6,9 +6,10 @@ from __future__ import annotations
 import os
 import threading
 from collections import OrderedDict
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -116,9 +117,9 @@ class Bench:
         tables["light"] = tables["light"] | light
         return Stand(tables)
 
-    def map(self, work: Callable[..., object], *many: object) -> list:
+    def map(self, work: Callable[..., object], *many: Iterable[Any]) -> list:
         """Shares calls among all threads but the one that answers."""
-        return list(self.slow.map(work, *many))  # type: ignore[call-overload]
+        return list(self.slow.map(work, *many))
 
     def close(self) -> None:
         """Ends when running evaluations have."""

@@ -19,7 +19,7 @@ _AXES = ("site", "day", "climate", "spacing", "traits")
 
 @dataclass(frozen=True)
 class Conditions:
-    """What can be changed beside the plant."""
+    """Conditions of a plant that a page can change."""
 
     density: float
     """Plants per ground area [m-2]."""
@@ -168,9 +168,7 @@ def _day_of(base: Tables, now: Conditions) -> dict[str, Any]:
         else _date(base).year
     )  # fmt: skip
     date = datetime.date(year, 1, 1) + datetime.timedelta(now.day - 1)
-    start, end = (
-        (now.hour, now.hour + 1) if now.when == "hour" else (0, 24)
-    )
+    start, end = (now.hour, now.hour + 1) if now.when == "hour" else (0, 24)
     return {
         "name": "clear",
         "date": date,

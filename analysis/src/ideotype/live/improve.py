@@ -117,7 +117,11 @@ class Improvement:
 
         few = [self._plant(point) for point in search.best(_FINALISTS)]
         means = [mean(g, list(range(900, 904))).mean() for g in few]
-        best = few[int(np.nanargmax(means))] if np.isfinite(means).any() else few[0]
+        best = (
+            few[int(np.nanargmax(means))]
+            if np.isfinite(means).any()
+            else few[0]
+        )
         apart = self._sign * (
             mean(best, seeds) - mean(self._shown.genome, seeds)
         )

@@ -82,7 +82,7 @@ def _lever(
 ) -> dict[str, Any]:
     component, _, trait = gene["trait"].rpartition(".")
     crop = crops.get(component, {})
-    table = next(
+    table: dict[str, Any] = next(
         (t for t in crop.get("trait", []) if t["name"] == trait), {}
     )
     word, told = _WORDS.get(

@@ -110,7 +110,7 @@ def _mean(values: Array, errors: Array) -> tuple[Array, Array]:
         squares = (np.nan_to_num(errors) ** 2).sum(axis=0)
         error = np.sqrt(squares) / count
     mean = values.mean(axis=0)
-    # What is exact differs in the last digits only.
+    # Exact numbers differ in the last digits only.
     return mean, np.where(error > 1e-9 * np.abs(mean), error, 0.0)
 
 

@@ -25,7 +25,7 @@ _MESHES = {".obj", ".ply", ".dat", ".txt"}
 
 @dataclass(frozen=True)
 class Opened:
-    """What a live page begins with."""
+    """The plant and field that a live page begins with."""
 
     title: str
     about: str

@@ -23,9 +23,7 @@ from .opened import CROPS, open_place
 from .server import Guarded, Socket, add_options, application, serve
 from .session import Session, Shown
 
-_SCRIPTS = (
-    *("state.js", "sliders.js", "numbers.js", "field.js", "play.js"),
-)
+_SCRIPTS = (*("state.js", "sliders.js", "numbers.js", "field.js", "play.js"),)
 
 
 class _Talk(Socket):

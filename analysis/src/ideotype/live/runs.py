@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the files of running campaigns tell: read only, again and again."""
+"""Reads what files of running campaigns tell, again and again."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ RECENT = 5
 
 @dataclass
 class _Known:
-    """What was read of a file, and of which state of it."""
+    """A summary of a file, and the state of the file that it is of."""
 
     stamp: tuple[int, int]
     told: dict[str, Any]

@@ -47,9 +47,7 @@ _LARGEST = 1_000_000
 PARTS = {
     "raster.js": "ideotype.analysis.page",
     "drawing.js": "ideotype.live.page",
-    **dict.fromkeys(
-        ("base.css", "base.js", "chart.js"), "ideotype.live.page"
-    ),
+    **dict.fromkeys(("base.css", "base.js", "chart.js"), "ideotype.live.page"),
 }
 """The packages of the files that both pages load."""
 
@@ -152,9 +150,14 @@ def serve(app: Application, options: argparse.Namespace, about: str) -> int:
 async def _serve(
     app: Application, options: argparse.Namespace, about: str
 ) -> int:
+    if not 0 <= options.port < 65536:
+        raise Error(
+            f"--port {options.port} is no port (0 to 65535); give another "
+            "one, or none"
+        )
     try:
         sockets = bind_sockets(options.port, "127.0.0.1")
-    except (OSError, OverflowError) as error:
+    except OSError as error:
         raise Error(
             f"--port {options.port}: {error}; give another one, or none"
         ) from None

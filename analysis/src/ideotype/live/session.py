@@ -32,7 +32,7 @@ Send = Callable[[dict[str, Any]], None]
 
 @dataclass(frozen=True)
 class Shown:
-    """What a page shows."""
+    """The plants and numbers that a page shows."""
 
     genome: Genome
     reference: Genome

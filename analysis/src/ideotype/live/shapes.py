@@ -94,7 +94,12 @@ def panels_of(now: Conditions, base: Tables) -> list[list[list[float]]]:
         ]  # fmt: skip
         (a, low), (b, high) = ends
         found.append(
-            [[a, -long, low], [b, -long, high], [b, long, high], [a, long, low]]
+            [
+                [a, -long, low],
+                [b, -long, high],
+                [b, long, high],
+                [a, long, low],
+            ]
         )
     return found
 

@@ -199,9 +199,10 @@ class FieldPass {
         if (!scene_.water->has_leaf_temperature) return leaves;
         for (std::size_t b = 1; b < tallies.size(); ++b) {
             const Band& band = shared_.bands[b];
-            if (band.name == nir) leaves.nir.emplace(band, tallies[b]);
+            if (band.name == nir)
+                leaves.nir.emplace(OtherLight{band, tallies[b]});
             if (band.name == longwave)
-                leaves.longwave.emplace(band, tallies[b]);
+                leaves.longwave.emplace(OtherLight{band, tallies[b]});
         }
         return leaves;
     }

@@ -48,6 +48,8 @@ class Phone:
             mobile=width < 1000,
         )  # fmt: skip
         self.ask("Emulation.setTouchEmulationEnabled", enabled=width < 1000)
+        # Those of a wide window would take some of its width.
+        self.ask("Emulation.setScrollbarsHidden", hidden=True)
         for domain in ("Page", "Runtime", "Log"):
             self.ask(f"{domain}.enable")
         self.show(page)

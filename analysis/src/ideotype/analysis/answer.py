@@ -18,7 +18,7 @@ from .interval import ONE_SEED
 from .results import evaluations_of
 from .style import unit_label, words
 
-_COSTS = (*("leaf_nitrogen", "nitrogen", "water_use"),)
+_COSTS = ("leaf_nitrogen", "nitrogen", "water_use")
 """Quantities besides leaf area that tell what a plant costs, where campaigns
 have them."""
 

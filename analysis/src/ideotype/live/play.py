@@ -5,22 +5,21 @@ from __future__ import annotations
 
 import argparse
 import json
-import logging
-import sys
 import tomllib
 from collections.abc import Sequence
+from contextlib import closing
 from typing import Any
 
 import tomli_w
 from tornado.web import HTTPError
 from tornado.websocket import WebSocketClosedError
 
-from .._errors import Error, printable_lines
+from .._errors import Error
 from .._stand import Stand
 from .bench import Bench
 from .conditions import Tables, tables_under
 from .opened import CROPS, open_place
-from .server import Guarded, Socket, add_options, application, serve
+from .server import Guarded, Socket, add_options, answer, application, serve
 from .session import Session, Shown
 
 _SCRIPTS = (*("state.js", "sliders.js", "numbers.js", "field.js", "play.js"),)
@@ -120,25 +119,22 @@ def main(arguments: Sequence[str] | None = None) -> int:
         help="crop, by name or file, that has what was not measured")  # fmt: skip
     add_options(parser)
     options = parser.parse_args(arguments)
-    logging.getLogger("tornado").setLevel(logging.CRITICAL)
-    try:
+
+    def work() -> int:
         opened = open_place(
             options.plant, case=options.case, plant=options.of,
             crop=options.crop,
         )  # fmt: skip
-        bench = Bench(opened)
-        try:
+        with closing(Bench(opened)) as bench:
+            given = {"bench": bench}
             app = application(
                 [
-                    ("talk", _Talk, {"bench": bench}),
-                    ("save/(crop|campaign)", _Save, {"bench": bench}),
+                    ("talk", _Talk, given),
+                    ("save/(crop|campaign)", _Save, given),
                 ],
                 "play",
                 _SCRIPTS,
             )
             return serve(app, options, f"ideotype play: {opened.title}")
-        finally:
-            bench.close()
-    except (Error, OSError) as error:
-        print(printable_lines(f"ideotype play: {error}"), file=sys.stderr)
-        return 3
+
+    return answer("play", work)

@@ -11,11 +11,13 @@ from __future__ import annotations
 import argparse
 import asyncio
 import hmac
+import logging
 import mimetypes
 import secrets
 import signal
+import sys
 import webbrowser
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from importlib.resources import files
 from typing import Any
 from urllib.parse import urlsplit
@@ -25,7 +27,7 @@ from tornado.netutil import bind_sockets
 from tornado.web import Application, HTTPError, RequestHandler
 from tornado.websocket import WebSocketHandler
 
-from .._errors import Error
+from .._errors import Error, printable_lines
 
 _HEADERS = {
     "Content-Security-Policy": (
@@ -46,7 +48,7 @@ _LARGEST = 1_000_000
 
 PARTS = {
     "raster.js": "ideotype.analysis.page",
-    "drawing.js": "ideotype.live.page",
+    "drawing.js": "ideotype.analysis.page",
     **dict.fromkeys(("base.css", "base.js", "chart.js"), "ideotype.live.page"),
 }
 """The packages of the files that both pages load."""
@@ -138,6 +140,17 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         help="of this machine; else one that is free")  # fmt: skip
     add("--no-browser", action="store_true",
         help="print the address, and open no browser")  # fmt: skip
+
+
+def answer(verb: str, work: Callable[[], int]) -> int:
+    """Returns the exit code of what serves a page, or 3 with a message on the
+    error output if its input cannot be used."""
+    logging.getLogger("tornado").setLevel(logging.CRITICAL)
+    try:
+        return work()
+    except (Error, OSError) as error:
+        print(printable_lines(f"ideotype {verb}: {error}"), file=sys.stderr)
+        return 3
 
 
 def serve(app: Application, options: argparse.Namespace, about: str) -> int:

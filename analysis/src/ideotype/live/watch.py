@@ -7,20 +7,19 @@ from __future__ import annotations
 import argparse
 import asyncio
 import json
-import logging
-import sys
 import time
 from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import closing
 from pathlib import Path
 from typing import Any
 
 from tornado.web import HTTPError
 
-from .._errors import Error, printable_lines
+from .._errors import Error
 from ..analysis.file import HistoryError
 from .runs import Folder
-from .server import Guarded, add_options, application, serve
+from .server import Guarded, add_options, answer, application, serve
 
 _FRESH = 1.0
 """The age up to which what was read is told again [s], however many pages
@@ -104,19 +103,15 @@ def main(arguments: Sequence[str] | None = None) -> int:
     )  # fmt: skip
     add_options(parser)
     options = parser.parse_args(arguments)
-    logging.getLogger("tornado").setLevel(logging.CRITICAL)
-    try:
-        watcher = Watcher(Folder(options.folder))
-        given = {"watcher": watcher}
-        try:
+
+    def work() -> int:
+        with closing(Watcher(Folder(options.folder))) as watcher:
+            given = {"watcher": watcher}
             app = application(
                 [("state.json", _State, given), ("plants", _Plants, given)],
                 "watch",
                 ("watch.js",),
             )
             return serve(app, options, f"ideotype watch: {options.folder}")
-        finally:
-            watcher.close()
-    except (Error, OSError) as error:
-        print(printable_lines(f"ideotype watch: {error}"), file=sys.stderr)
-        return 3
+
+    return answer("watch", work)

@@ -21,7 +21,8 @@ function colorAt(part) {
   return STOPS[i].map((c, k) => c + (x - i) * (STOPS[i + 1][k] - c));
 }
 
-// Of the values of the plants shown, so that their colours compare.
+// The least and the largest value of the plants shown, so that their colours
+// compare.
 function rangeOf(shown) {
   const all = shown.flatMap(({ values }) => values)
     .filter((v) => v !== null);
@@ -55,27 +56,33 @@ function shade([a, b, c]) {
   return 0.72 + 0.28 * Math.abs(cosine) / (Math.hypot(...n) || 1);
 }
 
-// Gives plants their vertices [m], and what they share with others.
+// Gives plants what they share with others, and their vertices.
 function unpack(scene) {
-  for (const plant of scene.cases.flatMap((each) => each.plants)) {
-    Object.assign(plant, scene.shapes[plant.shape], { vertices: [] });
-    const bytes = Uint8Array.from(atob(plant.points), (c) => c.charCodeAt(0));
-    const steps = [...new Int16Array(bytes.buffer)];
-    for (let i = 0; i < steps.length; i += 3)
-      plant.vertices.push(steps.slice(i, i + 3).map((x) => x * plant.step));
-    const largest = (size) => Math.max(...plant.vertices.map(size));
-    plant.tall = largest((v) => v[2]);
-    plant.wide = largest((v) => Math.hypot(v[0], v[1]));
-  }
+  for (const plant of scene.cases.flatMap((each) => each.plants))
+    unpackPlant(Object.assign(plant, scene.shapes[plant.shape]));
+}
+
+// Gives a plant its vertices [m].
+function unpackPlant(plant) {
+  plant.vertices = [];
+  const bytes = Uint8Array.from(atob(plant.points), (c) => c.charCodeAt(0));
+  const steps = [...new Int16Array(bytes.buffer)];
+  for (let i = 0; i < steps.length; i += 3)
+    plant.vertices.push(steps.slice(i, i + 3).map((x) => x * plant.step));
+  const largest = (size) => Math.max(...plant.vertices.map(size));
+  plant.tall = largest((v) => v[2]);
+  plant.wide = largest((v) => Math.hypot(v[0], v[1]));
+  return plant;
 }
 
 // Scale and size of plants side by side, the same for all of their cases:
-// `reach` is the ground's radius [m].
+// `reach` is the ground's radius [m]. A case may ask for room for plants that
+// are so `tall` and `wide` [m].
 function frame(shown, places, width, height) {
-  const plants = shown.flatMap(({ of }) => of.plants);
   const count = shown.length;
-  const tall = Math.max(...plants.map((plant) => plant.tall));
-  const wide = Math.max(...plants.map((plant) => plant.wide));
+  const largest = (size) => Math.max(
+    ...shown.flatMap(({ of }) => [of, ...of.plants].map((x) => x[size] || 0)));
+  const [tall, wide] = [largest("tall"), largest("wide")];
   const far = Math.max(...places.map((p) => Math.hypot(...p)));
   const reach = far + Math.max(wide, 0.3);
   const [c, s] = [Math.cos(START.tilt), Math.sin(START.tilt)];
@@ -138,12 +145,14 @@ function drawScale(context, scale, width, height) {
   return metres;
 }
 
-// The plant, and its neighbours in paler colours, at `shifts` on the screen.
-function paintPlant(raster, plant, colors, { seen, points, shifts, columns }) {
+// The plant, and its neighbours in colours that are paler by a part, at
+// `shifts` on the screen.
+function paintPlant(raster, plant, colors, at) {
+  const { seen, points, shifts, columns, paler } = at;
   plant.faces.forEach((face, i) => {
     const light = shade(face.map((v) => seen[v]));
     const own = mix([0, 0, 0], colors[plant.group[i]], light);
-    const pale = mix(own, [255, 255, 255], 0.6);
+    const pale = mix(own, [255, 255, 255], paler);
     const corners = face.map((v) => points[v]);
     shifts.forEach((shift, k) =>
       raster.fill(corners, shift, k ? pale : own, columns));
@@ -162,9 +171,10 @@ function rasterOf(canvas, width, height) {
   return last;
 }
 
-// Draws plants beside each other, each with its case and the values of its
-// groups. Returns how many of their faces were drawn, the pixels of a metre,
-// and the length of the scale.
+// Draws plants beside each other, each with its case, which may have `objects`
+// and say how `paler` neighbours are, and the values of its groups. Returns how
+// many of their faces were drawn, the pixels of a metre, and the length of the
+// scale.
 function drawScene(canvas, shown, view, hasNeighbours) {
   const [width, height] = [canvas.clientWidth, canvas.clientHeight];
   // two pixels a point have smooth edges; too many are slow to turn
@@ -199,7 +209,7 @@ function drawScene(canvas, shown, view, hasNeighbours) {
     };
     const columns = [index, index + 1]
       .map((i) => Math.round(i * panel * dense));
-    for (const [corners, color] of ground.faces)
+    for (const [corners, color] of [...ground.faces, ...(of.objects || [])])
       raster.fill(corners.map(onScreen), [0, 0, 0], color, columns);
     const origin = onScreen([0, 0, 0]);
     const colors = values.map((value, i) => value === null
@@ -209,7 +219,7 @@ function drawScene(canvas, shown, view, hasNeighbours) {
       points: plant.vertices.map(onScreen),
       shifts: places.map(([x, y]) =>
         onScreen([x, y, 0]).map((v, k) => v - origin[k])),
-      columns,
+      columns, paler: of.paler ?? 0.6,
     });
     for (const [text, at] of ground.labels) {
       const [x, y] = onScreen(at);

@@ -16,7 +16,7 @@ const chart = new Chart(part("-chart"), (i) => {
   drawAll();
 });
 
-// What lists of plants choose: a case and a plant of it.
+// The case and the plant of it that a list chooses.
 const entries = scene.cases.flatMap((each, i) =>
   each.plants.map((plant, k) => ({ of: each, case: i, plant: k })));
 const chosen = (side) => entries[sides[side].selectedIndex];

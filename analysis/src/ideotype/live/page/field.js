@@ -44,23 +44,26 @@ function drawField() {
 function paintField() {
   const { message, plants, view } = field;
   const isPair = byId("pair").checked;
-  const shown = isPair ? [0, 1] : [1];
+  const sides = isPair ? [0, 1] : [1];
   const quantity = quantityShown();
-  const told = drawScene(byId("view"), {
+  const of = {
     plants, row_direction: message.direction, paler: 0.3,
     neighbours: message.neighbours, tall: field.tall, wide: field.wide,
     objects: message.panels.map((corners) => [corners, PANEL]),
-  }, shown, quantity, isPair ? { ...view, zoom: view.zoom / AT_FIRST.zoom } : view, byId("neighbours").checked);
+  };
+  const shown = sides.map((i) =>
+    ({ of, plant: plants[i], values: quantity.values[i] }));
+  const told = drawScene(byId("view"), shown, isPair ? { ...view, zoom: view.zoom / AT_FIRST.zoom } : view, byId("neighbours").checked);
   Object.assign(byId("view").dataset, told);
   const other = page.shown.reference ? "kept plant" : "first plant";
   const date = message.date ? `, ${message.date}` : "";
-  byId("titles").replaceChildren(...shown.map((i) =>
+  byId("titles").replaceChildren(...sides.map((i) =>
     make("span", { class: i ? "mine" : "other" }, (i ? "this plant" : other) + date)));
   showKey(quantity, shown);
 }
 
 function showKey(quantity, shown) {
-  const [low, high] = rangeOf(quantity, shown);
+  const [low, high] = rangeOf(shown);
   const unit = plainUnit(field.numbers?.curves[quantity.name]?.unit || "");
   byId("key").hidden = !unit || Boolean(page.shown.component);
   byId("low").textContent = low.toPrecision(2);

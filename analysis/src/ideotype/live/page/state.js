@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the page shows, its undo, and its talk with the program.
+// The state of the page, its undo, and its talk with the program.
 
 const page = {
   hello: null,

@@ -134,11 +134,12 @@ async function askPlants(file) {
 
 function drawPlants() {
   if (!seen.plants) return;
-  const { plants, neighbours } = seen.plants;
-  const quantity = { values: plants.map((plant) => plant.light) };
-  Object.assign(byId("view").dataset, drawScene(byId("view"),
-    { plants, neighbours, row_direction: null }, [0, 1], quantity, seen.view, true));
-  const [low, high] = rangeOf(quantity, [0, 1]);
+  const of = { ...seen.plants, row_direction: null };
+  const shown = [0, 1].map((i) =>
+    ({ of, plant: of.plants[i], values: of.plants[i].light }));
+  Object.assign(byId("view").dataset,
+    drawScene(byId("view"), shown, seen.view, true));
+  const [low, high] = rangeOf(shown);
   byId("low").textContent = low.toPrecision(2);
   byId("high").textContent = high.toPrecision(2);
 }

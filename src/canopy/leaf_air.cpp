@@ -13,12 +13,9 @@ namespace ideotype {
 
 namespace {
 
-constexpr double kelvin = 273.15;
 constexpr double reference = 10;  //!< height that wind is brought to [m]
 constexpr double least_wind = 0.3;
 constexpr double von_karman = 0.41;
-constexpr double heat_capacity = 29.3;           //!< of air [J mol-1 K-1]
-constexpr double gas_constant = 8.314462618e-3;  //!< [kPa m3 mol-1 K-1]
 
 double displacement(double canopy) {
     return 0.67 * canopy;
@@ -75,6 +72,7 @@ LeafAir::LeafAir(const WaterLeaves& leaves,
     : leaves_(leaves),
       water_(*leaves.scene.water),
       series_(leaves.scene.light().series),
+      has_canopy_air_(water_.has_leaf_temperature && water_.has_canopy_air),
       air_(air) {
     for (const TimeStep& step : series_.steps)
         if (!step.wind || !step.pressure || !step.longwave)
@@ -88,6 +86,7 @@ void LeafAir::see(const LeafPlaces& places, const ExpectedLight& expectation) {
     places_ = &places;
     expectation_ = &expectation;
     at_.assign(places.count(), {});
+    sky_ = -1;
     for (std::size_t p = 0; p < places.count(); ++p) {
         at_[p].group = places.group[p];
         at_[p].wind =
@@ -114,17 +113,17 @@ void LeafAir::see(const LeafPlaces& places, const ExpectedLight& expectation) {
 }
 
 void LeafAir::meet(int beam, int sky) {
+    const bool is_new_sky = sky != std::exchange(sky_, sky);
     beam_ = beam;
-    sky_ = sky;
     if (!leaves_.nir) return;
-    const std::vector<double> of_sun =
-        seen(*leaves_.nir, beam, *places_, *expectation_);
-    const std::vector<double> of_sky =
-        seen(*leaves_.nir, sky, *places_, *expectation_);
-    for (std::size_t p = 0; p < of_sun.size(); ++p) {
-        at_[p].nir_of_sun = of_sun[p];
-        at_[p].nir_of_sky = of_sky[p];
-    }
+    const auto take = [&](int source, double Place::*into) {
+        const std::vector<double> light =
+            seen(*leaves_.nir, source, *places_, *expectation_);
+        for (std::size_t p = 0; p < light.size(); ++p) at_[p].*into = light[p];
+    };
+    take(beam, &Place::nir_of_sun);
+    // Suns of one sky come one after the other.
+    if (is_new_sky) take(sky, &Place::nir_of_sky);
 }
 
 LeafAir::Above LeafAir::above(std::size_t number,
@@ -299,7 +298,7 @@ CanopyAir LeafAir::canopy_air(std::size_t number) {
     const Air air = air_of(step, *leaf->photosynthesis);
     const double per_volume =
         step.pressure.value() / (gas_constant * (air.temperature + kelvin));
-    const double per_heat = resistance / (per_volume * heat_capacity);
+    const double per_heat = resistance / (per_volume * air_heat_capacity);
     const double per_water =
         1e-3 * step.pressure.value() * resistance / per_volume;
     const auto driven = [&](const CanopyAir& in) {
@@ -336,28 +335,20 @@ CanopyAir LeafAir::canopy_air(std::size_t number) {
                        -most_moister, most_moister)};
 }
 
-void LeafAir::find_air(std::size_t step) {
-    std::optional<CanopyAir>& air = air_[step];
-    if (!air)
-        air = water_.has_leaf_temperature && water_.has_canopy_air
-                  ? canopy_air(step)
-                  : CanopyAir{};
-}
-
 void LeafAir::exchange(std::size_t step) {
-    if (!air_[step]) {
+    if (has_canopy_air_ && !air_[step]) {
         std::vector<Point> all = points_;
         join_points();
-        find_air(step);
+        air_[step] = canopy_air(step);
         points_ = std::move(all);
     }
-    exchange_in(step, *air_[step]);
+    exchange_in(step, air_[step].value_or(CanopyAir{}));
 }
 
 void LeafAir::exchange_at_night(std::size_t step) {
     const std::vector<std::size_t> part_of = join_points();
-    find_air(step);
-    exchange_in(step, *air_[step]);
+    if (has_canopy_air_ && !air_[step]) air_[step] = canopy_air(step);
+    exchange_in(step, air_[step].value_or(CanopyAir{}));
     std::vector<std::array<Expansion, leaf_fluxes>> joined;
     std::swap(joined, found_);
     for (const std::size_t part : part_of) found_.push_back(joined[part]);

@@ -111,7 +111,6 @@ class LeafAir {
     LeafInAir leaf_in(const Above& above, std::uint32_t group) const;
     void exchange_in(std::size_t step, const CanopyAir& air);
     CanopyAir canopy_air(std::size_t step);
-    void find_air(std::size_t step);
     std::vector<std::size_t> join_points();
     std::array<Expansion, leaf_fluxes> of_own_temperature(
         const Point& point, const LeafInAir& leaf, const Above& above,
@@ -123,6 +122,7 @@ class LeafAir {
     const WaterLeaves leaves_;
     const LeafWater& water_;
     const LightSeries& series_;
+    const bool has_canopy_air_;
     std::vector<std::optional<CanopyAir>>& air_;
     const LeafPlaces* places_ = nullptr;
     const ExpectedLight* expectation_ = nullptr;

@@ -75,15 +75,12 @@ class Behind {
         return 1.37 / air_.boundary + 1.6 / gs;
     }
 
-    //! Conductance beyond the intercept per assimilation over surface CO2.
+    //! Returns the slope of stomata, which is never 0.
     double slope(double openness) const {
-        const double surface = std::lerp(air_.vapour, saturated_, openness);
-        if (stomata_.model == Stomata::Model::medlyn)
-            return 1.6 *
-                   (1 + stomata_.slope /
-                            std::sqrt(std::max(saturated_ - surface, 0.05)));
-        return std::max(stomata_.slope * std::min(surface / saturated_, 1.),
-                        1e-100);
+        return std::max(
+            stomatal_slope(stomata_, saturated_,
+                           std::lerp(air_.vapour, saturated_, openness)),
+            1e-100);
     }
 
     AtTemperature response_;

@@ -4,15 +4,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ideotype/physiology/temperature.hpp"
+
 namespace ideotype {
 
 namespace {
 
-constexpr double gas_constant = 8.314462618e-3;  //!< [kJ mol-1 K-1]
-
 //! exp(c - E / R T), with an energy of activation E [kJ mol-1].
 double arrhenius(double c, double energy, double temperature) {
-    return std::exp(c - energy / (gas_constant * (temperature + 273.15)));
+    return std::exp(c - energy / (gas_constant * (temperature + kelvin)));
 }
 
 //! A rate over that at 25 deg C.

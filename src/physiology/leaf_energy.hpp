@@ -11,13 +11,20 @@
 
 namespace ideotype {
 
-inline constexpr double kelvin = 273.15;
 //! No leaf is colder [deg C]; saturated_vapour() has a pole below.
 inline constexpr double coldest = -200;
-inline constexpr double gas_constant_kpa =
-    8.314462618e-3;                            //!< [kPa m3 mol-1 K-1]
-inline constexpr double heat_capacity = 29.3;  //!< of air [J mol-1 K-1]
 inline constexpr double vapour_over_heat = 1.09;
+
+//! Returns the conductance of stomata beyond the intercept, per assimilation
+//! over surface CO2.
+//! @param saturated,surface vapour pressures in the leaf and there [kPa]
+inline double stomatal_slope(const Stomata& stomata, double saturated,
+                             double surface) {
+    if (stomata.model == Stomata::Model::medlyn)
+        return 1.6 * (1 + stomata.slope /
+                              std::sqrt(std::max(saturated - surface, 0.05)));
+    return stomata.slope * std::min(surface / saturated, 1.);
+}
 
 //! The energy of a point of a leaf at any temperature.
 class LeafEnergy {
@@ -30,8 +37,8 @@ class LeafEnergy {
           vapour_(around.humidity * saturated_vapour(around.temperature)),
           latent_heat_(0.0180153 * (2.501e6 - 2361 * around.temperature)) {
         const double d = 0.72 * around.width;
-        const double air = around.pressure /
-                           (gas_constant_kpa * (around.temperature + kelvin));
+        const double air =
+            around.pressure / (gas_constant * (around.temperature + kelvin));
         free_ = 0.05 / std::sqrt(std::sqrt(d));
         unmoved_ = cube(1.4 * 0.135 * std::sqrt(around.wind / d)) +
                    cube(2.15e-5 * air / d);
@@ -66,7 +73,7 @@ class LeafEnergy {
     double sensible(double t) const { return sensible(t, heat(t)); }
 
     double sensible(double t, double of_heat) const {
-        return 2 * heat_capacity * of_heat * (t - around_.temperature);
+        return 2 * air_heat_capacity * of_heat * (t - around_.temperature);
     }
 
     //! Latent heat with a conductance of vapour [W m-2].
@@ -108,7 +115,7 @@ class LeafEnergy {
     //! radiation alone, heat and radiation both warm any leaf.
     double coolest() const {
         const auto cooling = [&](double x) {
-            return 2 * heat_capacity * (x - around_.temperature) +
+            return 2 * air_heat_capacity * (x - around_.temperature) +
                    latent(x, vapour_over_heat * faces_);
         };
         return std::min(root(cooling, coldest, around_.temperature, 1e-9),

@@ -21,15 +21,6 @@ constexpr double least_humidity = 0.35;
 //! Leaves differ little from the air from this wind on [m s-1].
 constexpr double least_wind = 0.05;
 
-//! Conductance beyond the intercept per assimilation over surface CO2.
-//! @param surface vapour pressure there [kPa]
-double slope_of(const Stomata& stomata, double saturated, double surface) {
-    if (stomata.model == Stomata::Model::medlyn)
-        return 1.6 * (1 + stomata.slope /
-                              std::sqrt(std::max(saturated - surface, 0.05)));
-    return stomata.slope * std::min(surface / saturated, 1.);
-}
-
 //! Numbers that follow from temperature alone, at close temperatures, between
 //! which they are linear; errors are below 1e-5 of each.
 template <class Factors>
@@ -166,7 +157,7 @@ class Sweeps {
             const double surface =
                 vapour +
                 (saturated_ - vapour) * gs_ / std::max(gs_ + boundary_, 1e-12);
-            const double slope = slope_of(stomata_, saturated_, surface);
+            const double slope = stomatal_slope(stomata_, saturated_, surface);
             const double cs = std::max(
                 around_.co2 - 1.37 * std::max(net_, 0.) / boundary_, 1.);
             // The CO2 within the leaf for which stomata open at this net rate.
@@ -207,7 +198,7 @@ class Sweeps {
                                  : gs_ * boundary_ / (gs_ + boundary_);
         const double rise = 4098 * saturated_ / ((t_ + 237.3) * (t_ + 237.3));
         return -(energy_.emission() * 4 * k * k * k +
-                 2.5 * heat_capacity * heat_ +
+                 2.5 * air_heat_capacity * heat_ +
                  energy_.latent_heat() * total * rise / around_.pressure);
     }
 
@@ -270,7 +261,7 @@ LeafExchange exchange_at_air_temperature(const Stomata& stomata,
                                          const Expansion& net) {
     const double saturated = saturated_vapour(around.temperature);
     const double vapour = around.humidity * saturated;
-    const double open = slope_of(stomata, saturated, vapour) / around.co2;
+    const double open = stomatal_slope(stomata, saturated, vapour) / around.co2;
     const double gs = stomata.intercept + open * std::max(net.value, 0.);
     const double amount = 1e3 * gs * (saturated - vapour) / around.pressure;
     const double share = gs > 0 ? (gs - stomata.intercept) / gs : 0;

@@ -3,6 +3,13 @@
 
 namespace ideotype {
 
+inline constexpr double kelvin = 273.15;  //!< 0 deg C [K]
+
+//! The molar gas constant [kPa m3 mol-1 K-1], which is [kJ mol-1 K-1] too.
+inline constexpr double gas_constant = 8.314462618e-3;
+
+inline constexpr double air_heat_capacity = 29.3;  //!< [J mol-1 K-1]
+
 //! The constant of Stefan and Boltzmann [W m-2 K-4].
 inline constexpr double stefan_boltzmann = 5.670374419e-8;
 

@@ -31,18 +31,8 @@ Randomised balance(const CanopyReport& report, double scale = 1) {
     return carbon(report, report.assimilation->carbon_loss(), scale);
 }
 
-//! Returns the gross assimilation of groups or of layers.
-std::vector<Randomised> gross(const AssimilationReport& report,
-                              const Values& estimates,
-                              std::vector<double> FluxTally::*part) {
-    std::vector<std::vector<double>> by_randomisation;
-    for (const FluxTally& tally : report.tallies)
-        by_randomisation.push_back(tally.*part);
-    return randomised(estimates, by_randomisation);
-}
-
 std::vector<Randomised> gross_of_groups(const CanopyReport& report) {
-    return gross(*report.assimilation, report.assimilation->groups,
+    return along(report.assimilation->tallies, report.assimilation->groups,
                  &FluxTally::groups);
 }
 
@@ -64,16 +54,12 @@ Randomised light_use(const CanopyReport& report) {
         report.par().light.day.leaves.mean / joule_per_megajoule;
     if (!(light > 0)) return certain(report, 0);
     const double ratio = grams_of_carbon * all.gross.mean / light;
-    Randomised result{{ratio, 0}, {}};
-    for (std::size_t r = 0; r < all.tallies.size(); ++r)
-        result.by_randomisation.push_back(
-            ratio + (grams_of_carbon * all.tallies[r].sum() -
-                     ratio * report.par().budget_by_randomisation[r].leaves /
-                         joule_per_megajoule) /
-                        light);
-    result.estimate.standard_error =
-        estimate(result.by_randomisation).standard_error;
-    return result;
+    return ratio_with_error(
+        ratio, light, all.tallies.size(), [&](std::size_t r) {
+            return grams_of_carbon * all.tallies[r].sum() -
+                   ratio * report.par().budget_by_randomisation[r].leaves /
+                       joule_per_megajoule;
+        });
 }
 
 Randomised after_silking(const CanopyReport& report) {
@@ -160,7 +146,7 @@ std::vector<Declaration> assimilation_quantities() {
           "gross assimilation of leaves in each layer",
           {"layer"}},
          [](const Report& r) {
-             return gross(*r.assimilation, r.assimilation->layers,
+             return along(r.assimilation->tallies, r.assimilation->layers,
                           &FluxTally::layers);
          }},
         {{"assimilation_by_hour",

@@ -117,6 +117,41 @@ inline Randomised certain(const CanopyReport& report, double value) {
     return {{value, 0}, std::vector(report.randomisations(), value)};
 }
 
+//! Returns a flux along groups or layers.
+inline std::vector<Randomised> along(const std::vector<FluxTally>& tallies,
+                                     const std::vector<Estimate>& found,
+                                     std::vector<double> FluxTally::*part) {
+    std::vector<std::vector<double>> by_randomisation;
+    for (const FluxTally& tally : tallies)
+        by_randomisation.push_back(tally.*part);
+    return randomised(found, by_randomisation);
+}
+
+//! Returns a ratio with errors to first order.
+//! @param left what each of some randomisations has more than the ratio says
+template <class Left>
+Randomised ratio_with_error(double ratio, double denominator,
+                            std::size_t randomisations, const Left& left) {
+    Randomised result{{ratio, 0}, {}};
+    for (std::size_t r = 0; r < randomisations; ++r)
+        result.by_randomisation.push_back(ratio + left(r) / denominator);
+    result.estimate.standard_error =
+        estimate(result.by_randomisation).standard_error;
+    return result;
+}
+
+//! Sums numbers of groups over the leaves of a component.
+inline double over_leaves(const CanopyReport& report,
+                          const std::vector<double>& groups,
+                          std::size_t component) {
+    double sum = 0;
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+        const SurfaceId& id = report.groups[g].id;
+        if (id.is_leaf() && id.component == component) sum += groups[g];
+    }
+    return sum;
+}
+
 //! The numbers of the groups that are leaves.
 template <class Number>
 std::vector<Number> of_leaves(const CanopyReport& report,

@@ -32,17 +32,6 @@ bool has_nir(const Scope& scope) {
 
 using Names = std::vector<std::string>;
 
-//! Sums numbers of groups over the leaves of a component.
-double over_leaves(const CanopyReport& report, const Numbers& groups,
-                   std::size_t component) {
-    double sum = 0;
-    for (std::size_t g = 0; g < groups.size(); ++g) {
-        const SurfaceId& id = report.groups[g].id;
-        if (id.is_leaf() && id.component == component) sum += groups[g];
-    }
-    return sum;
-}
-
 //! Returns the mean of values, whose error is at least what paths can tell.
 Randomised known_to(double least, Numbers values) {
     Estimate mean = estimate(values);

@@ -25,17 +25,16 @@ Randomised flux(const FluxReport& report, double factor = 1) {
     return scaled(std::move(result), factor);
 }
 
-//! Returns a flux per leaf area that assimilates.
-Randomised per_leaf_area(const CanopyReport& report, const FluxReport& of) {
-    return flux(of,
-                report.assimilating_lai > 0 ? 1 / report.assimilating_lai : 0);
+//! Returns the ground per leaf area that assimilates, or 0 without any.
+double per_leaf_area(const CanopyReport& report) {
+    return report.assimilating_lai > 0 ? 1 / report.assimilating_lai : 0;
 }
 
 TakeNumber number(FluxReport WaterReport::*part,
                   bool is_per_leaf_area = false) {
     return [=](const CanopyReport& report) {
         const FluxReport& of = (*report.water).*part;
-        return is_per_leaf_area ? per_leaf_area(report, of) : flux(of);
+        return flux(of, is_per_leaf_area ? per_leaf_area(report) : 1);
     };
 }
 
@@ -57,16 +56,12 @@ Randomised efficiency(const CanopyReport& report) {
     if (!(water.sum.mean > 0)) return certain(report, 0);
     const double net = carbon.gross.mean - carbon.net_loss();
     const double ratio = grams_of_carbon * net / water.sum.mean;
-    Randomised result{{ratio, 0}, {}};
-    for (std::size_t r = 0; r < carbon.tallies.size(); ++r)
-        result.by_randomisation.push_back(
-            ratio +
-            (grams_of_carbon * (carbon.tallies[r].sum() - carbon.net_loss()) -
-             ratio * water.tallies[r].sum()) /
-                water.sum.mean);
-    result.estimate.standard_error =
-        estimate(result.by_randomisation).standard_error;
-    return result;
+    return ratio_with_error(
+        ratio, water.sum.mean, carbon.tallies.size(), [&](std::size_t r) {
+            return grams_of_carbon *
+                       (carbon.tallies[r].sum() - carbon.net_loss()) -
+                   ratio * water.tallies[r].sum();
+        });
 }
 
 Values warming_by_layer(const CanopyReport& report) {
@@ -80,30 +75,22 @@ Values warming_by_layer(const CanopyReport& report) {
 
 Values warming_by_hour(const CanopyReport& report) {
     Values hours = report.water->warming.hours;
-    for (Estimate& x : hours)
-        x = scaled(
-            x, report.assimilating_lai > 0 ? 1 / report.assimilating_lai : 0);
+    for (Estimate& x : hours) x = scaled(x, per_leaf_area(report));
     return hours;
 }
 
-std::vector<Randomised> transpiration_of_groups(const CanopyReport& report) {
+std::vector<Randomised> transpiration_by_leaf(const CanopyReport& report) {
     const FluxReport& water = report.water->transpiration;
-    std::vector<std::vector<double>> by_randomisation;
-    for (const FluxTally& tally : water.tallies)
-        by_randomisation.push_back(tally.groups);
-    return randomised(water.groups, by_randomisation);
+    return of_leaves(report,
+                     along(water.tallies, water.groups, &FluxTally::groups));
 }
 
 std::vector<Randomised> transpiration_by_component(const CanopyReport& report) {
     std::vector<Randomised> parts;
-    for (std::uint32_t c = 0; c < report.components.size(); ++c) {
+    for (std::size_t c = 0; c < report.components.size(); ++c) {
         std::vector<double> values;
-        for (const FluxTally& tally : report.water->transpiration.tallies) {
-            double sum = 0;
-            for (std::size_t g = 0; g < report.groups.size(); ++g)
-                if (report.groups[g].id.component == c) sum += tally.groups[g];
-            values.push_back(sum);
-        }
+        for (const FluxTally& tally : report.water->transpiration.tallies)
+            values.push_back(over_leaves(report, tally.groups, c));
         parts.push_back({estimate(values), values});
     }
     return parts;
@@ -143,9 +130,7 @@ std::vector<Declaration> water_quantities() {
                  depth,
                  "water that each leaf transpires",
                  {"leaf"}},
-                TakeProfile([](const CanopyReport& report) {
-                    return of_leaves(report, transpiration_of_groups(report));
-                })),
+                TakeProfile(transpiration_by_leaf)),
         declare({"transpiration_by_layer",
                  depth,
                  "water that leaves of each layer transpire",

@@ -42,15 +42,14 @@ double standard_pressure(double elevation) {
 }
 
 double sky_longwave(double temperature, double vapour, double clearness) {
-    const double kelvin = temperature + 273.15;
-    const double clear = 1.24 * std::pow(vapour / kelvin, 1 / 7.);
+    const double absolute = temperature + kelvin;
+    const double clear = 1.24 * std::pow(vapour / absolute, 1 / 7.);
     return std::lerp(1, clear, clearness) * stefan_boltzmann *
-           std::pow(kelvin, 4);
+           std::pow(absolute, 4);
 }
 
-std::vector<std::string> estimate_air(LightSeries& series, const Site& site,
-                                      double par_fraction) {
-    std::vector<std::string> names;
+void estimate_air(LightSeries& series, const Site& site, double par_fraction) {
+    std::vector<std::string>& names = series.estimated;
     // All steps have wind, or none has.
     if (fill(series, &TimeStep::wind, [](const TimeStep&) { return 2.; })) {
         series.wind_height = 2;
@@ -77,7 +76,6 @@ std::vector<std::string> estimate_air(LightSeries& series, const Site& site,
                 clearness);
         }))
         names.emplace_back("longwave radiation");
-    return names;
 }
 
 }  // namespace ideotype

@@ -26,10 +26,8 @@ double sky_longwave(double temperature, double vapour, double clearness);
 //! not tell: 2 m s-1 at a height of 2 m (Allen et al. 1998, FAO 56), that of
 //! the elevation, and sky_longwave(), at night and with a low sun with the
 //! clearness of the daylight before. Air without temperature or humidity is
-//! that of clear days.
+//! that of clear days. The series then tells what has been estimated.
 //! @param par_fraction PAR over all solar radiation of the clear sky
-//! @returns the names of what has been estimated
-std::vector<std::string> estimate_air(LightSeries& series, const Site& site,
-                                      double par_fraction);
+void estimate_air(LightSeries& series, const Site& site, double par_fraction);
 
 }  // namespace ideotype

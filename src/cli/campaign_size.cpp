@@ -53,8 +53,7 @@ void add_air(Json& row, const Campaign& campaign, const Site& site,
     if (!first.wind && !first.pressure && !first.longwave &&
         series.co2 == LightSeries{}.co2)
         return;
-    const std::vector<std::string> estimated =
-        estimate_air(series, site, campaign.par_fraction);
+    estimate_air(series, site, campaign.par_fraction);
     const auto mean = [&](std::optional<double> TimeStep::*value) {
         double sum = 0;
         for (const TimeStep& step : series.steps) sum += *(step.*value);
@@ -65,7 +64,7 @@ void add_air(Json& row, const Campaign& campaign, const Site& site,
     row["pressure"] = fmt::format("{:.1f} kPa", mean(&TimeStep::pressure));
     row["longwave"] = fmt::format("{:.0f} W m-2", mean(&TimeStep::longwave));
     row["CO2"] = fmt::format("{:g} umol mol-1", series.co2);
-    row["estimated"] = fmt::format("{}", fmt::join(estimated, ", "));
+    row["estimated"] = fmt::format("{}", fmt::join(series.estimated, ", "));
 }
 
 //! Tells the sun of the middle date of a day or climate at its site, and what

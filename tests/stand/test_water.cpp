@@ -58,6 +58,16 @@ TEST(Water, IsWhatMaizeTranspires) {
     EXPECT_NEAR(days, found.at("transpiration_0"), 1e-9);
 }
 
+TEST(Water, TellsWhatOfTheAirIsEstimated) {
+    const auto estimated = [](const Campaign& campaign) {
+        return light_of(campaign, cases(campaign).at(0)).estimated;
+    };
+    EXPECT_EQ(
+        estimated(week(balance)),
+        (std::vector<std::string>{"wind", "pressure", "longwave radiation"}));
+    EXPECT_TRUE(estimated(week("")).empty());
+}
+
 TEST(Water, FollowsTheAirAndTheStomata) {
     const auto now = numbers(week(balance, {"climate.co2=372"}));
     const auto rich = numbers(week(balance, {"climate.co2=550"}));

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "ideotype/climate/sun.hpp"
@@ -46,6 +47,8 @@ struct LightSeries {
     double utc_offset = 0;    //!< of the clock of hours [h]
     double wind_height = 10;  //!< above the ground [m]
     double co2 = 400;         //!< of the air [umol mol-1]
+    //! Names of what steps have by an estimate, such as "wind".
+    std::vector<std::string> estimated{};
     //! Plants grow: each step has the part of its time for which they are as
     //! they stand.
     bool grows = false;

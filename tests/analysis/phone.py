@@ -48,7 +48,7 @@ class Phone:
             mobile=width < 1000,
         )  # fmt: skip
         self.ask("Emulation.setTouchEmulationEnabled", enabled=width < 1000)
-        # Those of a wide window would take some of its width.
+        # Scrollbars would take some of the width of a wide window.
         self.ask("Emulation.setScrollbarsHidden", hidden=True)
         for domain in ("Page", "Runtime", "Log"):
             self.ask(f"{domain}.enable")

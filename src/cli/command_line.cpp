@@ -107,7 +107,7 @@ int run_verb(int argc, char** argv) {
         "campaign, 4 refused, 5 a run stopped early on request and can be "
         "resumed.",
         "ideotype");
-    app.set_version_flag("--version", version_text());
+    app.set_version_flag("--version", version_text);
     app.set_help_all_flag("--help-all", "print the help of all verbs");
     app.require_subcommand(1);
     const std::vector<std::string> words(argv, argv + argc);

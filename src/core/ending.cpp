@@ -3,6 +3,7 @@
 
 #include <array>
 #include <atomic>
+#include <csignal>
 #include <cstdlib>
 #include <exception>
 #include <new>
@@ -18,7 +19,7 @@ namespace {
 
 std::atomic<bool> is_in_order = false;
 
-[[noreturn]] void end(const char* reason) {
+void tell(const char* reason) {
     std::array<char, 1024> text{};
     const auto [last, size] = fmt::format_to_n(
         text.data(), text.size(),
@@ -28,7 +29,28 @@ std::atomic<bool> is_in_order = false;
         reason);
     static_cast<void>(!write(STDERR_FILENO, text.data(),
                              static_cast<std::size_t>(last - text.data())));
+}
+
+[[noreturn]] void end(const char* reason) {
+    tell(reason);
     std::_Exit(static_cast<int>(ExitCode::runtime));
+}
+
+// OpenSSL and HDF5 use some pointers that they got no memory for. When this
+// returns, the instruction is executed again and ends the process by the
+// signal itself.
+void tell_of_segmentation_fault(int /*signal*/) {
+    tell("segmentation fault");
+}
+
+// A sanitizer that watches for the signal already says more.
+void watch_for_segmentation_fault() {
+    struct sigaction action {};
+    sigaction(SIGSEGV, nullptr, &action);
+    if (action.sa_handler != SIG_DFL) return;
+    action.sa_handler = tell_of_segmentation_fault;
+    action.sa_flags = SA_RESETHAND;
+    sigaction(SIGSEGV, &action, nullptr);
 }
 
 [[noreturn]] void end_with_reason() {
@@ -49,6 +71,7 @@ std::atomic<bool> is_in_order = false;
 
 void watch_for_foreign_end() {
     std::set_terminate(end_with_reason);
+    watch_for_segmentation_fault();
     std::atexit([] {
         if (!is_in_order) end("no reason given");
     });

@@ -22,6 +22,18 @@ void require_no_error(RTCDeviceTy* device, const std::string& action) {
                         : fmt::format("error {}", static_cast<int>(error))));
 }
 
+namespace {
+
+//! @throws std::runtime_error also because a second device would wait for ever
+//! in TBB 2021.8 when there was no memory for the first.
+RTCDevice new_device(const std::string& settings) {
+    RTCDevice device = rtcNewDevice(settings.c_str());
+    if (!device) require_no_error(nullptr, "create a device");
+    return device;
+}
+
+}  // namespace
+
 Device::Device(const std::string& isa) : isa_(isa) {
     const std::vector<std::string> supported = supported_isas();
     if (std::find(supported.begin(), supported.end(), isa) == supported.end())
@@ -29,10 +41,8 @@ Device::Device(const std::string& isa) : isa_(isa) {
             "this processor has no instruction set '{}' (it has {}); results "
             "depend on it, so run on a machine that has it",
             isa, fmt::join(supported, ", ")));
-    RTCDevice device = rtcNewDevice(
-        fmt::format("threads=1,set_affinity=0,isa={}", isa).c_str());
-    if (!device) require_no_error(nullptr, "create a device");
-    handle_ = std::make_unique<Handle>(Handle{device});
+    handle_ = std::make_unique<Handle>(
+        Handle{new_device("threads=1,set_affinity=0,isa=" + isa)});
 }
 
 Device::~Device() {
@@ -58,7 +68,7 @@ std::vector<std::string> Device::supported_isas() {
 std::string Device::library_version() {
     // The version is that of the library that was loaded, whatever the headers
     // were.
-    RTCDevice device = rtcNewDevice("threads=1");
+    RTCDevice device = new_device("threads=1");
     const auto number = [&](RTCDeviceProperty property) {
         return rtcGetDeviceProperty(device, property);
     };

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <csignal>
 #include <cstdlib>
 #include <exception>
 #include <new>
@@ -32,6 +33,17 @@ TEST(Ending, TellsWhyNobodyCatches) {
             }
         },
         ExitedWithCode(1), "the program \\(not enough memory\\)");
+}
+
+TEST(Ending, TellsOfASegmentationFault) {
+    EXPECT_EXIT(
+        {
+            std::signal(SIGSEGV, SIG_DFL);
+            watch_for_foreign_end();
+            raise(SIGSEGV);
+            raise(SIGSEGV);
+        },
+        testing::KilledBySignal(SIGSEGV), "the program \\(segmentation fault");
 }
 
 TEST(Ending, IsSilentInOrder) {

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ideotype/canopy/assimilation.hpp"
 
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <utility>
 
+#include "ideotype/core/contract.hpp"
 #include "leaf_air.hpp"
 #include "pair_light.hpp"
 
@@ -314,6 +316,7 @@ class Assimilation {
             for (std::size_t r = 0; r < tallies_.size(); ++r) {
                 const double amount =
                     flux.mean[p] + flux.differences[r][p] - mean;
+                IDEOTYPE_ENSURE(std::isfinite(amount));
                 FluxTally& tally = flux.all[r];
                 tally.groups[places_.group[p]] += amount;
                 tally.layers[lit_leaves_.layers.at(places_.height[p])] +=
@@ -335,6 +338,9 @@ class Assimilation {
 
 FluxTallies assimilate(const std::vector<Tally>& tallies, const Pieces& pieces,
                        const LitLeaves& lit) {
+    // Jackknives of a product are over randomisations but for two.
+    IDEOTYPE_EXPECT(tallies.size() == 1 || tallies.size() > 2);
+    IDEOTYPE_EXPECT(lit.photons > 0);
     return Assimilation(tallies, pieces, lit).result();
 }
 

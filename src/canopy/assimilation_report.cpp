@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "ideotype/canopy/assimilation.hpp"
+#include "ideotype/core/contract.hpp"
 #include "ideotype/core/error.hpp"
 
 namespace ideotype {
@@ -30,6 +31,7 @@ std::vector<std::size_t> leaves_of(const std::vector<Group>& groups,
 std::vector<LeafGroup> leaf_groups(const Scene& scene,
                                    const std::vector<Group>& groups,
                                    const std::vector<double>& leaf_area_index) {
+    IDEOTYPE_EXPECT(leaf_area_index.size() == groups.size());
     std::vector<LeafGroup> result(groups.size());
     for (std::uint32_t c = 0; c < scene.components.size(); ++c) {
         const auto& photosynthesis = scene.components[c].photosynthesis;
@@ -55,11 +57,12 @@ std::vector<LeafGroup> leaf_groups(const Scene& scene,
         const std::vector<LeafRates> rates =
             rates_of_leaves(*photosynthesis, index);
         const std::vector<double>& built = scene.components[c].built;
+        IDEOTYPE_EXPECT(built.empty() || built.size() >= index.size());
         for (std::size_t i = 0; i < own.size(); ++i) {
             result[own[i]] = {rates[leaf[i]], &*photosynthesis};
             if (!built.empty())
                 result[own[i]].built =
-                    built.at(leaf[i]) / scene.components[c].ground_per_plant;
+                    built[leaf[i]] / scene.components[c].ground_per_plant;
         }
     }
     return result;
@@ -90,6 +93,7 @@ double AssimilationReport::carbon_loss() const {
 std::vector<ComponentAssimilation> by_component(
     const AssimilationReport& report, const std::vector<Group>& groups,
     std::size_t components) {
+    IDEOTYPE_EXPECT(report.respiration.size() == groups.size());
     std::vector<ComponentAssimilation> all;
     for (std::uint32_t c = 0; c < components; ++c) {
         ComponentAssimilation& one = all.emplace_back();
@@ -172,6 +176,8 @@ void report_late(const std::vector<FluxTally>& tallies,
 
 FluxReport report(std::vector<FluxTally> tallies, const LightSeries& series,
                   double (*amount_of)(const TimeStep& step)) {
+    IDEOTYPE_EXPECT(!tallies.empty());
+    IDEOTYPE_EXPECT(tallies.front().steps.size() == series.steps.size());
     FluxReport result;
     const auto over = [&](const auto& figure) {
         std::vector<double> randomisations;
@@ -213,6 +219,7 @@ AssimilationReport report(std::vector<FluxTally> tallies,
                           const std::vector<LeafGroup>& leaves,
                           const std::vector<double>& leaf_area_index,
                           const SeriesIllumination& light) {
+    IDEOTYPE_EXPECT(leaves.size() == leaf_area_index.size());
     AssimilationReport result;
     const LightSeries& series = light.series;
     FluxReport gross = report(
@@ -229,6 +236,7 @@ AssimilationReport report(std::vector<FluxTally> tallies,
         result.respiration.emplace_back();
         result.building_of_groups.push_back(0);
         if (!photosynthesis) continue;
+        IDEOTYPE_EXPECT(photosynthesis->building_days > 0);
         result.respiration.back() =
             respiration(rates, leaf_area_index[g], series, *photosynthesis);
         result.building_of_groups.back() =

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "field_light.hpp"
+#include "ideotype/core/contract.hpp"
 #include "ideotype/core/error.hpp"
 
 namespace ideotype {
@@ -66,6 +67,8 @@ class Reporter {
           found_(found) {}
 
     CanopyReport result() && {
+        IDEOTYPE_EXPECT(found_.fields > 0);
+        IDEOTYPE_EXPECT(found_.light.size() == scene_.bands.size());
         result_.layers = shared_.layers;
         result_.days = scene_.light().series.days;
         result_.grows = scene_.light().series.grows;
@@ -308,6 +311,8 @@ CanopyReport evaluate(const CanopyRequest& request, const Scene& scene,
 
 CanopyReport evaluate(const CanopyRequest& request, const Device& device,
                       const Clock& clock) {
+    IDEOTYPE_EXPECT(request.scene.cell.ground_area > 0);
+    IDEOTYPE_EXPECT(request.layers.count > 0 && request.details.pieces > 0);
     if (!request.details.faces)
         return evaluate(request, request.scene, device, clock);
     return evaluate(request, with_a_group_per_face(request.scene), device,
@@ -322,6 +327,7 @@ RayScene build_scene(const Device& device, const Field& field) {
 }
 
 Accuracy face_accuracy(const Accuracy& accuracy, std::size_t faces) {
+    IDEOTYPE_EXPECT(faces > 0 && accuracy.randomisations > 0);
     constexpr int paths_per_face = 1600;
     constexpr double most_paths = 8e6;
     const double enough =
@@ -329,6 +335,7 @@ Accuracy face_accuracy(const Accuracy& accuracy, std::size_t faces) {
         accuracy.randomisations;
     // Powers of two are where Sobol' nets are most even.
     const int paths = 1 << static_cast<int>(std::ceil(std::log2(enough)));
+    IDEOTYPE_ENSURE(paths >= enough);
     return {std::max(accuracy.paths, paths), accuracy.randomisations, 0,
             accuracy.fields};
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "ideotype/canopy/quantities.hpp"
+#include "ideotype/core/contract.hpp"
 
 namespace ideotype {
 
@@ -89,8 +90,10 @@ inline std::vector<Randomised> randomised(
     std::vector<Randomised> all;
     for (std::size_t i = 0; i < estimates.size(); ++i) {
         Randomised one{estimates[i], {}};
-        for (const std::vector<double>& each : by_randomisation)
-            one.by_randomisation.push_back(each.at(i));
+        for (const std::vector<double>& each : by_randomisation) {
+            IDEOTYPE_EXPECT(each.size() == estimates.size());
+            one.by_randomisation.push_back(each[i]);
+        }
         all.push_back(scaled(std::move(one), factor));
     }
     return all;
@@ -144,6 +147,7 @@ Randomised ratio_with_error(double ratio, double denominator,
 inline double over_leaves(const CanopyReport& report,
                           const std::vector<double>& groups,
                           std::size_t component) {
+    IDEOTYPE_EXPECT(groups.size() == report.groups.size());
     double sum = 0;
     for (std::size_t g = 0; g < groups.size(); ++g) {
         const SurfaceId& id = report.groups[g].id;

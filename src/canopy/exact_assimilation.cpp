@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "ideotype/core/contract.hpp"
 #include "ideotype/light/backward.hpp"
 #include "ideotype/light/leaf_points.hpp"
 #include "ideotype/light/sampler.hpp"
@@ -55,6 +56,7 @@ class Referee {
     }
 
     ExactAssimilation result(const Accuracy& accuracy) {
+        IDEOTYPE_EXPECT(accuracy.paths > 0 && accuracy.randomisations > 0);
         const auto count = static_cast<std::size_t>(accuracy.randomisations);
         constexpr int first_points = 256;
         std::vector<FluxTally> sums(count, empty_);
@@ -196,6 +198,7 @@ class Referee {
 ExactAssimilation assimilate_exactly(const Mesh& mesh, const LitLeaves& lit,
                                      const Accuracy& accuracy,
                                      const Randomness& randomness) {
+    IDEOTYPE_EXPECT(lit.leaves.size() == mesh.groups.size());
     return Referee(mesh, lit, randomness).result(accuracy);
 }
 

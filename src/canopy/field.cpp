@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "ideotype/core/contract.hpp"
 #include "ideotype/core/error.hpp"
 #include "ideotype/core/random.hpp"
 #include "ideotype/core/units.hpp"
@@ -24,6 +25,7 @@ std::vector<double> row_places(const FieldForm& form) {
             rows.push_back((row + 0.5) * form.spacing.row);
         return rows;
     }
+    IDEOTYPE_EXPECT(std::ranges::min(pattern) > 0);
     double sum = 0;
     for (const double distance : pattern) sum += distance;
     const double mean = sum / static_cast<double>(pattern.size());
@@ -39,6 +41,8 @@ std::vector<double> row_places(const FieldForm& form) {
 }  // namespace
 
 Cell cell_of(const FieldForm& form) {
+    IDEOTYPE_EXPECT(form.rows > 0 && form.plants > 0 && form.border_rows >= 0);
+    IDEOTYPE_EXPECT(form.spacing.row > 0 && form.spacing.plant > 0);
     Cell cell;
     cell.boundary = form.boundary;
     cell.period_x = form.rows * form.spacing.row;
@@ -93,6 +97,7 @@ std::vector<Place> places_of(const FieldForm& form,
 void set_places(Component& component, const FieldForm& form,
                 const std::vector<int>& rows) {
     component.places = places_of(form, rows);
+    IDEOTYPE_EXPECT(!component.places.empty());
     component.jitter = form.jitter;
     component.variation = form.variation;
     const double share = static_cast<double>(form.rows * form.plants) /
@@ -123,6 +128,7 @@ RandomStream stream_of(const Randomness& randomness, Purpose purpose,
 //! Puts a list into a random order.
 template <class Item>
 void shuffle(std::vector<Item>& items, RandomStream& stream) {
+    IDEOTYPE_EXPECT(!items.empty());
     for (std::size_t i = items.size() - 1; i > 0; --i)
         std::swap(items[i],
                   items[stream.below(static_cast<std::uint32_t>(i + 1))]);
@@ -140,6 +146,7 @@ std::size_t number_of(double fraction, std::size_t count,
 std::vector<double> draw_plant_azimuths(const Component& component,
                                         const Randomness& randomness,
                                         std::uint32_t number) {
+    IDEOTYPE_EXPECT(component.plants() > 0 && component.jitter >= 0);
     RandomStream stream = stream_of(randomness, Purpose::jitter, number);
     std::vector<double> turns(component.plants());
     const auto across = component.variation.across_row;
@@ -229,6 +236,7 @@ std::vector<Emergence> draw_emergence(const Component& component,
 std::vector<Mesh> draw_plants(const Component& component, const Mesh& line,
                               const Randomness& randomness,
                               std::uint32_t number) {
+    IDEOTYPE_EXPECT(component.plant.has_value());
     const PlantVariation& variation = component.variation;
     RandomStream stream = stream_of(randomness, Purpose::variation, number);
     const std::vector<Emergence> places = draw_emergence(component, stream);
@@ -258,6 +266,7 @@ std::vector<Mesh> draw_plants(const Component& component, const Mesh& line,
 //! @param first_group of its component
 void add_plant(Field& field, const Mesh& plant, const Place& place, double turn,
                std::uint32_t first_group, std::uint32_t number) {
+    IDEOTYPE_EXPECT(plant.face_group.size() == plant.faces.size());
     const double sine = std::sin(turn * degree);
     const double cosine = std::cos(turn * degree);
     Mesh& mesh = field.mesh;
@@ -297,6 +306,7 @@ std::vector<std::vector<Place>> draw_places(const Scene& scene,
             RandomStream stream = stream_of(randomness, Purpose::mixture, 0);
             shuffle(shared, stream);
         }
+        IDEOTYPE_EXPECT(each.mixed <= shared.size());
         all.push_back(each.mixed > 0 ? std::vector<Place>{} : each.places);
         for (std::size_t i = 0; i < each.mixed; ++i) {
             all.back().push_back(shared.back());
@@ -339,10 +349,14 @@ Field draw_field(const Scene& scene, const Randomness& randomness,
         first_group += static_cast<std::uint32_t>(object.mesh.groups.size());
     }
     if (field.cell.kept) cut_border(field);
+    IDEOTYPE_ENSURE(field.mesh.face_group.size() == field.mesh.faces.size());
+    IDEOTYPE_ENSURE(field.face_plant.size() == field.mesh.faces.size());
+    IDEOTYPE_ENSURE(field.plant_row.size() == present);
     return field;
 }
 
 Scene as_drawn(Scene scene, const Field& field) {
+    IDEOTYPE_EXPECT(field.first_plant.size() == scene.components.size() + 1);
     std::uint32_t first_group = 0;
     for (std::uint32_t c = 0; c < scene.components.size(); ++c) {
         Component& component = scene.components[c];

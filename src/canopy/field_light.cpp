@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "ideotype/canopy/exact_assimilation.hpp"
+#include "ideotype/core/contract.hpp"
 #include "ideotype/core/error.hpp"
 #include "ideotype/light/device.hpp"
 #include "randomisations.hpp"
@@ -291,6 +292,7 @@ Bands bands_of(const Scene& scene) {
 }
 
 void FieldLight::append(FieldLight more) {
+    IDEOTYPE_EXPECT(light.empty() || light.size() == more.light.size());
     light.resize(more.light.size());
     rows.resize(more.rows.size());
     for (std::size_t b = 0; b < light.size(); ++b) {

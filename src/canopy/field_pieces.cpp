@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "ideotype/canopy/pieces.hpp"
+#include "ideotype/core/contract.hpp"
 
 namespace ideotype {
 
@@ -139,6 +140,8 @@ class FieldGroups {
 }  // namespace
 
 Pieces pieces_of_field(std::span<const Pieces> lines, Field& field) {
+    IDEOTYPE_EXPECT(field.first_plant.size() == lines.size() + 1);
+    IDEOTYPE_EXPECT(field.face_plant.size() == field.mesh.faces.size());
     const std::vector<double> areas = face_areas(field.mesh);
     const std::vector<Group> groups = std::move(field.mesh.groups);
     Pieces result;
@@ -151,6 +154,7 @@ Pieces pieces_of_field(std::span<const Pieces> lines, Field& field) {
         std::uint32_t& group = result.mesh.face_group[f];
         const std::uint32_t was = group;
         group = all.group_of(was, field.face_plant[f]);
+        IDEOTYPE_ENSURE(group < result.mesh.groups.size());
         if (group >= result.count) continue;
         result.height[group] = all.height_of(was);
         result.area[group] += areas[f];

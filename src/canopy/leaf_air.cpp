@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "ideotype/core/contract.hpp"
 #include "ideotype/core/error.hpp"
 #include "ideotype/physiology/temperature.hpp"
 
@@ -53,6 +54,7 @@ std::vector<double> seen(const OtherLight& light, int source,
 }  // namespace
 
 double wind_at_top(double wind, double height, double canopy) {
+    IDEOTYPE_EXPECT(wind >= 0 && height > 0);
     const double h = canopy_in_profile(canopy);
     const double d = displacement(h), z0 = roughness(h);
     return wind_at_reference(wind, height) * std::log((h - d) / z0) /
@@ -60,6 +62,7 @@ double wind_at_top(double wind, double height, double canopy) {
 }
 
 double aerodynamic_resistance(double wind, double height, double canopy) {
+    IDEOTYPE_EXPECT(wind >= 0 && height > 0);
     const double h = canopy_in_profile(canopy);
     const double profile =
         std::log((reference - displacement(h)) / roughness(h));
@@ -336,6 +339,7 @@ CanopyAir LeafAir::canopy_air(std::size_t number) {
 }
 
 void LeafAir::exchange(std::size_t step) {
+    IDEOTYPE_EXPECT(places_ != nullptr && step < air_.size());
     if (has_canopy_air_ && !air_[step]) {
         std::vector<Point> all = points_;
         join_points();
@@ -346,6 +350,7 @@ void LeafAir::exchange(std::size_t step) {
 }
 
 void LeafAir::exchange_at_night(std::size_t step) {
+    IDEOTYPE_EXPECT(places_ != nullptr && step < air_.size());
     const std::vector<std::size_t> part_of = join_points();
     if (has_canopy_air_ && !air_[step]) air_[step] = canopy_air(step);
     exchange_in(step, air_[step].value_or(CanopyAir{}));

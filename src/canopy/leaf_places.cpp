@@ -4,12 +4,16 @@
 #include <cmath>
 #include <utility>
 
+#include "ideotype/core/contract.hpp"
 #include "ideotype/core/estimate.hpp"
 
 namespace ideotype {
 
 LeafPlaces::LeafPlaces(const Pieces& pieces, const LitLeaves& lit, bool is_each)
     : of(pieces.count) {
+    IDEOTYPE_EXPECT(pieces.like.size() == pieces.count &&
+                    pieces.area.size() == pieces.count);
+    IDEOTYPE_EXPECT(lit.groups.size() >= pieces.count);
     for (std::uint32_t v = 0; v < pieces.count; ++v) {
         if (is_each || pieces.like[v] == v) {
             of[v] = static_cast<std::uint32_t>(index.size());
@@ -22,6 +26,7 @@ LeafPlaces::LeafPlaces(const Pieces& pieces, const LitLeaves& lit, bool is_each)
         } else {
             of[v] = of[pieces.like[v]];
         }
+        IDEOTYPE_EXPECT(pieces.like[v] <= v);
         const double of_piece = pieces.area[v] / lit.scene.ground_area();
         index[of[v]] += of_piece;
         per_index.push_back(of_piece > 0 ? 1 / of_piece : 0);
@@ -32,12 +37,14 @@ DiffuseLight::DiffuseLight(const std::vector<Tally>& tallies, int source,
                            std::size_t pieces)
     : parts(tallies.size()), sum(pieces) {
     if (source < 0) return;
+    const auto s = static_cast<std::size_t>(source);
     std::vector<double> light(pieces);
     std::vector<std::uint32_t> met;
     for (std::size_t r = 0; r < tallies.size(); ++r) {
+        IDEOTYPE_EXPECT(s < tallies[r].leaf_light.size());
         met.clear();
-        for (const auto& [v, energy] :
-             tallies[r].leaf_light[static_cast<std::size_t>(source)].diffuse) {
+        for (const auto& [v, energy] : tallies[r].leaf_light[s].diffuse) {
+            IDEOTYPE_EXPECT(v < pieces);
             if (light[v] == 0) met.push_back(v);
             light[v] += energy;
         }
@@ -127,6 +134,7 @@ ExpectedLight::ExpectedLight(const LeafPlaces& places,
 }
 
 std::vector<double> ExpectedLight::of(const DiffuseLight& light) const {
+    IDEOTYPE_EXPECT(light.sum.size() == places_.pieces());
     std::vector<double> sum(places_.count()), expected;
     for (std::size_t v = 0; v < places_.pieces(); ++v)
         sum[first_[places_.of[v]]] += light.sum[v];

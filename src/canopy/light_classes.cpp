@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "ideotype/core/contract.hpp"
 #include "ideotype/light/sunlit.hpp"
 #include "leaf_places.hpp"
 
@@ -177,10 +178,12 @@ class Classification {
 std::vector<LightClasses> leaf_area_by_light(const std::vector<Tally>& tallies,
                                              const Pieces& pieces,
                                              const LitLeaves& lit) {
+    IDEOTYPE_EXPECT(!tallies.empty() && lit.photons > 0);
     return Classification(tallies, pieces, lit).result();
 }
 
 LightClassReport report(const std::vector<LightClasses>& randomisations) {
+    IDEOTYPE_EXPECT(!randomisations.empty());
     LightClassReport result;
     const auto take = [&](std::vector<double> LightClasses::*part,
                           std::vector<Estimate>& to) {

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "ideotype/core/contract.hpp"
 #include "ideotype/light/sunlit.hpp"
 
 namespace ideotype {
@@ -83,6 +84,7 @@ void PairLight::compare() {
 }
 
 void PairLight::find_hits(const LitLeaves& lit, const Source& source) {
+    IDEOTYPE_EXPECT(source.direction.has_value());
     const Surfaces& all = lit.scene.surfaces();
     const glm::dvec3 direction = *source.direction;
     hit_.resize(all.normals.size());
@@ -148,7 +150,10 @@ void PairLight::sort_hits() {
             add(*order[i], bins_[order[i]->bin]);
         }
     }
-    for (Bin& bin : bins_) bin.cosine /= bin.moments.one;
+    for (Bin& bin : bins_) {
+        IDEOTYPE_ENSURE(bin.moments.one > 0);
+        bin.cosine /= bin.moments.one;
+    }
 }
 
 void PairLight::add(const Hit& hit, Bin& bin) const {
@@ -213,6 +218,9 @@ std::vector<Moments> PairLight::weights_of_pieces(
 std::vector<double> PairLight::scatter(
     const std::vector<Moments>& weights,
     std::vector<std::vector<double>>& differences) {
+    IDEOTYPE_EXPECT(tallies_.size() > 2);
+    IDEOTYPE_EXPECT(weights.size() == places_.count() &&
+                    differences.size() == tallies_.size());
     const std::vector<Moments> of_pieces = weights_of_pieces(weights);
     std::vector<double> sums(tallies_.size()), sun(places_.pieces());
     for (std::size_t r = 0; r < tallies_.size(); ++r) {

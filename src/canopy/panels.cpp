@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "ideotype/core/contract.hpp"
 #include "ideotype/core/error.hpp"
 #include "ideotype/core/units.hpp"
 
@@ -25,6 +26,7 @@ int count_of(double part, double whole) {
 }  // namespace
 
 double tracker_angle(const PanelRows& panels, const SunPosition& sun) {
+    IDEOTYPE_EXPECT(panels.max_angle >= 0);
     if (!(sun.zenith < 90)) return 0;
     const double zenith = sun.zenith * degree;
     const double ideal = std::atan2(
@@ -32,6 +34,7 @@ double tracker_angle(const PanelRows& panels, const SunPosition& sun) {
         std::cos(zenith));
     double angle = ideal;
     if (panels.backtracks) {
+        IDEOTYPE_EXPECT(panels.pitch > 0 && panels.width > 0);
         const double lit = panels.pitch / panels.width * std::cos(ideal);
         if (lit < 1) angle -= std::copysign(std::acos(lit), ideal);
     }
@@ -39,6 +42,7 @@ double tracker_angle(const PanelRows& panels, const SunPosition& sun) {
 }
 
 bool divides(double part, double whole) {
+    IDEOTYPE_EXPECT(part > 0 && whole > 0);
     constexpr double rounding = 1e-6;
     const double times = whole / part;
     return std::lround(times) > 0 &&
@@ -64,6 +68,7 @@ PanelRows in_cell(PanelRows panels, const Cell& cell, double row_direction) {
 
 Mesh panel_mesh(const PanelRows& panels, const Cell& cell, double row_direction,
                 double tilt) {
+    IDEOTYPE_EXPECT(panels.width > 0 && panels.module_length >= 0);
     const auto layout = layout_of(panels, cell, row_direction);
     const bool is_endless = panels.module_length == 0;
     const double step = layout && is_endless

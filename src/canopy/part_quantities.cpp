@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "declaration.hpp"
+#include "ideotype/core/contract.hpp"
 #include "ideotype/core/units.hpp"
 
 namespace ideotype {
@@ -185,6 +186,7 @@ std::vector<Randomised> measure_parts(const std::string& name,
 
 Randomised weighted_sum(const std::vector<Randomised>& parts,
                         const std::vector<double>& weights) {
+    IDEOTYPE_EXPECT(!parts.empty() && parts.size() == weights.size());
     Numbers sums(parts.front().by_randomisation.size());
     double least = 0;
     for (std::size_t c = 0; c < parts.size(); ++c) {

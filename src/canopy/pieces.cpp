@@ -11,6 +11,8 @@
 
 #include <glm/common.hpp>
 
+#include "ideotype/core/contract.hpp"
+
 namespace ideotype {
 
 namespace {
@@ -192,6 +194,7 @@ class Cutter {
     explicit Cutter(const Mesh& mesh) : areas_(face_areas(mesh)) {
         result_.mesh = mesh;
         result_.mesh.groups.clear();
+        IDEOTYPE_EXPECT(mesh.face_group.size() == mesh.faces.size());
         result_.uncut_groups = mesh.groups.size();
         centres_.reserve(mesh.faces.size());
         for (const auto& face : mesh.faces) {
@@ -244,6 +247,7 @@ class Cutter {
             if (group == none) group = add_group(mesh, mesh.face_group[f]);
             result_.mesh.face_group[f] = group;
         }
+        IDEOTYPE_ENSURE(result_.group.size() == result_.mesh.groups.size());
         return std::move(result_);
     }
 
@@ -277,6 +281,7 @@ class Cutter {
 }  // namespace
 
 Pieces cut_leaves(const Mesh& mesh, std::size_t per_blade) {
+    IDEOTYPE_EXPECT(per_blade > 0);
     // Pieces of very fine meshes may be small too.
     constexpr std::size_t faces_of_piece = 16;
     Cutter cutter(mesh);
@@ -288,6 +293,7 @@ Pieces cut_leaves(const Mesh& mesh, std::size_t per_blade) {
 
 Pieces cut_coarse_leaves(const Mesh& mesh, std::size_t copies, double tolerance,
                          std::size_t per_blade) {
+    IDEOTYPE_EXPECT(copies > 0 && tolerance >= 0 && per_blade > 0);
     // With 4 pieces a leaflet assimilates .3 % too much, with 64 .06 %, with
     // 256 next to nothing. More faces in all would take longer than they are
     // worth.

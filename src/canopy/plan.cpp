@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ideotype/core/contract.hpp"
+
 namespace ideotype {
 
 namespace {
@@ -22,6 +24,8 @@ bool are_drawn(const Scene& scene) {
 
 Plan::Plan(const CanopyRequest& request)
     : accuracy(request.accuracy), randomness_(request.randomness) {
+    IDEOTYPE_EXPECT(accuracy.paths > 0 && accuracy.randomisations > 0);
+    IDEOTYPE_EXPECT(accuracy.tolerance >= 0);
     if (are_drawn(request.scene))
         fields = std::clamp(accuracy.fields, 1, accuracy.randomisations);
     accuracy.randomisations /= fields;
@@ -45,6 +49,7 @@ Randomness Plan::of_light(int field) const {
 }
 
 Randomness Plan::of_field(int field, int times) const {
+    IDEOTYPE_EXPECT(field >= 0 && field < fields);
     Randomness numbers = randomness_;
     numbers.first_randomisation =
         (numbers.first_randomisation + static_cast<std::uint32_t>(field)) *

@@ -8,6 +8,7 @@
 
 #include "declaration.hpp"
 #include "ideotype/core/clock.hpp"
+#include "ideotype/core/contract.hpp"
 #include "ideotype/core/error.hpp"
 
 namespace ideotype {
@@ -122,6 +123,10 @@ namespace {
 
 using Names = std::vector<std::string>;
 
+bool has_plant(const Component& component) {
+    return component.plant.has_value();
+}
+
 //! The name of a part of a component, where there are several.
 std::string part_name(const Scene& scene, const Component& component,
                       const std::string& part) {
@@ -174,6 +179,8 @@ Quantity without_short_axes(Quantity quantity, const Scene& scene) {
 
 QuantitySet canopy_quantities(const Scene& scene, const Layers& layers,
                               const Details& details) {
+    IDEOTYPE_EXPECT(!scene.components.empty());
+    IDEOTYPE_EXPECT(std::ranges::all_of(scene.components, &has_plant));
     const LightSeries& series = scene.light().series;
     QuantitySet set;
     set.axes = {leaf_axis(scene),

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <memory>
 
+#include "ideotype/core/contract.hpp"
+
 namespace ideotype {
 
 namespace {
@@ -15,6 +17,7 @@ void scale(std::vector<double>& all, double by) {
 //! Returns the mean of items that are made of these lists of numbers.
 template <class Item, class... Parts>
 Item mean_of_parts(const std::vector<Item>& all, Parts... parts) {
+    IDEOTYPE_EXPECT(!all.empty());
     Item mean = all.front();
     const auto take = [&](auto part) {
         for (std::size_t i = 1; i < all.size(); ++i)
@@ -28,6 +31,7 @@ Item mean_of_parts(const std::vector<Item>& all, Parts... parts) {
 }  // namespace
 
 std::vector<double> mean_of(const std::vector<std::vector<double>>& all) {
+    IDEOTYPE_EXPECT(!all.empty());
     std::vector<double> mean = all.front();
     for (std::size_t i = 1; i < all.size(); ++i) add(mean, all[i]);
     scale(mean, 1. / static_cast<double>(all.size()));
@@ -54,6 +58,7 @@ Tally mean_of(const std::vector<Tally>& tallies) {
     for (Budget& budget : mean.sources) budget *= 1 / n;
     mean.adaxial /= n;
     mean.abaxial /= n;
+    IDEOTYPE_EXPECT(mean.resolution != nullptr);
     Resolution resolution = *mean.resolution;
     scale(resolution.path_energy, 1 / n);
     mean.resolution = std::make_shared<const Resolution>(resolution);
@@ -74,6 +79,7 @@ std::vector<std::vector<double>> light_of_rows(
     const std::vector<Group>& groups) {
     std::vector<std::vector<double>> all;
     if (pieces.rows == 0) return all;
+    IDEOTYPE_EXPECT(pieces.row.size() == groups.size());
     for (const Tally& tally : tallies) {
         std::vector<double>& rows = all.emplace_back(pieces.rows);
         for (std::size_t g = 0; g < groups.size(); ++g)
@@ -86,6 +92,7 @@ void add_up_pieces(std::vector<Tally>& tallies, const Pieces& pieces,
                    std::size_t groups) {
     if (tallies.empty()) return;
     const auto add_up = [&](const std::vector<double>& of_pieces, auto add) {
+        IDEOTYPE_EXPECT(of_pieces.size() == pieces.group.size());
         std::vector<double> of_groups(groups);
         for (std::size_t v = 0; v < of_pieces.size(); ++v)
             add(of_groups[pieces.group[v]], of_pieces[v]);

@@ -7,6 +7,7 @@
 
 #include "ideotype/canopy/assimilation.hpp"
 #include "ideotype/canopy/light_classes.hpp"
+#include "ideotype/core/contract.hpp"
 #include "ideotype/light/sunlit.hpp"
 #include "ideotype/light/tally.hpp"
 
@@ -22,6 +23,7 @@ LightClasses mean_of(const std::vector<LightClasses>& classes);
 template <class All>
 void add(All& all, const All& more) {
     if (all.empty()) all.resize(more.size());
+    IDEOTYPE_EXPECT(more.size() <= all.size());
     for (std::size_t i = 0; i < all.size(); ++i) all[i] += more[i];
 }
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "ideotype/core/contract.hpp"
+
 namespace ideotype {
 
 bool Scene::varies() const {
@@ -18,6 +20,7 @@ bool Scene::assimilates() const {
 }
 
 std::vector<Group> groups_of(const Scene& scene, std::span<const Mesh> lines) {
+    IDEOTYPE_EXPECT(lines.empty() || lines.size() == scene.components.size());
     std::vector<Group> groups;
     std::uint32_t number = 0;
     const auto add = [&](const Mesh& mesh, bool is_object) {

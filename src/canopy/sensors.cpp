@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ideotype/canopy/canopy.hpp"
+#include "ideotype/core/contract.hpp"
 #include "ideotype/core/error.hpp"
 #include "ideotype/core/random.hpp"
 #include "ideotype/light/backward.hpp"
@@ -34,6 +35,7 @@ void add_instants(const SeriesIllumination& light,
 std::vector<std::vector<Estimate>> light_on_sensors(
     const CanopyRequest& request, const Device& device,
     std::span<const Sensor> sensors, int points) {
+    IDEOTYPE_EXPECT(points > 0);
     const Scene& scene = request.scene;
     const Cell& cell = scene.cell;
     const int fields = request.accuracy.randomisations;

@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "ideotype/canopy/water.hpp"
+#include "ideotype/core/contract.hpp"
 
 namespace ideotype {
 
@@ -38,6 +39,7 @@ double amount_of(LeafFlux flux, const TimeStep& step) {
 
 WaterReport report(FluxTallies tallies, std::vector<double> leaf_area,
                    const LightSeries& series) {
+    IDEOTYPE_EXPECT(tallies.size() == leaf_fluxes);
     const auto take = [&]<LeafFlux flux>() {
         return report(
             std::move(tallies[static_cast<std::size_t>(flux)]), series,

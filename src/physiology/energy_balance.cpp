@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "ideotype/core/contract.hpp"
 #include "ideotype/physiology/temperature.hpp"
 #include "leaf_energy.hpp"
 #include "root.hpp"
@@ -203,6 +204,7 @@ EnergyBalance energy_of(const Rates& rates, const ThermalLeaf& leaf,
 LeafBalance balance(const Co2Leaf& leaf, const Stomata& stomata,
                     const SurfaceAir& air, double absorbed,
                     double temperature) {
+    IDEOTYPE_EXPECT(air.boundary > 0 && air.co2 >= 0);
     return std::visit(
         [&](const auto& each) {
             return balance_of(each, stomata, air, absorbed, temperature);
@@ -212,6 +214,7 @@ LeafBalance balance(const Co2Leaf& leaf, const Stomata& stomata,
 
 EnergyBalance energy_balance(const ThermalLeaf& leaf,
                              const LeafSurroundings& around) {
+    IDEOTYPE_EXPECT(around.width > 0 && around.pressure > 0);
     return std::visit(
         [&](const auto& each) { return energy_of(each, leaf, around); },
         leaf.rates);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ideotype/physiology/leaf.hpp"
 
+#include "ideotype/core/contract.hpp"
 #include "ideotype/physiology/temperature.hpp"
 
 namespace ideotype {
@@ -63,6 +64,7 @@ FarquharLeaf scale_one(FarquharLeaf leaf, double factor) {
 }  // namespace
 
 LeafRates scaled(const LeafRates& leaf, double factor) {
+    IDEOTYPE_EXPECT(factor >= 0);
     return std::visit(
         [&](const auto& each) { return LeafRates(scale_one(each, factor)); },
         leaf);

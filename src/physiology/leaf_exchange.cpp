@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "ideotype/core/contract.hpp"
 #include "leaf_energy.hpp"
 
 namespace ideotype {
@@ -244,6 +245,7 @@ LeafExchange from_balance(const Rates& rates, const ThermalLeaf& leaf,
 LeafExchange leaf_exchange(const ThermalLeaf& leaf,
                            const LeafSurroundings& around,
                            const LeafExchange* like) {
+    IDEOTYPE_EXPECT(around.width > 0 && around.pressure > 0);
     return std::visit(
         [&](const auto& rates) {
             if (around.wind >= least_wind &&

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "ideotype/core/contract.hpp"
 #include "ideotype/core/error.hpp"
 
 namespace ideotype {
@@ -15,6 +16,7 @@ namespace {
 //! A number of a leaf, of points from the lowest leaf to the highest.
 double at_rank(const std::vector<double>& points, std::size_t leaf,
                std::size_t leaves) {
+    IDEOTYPE_EXPECT(!points.empty());
     const std::size_t last = points.size() - 1;
     const double place = leaves < 2 ? 0
                                     : static_cast<double>(leaf * last) /

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "ideotype/canopy/quantities.hpp"
+#include "ideotype/core/contract.hpp"
 #include "search/order.hpp"
 #include "stand.hpp"
 
@@ -127,6 +128,7 @@ void AcrossScenarios::combine_objective(const std::vector<Outcome>& each,
 }
 
 Outcome AcrossScenarios::combine(const std::vector<Outcome>& each) const {
+    IDEOTYPE_EXPECT(each.size() == std::reduce(stages_.begin(), stages_.end()));
     std::vector<Outcome> own;
     std::span<const Outcome> left(each);
     auto over = over_stages_.begin();

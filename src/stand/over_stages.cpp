@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "ideotype/canopy/quantities.hpp"
+#include "ideotype/core/contract.hpp"
 #include "stand.hpp"
 
 namespace ideotype {
@@ -163,6 +164,7 @@ std::vector<double> OverStages::weights(Weights kind,
 }
 
 Outcome OverStages::combine(std::span<const Outcome> each) const {
+    IDEOTYPE_EXPECT(each.size() == times_.size());
     Outcome all;
     all.status = Status::done;
     const std::size_t count =

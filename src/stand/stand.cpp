@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "campaign/stages.hpp"
+#include "ideotype/core/contract.hpp"
 #include "ideotype/core/hash.hpp"
 #include "ideotype/light/tolerance.hpp"
 #include "placed_objects.hpp"
@@ -127,6 +128,7 @@ int sun_dates_of(const Campaign& campaign, const Case& chosen) {
 //! Gives a stage its part of the paths, by what it carries: errors of stages
 //! are independent, so that all of them together have the tolerance.
 void take_share(const Stage& stage, Sampling& sampling) {
+    IDEOTYPE_EXPECT(stage.share > 0);
     constexpr double largest = 0.5;
     Accuracy& accuracy = sampling.accuracy;
     accuracy.paths =
@@ -205,6 +207,8 @@ Details details_of(const Campaign& campaign) {
 
 CanopyRequest request_of(Sampling sampling, const Campaign& campaign,
                          const Case& in, Scene scene, const Plants& plants) {
+    IDEOTYPE_EXPECT(!plants.empty() &&
+                    plants.size() <= scene.components.size());
     for (std::size_t i = 0; i < plants.size(); ++i)
         if (i == 0 || !campaign.components.at(i - 1).free.empty())
             set_grown(campaign, in, i, plants[i], scene.components.at(i));
@@ -240,6 +244,7 @@ double constrained_lai(const Campaign& campaign, const Plant& plant,
 }  // namespace
 
 double lai_of_line(const Mesh& plant, double ground_per_plant) {
+    IDEOTYPE_EXPECT(ground_per_plant > 0);
     return plant_area(plant).leaves / ground_per_plant;
 }
 
@@ -260,6 +265,7 @@ Randomised measure_number(const Campaign& campaign, const std::string& name,
 
 Estimate land_equivalent_ratio(const Campaign& campaign,
                                const CanopyReport& report) {
+    IDEOTYPE_EXPECT(!campaign.sole.empty());
     const std::string quantity = objectives_of(campaign).front().quantity;
     Estimate ratio = measure_number(campaign, quantity, report).estimate;
     const std::vector<Randomised> parts = measure_parts(quantity, report);
@@ -325,6 +331,7 @@ Outcome Stand::evaluate(const Plants& plants, const Sampling& sampling,
         outcomes.push_back(to_outcome(campaign_, plants.front(), report));
     });
     Outcome outcome = across_.combine(outcomes);
+    IDEOTYPE_ENSURE(outcome.quantities.size() == schema_.measured.size());
     if (campaign_.water_limit > 0)
         outcome.violation += std::max(
             0., outcome.quantities[schema_.measured.offset("water_use")].mean /

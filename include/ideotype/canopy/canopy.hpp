@@ -11,6 +11,7 @@
 #include "ideotype/canopy/light_classes.hpp"
 #include "ideotype/canopy/request.hpp"
 #include "ideotype/canopy/water.hpp"
+#include "ideotype/core/contract.hpp"
 #include "ideotype/light/ray_scene.hpp"
 #include "ideotype/light/report.hpp"
 
@@ -76,6 +77,7 @@ struct BandReport {
 
     //! The light of a component, or behind those of a fixed object.
     PartReport part(std::size_t number) const {
+        IDEOTYPE_EXPECT(parts.empty() || number < parts.size());
         return parts.empty() ? PartReport{light.day.leaves, light.day.plants}
                              : parts[number];
     }
@@ -83,6 +85,7 @@ struct BandReport {
     //! The light that leaves of a component absorb at an hour of
     //! LightSeries::hours() [W m-2].
     Estimate leaves_at(std::size_t component, std::size_t hour) const {
+        IDEOTYPE_EXPECT(hour < light.steps.size());
         const std::size_t part = objects.size() + component;
         return part < light.parts.size() ? light.parts[part].hours[hour]
                                          : light.steps[hour].budget.leaves;
@@ -137,7 +140,10 @@ struct CanopyReport {
     Boundary boundary = Boundary::periodic;
     Timing seconds;  //!< if there was a clock
 
-    const BandReport& par() const { return bands.front(); }
+    const BandReport& par() const {
+        IDEOTYPE_EXPECT(!bands.empty());
+        return bands.front();
+    }
     std::size_t randomisations() const {
         return par().budget_by_randomisation.size();
     }

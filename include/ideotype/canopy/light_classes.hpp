@@ -7,6 +7,7 @@
 
 #include "ideotype/canopy/assimilation.hpp"
 #include "ideotype/canopy/pieces.hpp"
+#include "ideotype/core/contract.hpp"
 #include "ideotype/core/estimate.hpp"
 #include "ideotype/light/tally.hpp"
 
@@ -18,6 +19,7 @@ inline constexpr std::size_t ppfd_classes = 22;
 
 //! Returns the light at which a class begins; the last one has no end.
 inline double class_begin(std::size_t number) {
+    IDEOTYPE_EXPECT(number < ppfd_classes);
     return number < 2 ? 50. * static_cast<double>(number)
                       : 100. * static_cast<double>(number - 1);
 }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "ideotype/core/contract.hpp"
 #include "ideotype/core/mesh.hpp"
 #include "ideotype/crop/plant_variation.hpp"
 #include "ideotype/light/band.hpp"
@@ -109,7 +110,10 @@ struct Scene {
     double photons = 4.57;
     std::optional<LeafWater> water{};  //!< if leaves exchange heat and water
 
-    const SeriesIllumination& light() const { return bands.front().light; }
+    const SeriesIllumination& light() const {
+        IDEOTYPE_EXPECT(!bands.empty());
+        return bands.front().light;
+    }
 
     //! Whether plants of any component differ by more than their direction.
     bool varies() const;

@@ -13,41 +13,20 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 import pandas as pd
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 import ideotype._core as _core
 
 from ._compared import Comparison, Plant, compare_plants
 from ._errors import Error
-from ._geometry import Mesh
+from ._stand_case import StandCase
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 
-class StandViews:
+class StandViews(StandCase):
     """The part of a stand that shows its plants."""
-
-    _case: _core.CaseStand
-
-    if TYPE_CHECKING:
-        # A stand has these.
-        @property
-        def name(self) -> str: ...
-        @property
-        def isa(self) -> str: ...
-        @property
-        def campaign(self) -> str: ...
-        @property
-        def baseline(self) -> NDArray[np.float64]: ...
-        @property
-        def free(self) -> NDArray[np.bool_]: ...
-        @property
-        def objectives(self) -> dict[str, str]: ...
-        @property
-        def components(self) -> list[str]: ...
-        def mesh(self, genome: ArrayLike, component: int = 0) -> Mesh: ...
-        def _plants(self, genomes: ArrayLike) -> NDArray[np.float64]: ...
 
     def __repr__(self) -> str:
         return f"<Stand {'; '.join(f'{k}: {x}' for k, x in self._about())}>"

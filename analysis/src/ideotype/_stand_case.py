@@ -1,0 +1,169 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Tells genes, objectives and quantities of a stand, and shapes of plants."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+import pandas as pd
+from numpy.typing import ArrayLike, NDArray
+
+import ideotype._core as _core
+
+from ._arrays import real
+from ._errors import Error, did_you_mean
+from ._geometry import Mesh
+
+_GENES = (
+    "name",
+    "trait",
+    "leaf",
+    "unit",
+    "lower",
+    "upper",
+    "baseline",
+    "is_free",
+    "is_circular",
+)
+
+
+class StandCase:
+    """The part of a stand that tells its case and the shapes of plants."""
+
+    _case: _core.CaseStand
+
+    @property
+    def name(self) -> str:
+        """The name of the case."""
+        return self._case.name
+
+    @property
+    def isa(self) -> str:
+        """The instruction set of the ray tracer."""
+        return self._case.isa
+
+    @property
+    def campaign(self) -> str:
+        """The whole campaign as TOML: every key with its value."""
+        return self._case.resolved
+
+    @property
+    def warnings(self) -> list[str]:
+        """Messages about what may be wrong with the campaign."""
+        return self._case.warnings
+
+    @property
+    def genes(self) -> pd.DataFrame:
+        """A row for each number of a genome, in their order: name, trait, leaf
+        (rank from the lowest, 1; 0: not of one leaf), unit, lower, upper,
+        baseline, is_free (bred in this case), is_circular (lower and upper are
+        the same point)."""
+        return pd.DataFrame(self._case.genes, columns=list(_GENES))
+
+    @property
+    def baseline(self) -> NDArray[np.float64]:
+        """The genome of the baseline plant, [genes]."""
+        return np.array(self.genes["baseline"], float)
+
+    @property
+    def free(self) -> NDArray[np.bool_]:
+        """Whether a gene is bred in this case, [genes]."""
+        return np.array(self.genes["is_free"], bool)
+
+    @property
+    def start(self) -> NDArray[np.float64]:
+        """The baseline's genes that are free, [free genes]: where a search
+        may begin."""
+        return self.baseline[self.free]
+
+    @property
+    def bounds(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Lower and upper bounds of the genes that are free, [free genes]
+        each."""
+        free = self.genes[self.free]
+        return np.array(free["lower"], float), np.array(free["upper"], float)
+
+    @property
+    def objectives(self) -> dict[str, str]:
+        """The objectives of the campaign: "maximise" or "minimise" by the name
+        of the quantity."""
+        return {
+            name: "maximise" if is_maximised else "minimise"
+            for name, _, is_maximised in self._case.objectives
+        }
+
+    @property
+    def quantities(self) -> pd.DataFrame:
+        """The quantities that evaluations measure: name, unit, meaning, axes,
+        is_exact (it has no standard error)."""
+        columns = ["name", "unit", "meaning", "axes", "is_exact"]
+        return pd.DataFrame(self._case.quantities, columns=columns)
+
+    @property
+    def components(self) -> list[str]:
+        """The names of the components of the field, that of the campaign's
+        crop first."""
+        return list(self._case.components)
+
+    def mesh(
+        self,
+        genome: ArrayLike,
+        component: int = 0,
+        thermal_time: float | None = None,
+    ) -> Mesh:
+        """Returns the surfaces of one plant: its foot at the origin, y along
+        the row, z up [m].
+
+        component: place of the plant's component in `components`.
+        thermal_time: age since emergence [deg C d] of a plant that grows;
+            else it is full-grown."""
+        return Mesh.of(
+            *self._case.mesh(self._plants(genome)[0], component, thermal_time)
+        )
+
+    def crop_file(self, genome: ArrayLike, component: int = 0) -> str:
+        """Returns the text of a crop file with this plant as its baseline.
+
+        component: place of the plant's component in `components`."""
+        return self._case.crop_text(self._plants(genome)[0], component)
+
+    def _plants(self, genomes: ArrayLike) -> NDArray[np.float64]:
+        """Returns the genomes as [plants, genes]."""
+        given = np.atleast_2d(real(genomes, "genomes"))
+        free = self.free
+        if given.ndim != 2 or given.shape[1] not in (free.size, free.sum()):
+            raise Error(
+                f"genomes are an array of {np.shape(genomes)}; give "
+                f"[plants, {free.size}] for all genes or "
+                f"[plants, {free.sum()}] for those that are free"
+            )
+        bad = np.argwhere(~np.isfinite(given))
+        if bad.size:
+            row, column = map(int, bad[0])
+            raise Error(
+                f"genomes[{row}, {column}] is {given[row, column]}; numbers "
+                "must be finite"
+            )
+        if given.shape[1] == free.size:
+            return np.ascontiguousarray(given)
+        plants = np.tile(self.baseline, (len(given), 1))
+        plants[:, free] = given
+        return plants
+
+    def _wanted(self, names: Sequence[str] | None) -> list[str]:
+        known = [each[0] for each in self._case.quantities]
+        if names is None:
+            return known
+        if isinstance(names, str):
+            names = [names]
+        for name in names:
+            if name not in known:
+                raise Error(
+                    f"there is no quantity '{name}'"
+                    + (
+                        did_you_mean(name, known)
+                        or "; use some of " + ", ".join(known)
+                    )
+                )
+        return list(names)

@@ -170,7 +170,9 @@ void print_overview(const std::vector<CaseStatus>& reports,
             parts.push_back(fmt::format("{} {}", count, state));
         fmt::print("{} cases: {}", reports.size(), fmt::join(parts, ", "));
         if (rate > 0) fmt::print("; {:.1f} evaluations/s", rate);
-        fmt::print("\n");
+        fmt::print("{}\n", reports.size() > lines_on_screen
+                               ? "; --json tells each, ideotype summary gains"
+                               : "");
     }
     if (std::ranges::any_of(reports, &CaseStatus::has_one_seed))
         fmt::print("{}\n", one_seed);
@@ -185,14 +187,16 @@ ExitCode status(const StatusOptions& options) {
     std::vector<CaseStatus> reports;
     std::vector<std::string> commands;  // cases of one job share one
     Json json{{"histories", Json::array()}, {"unreadable", Json::array()}};
-    for (const std::string& path : histories_in(options.paths)) try {
+    const std::vector<std::string> paths = histories_in(options.paths);
+    for (const std::string& path : paths) try {
             const CaseStatus& report = reports.emplace_back(report_on(path));
             if (!report.way_on.empty() &&
                 std::ranges::count(commands, report.way_on) == 0)
                 commands.push_back(report.way_on);
             if (options.is_json)
                 json["histories"].push_back(to_json(report));
-            else
+            else if (report.state != "finished" ||
+                     paths.size() <= lines_on_screen)
                 fmt::print("{}\n", printable(to_text(report)));
             if (report.missing_bytes > 0)
                 worst = std::max(worst, ExitCode::refused);

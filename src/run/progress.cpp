@@ -56,6 +56,20 @@ std::string format_duration(double seconds) {
     return fmt::format("{}:{:02}", s / 60, s % 60);
 }
 
+std::string line_with_bar(double done, const std::vector<std::string>& parts,
+                          std::size_t width) {
+    constexpr std::size_t least = 12, most = 42;  // of the bar, with brackets
+    std::string words;
+    for (const std::string& part : parts)
+        if (words.empty() || words.size() + part.size() + least + 2 <= width)
+            words += (words.empty() ? "" : ", ") + part;
+    if (words.size() + least > width) return words.substr(0, width);
+    const std::size_t bar = std::min(width - words.size(), most) - 3;
+    const auto full = static_cast<std::size_t>(std::clamp(done, 0., 1.) *
+                                               static_cast<double>(bar));
+    return fmt::format("[{:.<{}}] {}", std::string(full, '#'), bar, words);
+}
+
 std::string utc_now() {
     return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}",
                        fmt::gmtime(std::time(nullptr)));
@@ -111,6 +125,8 @@ class ProgressLog::CaseWatcher : public Watcher {
 
     void on_final(const std::string& reason) override {
         to_evaluate_ = 0;
+        // A bar that several cases share moves on.
+        if (log_.columns_ > 0 && log_.cases_ > 1) return;
         log_.print(fmt::format(
             "{}  ended by {}; evaluating finalists with fresh random numbers",
             entry_.name, reason));
@@ -186,11 +202,13 @@ long long ProgressLog::left() const {
     return left;
 }
 
-//! At most.
+//! At most; unknown at first, when starting takes more time than evaluations.
 std::string ProgressLog::time_left() const {
-    return evaluations_ > 0 ? format_duration(static_cast<double>(left()) /
-                                              evaluations_per_second())
-                            : "?";
+    constexpr double first = 2;  // [s]
+    return evaluations_ > 0 && now() - started_ > first
+               ? format_duration(static_cast<double>(left()) /
+                                 evaluations_per_second())
+               : "?";
 }
 
 std::string ProgressLog::best_of(const Entry& entry) const {
@@ -202,30 +220,30 @@ std::string ProgressLog::best_of(const Entry& entry) const {
         entry.hypervolume ? ", hypervolume " + format(*entry.hypervolume) : "");
 }
 
-//! The case that comes first stands for those in flight.
+//! The case that comes first stands for those in flight. What matters less
+//! gives way where the terminal is narrow, and a bar takes the rest of its
+//! width: a line that wraps could not be written over.
 void ProgressLog::show_live() {
     constexpr double calm = 0.1;  // between two lines [s]
     if (columns_ == 0 || level_ < LogLevel::info || in_flight_.empty() ||
         now() - shown_ < calm)
         return;
     const Entry& entry = in_flight_.begin()->second;
-    std::string line;
-    if (constexpr int width = 20; columns_ > 4 * width) {
-        const double done = evaluations_;
-        const auto full = static_cast<std::size_t>(
-            width * done / std::max(done + static_cast<double>(left()), 1.));
-        line = fmt::format("[{:.<{}}] ", std::string(full, '#'), width);
-    }
+    std::vector<std::string> parts;
     if (cases_ > 1)
-        line += fmt::format("{} of {} cases done, ", ended_, cases_);
-    line += fmt::format("{} left, {} of {} generations, ", time_left(),
-                        entry.complete, campaign_.stop.generations);
-    if (entry.best) line += best_of(entry) + ", ";
-    line += fmt::format("{:.1f} evaluations/s, {}", evaluations_per_second(),
-                        entry.name);
-    // A line that wraps could not be written over.
-    line.resize(std::min(line.size(), static_cast<std::size_t>(columns_ - 1)));
-    fmt::print("\r\x1b[K{}", line);
+        parts.push_back(fmt::format("{} of {} cases done", ended_, cases_));
+    parts.push_back(time_left() + " left");
+    if (entry.best) parts.push_back(best_of(entry));
+    parts.push_back(fmt::format("{} of {} generations", entry.complete,
+                                campaign_.stop.generations));
+    parts.push_back(
+        fmt::format("{:.1f} evaluations/s", evaluations_per_second()));
+    parts.push_back(entry.name);
+    const double done = evaluations_;
+    fmt::print(
+        "\r\x1b[K{}",
+        line_with_bar(done / std::max(done + static_cast<double>(left()), 1.),
+                      parts, static_cast<std::size_t>(columns_ - 1)));
     std::fflush(stdout);
     shown_ = now();
     is_live_ = true;

@@ -94,6 +94,12 @@ std::string title_of(const std::string& name, const std::string& unit);
 //! "1:02:03" or "2:03".
 std::string format_duration(double seconds);
 
+//! Returns a line of at most so many columns: a bar that is full as far as is
+//! done (0 .. 1), and words. Parts that find no room are left out, the last
+//! ones first.
+std::string line_with_bar(double done, const std::vector<std::string>& parts,
+                          std::size_t width);
+
 //! "2025-08-07T12:00:00Z"
 std::string utc_now();
 

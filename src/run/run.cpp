@@ -122,9 +122,13 @@ ExitCode direct(const RunOptions& options, const Campaign& campaign,
         const std::string folder = fs::path(path).parent_path().string();
         const bool is_study = options.read == read_study;
         if (!is_study)
-            fmt::print("{}\n", campaign.replicates == 1
-                                   ? one_seed
-                                   : "ideotype summary tells how seeds differ");
+            fmt::print(
+                "{}\n",
+                campaign.replicates == 1
+                    ? one_seed
+                    : fmt::format("+- is the noise of the light; {} "
+                                  "tells how searches differ",
+                                  quoted({"ideotype", "summary", folder})));
         fmt::print("next: {}\n", is_study
                                      ? quoted({"ideotype", "indices", path})
                                      : quoted({"ideotype", "report", folder,

@@ -151,6 +151,16 @@ std::string to_text(const CaseResult& result, const std::string& path,
     return line + (result.doubt.empty() ? "" : "; " + result.doubt);
 }
 
+std::string in_short(const CaseResult& result, const std::string& name) {
+    return fmt::format(
+        "{}: finished by {}{}{}", name, result.reason.value_or("nothing"),
+        result.gain.empty() ? "" : ", " + result.gain,
+        result.failed_finalists > 0
+            ? fmt::format(", {} of {} finalists failed",
+                          result.failed_finalists, result.finalists)
+            : "");
+}
+
 std::string left_to_gain(const History& history, const Campaign& campaign) {
     const std::vector<Row> finalists = history.finalists();
     const std::size_t best = best_finalist(history, finalists);

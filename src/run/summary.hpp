@@ -12,8 +12,11 @@ namespace ideotype {
 
 //! The warning beside a gain that one search alone has found.
 inline constexpr const char* one_seed =
-    "one seed: the interval holds the noise of the light, not that of the "
-    "search";
+    "one seed: +- is the noise of the light, and does not tell how searches "
+    "differ (replicates = 3)";
+
+//! The number of cases that each have a line on a terminal.
+inline constexpr std::size_t lines_on_screen = 20;
 
 //! Slot in /final of the best finalist other than the baseline in slot 0, or
 //! 0 if nothing but the baseline has been evaluated.
@@ -44,6 +47,9 @@ CaseResult result_of(const History& history);
 //! @param state such as "finished"
 std::string to_text(const CaseResult& result, const std::string& path,
                     const std::string& state);
+
+//! Tells a result in one short line without its end, as one of several.
+std::string in_short(const CaseResult& result, const std::string& name);
 
 //! Returns a line that tells how much light is left to gain at most where plain
 //! absorption in an endless stand is searched for, which has a ceiling; else

@@ -8,7 +8,6 @@
 
 #include "masters.hpp"
 #include "provenance.hpp"
-#include "summary.hpp"
 #include "way_on.hpp"
 
 namespace ideotype {
@@ -46,6 +45,7 @@ bool Sweep::evolve(Dispatcher& dispatcher) {
                                 way_on(options_.command, ranks_)),
                     error.exit_code());
     }
+    tell_together();
     report_failures();
     report_in_use();
     if (finished_ + in_use_.size() == chosen_.size()) return true;
@@ -124,12 +124,42 @@ Routine<Ending> Sweep::evolve_one(const Case& chosen) {
         throw CaseError(fmt::format(
             "{}: {} of {} finalists failed; the first reason: {}", path,
             result.failed_finalists, result.finalists, result.failure));
-    progress_.print_result(was_finished
-                               ? to_text(result, path, "finished before")
-                               : to_text(result, path, "finished") +
-                                     left_to_gain(history, campaign_));
+    if (chosen_.size() > 1)
+        tell(result, chosen.name, was_finished);
+    else
+        progress_.print_result(was_finished
+                                   ? to_text(result, path, "finished before")
+                                   : to_text(result, path, "finished") +
+                                         left_to_gain(history, campaign_));
     history.close();
     co_return Ending::finished;
+}
+
+//! Tells one of several cases in a line. What a screen cannot hold is counted:
+//! cases that were finished before, and on a terminal those of a large job.
+void Sweep::tell(const CaseResult& result, const std::string& name,
+                 bool was_finished) {
+    before_ += was_finished ? 1 : 0;
+    if (!result.doubt.empty() && doubts_++ == 0)
+        doubt_ = fmt::format("{}: {}", name, result.doubt);
+    const bool has_room =
+        chosen_.size() <= lines_on_screen || !progress_.is_on_terminal();
+    if (!was_finished && has_room)
+        progress_.print_result(in_short(result, name));
+}
+
+void Sweep::tell_together() {
+    if (doubts_ > 0)
+        progress_.print(
+            doubt_ +
+                (doubts_ == 1
+                     ? std::string()
+                     : fmt::format("; so have best plants of {} other cases",
+                                   doubts_ - 1)),
+            LogLevel::warning);
+    if (before_ > 0)
+        progress_.print(fmt::format("{} of {} cases were finished before",
+                                    before_, chosen_.size()));
 }
 
 History Sweep::open_history(const Case& chosen) const {

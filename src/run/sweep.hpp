@@ -9,6 +9,7 @@
 #include "evolve_case.hpp"
 #include "progress.hpp"
 #include "run.hpp"
+#include "summary.hpp"
 
 namespace ideotype {
 
@@ -39,6 +40,9 @@ class Sweep : public Director {
 
     Routine<Ending> evolve_guarded(const Case& chosen);
     Routine<Ending> evolve_one(const Case& chosen);
+    void tell(const CaseResult& result, const std::string& name,
+              bool was_finished);
+    void tell_together();
     History open_history(const Case& chosen) const;
     History resume_history(const Case& chosen, const std::string& path) const;
     void note_in_use(const Case& chosen, const InUseError& error);
@@ -56,6 +60,9 @@ class Sweep : public Director {
     ProgressLog progress_;
     std::size_t next_ = 0;      //!< case to start
     std::size_t finished_ = 0;  //!< cases
+    std::size_t before_ = 0;    //!< cases that were finished before
+    std::size_t doubts_ = 0;    //!< cases whose leaf area is doubtful
+    std::string doubt_;         //!< of the first of them
     bool has_said_how_to_go_on_ = false;
     std::vector<std::string> in_use_;  //!< by other programs
     std::vector<Failure> failures_;

@@ -38,6 +38,9 @@ constexpr std::array python_verbs{
     PythonVerb{"indices",
                "what each objective depends on, from the rows of a "
                "sensitivity study"},
+    PythonVerb{"crate",
+               "describe finished histories as a Research Object Crate, with "
+               "authors and licence"},
     PythonVerb{"ceptometer",
                "put light that was measured among plants beside the light that "
                "is found there"},

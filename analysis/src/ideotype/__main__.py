@@ -17,6 +17,7 @@ VERBS = {
     "weather": "ideotype.weather:main",
     "fidelity": "ideotype.fidelity:main",
     "indices": "ideotype.analysis.indices_command:main",
+    "crate": "ideotype.analysis.crate:main",
     "ceptometer": "ideotype.ceptometer:main",
     "fit": "ideotype.fit:main",
     "play": "ideotype.live.play:main",

@@ -40,9 +40,10 @@ def summary(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument(
         "--all",
         action="store_true",
-        help="print what should be known about the numbers, too",
+        help="print all cases, however many, and what should be known about "
+        "the numbers",
     )
-    return _guard(parser, arguments, _summarize)
+    return guarded(parser, arguments, _summarize)
 
 
 def report(arguments: Sequence[str] | None = None) -> int:
@@ -66,6 +67,12 @@ def report(arguments: Sequence[str] | None = None) -> int:
         "(default: of all, if there are three or fewer)",
     )  # fmt: skip
     add(
+        "--plant", action="append", default=[], type=Path, metavar="FILE",
+        help="a plant of your own to see in three dimensions beside the others: "
+        "a crop file, measured leaves (.csv), or a digitised plant (.obj, .ply, "
+        ".dat); may be repeated",
+    )  # fmt: skip
+    add(
         "--cross",
         type=Path,
         metavar="FILE",
@@ -82,7 +89,7 @@ def report(arguments: Sequence[str] | None = None) -> int:
     )  # fmt: skip
     words = sys.argv[1:] if arguments is None else arguments
     parser.set_defaults(command=shlex.join(["ideotype", "report", *words]))
-    return _guard(parser, arguments, _report)
+    return guarded(parser, arguments, _report)
 
 
 def _add_results(parser: argparse.ArgumentParser) -> None:
@@ -94,7 +101,7 @@ def _add_results(parser: argparse.ArgumentParser) -> None:
     )
 
 
-def _guard(
+def guarded(
     parser: argparse.ArgumentParser,
     arguments: Sequence[str] | None,
     run: Callable[[argparse.Namespace, Study], None],
@@ -135,10 +142,11 @@ def _summarize(options: argparse.Namespace, study: Study) -> None:
         return
     # The import stands here, so that wrong command lines need not wait for the
     # plotting library.
-    from .tables import gains, markdown
+    from .tables import gains, markdown, on_a_screen
 
-    found = gains(study.cases(), cross=None)
-    print(printable_lines(markdown(found if options.all else found[:1])))
+    cases = study.cases()
+    found = gains(cases, None) if options.all else on_a_screen(cases)
+    print(printable_lines(markdown(found)))
 
 
 def _report(options: argparse.Namespace, study: Study) -> None:
@@ -161,6 +169,7 @@ def _report(options: argparse.Namespace, study: Study) -> None:
             has_pdf=options.pdf,
             jobs=options.jobs or len(os.sched_getaffinity(0)),
             figures_of=options.figures,
+            plants=options.plant,
         )
     size = written.page.stat().st_size / 1e6
     folder = written.page.parent

@@ -61,6 +61,12 @@ nb::list leaves_of(const AnyPlants& each, std::size_t component) {
     return list;
 }
 
+nb::tuple mesh_of(const AnyPlants& each, const CaseStand& under,
+                  std::size_t component) {
+    return mesh_tuple(
+        build_plant(each.plants.at(component), under.campaign().tessellation));
+}
+
 //! Plants of any shape in one case of a campaign, or in one of its scenarios.
 //! Several threads may evaluate.
 class PlantStand {
@@ -150,7 +156,8 @@ void bind_plants(nb::module_& module) {
         .def_prop_ro("name",
                      [](const AnyPlants& x) { return x.plants.front().name; })
         .def_prop_ro("reach", &reach_of)
-        .def("leaves", &leaves_of, nb::arg("component"));
+        .def("leaves", &leaves_of, nb::arg("component"))
+        .def("mesh", &mesh_of, nb::arg("under"), nb::arg("component"));
     nb::class_<PlantStand>(module, "PlantStand")
         .def(nb::init<const CaseStand&, const AnyPlants&, double,
                       std::optional<std::size_t>>(),

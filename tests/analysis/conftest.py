@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import subprocess
 import sys
@@ -14,7 +15,10 @@ import pytest
 from made_campaign import SITES, resolved
 from made_history import MadeHistory
 from made_kinds import Measured
+from made_report import CASES, ELITE, Made
 from real_program import run_shortened, start
+
+from ideotype.analysis.commands import report
 
 HERE = Path(__file__).parent
 # The program hands verbs of the package to the Python that runs the tests.
@@ -26,6 +30,7 @@ LONG = {
     "test_commands.py",
     "test_front.py",
     "test_report.py",
+    "test_report_view.py",
     "test_campaign_scripts.py",
     "test_real_report.py",
     "test_workers.py",
@@ -165,3 +170,34 @@ def sorghum(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
     """Gives finished histories of sorghum, bred in the traits of each leaf,
     and in the profile of insertion angles."""
     return run_shortened(tmp_path_factory.mktemp("sorghum"), "sorghum")
+
+
+@pytest.fixture(scope="session")
+def cross(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Gives two plants under both cases; edmonton has no elite."""
+    path = tmp_path_factory.mktemp("cross") / "cross.json"
+    data = {
+        "plants": ["elite", "best of ames"],
+        "cases": CASES,
+        "mean": [[ELITE, None], [11.16, 11.05]],
+        "standard_error": [[0.005, None], [0.005, 0.006]],
+    }
+    path.write_text(json.dumps(data))
+    return path
+
+
+@pytest.fixture(scope="session")
+def made(
+    sweep: Path,
+    cross: Path,
+    tmp_path_factory: pytest.TempPathFactory,
+) -> Made:
+    """Gives the report of the sweep."""
+    folder = tmp_path_factory.mktemp("report")
+    arguments = [sweep, "-o", folder, "--cross", cross]
+    with pytest.MonkeyPatch.context() as patch:
+        log = folder / "log"
+        with log.open("w") as stream:
+            patch.setattr(sys, "stderr", stream)
+            assert report([str(a) for a in arguments]) == 0
+    return Made(folder, log.read_text())

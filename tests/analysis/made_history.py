@@ -94,6 +94,7 @@ class MadeHistory:
         attributes: Mapping[str, str | float] = {},
         resolved: str = 'name = "made" # resolved',
         shift: float = 0.0,
+        baseline_shift: float = 0.0,
         labels: Mapping[str, object] = {},
         extra: Mapping[str, Extra] = {},
         objectives: Sequence[tuple[str, str]] = (
@@ -102,9 +103,10 @@ class MadeHistory:
     ) -> None:
         """Creates all datasets, empty, but the dataset `without`. `attributes`
         are those of the root beside or instead of the usual, `shift` is added
-        to what bred plants absorb, `extra` are more quantities and `labels`
+        to what bred plants absorb and `baseline_shift` to what the baseline
+        does at the end, `extra` are more quantities and `labels`
         those of their axes."""
-        self._shift = shift
+        self._shift, self._baseline_shift = shift, baseline_shift
         self._objectives = [name for name, _ in objectives]
         self._extra = {name: part for name, (_, part) in extra.items()}
         self._measured = QUANTITIES | {
@@ -275,7 +277,9 @@ class MadeHistory:
 
     def record_final(self, slot: int) -> None:
         """Records a final evaluation."""
-        total = final_absorbed(slot) + (self._shift if slot else 0.0)
+        total = final_absorbed(slot) + (
+            self._shift if slot else self._baseline_shift
+        )
         noise = 999, slot
         self._outcome("final", slot, total, ERROR / 4, noise, self._counts[1])
         checksum = finalist_checksum(self.file, slot, STATUS["done"]).encode()

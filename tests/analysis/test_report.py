@@ -1,94 +1,30 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The page of a report says and shows what it should, and a browser shows
-it."""
+"""The page of a report says and shows what it should."""
 
 from __future__ import annotations
 
 import base64
 import contextlib
 import io
-import json
 import re
 import shutil
 import sys
-from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 import pandas
 import pytest
-from browser import run_in_browser
 from made_history import MadeHistory
 from made_numbers import BASELINE, final_absorbed
+from made_report import CASES, DRAWN, ELITE, OWN, Made
 
 import ideotype
 from ideotype.analysis import HistoryError
-from ideotype.analysis.case_figures import CASE_FIGURES
 from ideotype.analysis.commands import report
 from ideotype.analysis.cross import read_cross
 from ideotype.analysis.estimate import NORMAL
-from ideotype.analysis.scene import build_plants
 from ideotype.analysis.study import open_study
 from ideotype.analysis.tables import gains
-
-CASES = ("ames_0807_762x152_all", "edmonton_0807_762x152_all")
-DRAWN = CASE_FIGURES.keys() - {
-    *("profiles", "plant_traits", "sunlit", "assimilation", "days"),
-    *("leaf_area", "carbon"),
-}
-"""The figures of each case, which is bred in traits of leaves for the light of
-a day."""
-OWN = ("field", "importance")
-"""Figures of each case besides, which need the compiled module."""
-ELITE = 11.08
-"""The absorbed PAR of the elite plant of the cross-evaluation."""
-
-
-@dataclass(frozen=True)
-class Made:
-    """A report as the command leaves it."""
-
-    folder: Path
-    log: str
-
-    @property
-    def page(self) -> Path:
-        return self.folder / "report.html"
-
-    @property
-    def text(self) -> str:
-        return self.page.read_text(encoding="utf-8")
-
-
-@pytest.fixture(scope="session")
-def cross(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Gives two plants under both cases; edmonton has no elite."""
-    path = tmp_path_factory.mktemp("cross") / "cross.json"
-    data = {
-        "plants": ["elite", "best of ames"],
-        "cases": CASES,
-        "mean": [[ELITE, None], [11.16, 11.05]],
-        "standard_error": [[0.005, None], [0.005, 0.006]],
-    }
-    path.write_text(json.dumps(data))
-    return path
-
-
-@pytest.fixture(scope="session")
-def made(
-    sweep: Path,
-    cross: Path,
-    tmp_path_factory: pytest.TempPathFactory,
-) -> Made:
-    """Gives the report of the sweep."""
-    folder = tmp_path_factory.mktemp("report")
-    arguments = [sweep, "-o", folder, "--cross", cross]
-    with pytest.MonkeyPatch.context() as patch:
-        log = folder / "log"
-        with log.open("w") as stream:
-            patch.setattr(sys, "stderr", stream)
-            assert report([str(a) for a in arguments]) == 0
-    return Made(folder, log.read_text())
 
 
 def plain(text: str) -> str:
@@ -117,7 +53,7 @@ def test_the_numbers_of_a_figure_are_those_of_the_case(
     table = pandas.read_csv(made.folder / "figures" / "gains.csv")
     results = pandas.read_csv(made.folder / "results.csv")
     shown = table[table.series == "over the baseline"]
-    for name in ("", "_half_width"):
+    for name in ("", "_low", "_high"):
         np.testing.assert_allclose(
             shown[f"x{name}"], results[f"gain_percent{name}"], rtol=1e-6
         )
@@ -127,8 +63,8 @@ def test_the_numbers_of_a_figure_are_those_of_the_case(
     table = pandas.read_csv(path)
     best = table[(table.series == "best") & (table.x == hours.labels[3])]
     assert best.y.iloc[0] == pytest.approx(hours.values[3], rel=1e-6)
-    assert best.y_half_width.iloc[0] == pytest.approx(
-        NORMAL * hours.standard_error[3], rel=1e-5
+    assert best.y_high.iloc[0] - best.y_low.iloc[0] == pytest.approx(
+        2 * NORMAL * hours.standard_error[3], rel=1e-4
     )
 
 
@@ -223,106 +159,6 @@ def test_figures_of_single_cases_are_drawn_on_request(
     assert f"{CASES[1]}_hours" in drawn
     assert not any(name.startswith(CASES[0]) for name in drawn)
     assert report([*arguments, "nowhere", "-o", str(tmp_path / "none")]) == 1
-
-
-def test_a_browser_shows_the_page(made: Made, tmp_path: Path) -> None:
-    script = """
-      const view = document.getElementById("view");
-      const { data } = view.getContext("2d")
-        .getImageData(0, 0, view.width, view.height);
-      const look = () => view.toDataURL();
-      const press = (key) =>
-        view.dispatchEvent(new KeyboardEvent("keydown", { key }));
-      const [left, right] = ["left", "right"].map((side) =>
-        document.getElementById(`view-${side}`));
-      const quantity = document.getElementById("view-quantity");
-      const choose = (list, i) => {
-        list.selectedIndex = i;
-        list.dispatchEvent(new Event("change"));
-      };
-      const first = look();
-      press("ArrowLeft");
-      const turned = look();
-      for (const [kind, clientX, clientY] of
-          [["pointerdown", 10, 10], ["pointermove", 50, 20]])
-        view.dispatchEvent(
-          new PointerEvent(kind, { buttons: 1, clientX, clientY }));
-      const dragged = look();
-      const turn = (ctrlKey) => view.dispatchEvent(
-        new WheelEvent("wheel", { deltaY: -200, ctrlKey, cancelable: true }));
-      const scrolls = turn(false) && look() === dragged;
-      const zooms = !turn(true);
-      const zoomed = look();
-      press("Home");
-      const home = look();
-      choose(quantity, 1);
-      const area = look();
-      choose(left, 1);
-      const same = look();
-      choose(right, right.options.length - 1);
-      const other = look();
-      const states = [first, turned, dragged, zoomed, area, same, other];
-      return {
-        colors: new Set(new Uint32Array(data.buffer)).size,
-        faces: Number(view.dataset.faces),
-        cases: [...left.children].map((group) => group.label),
-        plants: right.options.length,
-        quantities: quantity.options.length,
-        states: new Set(states).size,
-        isHome: home === first,
-        scrolls, zooms,
-        pictures: [...document.images].map((image) => image.naturalWidth),
-        wide: document.documentElement.scrollWidth <= innerWidth,
-      };
-    """
-    shown, errors = run_in_browser(made.page, script, tmp_path)
-    assert errors == []
-    # There are leaves of 12 x 2 faces, and eight sides and tops of the stalk.
-    assert shown["faces"] == 2 * (10 * 24 + 16)
-    # There are ten leaves in two plants, and smooth edges.
-    assert shown["colors"] > 100
-    assert shown["states"] == 7 and shown["isHome"]
-    assert shown["scrolls"] and shown["zooms"]
-    assert shown["cases"] == list(CASES) and shown["quantities"] == 2
-    # Baseline and best, and the finalists of two searches but the best.
-    assert shown["plants"] > 2 * len(CASES)
-    assert len(shown["pictures"]) == 4 + 2 * (len(DRAWN) + len(OWN))
-    assert min(shown["pictures"]) > 200
-    assert shown["wide"]
-
-
-def test_the_browser_test_sees_errors(tmp_path: Path) -> None:
-    page = tmp_path / "bad.html"
-    page.write_text(
-        "<html><head></head><body><script>missing()</script></body></html>"
-    )
-    _, errors = run_in_browser(page, "return 1;", tmp_path)
-    assert any("missing is not defined" in error for error in errors)
-
-
-def test_leaf_colours_are_per_ground_and_per_leaf_area(
-    made: Made, sweep: Path
-) -> None:
-    (text,) = re.findall(r'(?s)id="scene">(.*?)</script>', made.text)
-    scene = json.loads(text)
-    # All plants have the same organs.
-    (shape,) = scene["shapes"]
-    first = scene["cases"][0]
-    assert len(first["neighbours"]) == 3 * 7 - 1
-    ground, leaf = (q["values"] for q in first["quantities"])
-    with open_study(sweep) as study:
-        built = build_plants(study.cases()[0])
-    meshes = built.baseline, built.best
-    plants = zip(first["plants"], ground, leaf, meshes)
-    for plant, by_ground, by_leaf, mesh in plants:
-        assert plant["shape"] == 0 and shape["groups"][-1] == "stalk"
-        assert by_ground[-1] is by_leaf[-1] is None
-        # This is all that the plant's leaves take, on its part of the ground.
-        taken = sum(
-            value * mesh.area(group)
-            for value, group in zip(by_leaf[:-1], shape["groups"])
-        )
-        assert taken == pytest.approx(sum(by_ground[:-1]) * 0.762 * 0.1524)
 
 
 def test_what_is_missing_or_saturated_is_told(

@@ -17,9 +17,9 @@ from real_program import output_of, write_campaign
 import ideotype
 from ideotype.analysis import Case, HistoryError, open_study
 from ideotype.analysis.places import draw_latitudes, draw_spacings
+from ideotype.analysis.scenario_table import scenarios
 from ideotype.analysis.scene import build_plants, scene_of
 from ideotype.analysis.stand import places
-from ideotype.analysis.tables import scenarios
 
 _MORE = """
 [[site]]

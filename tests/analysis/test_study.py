@@ -98,14 +98,14 @@ def test_the_gain_has_the_interval_of_its_seeds(sweep: Path) -> None:
     assert gain.mean == pytest.approx(seeds.mean())
     # This is Student's t with one degree of freedom.
     half = 12.7062 * seeds.std(ddof=1) / np.sqrt(2)
-    assert gain.half_width == pytest.approx(half, rel=1e-5)
+    assert (gain.below, gain.above) == pytest.approx((half, half), rel=1e-5)
     assert (gain.unit, gain.seeds) == ("MJ m-2 day-1", 2)
 
 
 def test_seeds_that_agree_by_chance_keep_their_measured_error() -> None:
     same = [Estimate(1.0, 0.1)] * 4
-    assert interval(same).half_width == pytest.approx(1.96 * 0.1 / 2)
-    assert interval(same[:1]).half_width == pytest.approx(1.96 * 0.1)
+    assert interval(same).below == pytest.approx(1.96 * 0.1 / 2)
+    assert interval(same[:1]).below == pytest.approx(1.96 * 0.1)
 
 
 def test_many_seeds_have_the_quantile_of_their_number() -> None:
@@ -113,8 +113,9 @@ def test_many_seeds_have_the_quantile_of_their_number() -> None:
     scatter = np.arange(61).std(ddof=1) / np.sqrt(61)
     # This is Student's t with 60 degrees of freedom (NIST/SEMATECH, table
     # 1.3.6.7.2).
-    half_width = interval(seeds).half_width
-    assert half_width == pytest.approx(2.000 * scatter, abs=5e-4 * scatter)
+    assert interval(seeds).below == pytest.approx(
+        2.000 * scatter, abs=5e-4 * scatter
+    )
 
 
 def test_intervals_cover_the_truth_as_often_as_they_say() -> None:
@@ -124,7 +125,7 @@ def test_intervals_cover_the_truth_as_often_as_they_say() -> None:
     for _ in range(runs):
         seeds = [Estimate(x, 0.0) for x in draw.normal(size=3)]
         found = interval(seeds)
-        hits += abs(found.mean) <= found.half_width
+        hits += found.low <= 0 <= found.high
     # Four standard errors of a share of 0.95 are allowed.
     assert abs(hits / runs - 0.95) < 4 * np.sqrt(0.95 * 0.05 / runs)
 

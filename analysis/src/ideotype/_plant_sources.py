@@ -51,3 +51,12 @@ def read_plant(
     if suffix != ".csv":
         blades.sort(key=lambda blade: blade.midrib[0, 2])
     return blades
+
+
+def has_midribs(path: Path) -> bool:
+    """Tells a table of points along midribs from one of whole leaves."""
+    with path.open(encoding="utf-8", errors="replace") as file:
+        lines = (line for line in file if not line.startswith("#"))
+        head = next(lines, "").lower().split(",")
+    names = {word.strip().split("_")[0] for word in head}
+    return {"x", "z"} <= names

@@ -14,7 +14,7 @@ from .case import Case
 from .comparison import known_cases
 from .coordinates import short_names
 from .file import HistoryError
-from .interval import ONE_SEED
+from .interval import ENOUGH, ONE_SEED
 from .results import evaluations_of
 from .style import unit_label, words
 
@@ -106,7 +106,7 @@ def _of_many(known: Sequence[Case]) -> tuple[str, str]:
     gains = {case.name: case.relative_gain() for case in known}
     order = sorted(known, key=lambda case: gains[case.name].mean)
     least, most = (gains[case.name] for case in (order[0], order[-1]))
-    sure = sum(abs(x.mean) > x.half_width for x in gains.values())
+    sure = sum(x.is_sure for x in gains.values())
     goals = {case.best.row.goals[0].name for case in known}
     what = words(goals.pop()) if len(goals) == 1 else "their objective"
     counts = {len(case.pairs) for case in known}
@@ -115,7 +115,7 @@ def _of_many(known: Sequence[Case]) -> tuple[str, str]:
         f"In {len(known)} cases the bred plants have from {least.number()} % "
         f"({names[order[0].name]}) to {most.number()} % more "
         f"({names[order[-1].name]}) {what} than the baseline; in {sure} of them "
-        f"the gain is larger than half of its 95 % interval{noted}."
+        f"the interval of the gain is on one side of 0{noted}."
     )
     try:
         ratios = [
@@ -162,18 +162,11 @@ def _not_searched(known: Sequence[Case]) -> Iterator[str]:
     counts = [evaluations_of(h) for c in known for h in c.histories]
     yield (
         f"Nothing outside {within} was tried, and no search evaluated more than "
-        f"{max(counts)} plants, so that the optimum may be better still: where "
-        "it was known, the best of three short searches missed it by up to six "
-        f"times the difference between their gains{_at_most(known)}."
+        f"{max(counts)} plants. The optimum may be better than the plants that "
+        "were found: the upper end of a gain's interval reaches to where it was "
+        f"after {ENOUGH} evaluations in a case in which it is known"
+        f"{', and may be too low here' if max(counts) < ENOUGH else ''}."
     )
-
-
-def _at_most(known: Sequence[Case]) -> str:
-    """Tells how much that would be for a single case with three searches."""
-    gains = [pair.gain.mean for pair in known[0].pairs]
-    if len(known) > 1 or len(gains) < 3:
-        return ""
-    return f", which would be {6 * (max(gains) - min(gains)):.1f} points here"
 
 
 def _place(case: Case) -> tuple[str, str, str]:

@@ -14,7 +14,7 @@ from .estimate import Estimate
 from .file import HistoryError
 from .front import Front
 from .history import History
-from .interval import SEARCH_SCATTER, Interval, interval
+from .interval import Interval, gain_interval, interval, over_searches
 from .pair import Pair
 from .rows import Evaluation, Rows, join
 
@@ -158,59 +158,55 @@ class Case:
         return [pair.difference for pair in self.pairs]
 
     def gain(self) -> Interval:
-        """Returns the mean over seeds of the gain."""
+        """Returns the mean over seeds of the gain, whose interval holds the
+        optimum."""
         self.need_pairs()
-        return interval(self.gains(), self._scatter)
-
-    @property
-    def _scatter(self) -> float:
-        """The standard deviation of gains between searches, in the unit of
-        the objective, as it is known of other searches."""
-        gains = [abs(gain.mean) for gain in self.gains()]
-        return SEARCH_SCATTER * float(np.mean(gains))
+        return gain_interval(self.gains(), self._sign)
 
     def relative_gain(self) -> Interval:
-        """Returns the mean over seeds of the gain [%]."""
+        """Returns the same in % of the baseline."""
         self.need_pairs()
-        gains = [pair.gain for pair in self.pairs]
-        return interval(gains, SEARCH_SCATTER * abs(gains[0].mean))
+        return gain_interval([pair.gain for pair in self.pairs], self._sign)
+
+    @property
+    def _sign(self) -> int:
+        """The sign of an improvement of the first objective."""
+        return self.best.row.goals[0].sign
 
     def gain_per_leaf_area(self) -> Interval:
         """Returns the mean over seeds of the gain in PAR per leaf area [%].
 
         Raises HistoryError if it is not known."""
         self.need_pairs()
-        return interval([pair.gain_per_leaf_area for pair in self.pairs])
+        return over_searches(
+            [pair.gain_per_leaf_area for pair in self.pairs],
+            [pair.gain for pair in self.pairs],
+        )
 
-    def mean(self, who: str, name: str | None = None) -> Interval:
-        """Returns the mean over seeds of a column of "baseline" or "best", by
-        default of the objective.
+    def number(self, who: str, name: str | None = None) -> Interval:
+        """Returns a quantity without axes of "baseline" or "best", by default
+        the objective, with the interval of its light and field: the number
+        that every table and figure has of this plant.
 
         Raises HistoryError if it is not known."""
         self.need_pairs()
-        plants = [getattr(pair, who) for pair in self.pairs]
-        if name is not None:
-            return interval([plant.estimate(name) for plant in plants])
-        search = self._scatter if who == "best" else 0.0
-        return interval([plant.objective for plant in plants], search)
+        plant: Evaluation = getattr(self, who)
+        return interval([plant.estimate(name) if name else plant.objective])
 
     def light_by_organ(self, who: str) -> dict[str, Interval]:
         """Returns what each organ but leaves of "baseline" or "best" absorbs
         over the incident PAR; stalks, sheaths and all others are together
         where the history does not tell them apart."""
         self.need_pairs()
-        plants = [getattr(pair, who) for pair in self.pairs]
+        plant: Evaluation = getattr(self, who)
         try:
-            profiles = [plant.profile(_BY_ORGAN) for plant in plants]
+            profile = plant.profile(_BY_ORGAN)
         except HistoryError:
-            return {"stalk": self.mean(who, "stalk_fraction")}
-        parts = [
-            profile.over(plant.estimate("incident").mean)
-            for profile, plant in zip(profiles, plants)
-        ]
+            return {"stalk": self.number(who, "stalk_fraction")}
+        parts = profile.over(plant.estimate("incident").mean)
         return {
-            name: interval([part[name] for part in parts])
-            for name in parts[0]
+            name: interval([part])
+            for name, part in parts.items()
             if name != "leaves"
         }
 

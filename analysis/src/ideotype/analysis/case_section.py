@@ -3,7 +3,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import partial
+from pathlib import Path
 
 from matplotlib.figure import Figure
 
@@ -32,10 +34,11 @@ _ALONG = (
 )
 
 
-def plants_of(case: Case) -> Plants | Note:
-    """Returns the shapes of baseline and best, or why they are not known."""
+def plants_of(case: Case, own: Sequence[Path] = ()) -> Plants | Note:
+    """Returns the shapes of the plants of a case and of one's own, or why they
+    are not known."""
     try:
-        return build_plants(case)
+        return build_plants(case, own)
     except Error as reason:
         return Note(f"Plants: not drawn, {reason}.")
 

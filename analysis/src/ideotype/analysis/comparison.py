@@ -5,7 +5,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
@@ -14,7 +13,7 @@ from .case import Case
 from .coordinates import short_names
 from .cross import Cross
 from .file import HistoryError
-from .interval import Interval, interval, meaning
+from .interval import Interval, bars, interval, meaning
 
 ELITE = "elite"
 """The name of the elite plant in a cross-evaluation."""
@@ -121,11 +120,11 @@ def _sure(known: Sequence[Case]) -> str:
     gains = [case.relative_gain() for case in known]
     if len(gains) == 1:
         return f"By {gains[0].number()} %."
-    sure = sum(abs(x.mean) > x.half_width for x in gains)
+    sure = sum(x.is_sure for x in gains)
     low, high = min(x.mean for x in gains), max(x.mean for x in gains)
     return (
-        f"By {low:.1f} to {high:.1f} %; in {sure} of {len(gains)} cases the gain "
-        "is larger than half of its interval."
+        f"By {low:.1f} to {high:.1f} %; in {sure} of {len(gains)} cases the "
+        "interval of the gain is on one side of 0."
     )
 
 
@@ -134,7 +133,7 @@ def _draw_interval(
     label: str,
 ) -> None:  # fmt: skip
     axes.errorbar(
-        [x.mean], [y], xerr=[np.nan_to_num(x.half_width)],
+        [x.mean], [y], xerr=bars([x]),
         color=color, marker=marker, linestyle="none", label=label,
     )  # fmt: skip
 
@@ -181,10 +180,10 @@ def draw_energy(cases: Sequence[Case]) -> Figure:
 def _leaves_take(known: Sequence[Case]) -> str:
     told = []
     for who in ("best", "baseline"):
-        parts = [case.mean(who, "absorbed_fraction") for case in known]
+        parts = [case.number(who, "absorbed_fraction") for case in known]
         low, high = (f(100 * x.mean for x in parts) for f in (min, max))
         told.append(
-            f"{100 * parts[0].mean:.1f} ± {100 * parts[0].half_width:.1f} %"
+            f"{parts[0].scaled(100, '%')}"
             if len(parts) == 1
             else f"{low:.0f} to {high:.0f} %"
         )
@@ -198,12 +197,12 @@ def shares(case: Case, who: str) -> dict[str, Interval]:
     """Returns parts of the incident PAR in the order of the figure; organs
     other than leaves, stalks and sheaths are together, with at most the sum of
     their errors."""
-    found = {"leaves": case.mean(who, "absorbed_fraction")}
+    found = {"leaves": case.number(who, "absorbed_fraction")}
     for organ, share in case.light_by_organ(who).items():
         part = _ORGANS.get(organ, "other organs")
         found[part] = share.plus(found[part]) if part in found else share
     for part in ("soil", "reflected"):
-        found[part] = case.mean(who, f"{part}_fraction")
+        found[part] = case.number(who, f"{part}_fraction")
     return found
 
 
@@ -221,7 +220,7 @@ def _draw_balance(
                 axes.barh(
                     y, share.mean, 0.34, left=start, color=color, hatch=hatch,
                     edgecolor="white", linewidth=0.5,
-                    xerr=np.nan_to_num(share.half_width),
+                    xerr=bars([share]),
                     error_kw={"elinewidth": 1, "capsize": 2}, label=part,
                 )  # fmt: skip
                 start += share.mean

@@ -17,7 +17,7 @@ from . import style
 from .case import Case
 from .estimate import Estimate, relative_gain
 from .file import HistoryError
-from .interval import Interval, interval, meaning
+from .interval import Interval, interval, meaning, over_searches
 
 
 @dataclass(frozen=True)
@@ -73,8 +73,9 @@ class Cross:
         ]
         if (other := known[0] or known[1]) is None:
             return None
-        return interval(
-            [relative_gain(pair.best.objective, other) for pair in case.pairs]
+        return over_searches(
+            [relative_gain(pair.best.objective, other) for pair in case.pairs],
+            [pair.gain for pair in case.pairs],
         )
 
 
@@ -136,7 +137,7 @@ def draw_cross(cross: Cross) -> Figure:
                 for _, row in table
             ]
         )
-        for what in ("mean", "half_width")
+        for what in ("mean", "below")
     )
     best = np.nanmax(mean, axis=0)
     share, error = 100 * mean / best, 100 * error / best

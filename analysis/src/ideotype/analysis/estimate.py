@@ -15,14 +15,18 @@ NORMAL = 1.960
 DAILY_ENERGY = "MJ m-2 day-1"
 
 
-def with_half_width(mean: float, half_width: float) -> str:
-    """Returns "1.50 ± 0.06"; the error decides the digits."""
-    if not math.isfinite(half_width):
+def with_interval(mean: float, below: float, above: float) -> str:
+    """Returns "1.50 ± 0.06", or "1.50 -0.06 +0.20"; the smaller of both
+    decides the digits."""
+    if not math.isfinite(below + above):
         return f"{mean:.4g} ± ?"
     digits = 2
-    if half_width > 0:
-        digits = min(max(1 - math.floor(math.log10(half_width)), 0), 6)
-    return f"{mean:.{digits}f} ± {half_width:.{digits}f}"
+    if (least := min(below, above)) > 0:
+        digits = min(max(1 - math.floor(math.log10(least)), 0), 6)
+    ends = [f"{end:.{digits}f}" for end in (below, above)]
+    if ends[0] == ends[1]:
+        return f"{mean:.{digits}f} ± {ends[0]}"
+    return f"{mean:.{digits}f} \N{MINUS SIGN}{ends[0]} +{ends[1]}"
 
 
 @dataclass(frozen=True)
@@ -65,7 +69,7 @@ class Estimate:
         half_width = NORMAL * self.standard_error
         if not half_width > 1e-9 * abs(self.mean):
             return f"{self.mean:.4g}"
-        return with_half_width(self.mean, half_width)
+        return with_interval(self.mean, half_width, half_width)
 
     def __str__(self) -> str:
         return f"{self.number()} {self.unit}"

@@ -15,12 +15,16 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import FixedLocator
 from numpy.typing import NDArray
 
-HEADER = ("panel", "series", "x", "y", "x_half_width", "y_half_width")
+HEADER = ("panel", "series", "x", "y", "x_low", "x_high", "y_low", "y_high")
+"""The columns; low and high are the ends of error bars."""
+
+
+_NO_BARS = ("",) * 4
 
 
 def write_numbers(figure: Figure, path: Path) -> None:
     """Writes the numbers of a figure as CSV, a line for each point, bar or
-    cell of a map; half widths are those of error bars."""
+    cell of a map."""
     with path.open("w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file)
         writer.writerow(HEADER)
@@ -42,7 +46,7 @@ def _text(value: Any) -> str:
 
 
 def _lines(axes: Axes) -> Iterator[tuple[str, tuple[Any, ...]]]:
-    """Returns the name of a series, and x, y and their half widths."""
+    """Returns the name of a series, and the numbers of a line."""
     inside: set[int] = set()
     for group in axes.containers:
         parts = (x for x in group if x is not None)
@@ -60,7 +64,7 @@ def _lines(axes: Axes) -> Iterator[tuple[str, tuple[Any, ...]]]:
             for x, y in zip(*_numbers(line.get_data()), strict=True):
                 yield (
                     label,
-                    (_named(axes, "x", x), _named(axes, "y", y), "", ""),
+                    (_named(axes, "x", x), _named(axes, "y", y), *_NO_BARS),
                 )
     for image in axes.images:
         array: NDArray[Any] = np.ma.filled(
@@ -70,7 +74,7 @@ def _lines(axes: Axes) -> Iterator[tuple[str, tuple[Any, ...]]]:
             for (i, j), value in np.ndenumerate(array):
                 if not np.isnan(value):
                     place = f"{_named(axes, 'x', j)}, {_named(axes, 'y', i)}"
-                    yield place, (value, "", "", "")
+                    yield place, (value, "", *_NO_BARS)
 
 
 def _errorbars(
@@ -79,24 +83,21 @@ def _errorbars(
     line, _, collections = group.lines
     if line is None:
         return
-    halves: dict[str, list[float]] = {"x": [], "y": []}
+    x, y = _numbers(line.get_data())
+    ends: dict[str, list[Any]] = {name: [("", "")] * len(x) for name in "xy"}
     names = [x for x in "xy" if getattr(group, f"has_{x}err")]
     for name, bars in zip(names, collections, strict=False):
         axis = 0 if name == "x" else 1
-        halves[name] = [
-            float(np.ptp(np.asarray(segment)[:, axis])) / 2
+        ends[name] = [
+            np.sort(np.asarray(segment)[:, axis])
             if len(segment)
-            else np.nan
+            else (np.nan, np.nan)
             for segment in bars.get_segments()
         ]
-    x, y = _numbers(line.get_data())
     for i in range(len(x)):
-        errors = [
-            each[i] if each and i < len(each) else ""
-            for each in halves.values()
-        ]
         yield _label(group, line), (
-            _named(axes, "x", x[i]), _named(axes, "y", y[i]), *errors,
+            _named(axes, "x", x[i]), _named(axes, "y", y[i]),
+            *ends["x"][i], *ends["y"][i],
         )  # fmt: skip
 
 
@@ -111,7 +112,7 @@ def _bars(
             at = width, _named(axes, "y", y + height / 2)
         else:
             at = _named(axes, "x", x + width / 2), height
-        yield str(group.get_label()), (*at, "", "")
+        yield str(group.get_label()), (*at, *_NO_BARS)
 
 
 def _label(group: Any, line: Any) -> str:

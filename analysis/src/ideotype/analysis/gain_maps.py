@@ -16,7 +16,7 @@ from .comparison import known_cases
 from .coordinates import short_names
 from .estimate import Estimate, relative_gain
 from .file import HistoryError
-from .interval import Interval
+from .interval import Interval, over_searches
 from .places import AXES, elsewhere
 
 _Place = tuple[float, float]
@@ -68,10 +68,10 @@ def draw_set_map(cases: Sequence[Case], sets: tuple[str, str]) -> Figure:
         raise HistoryError("no case has both sets")
     figure = _draw(maps, labels, f"{first} over {second} [%]", has_line=True)
     better = [x for cells in maps.values() for x in cells.values()]
-    clearly = sum(x.mean > x.half_width for x in better)
+    clearly = sum(x.low > 0 for x in better)
     style.answer(
         figure,
-        f"Clearly, by more than half of the interval, in {clearly} of "
+        f"Clearly, with the whole interval above 0, in {clearly} of "
         f"{len(better)} places.",
     )
     return figure
@@ -89,13 +89,19 @@ def two_sets(cases: Sequence[Case]) -> tuple[str, str] | None:
 def _over(case: Case, other: Case) -> Interval:
     """Returns how much more the best plants have; for a minimised objective
     how much less."""
-    mine, theirs = case.mean("best"), other.mean("best")
+    mine, theirs = (
+        over_searches(
+            [pair.best.objective for pair in each.pairs], each.gains()
+        )
+        for each in (case, other)
+    )
+    # Half widths take the place of standard errors, and come out as such.
     found = relative_gain(
-        *(Estimate(x.mean, x.half_width, x.unit) for x in (mine, theirs))
+        *(Estimate(x.mean, x.below, x.unit) for x in (mine, theirs))
     )
     sign = case.best.row.goals[0].sign
-    seeds = min(mine.seeds, theirs.seeds)
-    return Interval(sign * found.mean, found.standard_error, "%", seeds)
+    half_width, seeds = found.standard_error, min(mine.seeds, theirs.seeds)
+    return Interval(sign * found.mean, half_width, half_width, "%", seeds)
 
 
 def _maps(
@@ -185,8 +191,10 @@ def _write(
 ) -> None:
     dark = abs(float(norm(found.mean)) - 0.5) > 0.33
     minus = "\N{MINUS SIGN}"
+    errors = [f"{end:.1f}" for end in (found.below, found.above)]
+    told = "-{} +{}" if errors[0] != errors[1] else "±{}"
     axes.text(
-        x, y, f"{found.mean:+.1f}\n±{found.half_width:.1f}".replace("-", minus),
+        x, y, f"{found.mean:+.1f}\n{told.format(*errors)}".replace("-", minus),
         ha="center", va="center", fontsize=8,
         color="white" if dark else "black",
     )  # fmt: skip

@@ -4,14 +4,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 
 import numpy as np
 
 from .blocks import Note, Table
 from .case import Case
 from .interval import Interval
-from .tables import UNKNOWN, bare, held
+from .tables import UNKNOWN, bare
 
 
 def organs(cases: Sequence[Case]) -> list[Table]:
@@ -33,8 +32,7 @@ def organs(cases: Sequence[Case]) -> list[Table]:
         Table(
             ("plant", *(name.replace("_", " ") for name in names)),
             rows,
-            "PAR that organs other than leaves absorb, in % of the incident: "
-            f"means over seeds ± half of the interval{held(cases)}.",
+            "PAR that organs other than leaves absorb, in % of the incident.",
         )
     ]
 
@@ -42,8 +40,7 @@ def organs(cases: Sequence[Case]) -> list[Table]:
 def _percent(share: Interval | None) -> str:
     if share is None:
         return UNKNOWN
-    half_width = 100 * share.half_width
-    return bare(replace(share, mean=100 * share.mean, half_width=half_width))
+    return bare(share.scaled(100, "%"))
 
 
 def balance(cases: Sequence[Case]) -> Note:

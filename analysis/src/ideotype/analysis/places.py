@@ -15,7 +15,7 @@ from . import style
 from .case import Case
 from .comparison import known_cases
 from .file import HistoryError
-from .interval import Interval
+from .interval import Interval, bars
 
 _Number = Callable[[Case], float]
 
@@ -92,7 +92,7 @@ def _draw_against(
         look = {"color": color, "marker": marker}
         x = [position(case) for case in members]
         for who, dash in (("baseline", "--"), ("best", "-")):
-            means = [case.mean(who) for case in members]
+            means = [case.number(who) for case in members]
             look |= {
                 "fillstyle": "none" if who == "baseline" else "full",
                 "linestyle": dash if name in lines else "none",
@@ -189,5 +189,4 @@ def _by_rows(name: str, members: Sequence[Case]) -> dict[str, list[Case]]:
 def _draw_line(
     axes: Axes, x: Sequence[float], y: Sequence[Interval], look: Any
 ) -> None:
-    errors = np.nan_to_num([each.half_width for each in y])
-    axes.errorbar(x, [each.mean for each in y], errors, **look)
+    axes.errorbar(x, [each.mean for each in y], bars(y), **look)

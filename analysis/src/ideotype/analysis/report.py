@@ -25,12 +25,13 @@ from .page import render
 from .places import draw_latitudes, draw_spacings
 from .provenance import provenance
 from .results import results_of
+from .scenario_table import scenarios
 from .scene import Plants, scene_of
 from .study import Study
 from .workers import workers
 
 _VIEW = (
-    "Choose any two plants. Leaves are coloured by what they absorb over the "
+    "Choose any two plants; report --plant FILE adds plants of your own. Leaves are coloured by what they absorb over the "
     "day; sheaths are dull green, stalks and other organs grey, neighbours "
     "pale and all turned alike. Lines on the ground are the rows. "
     "Drag (on a touch screen sideways) or use the arrow keys to turn; pinch, "
@@ -45,9 +46,11 @@ _FRONT = (
     "axes. "
 )
 _READING = (
-    "On this page ± is half of a 95 % interval, and so is each error bar. That "
-    "of a gain holds how searches differ; that of a number of a single plant "
-    "holds the noise of the light and of the field. Black is always the "
+    "On this page ± is half of a 95 % interval, and so is each error bar; "
+    "\N{MINUS SIGN} and + are its two parts where they differ. The interval of "
+    "a gain holds how searches differ and, towards more, where the optimum may "
+    "be; that of a number of a single plant holds the noise of the light and of "
+    "the field. Black is always the "
     "baseline, blue the best plant. Each figure is a file of its name in "
     "figures/, its numbers are in the .csv beside it."
 )
@@ -75,6 +78,7 @@ def write_report(
     has_pdf: bool = False,
     jobs: int = 1,
     figures_of: Sequence[str] | None = None,
+    plants: Sequence[str | Path] = (),
 ) -> Written:
     """Writes report.html, results.csv and figures/ into the folder, over those
     of an earlier report. `command` is what the page names as its origin;
@@ -83,7 +87,8 @@ def write_report(
     draw the figures; with several, a script needs
     `if __name__ == "__main__":`. Cases whose name has one of the words
     `figures_of` in it get figures of their own: without it all, if there are
-    few.
+    few. `plants` are files of plants of one's own for the view in three
+    dimensions, as own_plants() reads them.
 
     Raises HistoryError if nothing is evaluated in any history, OSError if
     the folder can't be written."""
@@ -101,10 +106,11 @@ def write_report(
         case.remember()
     single = _with_figures(cases, figures_of)
     with workers(jobs) as run:
-        plants = list(run(plants_of, cases))
+        own = [Path(path) for path in plants]
+        built = list(run(partial(plants_of, own=own), cases))
         shapes = [
             (case, found if isinstance(found, Plants) else None)
-            for case, found in zip(cases, plants)
+            for case, found in zip(cases, built)
             if isinstance(found, Plants) or case.fronts
         ]
         searched = [
@@ -114,7 +120,7 @@ def write_report(
             _view(shapes),
             *(
                 section_of(case, found)
-                for case, found in zip(cases, plants)
+                for case, found in zip(cases, built)
                 if case in single
             ),
         ]
@@ -205,7 +211,7 @@ def _gains(cases: Sequence[Case], cross: Cross | None) -> Section:
         partial(draw_energy, cases),
     )
     section.blocks += tables.gains(cases, cross)[:1]
-    section.blocks += tables.scenarios(cases)
+    section.blocks += scenarios(cases)
     return section
 
 
@@ -221,7 +227,7 @@ def _about(cases: Sequence[Case], cross: Cross | None) -> Section:
 
 
 def _places(cases: Sequence[Case], cross: Cross | None) -> Section:
-    bars = "The upper panel has the objective, the lower one the gain."
+    bars = "The upper panel has the best plants, the lower one the mean gain."
     section = Section("Places")
     if len(cases) < 2 and cross is None:
         return section

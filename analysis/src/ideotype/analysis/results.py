@@ -26,11 +26,13 @@ _UNITS = {
     "plant_spacing": "m",
     "density": "m-2",
     "gain_percent": "%",
-    "gain_percent_half_width": "%",
+    "gain_percent_low": "%",
+    "gain_percent_high": "%",
     "lowest_gain_percent": "%",
     "highest_gain_percent": "%",
     "gain_per_leaf_area_percent": "%",
-    "gain_per_leaf_area_percent_half_width": "%",
+    "gain_per_leaf_area_percent_low": "%",
+    "gain_per_leaf_area_percent_high": "%",
     "baseline_lai": "m2 m-2",
     "best_lai": "m2 m-2",
 }
@@ -38,7 +40,7 @@ _UNITS = {
 
 def results_of(cases: Sequence[Case]) -> pandas.DataFrame:
     """Returns a line for each case with coordinates, baseline, best, gain with
-    half of its 95 % interval, leaf area index and number of searches; numbers
+    the ends of its 95 % interval, leaf area index and number of searches; numbers
     that are not known are NaN. Units are in .attrs["units"]."""
     # The import stands here, since it takes as long as all else together.
     import pandas
@@ -105,5 +107,6 @@ def _known(case: Case, take: Callable[..., Interval]) -> Interval | None:
 def _columns(name: str, found: Interval | None) -> dict[str, float]:
     return {
         name: found.mean if found else math.nan,
-        f"{name}_half_width": found.half_width if found else math.nan,
+        f"{name}_low": found.low if found else math.nan,
+        f"{name}_high": found.high if found else math.nan,
     }

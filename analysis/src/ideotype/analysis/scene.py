@@ -8,6 +8,7 @@ import base64
 import json
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -20,6 +21,7 @@ from .._geometry import Mesh
 from .case import Case
 from .front_scene import front_scene
 from .history import History
+from .own_plants import OwnPlant, own_plants
 from .rows import Evaluation
 from .stand import leaf_light, places, row_direction
 from .style import organ_color, short, unit_label
@@ -43,12 +45,13 @@ class Plants:
     best: Mesh
     members: tuple[Mesh, ...] = ()
     """The members of the fronts of all seeds."""
-    others: tuple[tuple[str, Evaluation, Mesh], ...] = ()
-    """Other finalists of all seeds, with a name."""
+    others: tuple[tuple[str, Evaluation | OwnPlant, Mesh], ...] = ()
+    """Other finalists of all seeds and plants of one's own, with a name."""
 
 
-def build_plants(case: Case) -> Plants:
-    """Builds the plants of a case. Raises HistoryError if nothing is evaluated
+def build_plants(case: Case, own: Sequence[Path] = ()) -> Plants:
+    """Builds the plants of a case, and plants of one's own from their files.
+    Raises HistoryError if nothing is evaluated
     yet, Error if there is no compiled module, which knows the shapes of
     plants, or it cannot use a history."""
     pair = [case.baseline.row.genome[0], case.best.row.genome[0]]
@@ -58,7 +61,8 @@ def build_plants(case: Case) -> Plants:
         for history, front in case.fronts
         for mesh in _shapes(history, front.members.genome)
     )
-    return Plants(baseline, best, tuple(members), tuple(_finalists(case)))
+    mine = ((each.name, each, each.mesh) for each in own_plants(case, own))
+    return Plants(baseline, best, tuple(members), (*_finalists(case), *mine))
 
 
 def _finalists(case: Case) -> Iterator[tuple[str, Evaluation, Mesh]]:
@@ -103,7 +107,9 @@ def _case(
     scene: dict[str, Any] = {"name": case.name, "front": front, "plants": []}
     if plants is None:
         return scene
-    pairs = [(case.baseline, plants.baseline)]
+    pairs: list[tuple[Evaluation | OwnPlant, Mesh]] = [
+        (case.baseline, plants.baseline)
+    ]
     if front:
         # The numbers are in the tables.
         titles = [
@@ -116,13 +122,12 @@ def _case(
         pairs += zip(members, plants.members)
     else:
         pairs.append((case.best, plants.best))
-        pairs += [(plant, mesh) for _, plant, mesh in plants.others]
-        names = ("baseline", "best", *(name for name, *_ in plants.others))
         titles = [
-            f"{name}: {plant.objective.interval_text()} "
-            f"{unit_label(plant.objective.unit)}"
-            for name, (plant, _) in zip(names, pairs)
+            _title(name, plant)
+            for name, (plant, _) in zip(("baseline", "best"), pairs)
         ]
+    pairs += [(plant, mesh) for _, plant, mesh in plants.others]
+    titles += [_title(name, plant) for name, plant, _ in plants.others]
     return scene | {
         "plants": [
             {"title": title, **_mesh(mesh, shapes)}
@@ -134,6 +139,11 @@ def _case(
             place.tolist() for place in places(case, _NEIGHBOURS)[1:]
         ],
     }
+
+
+def _title(name: str, plant: Evaluation | OwnPlant) -> str:
+    of = plant.objective
+    return f"{name}: {of.interval_text()} {unit_label(of.unit)}"
 
 
 def _mesh(mesh: Mesh, shapes: list[dict[str, Any]]) -> dict[str, Any]:
@@ -172,7 +182,7 @@ def _rgb(group: str) -> list[int]:
 
 
 def _quantities(
-    case: Case, pairs: Sequence[tuple[Evaluation, Mesh]]
+    case: Case, pairs: Sequence[tuple[Evaluation | OwnPlant, Mesh]]
 ) -> list[dict[str, Any]]:
     """Returns absorbed PAR of each group of each plant; None for a group that
     is no leaf."""

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from .._geometry import Mesh
 from .case import Case
 from .file import HistoryError
+from .own_plants import OwnPlant
 from .rows import Evaluation
 
 
@@ -47,7 +48,7 @@ def places(case: Case, plants: int = 1) -> list[NDArray[np.float64]]:
 
 
 def leaf_light(
-    plant: Evaluation, mesh: Mesh, ground: float | None = None
+    plant: Evaluation | OwnPlant, mesh: Mesh, ground: float | None = None
 ) -> dict[str, float | None]:
     """Returns the light that each group of the plant's mesh absorbs, as the
     history tells it per area of ground, or per area of leaf on so much ground

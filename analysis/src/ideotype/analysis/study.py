@@ -129,7 +129,7 @@ class Study:
 
     def results(self) -> pandas.DataFrame:
         """Returns a line for each case: coordinates, baseline, best, gain with
-        half of its 95 % interval, leaf area index, number of searches; units
+        the ends of its 95 % interval, leaf area index, number of searches; units
         are in .attrs["units"]."""
         from .results import results_of
 

@@ -9,10 +9,9 @@ from .blocks import Block, Note, Table
 from .case import Case
 from .comparison import ELITE, intervals_of
 from .cross import Cross
-from .estimate import relative_gain
 from .file import HistoryError
-from .interval import Interval, interval
-from .style import axis_label, unit_label
+from .interval import BEYOND, SEARCH_SCATTER, Interval
+from .style import unit_label
 
 _MOST = 6
 """The number of cases that a remark names."""
@@ -52,9 +51,42 @@ def gains(cases: Sequence[Case], cross: Cross | None) -> list[Block]:
     return blocks
 
 
+SCREEN = 16
+"""The number of cases whose lines a screen has room for."""
+
+
+def ends_of(cases: Sequence[Case]) -> list[Case]:
+    """Returns the cases that gain most and least, as many as a screen has room
+    for, the best first; all in their own order where they are fewer."""
+    if len(cases) <= SCREEN:
+        return [*cases]
+    known = sorted(
+        (case for case in cases if case.pairs),
+        key=lambda case: -case.relative_gain().mean,
+    )
+    half = SCREEN // 2
+    return known if len(known) <= SCREEN else [*known[:half], *known[-half:]]
+
+
 def held(cases: Sequence[Case]) -> str:
     told = intervals_of(cases)
     return f" ({told})" if told else ""
+
+
+def on_a_screen(cases: Sequence[Case]) -> list[Block]:
+    """Returns the table of gains, of no more cases than a screen has room
+    for."""
+    shown = ends_of(cases)
+    table, *_ = gains(shown, None)
+    if len(shown) == len(cases):
+        return [table]
+    return [
+        table,
+        Note(
+            f"These are {len(shown)} of {len(cases)} cases, those that gain "
+            "most and least; --all tells all, --csv all with coordinates."
+        ),
+    ]
 
 
 def markdown(blocks: Sequence[Block]) -> str:
@@ -138,8 +170,12 @@ def _remarks(cases: Sequence[Case], cross: Cross | None) -> list[str]:
     remarks = [
         "The interval of several seeds is Student's t over their scatter, or "
         "that of their standard errors where it is wider; that of a single "
-        "seed is the latter. Standard errors of gains over the baseline are "
-        "paired: baseline and best share random numbers, and are compared "
+        "seed holds its standard error and "
+        f"{100 * SEARCH_SCATTER:.0f} % of the gain as the standard deviation "
+        "between searches. Towards a better plant each reaches at least "
+        f"{100 * BEYOND:.0f} % of the gain beyond the mean, where the optimum "
+        "may be. Standard errors of gains over the baseline are paired: "
+        "baseline and best share random numbers, and are compared "
         "randomisation by randomisation.",
         "LAI is the one-sided leaf area per ground area; the gain per leaf area is that in absorbed PAR per "
         "one-sided leaf area.",
@@ -249,33 +285,3 @@ def _among(case: Case, who: str) -> str:
             f"{lines[nearest - 1]['name']}"
         )
     return told
-
-
-def scenarios(cases: Sequence[Case]) -> list[Table]:
-    """Returns each objective in every scenario that it is taken over."""
-    found: dict[str, list[list[str]]] = {}
-    for case in cases:
-        objectives = case.best.row.with_axis("scenario") if case.pairs else []
-        for objective in objectives:
-            rows = found.setdefault(
-                axis_label(objective.name, objective.unit), []
-            )
-            baseline, best = (
-                zip(*(p.profile(objective.name).estimates() for p in plants))
-                for plants in zip(*((p.baseline, p.best) for p in case.pairs))
-            )
-            labels = case.best.profile(objective.name).labels
-            for label, was, now in zip(labels, baseline, best):
-                gains = [*map(relative_gain, now, was)]
-                cells = [bare(interval(each)) for each in (was, now, gains)]
-                rows.append([f"{case.name}: {label}", *cells])
-    return [
-        Table(
-            ("case: scenario", "baseline", "best", "gain [%]"),
-            rows,
-            f"{title[0].upper()}{title[1:]}: means over seeds ± half of the "
-            f"interval{held(cases)}; that of gains takes baseline and best "
-            "as independent.",
-        )
-        for title, rows in found.items()
-    ]

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .._errors import Error
+from .._plant_sources import has_midribs
 from .._stand import Stand
 from .conditions import Conditions, Tables, one_case
 
@@ -70,7 +71,7 @@ def open_place(
         )
     if suffix == ".h5":
         return _of_history(path)
-    if suffix in _MESHES or (suffix == ".csv" and _has_midribs(path)):
+    if suffix in _MESHES or (suffix == ".csv" and has_midribs(path)):
         return _of_measured(path, plant, crop)
     if suffix == ".csv":
         told = "Its leaves were measured."
@@ -226,12 +227,3 @@ def _known(name: str) -> str:
     """Returns the path of the file of a crop that comes with the package."""
     with as_file(files(__package__) / "start" / "crops") as folder:
         return str(folder / f"{name}.toml")
-
-
-def _has_midribs(path: Path) -> bool:
-    """Tells a table of points along midribs from one of whole leaves."""
-    with path.open(encoding="utf-8", errors="replace") as file:
-        lines = (line for line in file if not line.startswith("#"))
-        head = next(lines, "").lower().split(",")
-    names = {word.strip().split("_")[0] for word in head}
-    return {"x", "z"} <= names

@@ -93,7 +93,9 @@ function choose() {
     fill(pairList, pairsOf(front).map((pair) =>
       pair.map((k) => front.axes[k].name).join(", ")));
     const plant = chosen(1)?.plant ?? 0;
-    member = plant > 0 ? plant - 1 : front.first;
+    // Plants of one's own come after those of the front.
+    const isMember = plant > 0 && plant <= front.members.length;
+    member = isMember ? plant - 1 : front.first;
     part("-told").textContent = front.told;
     part("-seeds").hidden = front.seeds < 2;
   }

@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The report of a sweep of two cases with two seeds each."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from ideotype.analysis.case_figures import CASE_FIGURES
+
+CASES = ("ames_0807_762x152_all", "edmonton_0807_762x152_all")
+DRAWN = CASE_FIGURES.keys() - {
+    *("profiles", "plant_traits", "sunlit", "assimilation", "days"),
+    *("leaf_area", "carbon"),
+}
+"""The figures of each case, which is bred in traits of leaves for the light of
+a day."""
+OWN = ("field", "importance")
+"""Figures of each case besides, which need the compiled module."""
+ELITE = 11.08
+"""The absorbed PAR of the elite plant of the cross-evaluation."""
+
+
+@dataclass(frozen=True)
+class Made:
+    """A report as the command leaves it."""
+
+    folder: Path
+    log: str
+
+    @property
+    def page(self) -> Path:
+        return self.folder / "report.html"
+
+    @property
+    def text(self) -> str:
+        return self.page.read_text(encoding="utf-8")

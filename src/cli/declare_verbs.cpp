@@ -67,6 +67,8 @@ void declare_evaluate(CLI::App& verb, EvaluateOptions& options) {
     add_case(verb, options.case_index);
     declare_row(verb, options.row);
     add_json(verb, options.is_json);
+    verb.add_flag("--all", options.is_all,
+                  "print light by leaf, layer, hour and face, too");
 }
 
 void declare_new(CLI::App& verb, NewOptions& options) {

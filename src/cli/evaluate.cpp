@@ -4,6 +4,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "choose_row.hpp"
 #include "ideotype/light/device.hpp"
@@ -114,10 +115,22 @@ Json to_json(const std::vector<Study>& all) {
     return each.size() == 1 ? each.front() : Json{{"scenarios", each}};
 }
 
-void print_studies(const std::vector<Study>& all) {
+//! Prints what fits on a screen: no parts by leaf, layer or hour, whose names
+//! stand below, unless all is wanted.
+void print_studies(const std::vector<Study>& all, bool is_all) {
     for (const Study& study : all) {
         if (&study != &all.front()) fmt::print("\n");
-        print_outline(to_json(study));
+        Json json = to_json(study);
+        std::vector<std::string> left;
+        for (const auto& [name, value] : json.items())
+            if (!is_all && value.is_structured() && !value.empty() &&
+                !value.contains("mean") && name != "quantities" &&
+                name != "objectives")
+                left.push_back(name);
+        for (const std::string& name : left) json.erase(name);
+        print_outline(json);
+        if (!left.empty())
+            fmt::print("\n--all also tells {}\n", fmt::join(left, ", "));
     }
 }
 
@@ -161,7 +174,7 @@ ExitCode evaluate_baseline(const EvaluateOptions& options) {
         if (!season.empty()) json["season"] = season;
         fmt::print("{}\n", to_text(json));
     } else {
-        print_studies(all);
+        print_studies(all, options.is_all);
         for (const auto& [name, estimate] : season.items())
             fmt::print("season: {} {:.6g} +- {:.2g} {}\n", name,
                        estimate["mean"].get<double>(),
@@ -178,14 +191,14 @@ std::string name_of(const Task& task) {
 }
 
 //! Recomputes a row, and compares every bit.
-ExitCode repeat_row(const ChosenRow& which, bool is_json) {
+ExitCode repeat_row(const ChosenRow& which, const EvaluateOptions& options) {
     const auto& [campaign, chosen, task, row, schema, isa] = which;
     const Plants plants = grow(campaign, row.candidate.genome);
     const std::vector<Study> all = studies(task, campaign, chosen, plants, isa);
     const Outcome again = outcome_of(campaign, chosen, plants.front(), all);
     const bool is_done = row.outcome.status == Status::done;
     const bool agrees = agrees_with(which, again);
-    if (is_json) {
+    if (options.is_json) {
         Json json = to_json(all);
         json["row"] = {{"is_final", task.is_final},
                        {"generation", task.generation},
@@ -194,7 +207,7 @@ ExitCode repeat_row(const ChosenRow& which, bool is_json) {
                        {"agrees_bit_for_bit", agrees}};
         fmt::print("{}\n", to_text(json));
     } else {
-        print_studies(all);
+        print_studies(all, options.is_all);
         fmt::print("\n{}: {}\n", name_of(task),
                    agrees    ? "agrees bit for bit with the history"
                    : is_done ? "DIFFERS from the history"
@@ -212,8 +225,7 @@ ExitCode evaluate(const EvaluateOptions& options) {
             "evaluated as it was",
             ExitCode::usage);
     return is_history(options.path)
-               ? repeat_row(choose_row(options.path, options.row),
-                            options.is_json)
+               ? repeat_row(choose_row(options.path, options.row), options)
                : evaluate_baseline(options);
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -142,10 +143,10 @@ Json to_json(const CaseStatus& report) {
             {"state", report.state},
             {"ended_by", optional_json(result.reason)},
             {"missing_bytes", report.missing_bytes},
-            {"complete_generations", result.complete},
-            {"generations", result.generations},
-            {"evaluations", result.evaluations},
-            {"failed", result.failures},
+            {"complete_generations", std::llround(result.complete)},
+            {"generations", std::llround(result.generations)},
+            {"evaluations", std::llround(result.evaluations)},
+            {"failed", std::llround(result.failures)},
             {"finalists", result.finalists},
             {"failed_finalists", result.failed_finalists},
             {"best", best},

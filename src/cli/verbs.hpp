@@ -59,7 +59,7 @@ struct EvaluateOptions {
     std::vector<std::string> settings;  //!< of a campaign: "table.key=value"
     int case_index = 0;
     RowChoice row;
-    bool is_json = false;
+    bool is_json = false, is_all = false;
 };
 ExitCode evaluate(const EvaluateOptions& options);
 

@@ -99,6 +99,10 @@ says "typo.toml:18:1"
 
 expect 0 "$ideotype" evaluate campaigns/verbs.toml
 says "incident"
+says "^--all also tells .*hours"
+[ "$(wc -l <out.log)" -lt 40 ] || fail "more than a screen: $(cat out.log)"
+expect 0 "$ideotype" evaluate campaigns/verbs.toml --all
+says "^  leaf10 "
 expect 0 "$ideotype" evaluate campaigns/verbs.toml --json
 says '"leaf_by_layer"'
 expect 2 "$ideotype" evaluate campaigns/verbs.toml --case 1

@@ -17,7 +17,6 @@ from .profiles import (
     PLANTS,
     draw_course,
     draw_profile,
-    new_panels,
     title_of,
 )
 from .quantity import Profile
@@ -39,22 +38,24 @@ def draw_parts(case: Case) -> Figure:
     ]
     if not names:
         raise HistoryError("the history does not tell parts of the light")
-    words = [w for name in names for w in case.best.profile(name).labels]
-    figure, (axes,) = new_panels(1, 1.6 + 0.45 * len(words))
-    place = np.arange(len(words))
-    for (who, looks), shift in zip(PLANTS.items(), (-0.15, 0.15)):
-        parts = [getattr(case, who).profile(name) for name in names]
-        values, errors = (
-            np.concatenate([getattr(part, what) for part in parts])
-            for what in ("values", "standard_error")
-        )
-        found = Profile(place + shift, unit, values, errors)
-        draw_profile(axes, found, **looks | {"linestyle": "none"})
-    axes.set_yticks(place, words)
-    axes.set_ylim(len(words) - 0.5, -0.5)
-    axes.set_xlim(left=0)
-    axes.set_xlabel(axis_label(title_of(names[0]), unit))
-    axes.legend()
+    counts = [len(case.best.profile(name).labels) for name in names]
+    figure = style.new_figure(
+        style.WIDTH, 1.0 + sum(0.5 + 0.45 * count for count in counts)
+    )
+    panels = figure.subplots(
+        len(names), 1, squeeze=False, sharex=True, height_ratios=counts
+    )[:, 0]
+    for axes, name, count in zip(panels, names, counts):
+        for (who, looks), shift in zip(PLANTS.items(), (-0.15, 0.15)):
+            part = getattr(case, who).profile(name)
+            place = np.arange(count) + shift
+            found = Profile(place, unit, part.values, part.standard_error)
+            draw_profile(axes, found, **looks | {"linestyle": "none"})
+        axes.set_yticks(range(count), part.labels)
+        axes.set_ylim(count - 0.5, -0.5)
+    panels[-1].set_xlim(left=0)
+    panels[-1].set_xlabel(axis_label(title_of(names[0]), unit))
+    panels[0].legend()
     now, was = (
         plant.profile(names[0]) for plant in (case.best, case.baseline)
     )

@@ -20,7 +20,7 @@ searches each), .18 (carbon of a growing season) and .28 (net assimilation at a
 given leaf area)."""
 
 BEYOND = 0.15
-"""How far the optimum may be above the mean gain of searches, over that gain.
+"""The distance of the optimum above the mean gain of searches, over that gain.
 In campaigns/study/distance.py, where a much longer search tells it, it was
 above the mean of three searches of 600 evaluations by .12 to .15, and above a
 single one by .07 to .20. Shorter searches may miss more."""

@@ -64,7 +64,7 @@ def test_measured_and_digitised_plants_have_their_own_shape(
         assert len(leaves) == len(taken.values) == count
         assert taken.values.sum() == pytest.approx(own.objective.mean)
         assert 0 < own.objective.standard_error < 0.1 * own.objective.mean
-    # What was digitised is the baseline, whose leaves it has again.
+    # The digitised plant is the baseline, whose leaves it has again.
     whole = sum(mesh.area(name) for name in names if name.startswith("leaf"))
     again = sum(
         found[1].mesh.area(x)

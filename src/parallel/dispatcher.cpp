@@ -61,19 +61,6 @@ int Dispatcher::width() const {
     return workers_->width();
 }
 
-Batch Dispatcher::evaluate(NextWork source, Record record) {
-    return {*this, std::move(source), std::move(record)};
-}
-
-Batch Dispatcher::evaluate(std::vector<Work> work, Record record) {
-    NextWork source = [work = std::move(work),
-                       next = std::size_t{0}]() mutable -> std::optional<Work> {
-        if (next == work.size()) return std::nullopt;
-        return std::move(work[next++]);
-    };
-    return evaluate(std::move(source), std::move(record));
-}
-
 void Dispatcher::run(Director& director) {
     IDEOTYPE_EXPECT(!is_dismissed_);
     bool has_next = true;
@@ -114,47 +101,6 @@ bool Dispatcher::dismiss() {
     while (busy_in_time() > 0) drop_next();
     if (!std::exchange(is_dismissed_, true)) workers_->dismiss();
     return !has_late();
-}
-
-void Dispatcher::add(Batch& batch) {
-    open_.emplace(batch.precedence_, &batch);
-    by_number_.emplace(batch.number_, &batch);
-    IDEOTYPE_ENSURE(open_.size() == by_number_.size());
-}
-
-//! Notes that the routine of a batch is to go on soon.
-void Dispatcher::close(Batch& batch) {
-    IDEOTYPE_EXPECT(by_number_.contains(batch.number_));
-    open_.erase(batch.precedence_);
-    by_number_.erase(batch.number_);
-    complete_.push_back(&batch);
-}
-
-void Dispatcher::remove(Batch& batch) {
-    if (by_number_.erase(batch.number_) > 0) open_.erase(batch.precedence_);
-    std::erase(complete_, &batch);
-}
-
-//! Adds what the source of a batch has next to the work that waits; returns
-//! false if that is nothing, or if the source failed.
-bool Dispatcher::fetch(Batch& batch) {
-    std::optional<Work> work;
-    try {
-        work = batch.source_();
-    } catch (...) {
-        batch.failure_ = std::current_exception();
-    }
-    if (!work) return false;
-    constexpr auto after_all = std::numeric_limits<std::uint32_t>::max();
-    const Task& task = work->task;
-    const bool is_open = by_number_.contains(batch.number_);
-    if (is_open) open_.erase(batch.precedence_);
-    batch.precedence_ = {task.is_final ? after_all : task.generation,
-                         task.case_index, batch.number_};
-    if (is_open) open_.emplace(batch.precedence_, &batch);
-    batch.waiting_.push_back(batch.fetched_);
-    batch.unanswered_.emplace(batch.fetched_++, *std::move(work));
-    return true;
 }
 
 //! Returns how many workers may still answer in time.
@@ -234,20 +180,6 @@ bool Dispatcher::hand_out() {
         return true;
     }
     return false;
-}
-
-void Dispatcher::resume_complete() {
-    while (!complete_.empty()) {
-        Batch& batch = *complete_.front();
-        complete_.erase(complete_.begin());
-        IDEOTYPE_EXPECT(batch.awaiting_ && !batch.awaiting_.done());
-        batch.awaiting_.resume();
-    }
-}
-
-//! Lets all routines go on with the outcomes that there are.
-void Dispatcher::release_all() {
-    while (!open_.empty()) close(*open_.begin()->second);
 }
 
 //! Waits until an answer arrives or a worker is late, but not for long.

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "dd_cma.hpp"
+#include "population.hpp"
+#include "unbounded_genes.hpp"
+
+namespace ideotype {
+
+//! A search by dd-CMA-ES over the UnboundedGenes of the free genes. Plants are
+//! ranked as by is_better(), so that those that meet the constraints come
+//! first.
+class Arm {
+  public:
+    Arm(const UnboundedGenes& coordinates, const Genome& start, double step,
+        std::size_t population);
+
+    std::size_t population() const { return population_; }
+    const DdCma& distribution() const { return distribution_; }
+    //! Returns the mean over the better half of each generation, see
+    //! better_half().
+    const std::vector<double>& course() const { return course_; }
+
+    //! Returns the point of one of its plants in a generation, where `slot` is
+    //! the slot of its first plant. The point is drawn when it is first asked
+    //! for.
+    const Eigen::VectorXd& point(std::uint64_t seed, std::uint32_t generation,
+                                 std::uint32_t slot, std::size_t plant);
+
+    //! Doubles its plants, and begins its course anew.
+    void grow();
+
+    //! Learns from the rows of its plants; the arguments are as in point().
+    void learn(const Population& rows, const std::vector<Sense>& senses,
+               std::uint64_t seed, std::uint32_t generation,
+               std::uint32_t slot);
+
+    //! Returns the largest standard deviation of the distribution.
+    double extent() const { return distribution_.deviations().maxCoeff(); }
+
+    //! Returns whether the last generations are not better than as many before
+    //! them by more than the standard error of that difference.
+    bool gains_nothing(Sense sense) const;
+
+  private:
+    std::size_t population_;
+    DdCma distribution_;
+    //! The points of the next generation that are drawn so far.
+    std::vector<Eigen::VectorXd> points_;
+    std::vector<double> course_;
+};
+
+//! Returns the mean of some numbers.
+double mean_of(const double* values, std::size_t count);
+
+}  // namespace ideotype

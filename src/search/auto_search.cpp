@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "arm.hpp"
+#include "ideotype/core/contract.hpp"
+#include "optimizer.hpp"
+#include "order.hpp"
+
+namespace ideotype {
+
+namespace {
+
+//! Cycles of searches by dd-CMA-ES. A cycle begins with a design: the champion,
+//! which is the baseline at first, mixtures that have each trait of the
+//! champion with probability one half, and plants uniform within the bounds.
+//! One arm begins at the best mixture, another at the best uniform plant. They
+//! race for some generations, of which each has half; then the one whose
+//! better halves were better goes on alone. When it no longer gains, it goes on
+//! with twice the plants, up to eight times as many, since noise may hide what
+//! is left to gain. After that a cycle with 1.5 times the plants begins, whose
+//! champion is where the last one ended.
+class AutoSearch : public GenerationalOptimizer {
+  public:
+    AutoSearch(const SearchSettings& settings, SearchSpace space,
+               std::uint64_t seed)
+        : settings_(settings),
+          space_(std::move(space)),
+          coordinates_(space_.genes),
+          seed_(seed),
+          population_(static_cast<std::size_t>(settings.population)),
+          champion_(settings.start.empty() ? space_.baseline : settings.start) {
+    }
+
+    std::size_t next_size() const override {
+        if (arms_.empty()) return design_size();
+        std::size_t size = 0;
+        for (const Arm& arm : arms_) size += arm.population();
+        return size;
+    }
+
+    Candidate candidate(std::uint32_t slot) override {
+        IDEOTYPE_EXPECT(slot < next_size());
+        if (arms_.empty()) return of_design(slot);
+        std::uint32_t first = 0;
+        auto arm = arms_.begin();
+        for (; slot - first >= arm->population(); ++arm)
+            first += static_cast<std::uint32_t>(arm->population());
+        return sample(arm->point(seed_, generation(), first, slot - first));
+    }
+
+    //! Returns the plants at the means of arms and of earlier cycles, those of
+    //! the better generations first, then the best of the last generation.
+    std::vector<Candidate> best(std::size_t count) const override {
+        std::vector<Champion> means = champions_;
+        for (const Arm& arm : arms_)
+            if (!arm.course().empty()) means.push_back(champion_of(arm));
+        std::stable_sort(means.begin(), means.end(),
+                         [&](const Champion& a, const Champion& b) {
+                             return is_better(a.value, b.value,
+                                              space_.senses.front());
+                         });
+        std::vector<Candidate> candidates;
+        for (Champion& each : means)
+            candidates.push_back({std::move(each.genome), Origin::sample});
+        for (const Candidate& each :
+             best_of(last_, count, space_.senses, parents_row()))
+            candidates.push_back(each);
+        candidates.resize(std::min(count, candidates.size()));
+        return candidates;
+    }
+
+  private:
+    //! The plant at the mean of a search, and how good its last generation was.
+    struct Champion {
+        Genome genome;
+        double value = 0;
+    };
+    Champion champion_of(const Arm& arm) const {
+        return {sample(arm.distribution().mean()).genome, arm.course().back()};
+    }
+
+    //! The largest standard deviations, relative to the range of a gene, at
+    //! which no number changes any more, and at which no gain means
+    //! convergence.
+    static constexpr double tiny = 1e-11, narrow = 1e-6;
+    //! The most by which the population of an arm is multiplied.
+    static constexpr std::size_t most_growth = 8;
+
+    //! Returns the rows of the design; the first half of them are mixtures.
+    std::size_t design_size() const { return 3 * population_; }
+    std::size_t last_mixture() const { return design_size() / 2; }
+
+    Candidate of_design(std::uint32_t slot) const {
+        if (slot == 0)
+            return {champion_,
+                    generation() == 0 ? Origin::baseline : Origin::elite};
+        Genome genome = random_genome(space_, seed_, generation(), slot);
+        if (slot < last_mixture()) mix(genome, slot);
+        return {std::move(genome), Origin::random};
+    }
+
+    void mix(Genome& genome, std::uint32_t slot) const {
+        RandomStream stream(seed_, Purpose::selection, generation(), slot);
+        std::map<std::string, bool> kept;
+        for (std::size_t i = 0; i < genome.size(); ++i) {
+            const Gene& gene = space_.genes[i];
+            if (!gene.is_free) continue;
+            const auto [trait, is_new] = kept.try_emplace(gene.trait);
+            if (is_new) trait->second = stream.uniform() < 0.5;
+            if (trait->second) genome[i] = champion_[i];
+        }
+    }
+
+    void take(Population evaluated) override {
+        if (arms_.empty())
+            begin_race(evaluated);
+        else
+            learn_race(evaluated);
+        last_ = std::move(evaluated);
+    }
+
+    void begin_race(const Population& design) {
+        const auto middle =
+            design.begin() + static_cast<std::ptrdiff_t>(last_mixture());
+        const auto begin_at_best = [&](auto first, auto last) {
+            const Population part(first, last);
+            const Genome& start =
+                part[ranking(part, space_.senses).front()].candidate.genome;
+            arms_.emplace_back(coordinates_, start, settings_.step,
+                               population_ / 2);
+        };
+        begin_at_best(design.begin(), middle);
+        begin_at_best(middle, design.end());
+    }
+
+    void learn_race(const Population& rows) {
+        auto first = rows.begin();
+        for (Arm& arm : arms_) {
+            const auto last =
+                first + static_cast<std::ptrdiff_t>(arm.population());
+            arm.learn({first, last}, space_.senses, seed_, generation(),
+                      static_cast<std::uint32_t>(first - rows.begin()));
+            first = last;
+        }
+        constexpr std::size_t race = 15, judged = 4;
+        const Sense sense = space_.senses.front();
+        const std::size_t generations = arms_.front().course().size();
+        if (arms_.size() > 1 && generations >= race) {
+            const auto result = [&](const Arm& arm) {
+                return mean_of(&arm.course()[generations - judged], judged);
+            };
+            const bool is_second_better =
+                is_better(result(arms_[1]), result(arms_[0]), sense);
+            arms_.erase(arms_.begin() + (is_second_better ? 0 : 1));
+        }
+        if (arms_.size() > 1) return;
+        Arm& arm = arms_.front();
+        if (arm.extent() > tiny) {
+            if (!arm.gains_nothing(sense)) return;
+            // Noise hides what is left to gain: more plants tell more.
+            if (arm.extent() > narrow &&
+                arm.population() < most_growth * population_ / 2)
+                return arm.grow();
+        }
+        champions_.push_back(champion_of(arm));
+        champion_ = champions_.back().genome;
+        arms_.clear();
+        population_ += population_ / 2;
+    }
+
+    Candidate sample(const Eigen::VectorXd& x) const {
+        return {coordinates_.genome({x.begin(), x.end()}, space_.baseline),
+                Origin::sample};
+    }
+
+    SearchSettings settings_;
+    SearchSpace space_;
+    UnboundedGenes coordinates_;
+    std::uint64_t seed_;
+    std::size_t population_;  //!< plants of a generation of two arms
+    Genome champion_;
+    std::vector<Champion> champions_;  //!< means of earlier cycles
+    std::vector<Arm> arms_;  //!< searches that go on; none: a design is next
+    Population last_;
+};
+
+}  // namespace
+
+std::unique_ptr<GenerationalOptimizer> make_auto_search(
+    const SearchSettings& settings, SearchSpace space, std::uint64_t seed) {
+    return std::make_unique<AutoSearch>(settings, std::move(space), seed);
+}
+
+}  // namespace ideotype

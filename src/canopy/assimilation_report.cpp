@@ -97,14 +97,14 @@ std::vector<ComponentAssimilation> by_component(
     std::vector<ComponentAssimilation> all;
     for (std::uint32_t c = 0; c < components; ++c) {
         ComponentAssimilation& one = all.emplace_back();
-        std::vector<double> gross(report.tallies.size());
+        std::vector<double> gross(report.gross.tallies.size());
         for (std::size_t g = 0; g < groups.size(); ++g) {
             if (groups[g].id.component != c) continue;
             one.respiration.in_light += report.respiration[g].in_light;
             one.respiration.at_night += report.respiration[g].at_night;
             one.building += report.building_of_groups[g];
             for (std::size_t r = 0; r < gross.size(); ++r)
-                gross[r] += report.tallies[r].groups[g];
+                gross[r] += report.gross.tallies[r].groups[g];
         }
         one.gross = estimate(gross);
     }
@@ -222,15 +222,9 @@ AssimilationReport report(std::vector<FluxTally> tallies,
     IDEOTYPE_EXPECT(leaves.size() == leaf_area_index.size());
     AssimilationReport result;
     const LightSeries& series = light.series;
-    FluxReport gross = report(
-        std::move(tallies), series,
-        [](const TimeStep& step) { return mol_per_umol * step.seconds; });
-    result.gross = gross.sum;
-    result.groups = std::move(gross.groups);
-    result.layers = std::move(gross.layers);
-    result.hours = std::move(gross.hours);
-    result.dates = std::move(gross.dates);
-    result.tallies = std::move(gross.tallies);
+    result.gross = report(std::move(tallies), series, [](const TimeStep& step) {
+        return mol_per_umol * step.seconds;
+    });
     for (std::size_t g = 0; g < leaves.size(); ++g) {
         const auto& [rates, photosynthesis, built] = leaves[g];
         result.respiration.emplace_back();
@@ -245,7 +239,8 @@ AssimilationReport report(std::vector<FluxTally> tallies,
         result.building += result.building_of_groups.back();
     }
     if (series.grows)
-        report_late(result.tallies, leaves, leaf_area_index, series, result);
+        report_late(result.gross.tallies, leaves, leaf_area_index, series,
+                    result);
     return result;
 }
 

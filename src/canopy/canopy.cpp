@@ -6,18 +6,12 @@
 #include <numeric>
 #include <utility>
 
-#include <fmt/format.h>
-
-#include "field_light.hpp"
+#include "fields/field_light.hpp"
 #include "ideotype/core/contract.hpp"
-#include "ideotype/core/error.hpp"
 
 namespace ideotype {
 
 namespace {
-
-//! The part of a randomised day that a relative error of rounding may reach.
-constexpr double balance_tolerance = 1e-9;
 
 //! Returns a scene of which the light of each face is counted for itself.
 Scene with_a_group_per_face(Scene scene) {
@@ -53,242 +47,6 @@ std::vector<double> leaf_area_of_lines(const Scene& scene, std::size_t groups) {
     return index;
 }
 
-//! Makes the report of an evaluation from what was found in its fields.
-class Reporter {
-  public:
-    //! @param scene of the request, or with other groups
-    Reporter(const CanopyRequest& request, const Scene& scene,
-             const Lines& lines, const SharedByFields& shared,
-             const FieldLight& found)
-        : request_(request),
-          scene_(scene),
-          lines_(lines),
-          shared_(shared),
-          found_(found) {}
-
-    CanopyReport result() && {
-        IDEOTYPE_EXPECT(found_.fields > 0);
-        IDEOTYPE_EXPECT(found_.light.size() == scene_.bands.size());
-        result_.layers = shared_.layers;
-        result_.days = scene_.light().series.days;
-        result_.grows = scene_.light().series.grows;
-        result_.groups = lines_.groups;
-        result_.boundary = scene_.cell.boundary;
-        result_.ground_area = scene_.cell.ground_area;
-        result_.paths = found_.paths;
-        result_.is_capped = found_.is_capped;
-        result_.seconds = found_.seconds;
-        report_lines();
-        report_areas();
-        for (std::size_t b = 0; b < scene_.bands.size(); ++b) {
-            report_band(scene_.bands[b], found_.light[b]);
-            report_rows(result_.bands.back(), found_.light[b], found_.rows[b]);
-        }
-        if (request_.details.sunlit) report_sunlit();
-        if (scene_.assimilates()) report_assimilation();
-        report_rows();
-        return std::move(result_);
-    }
-
-  private:
-    void report_lines() {
-        const auto& lines = request_.details.lines;
-        if (lines && !scene_.components.empty() &&
-            scene_.components.front().plant)
-            result_.lines =
-                distance(*lines, scene_.components.front().full_grown.value_or(
-                                     *scene_.components.front().plant));
-    }
-
-    void report_areas() {
-        const double fields = found_.fields;
-        for (std::size_t c = 0; c < found_.areas.size(); ++c) {
-            const double lai = found_.areas[c].leaves / fields;
-            const double index = lai + found_.areas[c].other_organs / fields;
-            const Component& component = scene_.components[c];
-            result_.components.push_back({component.name, lai, index,
-                                          component.photosynthesis.has_value(),
-                                          component.ground_per_plant});
-            result_.lai += lai;
-            result_.plant_area_index += index;
-            if (component.photosynthesis) result_.assimilating_lai += lai;
-            if (result_.grows)
-                result_.dead_area_index +=
-                    dead_area(component.mesh) / component.ground_per_plant;
-        }
-        for (const FixedObject& each : scene_.objects) {
-            const std::vector<double> faces = face_areas(each.mesh);
-            double area = 0;
-            // A face that moves has the same area in each pose.
-            for (std::size_t f = 0; f < faces.size(); ++f)
-                if (each.mesh.groups[each.mesh.face_group[f]].pose <= 1)
-                    area += faces[f];
-            result_.objects.push_back(
-                {each.name, each.is_panel, area / scene_.cell.ground_area});
-        }
-    }
-
-    void report_band(const Band& band, const std::vector<Tally>& tallies) {
-        BandReport& report = result_.bands.emplace_back();
-        const bool has_faces = request_.details.faces;
-        report.name = band.name;
-        report.soil_albedo = band.optics.soil_albedo;
-        for (const Tally& tally : tallies) {
-            report.budget_by_randomisation.push_back(tally.budget());
-            if (has_faces) continue;
-            report.groups_by_randomisation.push_back(tally.groups);
-            report.layers_by_randomisation.push_back(tally.layers);
-        }
-        report.light = ideotype::report(tallies, band.light);
-        report.objects = light_on_objects(band.optics, report.light.parts);
-        report.parts = parts_of(tallies);
-        if (has_faces) report.faces = per_area(report.light.groups);
-        if (!(report.light.balance_error < balance_tolerance))
-            throw Error(fmt::format("the energy balance is off by {:.3g}",
-                                    report.light.balance_error));
-    }
-
-    static void report_rows(BandReport& report,
-                            const std::vector<Tally>& tallies,
-                            const std::vector<std::vector<double>>& found) {
-        report.rows_by_randomisation = found;
-        for (std::size_t row = 0; !found.empty() && row < found.front().size();
-             ++row) {
-            std::vector<double> light;
-            for (const std::vector<double>& each : found)
-                light.push_back(each[row]);
-            report.rows.push_back(absorbed_by_some_leaves(tallies, light));
-        }
-    }
-
-    //! Reports leaf areas of rows, and what those lose.
-    void report_rows() {
-        const Cell& cell = scene_.cell;
-        const std::size_t groups = lines_.groups.size();
-        for (std::size_t row = 0; row < cell.row_ground.size(); ++row) {
-            const double ground = cell.row_ground[row];
-            RowReport one{component_of_row(row), cell.rows[row],
-                          ground / cell.period_y, ground};
-            for (std::size_t g = 0; g < groups; ++g) {
-                const double area = found_.areas_of_rows[row * groups + g];
-                if (!(area > 0)) continue;
-                one.lai += area / found_.fields;
-                if (!result_.assimilation) continue;
-                const AssimilationReport& all = *result_.assimilation;
-                const double share = area / found_.leaf_area_index[g];
-                ComponentAssimilation& part = one.assimilation;
-                part.respiration.in_light +=
-                    share * all.respiration[g].in_light;
-                part.respiration.at_night +=
-                    share * all.respiration[g].at_night;
-                part.building += share * all.building_of_groups[g];
-            }
-            if (result_.assimilation)
-                one.assimilation.gross = gross_of_row(row);
-            result_.rows.push_back(one);
-        }
-    }
-
-    //! Returns the component whose plants stand in a row, with leaves or yet
-    //! without.
-    std::uint32_t component_of_row(std::size_t row) const {
-        for (std::uint32_t c = 0; c < scene_.components.size(); ++c)
-            for (const Place& place : scene_.components[c].places)
-                if (place.row == row) return c;
-        return 0;
-    }
-
-    Estimate gross_of_row(std::size_t row) const {
-        std::vector<double> values;
-        for (const FluxTally& tally : result_.assimilation->tallies)
-            values.push_back(tally.rows[row]);
-        return estimate(values);
-    }
-
-    void report_sunlit() {
-        const SunlitReport sunlit =
-            ideotype::report(found_.sunlit, scene_.light());
-        for (std::size_t h = 0; h < sunlit.hours.size(); ++h)
-            result_.bands.front().light.steps[h].sunlit = sunlit.hours[h];
-    }
-
-    void report_assimilation() {
-        std::vector<double> leaf_area_index = found_.leaf_area_index;
-        for (double& index : leaf_area_index) index /= found_.fields;
-        result_.assimilation =
-            ideotype::report(found_.fluxes.front(), shared_.leaves,
-                             leaf_area_index, scene_.light());
-        if (found_.fluxes.size() > 1) {
-            std::vector<double> layers = found_.leaf_area_of_layers;
-            for (double& index : layers) index /= found_.fields;
-            result_.water = ideotype::report(found_.fluxes, std::move(layers),
-                                             scene_.light().series);
-        }
-        if (lines_.are_cut)
-            result_.hit_by_sun =
-                ideotype::report(found_.hit_by_sun, scene_.light());
-        if (!found_.light_classes.empty())
-            result_.light_classes = ideotype::report(found_.light_classes);
-    }
-
-    //! Returns what falls on sides of objects, per area, from what they absorb.
-    std::vector<PartLight> light_on_objects(
-        const Optics& optics, std::vector<PartLight> absorbed) const {
-        absorbed.resize(2 * scene_.objects.size());
-        for (std::size_t side = 0; side < absorbed.size(); ++side) {
-            const std::uint32_t material =
-                scene_.objects[side / 2].mesh.groups.front().material;
-            const double kept =
-                result_.objects[side / 2].area_index *
-                (1 - optics.of(material).face(side % 2 == 0).scattered());
-            const double factor = kept > 0 ? 1 / kept : 0;
-            PartLight& light = absorbed[side];
-            light.day = scaled(light.day, factor);
-            for (double& x : light.by_randomisation) x *= factor;
-            for (Estimate& x : light.hours) x = scaled(x, factor);
-        }
-        return absorbed;
-    }
-
-    //! Returns the light of each component and then of each object.
-    std::vector<PartReport> parts_of(const std::vector<Tally>& tallies) const {
-        std::vector<PartReport> parts;
-        const std::size_t count =
-            scene_.components.size() + scene_.objects.size();
-        if (count == 1 || request_.details.faces) return parts;
-        for (std::uint32_t c = 0; c < count; ++c) {
-            std::vector<std::size_t> leaves, all;
-            for (std::size_t g = 0; g < lines_.groups.size(); ++g) {
-                const SurfaceId& id = lines_.groups[g].id;
-                if (id.component != c) continue;
-                all.push_back(g);
-                if (id.is_leaf()) leaves.push_back(g);
-            }
-            parts.push_back({absorbed_by_groups(tallies, leaves),
-                             absorbed_by_groups(tallies, all)});
-        }
-        return parts;
-    }
-
-    //! Returns the light of groups that are faces, per area of the face.
-    std::vector<Estimate> per_area(std::vector<Estimate> faces) const {
-        for (std::size_t face = 0; face < faces.size(); ++face) {
-            const double area = found_.areas_of_groups[face] / found_.fields;
-            faces[face] = area > 0
-                              ? scaled(faces[face], result_.ground_area / area)
-                              : Estimate{};
-        }
-        return faces;
-    }
-
-    const CanopyRequest& request_;
-    const Scene& scene_;
-    const Lines& lines_;
-    const SharedByFields& shared_;
-    const FieldLight& found_;
-    CanopyReport result_;
-};
-
 //! Evaluates a request field by field.
 //! @param scene of the request, or with other groups
 CanopyReport evaluate(const CanopyRequest& request, const Scene& scene,
@@ -304,7 +62,7 @@ CanopyReport evaluate(const CanopyRequest& request, const Scene& scene,
     for (int number = 0; number < plan.fields; ++number)
         all.append(light_in_field(number, request, scene, plan, lines, device,
                                   clock, shared));
-    return Reporter(request, scene, lines, shared, all).result();
+    return report_on(request, scene, lines, shared, all);
 }
 
 }  // namespace

@@ -110,7 +110,7 @@ nb::dict to_dict(const MeshReport& report, bool is_day,
     dict["numbers"] = numbers;
     if (canopy.assimilation) {
         const AssimilationReport& all = *canopy.assimilation;
-        dict["gross_assimilation"] = to_tuple(all.gross);
+        dict["gross_assimilation"] = to_tuple(all.gross.sum);
         dict["net_loss"] = all.net_loss();
     }
     dict["balance_error"] = canopy.par().light.balance_error;

@@ -269,7 +269,7 @@ class Costs {
         const CanopyReport report = evaluate(request, device);
         runs.times.push_back(processor_time() - began);
         const Estimate& found = report.assimilation
-                                    ? report.assimilation->gross
+                                    ? report.assimilation->gross.sum
                                     : report.par().light.day.leaves;
         runs.errors.push_back(100 * found.standard_error / found.mean);
     }

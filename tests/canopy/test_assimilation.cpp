@@ -59,7 +59,7 @@ class FieldOfTwoLeaves : public ::testing::Test {
 TEST_F(FieldOfTwoLeaves, FewPathsDoNotBiasAssimilation) {
     request.details.exact = true;
     request.accuracy = {1 << 20, 16, 1e-3};
-    const Estimate exact = evaluate(request, device).assimilation->gross;
+    const Estimate exact = evaluate(request, device).assimilation->gross.sum;
     EXPECT_LT(exact.standard_error, 1.5e-3 * exact.mean);
 
     constexpr int runs = 1000;
@@ -121,10 +121,10 @@ TEST(SmallLeaves, AssimilateAsTheirPointsDo) {
     Photosynthesis& leaves = scene.components[0].photosynthesis.emplace();
     leaves.rates = {HyperbolaLeaf{{.052, .8, 32}}};
     leaves.profile = CapacityProfile::none;
-    const Estimate found = evaluate(request, device).assimilation->gross;
+    const Estimate found = evaluate(request, device).assimilation->gross.sum;
     request.details.exact = true;
     request.accuracy.tolerance = 1e-3;
-    const Estimate exact = evaluate(request, device).assimilation->gross;
+    const Estimate exact = evaluate(request, device).assimilation->gross.sum;
     const double error = std::hypot(found.standard_error, exact.standard_error);
     EXPECT_LT(error, 1.5e-3 * exact.mean);
     EXPECT_NEAR(found.mean, exact.mean, 3 * error + 1e-3 * exact.mean);

@@ -280,18 +280,18 @@ TEST_F(TwoLeaves, PartsOfAssimilationSumToTheWhole) {
     for (const auto fields : {Fields::one, Fields::each}) {
         const CanopyReport report = evaluated(fields);
         const AssimilationReport& all = *report.assimilation;
-        ASSERT_EQ(all.tallies.size(), 8u);
+        ASSERT_EQ(all.gross.tallies.size(), 8u);
         double leaves = 0, layers = 0, hours = 0;
-        for (const Estimate& leaf : all.groups) leaves += leaf.mean;
-        for (const Estimate& layer : all.layers) layers += layer.mean;
+        for (const Estimate& leaf : all.gross.groups) leaves += leaf.mean;
+        for (const Estimate& layer : all.gross.layers) layers += layer.mean;
         const auto& steps = request.scene.bands[0].light.series.steps;
         for (std::size_t i = 0; i < steps.size(); ++i)
-            hours += 1e-6 * steps[i].seconds * all.hours[i].mean;
-        EXPECT_GT(all.gross.mean, .1);
-        EXPECT_NEAR(leaves / all.gross.mean, 1, 1e-12);
-        EXPECT_NEAR(layers / all.gross.mean, 1, 1e-12);
-        EXPECT_NEAR(hours / all.gross.mean, 1, 1e-12);
-        EXPECT_LT(all.carbon_loss(), all.gross.mean);
+            hours += 1e-6 * steps[i].seconds * all.gross.hours[i].mean;
+        EXPECT_GT(all.gross.sum.mean, .1);
+        EXPECT_NEAR(leaves / all.gross.sum.mean, 1, 1e-12);
+        EXPECT_NEAR(layers / all.gross.sum.mean, 1, 1e-12);
+        EXPECT_NEAR(hours / all.gross.sum.mean, 1, 1e-12);
+        EXPECT_LT(all.carbon_loss(), all.gross.sum.mean);
         EXPECT_GT(all.carbon_loss(), all.net_loss());
     }
 }
@@ -305,16 +305,16 @@ TEST_F(TwoLeaves, AssimilationOfDaysAndHoursSumsToThatOfTheMeanDay) {
         SkyModel::uniform, 90, Skies::shared, 2);
     const AssimilationReport all = *evaluated().assimilation;
     const LightSeries& series = request.scene.bands[0].light.series;
-    ASSERT_EQ(all.dates.size(), 3u);
+    ASSERT_EQ(all.gross.dates.size(), 3u);
     double days = 0, hours = 0;
-    for (const Estimate& date : all.dates) days += date.mean / 3;
+    for (const Estimate& date : all.gross.dates) days += date.mean / 3;
     const auto steps = series.steps_of_hours();
     for (std::size_t h = 0; h < steps.size(); ++h)
-        hours +=
-            1e-6 * series.steps[steps[h].front()].seconds * all.hours[h].mean;
-    EXPECT_NEAR(days / all.gross.mean, 1, 1e-12);
-    EXPECT_NEAR(hours / all.gross.mean, 1, 1e-12);
-    EXPECT_GT(all.dates[0].mean, all.dates[2].mean);
+        hours += 1e-6 * series.steps[steps[h].front()].seconds *
+                 all.gross.hours[h].mean;
+    EXPECT_NEAR(days / all.gross.sum.mean, 1, 1e-12);
+    EXPECT_NEAR(hours / all.gross.sum.mean, 1, 1e-12);
+    EXPECT_GT(all.gross.dates[0].mean, all.gross.dates[2].mean);
 }
 
 //! A horizontal black leaf over all of the ground, in so many instants.
@@ -359,7 +359,8 @@ TEST(BlackSheet, AssimilatesAsCollatzSaysInEachInstantsAir) {
         const AssimilationReport report =
             *evaluate(black_sheet(steps), device).assimilation;
         for (std::size_t i = 0; i < values.size(); ++i)
-            EXPECT_NEAR(report.hours.at(i).mean, values[i].at("gross"), 1e-6)
+            EXPECT_NEAR(report.gross.hours.at(i).mean, values[i].at("gross"),
+                        1e-6)
                 << i;
         EXPECT_NEAR(report.net_loss(), respired, 1e-12);
     }
@@ -391,11 +392,11 @@ TEST_F(TwoLeaves, PiecesOfPlantsThatDifferAssimilateAsExactly) {
     request.accuracy = {1 << 20, 16, 1e-3};
     const CanopyReport exact = evaluated();
     EXPECT_EQ(report.lai, exact.lai);
-    EXPECT_LT(exact.assimilation->gross.standard_error,
-              1.5e-3 * exact.assimilation->gross.mean);
-    EXPECT_NEAR(
-        report.assimilation->gross.mean / exact.assimilation->gross.mean, 1,
-        .005);
+    EXPECT_LT(exact.assimilation->gross.sum.standard_error,
+              1.5e-3 * exact.assimilation->gross.sum.mean);
+    EXPECT_NEAR(report.assimilation->gross.sum.mean /
+                    exact.assimilation->gross.sum.mean,
+                1, .005);
 }
 
 TEST_F(TwoLeaves, PlantsThatDifferHaveTheMeanLeafAreaOfTheirFields) {
@@ -429,7 +430,7 @@ TEST_F(TwoLeaves, RandomisationsAreDividedAmongFields) {
     request.accuracy = {2048, 32, 0, 8};
     const CanopyReport report = evaluate(request, device);
     EXPECT_EQ(report.randomisations(), 8u);
-    EXPECT_EQ(report.assimilation->tallies.size(), 8u);
+    EXPECT_EQ(report.assimilation->gross.tallies.size(), 8u);
     EXPECT_EQ(report.paths, 2048u * 32u);
     const Estimate of_eight = report.par().light.day.leaves;
     const Estimate of_one = evaluated().par().light.day.leaves;
@@ -454,10 +455,10 @@ TEST_F(TwoLeaves, AssimilationIsConcaveInLight) {
     request.scene.components[0].photosynthesis.emplace();
     const CanopyReport report = evaluated();
     const double linear = .06 * 4.57e-6 * report.par().light.day.leaves.mean;
-    EXPECT_LT(report.assimilation->gross.mean, .8 * linear);
+    EXPECT_LT(report.assimilation->gross.sum.mean, .8 * linear);
     request.scene.components[0].photosynthesis->rates = {
         HyperbolaLeaf{{.06, 1, 1e9}, {}}};
-    EXPECT_NEAR(evaluated().assimilation->gross.mean / linear, 1, 1e-9);
+    EXPECT_NEAR(evaluated().assimilation->gross.sum.mean / linear, 1, 1e-9);
 }
 
 }  // namespace

@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "contracts.hpp"
-#include "declaration.hpp"
-#include "field_light.hpp"
+#include "fields/field_light.hpp"
+#include "fields/randomisations.hpp"
 #include "ideotype/canopy/exact_assimilation.hpp"
 #include "ideotype/canopy/panels.hpp"
 #include "ideotype/canopy/quantities.hpp"
@@ -16,7 +16,7 @@
 #include "ideotype/light/device.hpp"
 #include "ideotype/light/transport.hpp"
 #include "pair_light.hpp"
-#include "randomisations.hpp"
+#include "quantities/declaration.hpp"
 #include "two_leaves.hpp"
 
 namespace ideotype {

@@ -57,9 +57,10 @@ struct Rates {
 
 Rates rates(const MeshOptions& options) {
     const AssimilationReport report = *study(options).canopy.assimilation;
-    Rates result{scaled(report.gross, 1e6), scaled(report.gross, 1e6), {}};
+    Rates result{
+        scaled(report.gross.sum, 1e6), scaled(report.gross.sum, 1e6), {}};
     result.net.mean -= 1e6 * report.net_loss();
-    for (const Estimate& group : report.groups)
+    for (const Estimate& group : report.gross.groups)
         result.groups.push_back(scaled(group, 1e6));
     return result;
 }
@@ -192,10 +193,10 @@ TEST(Assimilation, OfALinearResponseIsAbsorbedLight) {
     options.beam_ppfd = 700;
     options.sky_ppfd = 300;
     const CanopyReport report = study(options).canopy;
-    EXPECT_NEAR(report.assimilation->gross.mean * 1e6 /
+    EXPECT_NEAR(report.assimilation->gross.sum.mean * 1e6 /
                     (.06 * report.par().light.day.leaves.mean),
                 1, 1e-12);
-    EXPECT_NEAR(report.assimilation->gross.standard_error * 1e6 /
+    EXPECT_NEAR(report.assimilation->gross.sum.standard_error * 1e6 /
                     (.06 * report.par().light.day.leaves.standard_error),
                 1, 1e-9);
 }
@@ -293,14 +294,14 @@ TEST(Assimilation, ByCollatzFollowsTheWeather) {
         table("air", "model = 'collatz'\nweather = true\n");
     const CanopyReport moved = study(options).canopy;
     const double linear = .067 * 4.57e-6 * moved.par().light.day.leaves.mean;
-    EXPECT_LT(moved.assimilation->gross.mean, .9 * linear);
-    EXPECT_GT(moved.assimilation->gross.mean, .4 * linear);
+    EXPECT_LT(moved.assimilation->gross.sum.mean, .9 * linear);
+    EXPECT_GT(moved.assimilation->gross.sum.mean, .4 * linear);
     // In the same light: a night below 30 deg C costs less, the day gives less.
     EXPECT_LT(moved.assimilation->all_respiration().at_night,
               .9 * still.assimilation->all_respiration().at_night);
-    EXPECT_GT(std::abs(moved.assimilation->gross.mean -
-                       still.assimilation->gross.mean),
-              .003 * still.assimilation->gross.mean);
+    EXPECT_GT(std::abs(moved.assimilation->gross.sum.mean -
+                       still.assimilation->gross.sum.mean),
+              .003 * still.assimilation->gross.sum.mean);
 }
 
 TEST(Assimilation, OfASeasonIsThatOfItsHours) {
@@ -313,7 +314,7 @@ TEST(Assimilation, OfASeasonIsThatOfItsHours) {
     EXPECT_EQ(report.days, 62);
     // The reference leaves out the hours around sunrise and sunset, which have
     // some 0.3 % of it.
-    const Estimate gross = report.assimilation->gross;
+    const Estimate gross = report.assimilation->gross.sum;
     EXPECT_NEAR(gross.mean, 1.5318 * 1.003,
                 4 * std::hypot(gross.standard_error, .0009) + .002 * 1.5318);
     options.sun = {30, 180};

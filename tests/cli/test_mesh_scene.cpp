@@ -189,10 +189,10 @@ TEST(MeshScene, FacesThatReflectDifferentlyAssimilateAsExactly) {
         "par = [0.05, 0.5, 0.1]\n[[component]]\nname = \"maize\"\n"
         "photosynthesis = { amax = 50 }\n");
     options.tolerance = 1e-3;
-    const Estimate pieces = study(options).canopy.assimilation->gross;
+    const Estimate pieces = study(options).canopy.assimilation->gross.sum;
     options.is_exact = true;
     options.tolerance = 4e-3;
-    const Estimate exact = study(options).canopy.assimilation->gross;
+    const Estimate exact = study(options).canopy.assimilation->gross.sum;
     EXPECT_NEAR(pieces.mean, exact.mean,
                 4 * std::hypot(pieces.standard_error, exact.standard_error) +
                     2e-3 * exact.mean);
@@ -216,8 +216,8 @@ TEST(MeshScene, ComponentsMayBeOfC3) {
     const AssimilationReport report = *study(options).canopy.assimilation;
     const FarquharLeaf leaf{90, 150, 10, .9, .98, 4, 1};
     const double ci = 400 * 4 / (4 + std::sqrt(1.69717));
-    EXPECT_NEAR(1e6 * report.gross.mean, farquhar_at(leaf, 30, ci).gross(900),
-                1e-3);
+    EXPECT_NEAR(1e6 * report.gross.sum.mean,
+                farquhar_at(leaf, 30, ci).gross(900), 1e-3);
     EXPECT_NEAR(1e6 * report.net_loss(), dark_respiration(leaf, 30), 1e-9);
     set_leaves("vmax = 40");
     try {

@@ -172,10 +172,10 @@ TEST(Agrivoltaics, LightIsFollowedBackBelowPanelsThatTrack) {
     request.accuracy = {1024, 16};
     const CanopyReport exact = evaluate(request, device);
     const CanopyReport pieces = light_of_field(tracked);
-    ASSERT_EQ(exact.assimilation->hours.size(), 3u);
+    ASSERT_EQ(exact.assimilation->gross.hours.size(), 3u);
     for (std::size_t h = 0; h < 3; ++h) {
-        const Estimate &a = exact.assimilation->hours[h],
-                       &b = pieces.assimilation->hours[h];
+        const Estimate &a = exact.assimilation->gross.hours[h],
+                       &b = pieces.assimilation->gross.hours[h];
         EXPECT_NEAR(
             a.mean, b.mean,
             .005 * b.mean + 4 * std::hypot(a.standard_error, b.standard_error))

@@ -438,7 +438,7 @@ TEST_F(Mixtures, OfOneKindAreThatKind) {
     EXPECT_NEAR(two.components[0].lai, two.components[1].lai, 1e-9);
     const auto parts = by_component(*two.assimilation, two.groups, 2);
     EXPECT_NEAR((parts[0].gross.mean + parts[1].gross.mean) /
-                    two.assimilation->gross.mean,
+                    two.assimilation->gross.sum.mean,
                 1, 1e-12);
     EXPECT_NEAR(
         (two.par().part(0).leaves.mean + two.par().part(1).leaves.mean) /
@@ -456,7 +456,8 @@ TEST_F(Mixtures, DoNotDependOnNames) {
     const CanopyReport other = evaluated(settings);
     EXPECT_EQ(one.par().groups_by_randomisation,
               other.par().groups_by_randomisation);
-    EXPECT_EQ(one.assimilation->gross.mean, other.assimilation->gross.mean);
+    EXPECT_EQ(one.assimilation->gross.sum.mean,
+              other.assimilation->gross.sum.mean);
 }
 
 TEST_F(Mixtures, MeasureWhatTheyDeclareInTheSameOrder) {
@@ -498,7 +499,8 @@ TEST_F(Mixtures, NearInfraredChangesNothingOfPar) {
     ASSERT_EQ(both.bands.size(), 2u);
     EXPECT_EQ(both.par().budget_by_randomisation,
               par.par().budget_by_randomisation);
-    EXPECT_EQ(both.assimilation->gross.mean, par.assimilation->gross.mean);
+    EXPECT_EQ(both.assimilation->gross.sum.mean,
+              par.assimilation->gross.sum.mean);
     const BandReport& beyond = both.bands[1];
     EXPECT_NEAR(beyond.light.day.incident / par.par().light.day.incident,
                 .55 / .45, 1e-9);

@@ -39,6 +39,7 @@ struct FluxReport {
     std::vector<Estimate> dates;   //!< of each, of several days
 };
 
+//! Reports a flux from its tallies.
 //! @param amount_of a step, over the flux in it, on a mean day
 FluxReport report(std::vector<FluxTally> tallies, const LightSeries& series,
                   double (*amount_of)(const TimeStep& step));
@@ -52,14 +53,7 @@ struct Respiration {
 //! Assimilation of the leaves of a canopy on a mean day [mol m-2 of ground
 //! day-1], or in a second, as the light is.
 struct AssimilationReport {
-    //! Tallies by randomisation, which are independent, see assimilate().
-    std::vector<FluxTally> tallies;
-    Estimate gross;
-    std::vector<Estimate> groups;  //!< gross, of each group of the mesh
-    std::vector<Estimate> layers;  //!< gross, lowest layer first
-    //! Gross on a mean day, of LightSeries::hours() [umol m-2 s-1].
-    std::vector<Estimate> hours;
-    std::vector<Estimate> dates;           //!< gross on each, of several days
+    FluxReport gross;                      //!< of hours [umol m-2 s-1]
     std::vector<Respiration> respiration;  //!< of each group of the mesh
     //! Carbon that leaves of each group of the mesh are built of, and of all.
     std::vector<double> building_of_groups;
@@ -69,7 +63,7 @@ struct AssimilationReport {
     std::vector<double> late_gross;
     double late_respiration = 0;
 
-    //! Respiration of all leaves.
+    //! Returns the respiration of all leaves.
     Respiration all_respiration() const;
 
     //! Returns the respiration in lit hours, by which net assimilation is less
@@ -113,13 +107,15 @@ std::vector<LeafGroup> leaf_groups(const Scene& scene,
                                    const std::vector<Group>& groups,
                                    const std::vector<double>& leaf_area_index);
 
+//! Reports assimilation, respiration and the building of leaves from tallies
+//! of gross assimilation.
 //! @param leaves,leaf_area_index of each group of the mesh
 AssimilationReport report(std::vector<FluxTally> tallies,
                           const std::vector<LeafGroup>& leaves,
                           const std::vector<double>& leaf_area_index,
                           const SeriesIllumination& light);
 
-//! Air around leaves in a step.
+//! Returns the air around leaves in a step.
 Air air_of(const TimeStep& step, const Photosynthesis& photosynthesis);
 
 class LeafAir;
@@ -138,10 +134,10 @@ struct LitLeaves {
     LeafAir* air = nullptr;  //!< that leaves exchange heat and water with
 };
 
-//! Gross assimilation of leaves in one field, response by response: the light
-//! that a point of a leaf absorbs is diffuse light D, which is taken as even
-//! over a piece of a leaf, and where the sun shines on it the beam b, which is
-//! the same on all of a triangle:
+//! Finds the gross assimilation of leaves in one field, response by response:
+//! the light that a point of a leaf absorbs is diffuse light D, which is taken
+//! as even over a piece of a leaf, and where the sun shines on it the beam b,
+//! which is the same on all of a triangle:
 //!
 //!     A = integral of f(D) + sum over first hits of beams of
 //!         w [f(D + b) - f(D)] / b

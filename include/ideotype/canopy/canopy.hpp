@@ -75,14 +75,15 @@ struct BandReport {
     //! that is cut some are only there in part.
     std::vector<Estimate> faces;
 
-    //! The light of a component, or behind those of a fixed object.
+    //! Returns the light of a component or, in the numbers behind, of a fixed
+    //! object.
     PartReport part(std::size_t number) const {
         IDEOTYPE_EXPECT(parts.empty() || number < parts.size());
         return parts.empty() ? PartReport{light.day.leaves, light.day.plants}
                              : parts[number];
     }
 
-    //! The light that leaves of a component absorb at an hour of
+    //! Returns the light that leaves of a component absorb at an hour of
     //! LightSeries::hours() [W m-2].
     Estimate leaves_at(std::size_t component, std::size_t hour) const {
         IDEOTYPE_EXPECT(hour < light.steps.size());
@@ -152,19 +153,19 @@ struct CanopyReport {
 //! Tells a time [s].
 using Clock = std::function<double()>;
 
-//! The one evaluation of canopies: scene -> fields -> light -> assimilation ->
-//! report. Of fewer paths than sources of light, as many as there are sources
-//! are traced.
+//! Evaluates a canopy, the one way in which it is done: scene -> fields ->
+//! light -> assimilation -> report. At least as many paths are traced as there
+//! are sources of light.
 //! @throws Error if the numbers of leaves differ, a scene cannot be built, or
 //! the energy balance does not close.
 CanopyReport evaluate(const CanopyRequest& request, const Device& device,
                       const Clock& clock = {});
 
-//! The surfaces of a field, as its boundary says.
+//! Builds the surfaces of a field, as its boundary says.
 RayScene build_scene(const Device& device, const Field& field);
 
-//! At least as accurate as to know the light on most faces to some 5 %, but
-//! with no more paths than take about ten seconds.
+//! Returns an accuracy with which the light on most faces is known to some 5 %
+//! or better, but with no more paths than take about ten seconds.
 Accuracy face_accuracy(const Accuracy& accuracy, std::size_t faces);
 
 }  // namespace ideotype

@@ -14,9 +14,9 @@ struct ExactAssimilation {
     bool is_capped = false;  //!< more would be needed to meet the tolerance
 };
 
-//! Gross assimilation of leaves in one field without any bias, to check
-//! assimilate() by: of random points of leaves, each with its own ray to each
-//! sun and its own paths of diffuse light D, no pieces of leaves.
+//! Finds the gross assimilation of leaves in one field without any bias, to
+//! check assimilate() by: it takes random points of leaves, each with its own
+//! ray to each sun and its own paths of diffuse light D, no pieces of leaves.
 //!
 //! The response f to the mean of D is more than its mean over noisy samples of
 //! D. The limit of many samples is estimated from few: by the response to the

@@ -36,14 +36,15 @@ struct FieldForm {
     std::vector<double> row_pattern{};
 };
 
-//! The ground of a lattice.
+//! Returns the ground of a lattice.
 //! @throws Error if nothing is left of a plot.
 Cell cell_of(const FieldForm& form);
 
-//! The ground that is nearer to each row of a lattice than to others [m2].
+//! Returns the ground that is nearer to each row of a lattice than to others
+//! [m2].
 std::vector<double> ground_of_rows(const FieldForm& form);
 
-//! The places of a lattice row by row.
+//! Returns the places of a lattice row by row.
 //! @param rows of the lattice, from 0; empty: all
 std::vector<Place> places_of(const FieldForm& form,
                              const std::vector<int>& rows = {});
@@ -53,7 +54,7 @@ std::vector<Place> places_of(const FieldForm& form,
 void set_places(Component& component, const FieldForm& form,
                 const std::vector<int>& rows = {});
 
-//! A component of one plant in a lattice.
+//! Makes a component of one plant in a lattice.
 Component component_of(const Plant& plant, const FieldForm& form,
                        const Tessellation& tessellation = {});
 
@@ -71,11 +72,12 @@ struct Field {
     Cell cell;
 };
 
-//! The turn of each plant of a component [deg], place by place: independent,
-//! and uniform in +-jitter. Where the variation tells how many plants stand
-//! across the row, so many are within 45 deg of that and the others within 45
-//! deg of the row, one in each of equal parts of these ranges, in random order.
-//! A function of seed, generation, first randomisation and component.
+//! Draws the turn of each plant of a component [deg], place by place:
+//! independent, and uniform in +-jitter. Where the variation tells how many
+//! plants stand across the row, so many are within 45 deg of that and the
+//! others within 45 deg of the row, one in each of equal parts of these ranges,
+//! in random order. A function of seed, generation, first randomisation and
+//! component.
 //! @param number of the component
 std::vector<double> draw_plant_azimuths(const Component& component,
                                         const Randomness& randomness,
@@ -94,8 +96,9 @@ std::vector<std::vector<Place>> draw_places(const Scene& scene,
 Field draw_field(const Scene& scene, const Randomness& randomness,
                  std::span<const Mesh> lines = {});
 
-//! The scene in which plants stand as they are in a field of it, and are not
-//! drawn again: each component is a single mesh. Leaves do not assimilate.
+//! Returns the scene in which plants stand as they are in a field of it, and
+//! are not drawn again: each component is a single mesh. Leaves do not
+//! assimilate.
 Scene as_drawn(Scene scene, const Field& field);
 
 }  // namespace ideotype

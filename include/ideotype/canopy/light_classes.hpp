@@ -24,6 +24,7 @@ inline double class_begin(std::size_t number) {
                       : 100. * static_cast<double>(number - 1);
 }
 
+//! Returns the class of an absorbed PPFD.
 inline std::size_t class_of(double ppfd) {
     if (!(ppfd >= 50)) return 0;
     return std::min(1 + static_cast<std::size_t>(ppfd / 100), ppfd_classes - 1);
@@ -37,20 +38,22 @@ struct LightClasses {
         : sunlit(classes), shaded(classes) {}
 };
 
-//! Leaf area in one field by the light that it absorbs, a mean over the time
-//! with any light, by randomisation; sums to the leaf area index. Diffuse light
-//! is that of assimilate(), in the mean of plants alike.
-//! Leaves that absorb nothing are shaded.
+//! Finds the leaf area in one field by the light that it absorbs, a mean over
+//! the time with any light, by randomisation; it sums to the leaf area index.
+//! Diffuse light is that of assimilate(), in the mean of plants alike. Leaves
+//! that absorb nothing are shaded.
 //! @param tallies with leaf light
 //! @param lit with the scene of pieces.mesh
 std::vector<LightClasses> leaf_area_by_light(const std::vector<Tally>& tallies,
                                              const Pieces& pieces,
                                              const LitLeaves& lit);
 
+//! Leaf area by the light that it absorbs, per class [m2 m-2].
 struct LightClassReport {
     std::vector<Estimate> sunlit, shaded;
 };
 
+//! Reports the leaf area in each class from all randomisations.
 LightClassReport report(const std::vector<LightClasses>& randomisations);
 
 }  // namespace ideotype

@@ -39,20 +39,21 @@ struct PanelLayout {
     double along = 0;      //!< the same along them [m]
 };
 
+//! Returns how rows of panels lie in a cell.
 //! @param row_direction of the cell's y axis, clockwise from north [deg]
 //! @return nothing if panel rows are neither parallel nor at right angles to
 //! the rows of plants
 std::optional<PanelLayout> layout_of(const PanelRows& panels, const Cell& cell,
                                      double row_direction);
 
-//! The rows with their pitch, if it is that of the cell.
+//! Returns the rows with their pitch, if it is that of the cell.
 PanelRows in_cell(PanelRows panels, const Cell& cell, double row_direction);
 
-//! Whether a length goes into another a whole number of times.
+//! Returns whether a length goes into another a whole number of times.
 bool divides(double part, double whole);
 
-//! The modules of a cell, of which groups [0] is one of a fixed object. The
-//! adaxial side of faces is the front of modules.
+//! Builds the modules of a cell, of which groups [0] is one of a fixed object.
+//! The adaxial side of faces is the front of modules.
 //! @param tilt in the place of that of the rows [deg]
 //! @throws Error if the rows do not repeat with the cell.
 Mesh panel_mesh(const PanelRows& panels, const Cell& cell, double row_direction,

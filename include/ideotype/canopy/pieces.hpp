@@ -53,10 +53,10 @@ Pieces cut_coarse_leaves(const Mesh& mesh, std::size_t copies, double tolerance,
 //! a width of 0.
 std::vector<double> blade_widths(const Mesh& mesh);
 
-//! A mesh of which nothing is cut.
+//! Returns a mesh of which nothing is cut.
 Pieces uncut(const Mesh& mesh);
 
-//! The pieces of all plants of a field.
+//! Makes the pieces of all plants of a field.
 //! @param lines the pieces of one plant of each component
 //! @param field drawn with the meshes of those; its mesh becomes that of the
 //! result

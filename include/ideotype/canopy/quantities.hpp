@@ -12,14 +12,14 @@ namespace ideotype {
 //! The quantity that an isolated plot does not have.
 inline constexpr auto extinction = "extinction_coefficient";
 
-//! All that is measured of a scene whose components are plants, along leaf,
-//! organ, layer, hour, light_source, leaf_side, and, where there are several,
-//! day, component, band, field_row and object.
+//! Returns all that is measured of a scene whose components are plants, along
+//! leaf, organ, layer, hour, light_source, leaf_side, and, where there are
+//! several, day, component, band, field_row and object.
 //! @param details that the canopy is evaluated with
 QuantitySet canopy_quantities(const Scene& scene, const Layers& layers,
                               const Details& details);
 
-//! Their numbers in a report on such a canopy, in the same order.
+//! Returns the numbers of canopy_quantities() in a report, in their order.
 std::vector<Estimate> measure(const CanopyReport& report);
 
 //! A quantity without axes.
@@ -28,35 +28,36 @@ struct Measured {
     Estimate estimate;
 };
 
-//! All of them that a report has.
+//! Returns all quantities without axes that a report has.
 std::vector<Measured> measure_numbers(const CanopyReport& report);
 
-//! The names of quantities without axes that a report may have, but for those
-//! that tell of the method alone: each can be an objective.
+//! Returns the names of quantities without axes that a report may have, but for
+//! those that tell of the method alone: each can be an objective.
 std::vector<std::string> objective_names();
 
-//! Whether only reports with assimilation have it.
+//! Returns whether only reports with assimilation have a quantity.
 bool is_of_assimilation(const std::string& quantity);
 
-//! Whether only reports with measured lines have it.
+//! Returns whether only reports with measured lines have a quantity.
 bool is_of_lines(const std::string& quantity);
 
-//! Whether only reports with a near infrared band have it.
+//! Returns whether only reports with a near infrared band have a quantity.
 bool is_of_nir(const std::string& quantity);
 
-//! Whether only reports on leaves that exchange heat and water have it.
+//! Returns whether only reports on leaves that exchange heat and water have a
+//! quantity.
 bool is_of_water(const std::string& quantity);
 
-//! Whether only reports on plants that grow have it.
+//! Returns whether only reports on plants that grow have a quantity.
 bool is_of_growth(const std::string& quantity);
 
-//! Whether only reports with panels have it.
+//! Returns whether only reports with panels have a quantity.
 bool is_of_panels(const std::string& quantity);
 
-//! Whether only reports with two components have it.
+//! Returns whether only reports with two components have a quantity.
 bool is_of_two_components(const std::string& quantity);
 
-//! The unit of a quantity.
+//! Returns the unit of a quantity.
 //! @throws std::out_of_range if there is none of this name.
 std::string unit_of(const std::string& quantity);
 
@@ -66,15 +67,15 @@ struct Randomised {
     std::vector<double> by_randomisation;
 };
 
-//! The numbers of measure(), each by randomisation where it is known so.
+//! Returns the numbers of measure(), by randomisation where they are known so.
 std::vector<Randomised> measure_by_randomisation(const CanopyReport& report);
 
-//! A quantity without axes.
+//! Returns a quantity without axes.
 //! @throws Error if the report has none of this name.
 Randomised measure_objective(const std::string& name,
                              const CanopyReport& report);
 
-//! Objectives that are sums over components.
+//! Returns the objectives that are sums over components.
 std::vector<std::string> additive_objectives();
 
 //! Tells what each component has of an objective that is a sum over them, per
@@ -87,7 +88,8 @@ std::vector<Randomised> measure_parts(const std::string& name,
 Randomised weighted_sum(const std::vector<Randomised>& parts,
                         const std::vector<double>& weights);
 
-//! A quantity along leaf, layer, component or field_row alone, place by place.
+//! Returns a quantity along leaf, layer, component or field_row alone, place by
+//! place.
 //! @throws Error if the report has none of this name.
 std::vector<Randomised> measure_profile(const std::string& name,
                                         const CanopyReport& report);

@@ -115,13 +115,15 @@ struct Scene {
         return bands.front().light;
     }
 
-    //! Whether plants of any component differ by more than their direction.
+    //! Returns whether plants of any component differ by more than their
+    //! direction.
     bool varies() const;
-    //! Whether leaves of any component assimilate.
+    //! Returns whether leaves of any component assimilate.
     bool assimilates() const;
 };
 
-//! The groups of all components, then those of objects, each with its number.
+//! Returns the groups of all components, then those of objects, each with its
+//! number.
 //! @param lines meshes in the place of those of the components, or empty
 std::vector<Group> groups_of(const Scene& scene,
                              std::span<const Mesh> lines = {});
@@ -130,7 +132,7 @@ std::vector<Group> groups_of(const Scene& scene,
 struct PlantOptics {
     Lambertian leaf, stalk, sheath;
 
-    //! The materials in the order of PlantMaterial.
+    //! Returns the materials in the order of PlantMaterial.
     std::vector<Material> materials() const;
 };
 

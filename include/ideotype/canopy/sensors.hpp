@@ -18,10 +18,11 @@ struct Sensor {
     double position = 0;
 };
 
-//! The light on sensors by instant of the scenario, over that on level ground
-//! above the canopy: the mean over places along the rows and over the fields of
-//! all randomisations, which are drawn each for itself. Paths are followed from
-//! the sensor back to the sources of light, so that it shades nothing.
+//! Finds the light on sensors by instant of the scenario, over that on level
+//! ground above the canopy: the mean over places along the rows and over the
+//! fields of all randomisations, which are drawn each for itself. Paths are
+//! followed from the sensor back to the sources of light, so that it shades
+//! nothing.
 //! @param points on each sensor in each randomisation
 //! @return [sensor, instant]
 //! @throws Error if there are fewer than two randomisations or the plants are

@@ -21,8 +21,8 @@ enum class LeafFlux : std::size_t {
 
 inline constexpr std::size_t leaf_fluxes = 6;
 
-//! The amount of a step over its flux: assimilation [mol], water [mm], heat
-//! [MJ], time that is hot [h], and for others time [s].
+//! Returns the amount of a step over its flux: assimilation [mol], water [mm],
+//! heat [MJ], time that is hot [h], and for others time [s].
 double amount_of(LeafFlux flux, const TimeStep& step);
 
 //! Tallies of each flux, by randomisation.

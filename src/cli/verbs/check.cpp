@@ -5,9 +5,10 @@
 #include <fmt/ranges.h>
 
 #include "campaign_size.hpp"
+#include "cli/formats/json.hpp"
+#include "cli/verbs.hpp"
 #include "history/history.hpp"
 #include "ideotype/light/ray_scene.hpp"
-#include "json.hpp"
 #include "run/disk.hpp"
 #include "run/masters.hpp"
 #include "run/progress.hpp"
@@ -17,7 +18,6 @@
 #include "stand/across_scenarios.hpp"
 #include "stand/sampling.hpp"
 #include "stand/stand.hpp"
-#include "verbs.hpp"
 
 namespace ideotype {
 
@@ -89,31 +89,6 @@ void tell_next(const std::string& path,
     fmt::print("next: {}\n", quoted(words));
 }
 
-//! Returns the leaf area of the baseline at each stage of a season, if plants
-//! grow.
-Json season_of(const Campaign& campaign, const Case& chosen) {
-    Json rows;
-    for (const Case& each : scenarios(chosen))
-        for (const Case& at : each.stages) {
-            const Scene scene = scene_of(campaign, at);
-            double green = 0, dead = 0;
-            for (const Component& one : scene.components) {
-                green += lai_of_line(one.mesh, one.ground_per_plant);
-                dead += dead_area(one.mesh) / one.ground_per_plant;
-            }
-            rows.push_back(
-                {{"period", each.day_name},
-                 {"emergence", to_string(climate_of(campaign, each).emergence)},
-                 {"day", fmt::format("{:.0f}", at.stage->day)},
-                 {"deg C d", fmt::format("{:.0f}", at.stage->at)},
-                 {"green LAI", fmt::format("{:.2f}", green)},
-                 {"dead LAI", fmt::format("{:.2f}", dead)},
-                 {"share of light",
-                  fmt::format("{:.1f} %", 100 * at.stage->share)}});
-        }
-    return rows;
-}
-
 //! All that check finds, in the first case alone unless said otherwise.
 struct Findings {
     Mesh plant;
@@ -133,27 +108,6 @@ double leaf_area_of_place(const Scene& scene, const Case& chosen) {
     for (const Component& each : scene.components)
         lai += lai_of_line(each.mesh, each.ground_per_plant);
     return lai * chosen.spacing.row * chosen.spacing.plant;
-}
-
-//! Tells what is searched for.
-std::string objective_text(const Campaign& campaign) {
-    std::string text;
-    const std::vector<double>& factors =
-        campaign.sole.empty() ? campaign.weights : campaign.sole;
-    for (const ObjectiveEntry& objective : objectives_of(campaign)) {
-        text += fmt::format(
-            "{}{} {}", text.empty() ? "objective " : ", ",
-            objective.sense == Sense::maximise ? "maximise" : "minimise",
-            objective.name);
-        for (std::size_t c = 0; c < factors.size(); ++c)
-            text += fmt::format("{}{} {} {:g}", c == 0 ? " of " : " + ",
-                                c == 0 ? campaign.crop.baseline.name
-                                       : campaign.components[c - 1].name,
-                                campaign.sole.empty() ? "times" : "over",
-                                factors[c]);
-    }
-    return text +
-           (campaign.sole.empty() ? "\n" : ": the land equivalent ratio\n");
 }
 
 Findings look_at(const Campaign& campaign) {

@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 
 #include "campaign/campaign.hpp"
-#include "json.hpp"
+#include "cli/formats/json.hpp"
 
 namespace ideotype {
 
@@ -75,5 +75,12 @@ struct Stands {
 //! @param leaf_area of a place of the field, of all components on the average
 //! [m2]
 Stands stands_of(const Campaign& campaign, double leaf_area);
+
+//! Returns the leaf area of the baseline at each stage of a season, if plants
+//! grow.
+Json season_of(const Campaign& campaign, const Case& chosen);
+
+//! Returns a line that tells what is searched for.
+std::string objective_text(const Campaign& campaign);
 
 }  // namespace ideotype

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "campaign/campaign.hpp"
-#include "json.hpp"
+#include "cli/formats/json.hpp"
 #include "stand/sampling.hpp"
 
 namespace ideotype {

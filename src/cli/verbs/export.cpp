@@ -7,14 +7,14 @@
 
 #include <fmt/format.h>
 
-#include "choose_row.hpp"
+#include "cli/choose_row.hpp"
+#include "cli/formats/mesh_files.hpp"
+#include "cli/formats/output_file.hpp"
+#include "cli/verbs.hpp"
 #include "ideotype/canopy/canopy.hpp"
 #include "ideotype/core/text.hpp"
 #include "ideotype/crop/measures.hpp"
-#include "mesh_files.hpp"
-#include "output_file.hpp"
 #include "stand/stand.hpp"
-#include "verbs.hpp"
 
 namespace ideotype {
 

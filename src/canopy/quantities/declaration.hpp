@@ -55,6 +55,16 @@ struct Declaration {
     std::function<bool(const Scope&)> is_in{};
 };
 
+//! Returns all that a canopy of some scope has, in the order of columns.
+std::vector<const Declaration*> declared(const Scope& scope);
+
+//! Returns whether any object is a panel.
+template <class Object>
+bool has_panels(const std::vector<Object>& objects) {
+    return std::any_of(objects.begin(), objects.end(),
+                       [](const Object& each) { return each.is_panel; });
+}
+
 //! Quantities of PAR, in the order of their columns.
 std::vector<Declaration> light_quantities();
 

@@ -13,13 +13,26 @@ namespace ideotype {
 
 namespace {
 
-//! A single light shines for a second: assimilation is told in umol.
-double assimilation_scale(Span span) {
-    return span == Span::single ? 1e6 : 1;
+Json in_unit(const Estimate& x, const std::string& unit) {
+    Json json = to_json(x);
+    json["unit"] = unit;
+    return json;
 }
 
-const char* assimilation_unit(Span span) {
-    return span == Span::single ? "umol m-2 s-1" : "mol m-2 day-1";
+//! Tells assimilation; a single light shines for a second, in which that is in
+//! umol.
+Json assimilation_json(const Estimate& x, Span span) {
+    return span == Span::single ? in_unit(scaled(x, 1e6), "umol m-2 s-1")
+                                : in_unit(x, "mol m-2 day-1");
+}
+
+Estimate lowered(Estimate gross, double loss) {
+    return {gross.mean - loss, gross.standard_error};
+}
+
+Json gross_and_net(const Estimate& gross, double loss, Span span) {
+    return {{"gross", assimilation_json(gross, span)},
+            {"net", assimilation_json(lowered(gross, loss), span)}};
 }
 
 bool has_stalks(const CanopyReport& report) {
@@ -60,10 +73,6 @@ Json to_json(const BudgetEstimate& budget, const CanopyReport& report,
     return json;
 }
 
-Estimate lowered(Estimate gross, double loss) {
-    return {gross.mean - loss, gross.standard_error};
-}
-
 //! Leaf area by the light that it absorbs.
 Json light_classes_json(const LightClassReport& classes) {
     Json json{{"ppfd_unit", "umol m-2 s-1"}, {"unit", "m2 m-2"}};
@@ -83,33 +92,24 @@ Json quantities_json(const CanopyReport& report, Span span) {
     for (const auto& [quantity, estimate] : measure_numbers(report)) {
         const std::string& unit = quantity.unit;
         if (span == Span::single && unit != "1" && unit != "m2 m-2") continue;
-        json[quantity.name] = to_json(estimate);
-        json[quantity.name]["unit"] = unit;
+        json[quantity.name] = in_unit(estimate, unit);
     }
     return json;
 }
 
 Json assimilation_json(const CanopyReport& report, Span span) {
     const AssimilationReport& all = *report.assimilation;
-    const double scale = assimilation_scale(span);
-    const auto part = [&](Estimate x) {
-        Json json = to_json(scaled(x, scale));
-        json["unit"] = assimilation_unit(span);
-        return json;
-    };
-    const auto both = [&](Estimate gross, double loss) {
-        return Json{{"gross", part(gross)},
-                    {"net", part(lowered(gross, loss))}};
-    };
-    Json json = both(all.gross, all.net_loss());
+    Json json = gross_and_net(all.gross.sum, all.net_loss(), span);
     if (span == Span::day)
-        json["carbon_balance"] = part(lowered(all.gross, all.carbon_loss()));
+        json["carbon_balance"] =
+            assimilation_json(lowered(all.gross.sum, all.carbon_loss()), span);
     Json groups = Json::object();
     for (std::size_t g = 0; g < report.groups.size(); ++g)
         if (report.groups[g].id.is_leaf())
             groups.get_ref<Json::object_t&>().emplace_back(
                 group_name(report, g),
-                both(all.groups[g], all.respiration[g].in_light));
+                gross_and_net(all.gross.groups[g], all.respiration[g].in_light,
+                              span));
     json["groups"] = std::move(groups);
     if (report.light_classes)
         json["leaf_area_by_absorbed_ppfd"] =
@@ -143,11 +143,6 @@ Json to_json(const CanopyReport& report, Span span) {
         groups.get_ref<Json::object_t&>().emplace_back(group_name(report, g),
                                                        part(light.groups[g]));
     json["groups"] = std::move(groups);
-    if (report.boundary == Boundary::isolated)
-        json["surface"] =
-            "bounding box of the plot, down to the soil: the balance closes "
-            "over what entered through it, from all sides; fractions of what "
-            "the ground area receives may exceed 1";
     json["balance_error"] = light.balance_error;
     if (span == Span::day) json["clock"] = clock_name(light.utc_offset);
     for (const StepReport& step : light.steps) {
@@ -190,15 +185,9 @@ Json components_json(const CanopyReport& report, Span span) {
         one["lai"] = component.lai;
         one["plant_area_index"] = component.plant_area_index;
         if (component.assimilates) {
-            const auto part = [&](Estimate x) {
-                Json rate = to_json(scaled(x, assimilation_scale(span)));
-                rate["unit"] = assimilation_unit(span);
-                return rate;
-            };
             const auto& [gross, respiration, building] = assimilation[c];
-            one["assimilation"] = {
-                {"gross", part(gross)},
-                {"net", part(lowered(gross, respiration.in_light))}};
+            one["assimilation"] =
+                gross_and_net(gross, respiration.in_light, span);
         }
         json[component.name] = std::move(one);
     }
@@ -280,14 +269,10 @@ std::vector<Part> rows_of(const CanopyReport& report) {
 }
 
 Json to_json(const Part& part) {
-    const auto number = [](const Estimate& x, const char* unit) {
-        Json json = to_json(x);
-        json["unit"] = unit;
-        return json;
-    };
     Json json{{"lai", part.lai},
-              {"absorbed_par", number(part.light, "MJ m-2 day-1")}};
-    if (part.net) json["net_assimilation"] = number(*part.net, "mol m-2 day-1");
+              {"absorbed_par", in_unit(part.light, "MJ m-2 day-1")}};
+    if (part.net)
+        json["net_assimilation"] = assimilation_json(*part.net, Span::day);
     return json;
 }
 

@@ -5,16 +5,16 @@
 
 #include <fmt/format.h>
 
+#include "cli/formats/lines.hpp"
+#include "cli/ranks.hpp"
+#include "cli/verbs.hpp"
 #include "genome_request.hpp"
 #include "ideotype/core/routine.hpp"
-#include "lines.hpp"
 #include "parallel/dispatcher.hpp"
-#include "ranks.hpp"
 #include "run/machines.hpp"
 #include "run/progress.hpp"
 #include "run/run.hpp"
 #include "stand/stand.hpp"
-#include "verbs.hpp"
 
 namespace ideotype {
 

@@ -14,6 +14,9 @@
 
 namespace ideotype {
 
+//! The names of bands besides PAR that warm leaves.
+inline constexpr auto nir = "nir", longwave = "longwave";
+
 //! One plant of each component, as fields are made of them.
 struct Lines {
     //! @param scene of the request, or with other groups
@@ -79,5 +82,11 @@ FieldLight light_in_field(int number, const CanopyRequest& request,
                           const Scene& scene, const Plan& plan,
                           const Lines& lines, const Device& device,
                           const Clock& clock, SharedByFields& shared);
+
+//! Makes the report of an evaluation from what was found in its fields.
+//! @param scene of the request, or with other groups
+CanopyReport report_on(const CanopyRequest& request, const Scene& scene,
+                       const Lines& lines, const SharedByFields& shared,
+                       const FieldLight& found);
 
 }  // namespace ideotype

@@ -8,13 +8,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "cli/formats/json.hpp"
+#include "cli/verbs.hpp"
 #include "history/history.hpp"
 #include "ideotype/core/text.hpp"
-#include "json.hpp"
 #include "run/progress.hpp"
 #include "run/summary.hpp"
 #include "run/way_on.hpp"
-#include "verbs.hpp"
 
 namespace ideotype {
 

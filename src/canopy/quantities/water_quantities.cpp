@@ -54,12 +54,12 @@ Randomised efficiency(const CanopyReport& report) {
     const AssimilationReport& carbon = *report.assimilation;
     const FluxReport& water = report.water->transpiration;
     if (!(water.sum.mean > 0)) return certain(report, 0);
-    const double net = carbon.gross.mean - carbon.net_loss();
+    const double net = carbon.gross.sum.mean - carbon.net_loss();
     const double ratio = grams_of_carbon * net / water.sum.mean;
     return ratio_with_error(
-        ratio, water.sum.mean, carbon.tallies.size(), [&](std::size_t r) {
+        ratio, water.sum.mean, carbon.gross.tallies.size(), [&](std::size_t r) {
             return grams_of_carbon *
-                       (carbon.tallies[r].sum() - carbon.net_loss()) -
+                       (carbon.gross.tallies[r].sum() - carbon.net_loss()) -
                    ratio * water.tallies[r].sum();
         });
 }

@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
+#include "cli/formats/output_file.hpp"
+#include "cli/verbs.hpp"
 #include "history/history.hpp"
-#include "output_file.hpp"
-#include "verbs.hpp"
 
 namespace ideotype {
 

@@ -5,8 +5,6 @@
 #include <utility>
 
 #include "ideotype/canopy/exact_assimilation.hpp"
-#include "ideotype/core/contract.hpp"
-#include "ideotype/core/error.hpp"
 #include "ideotype/light/device.hpp"
 #include "randomisations.hpp"
 
@@ -16,18 +14,6 @@ namespace {
 
 //! Enough points to know a sunlit fraction to some 0.2 %.
 constexpr int most_sunlit_points = 2048;
-
-constexpr auto nir = "nir", longwave = "longwave";
-
-//! Returns how one plant of a component is cut.
-Pieces pieces_of_line(const Component& component,
-                      const CanopyRequest& request) {
-    const std::size_t per_blade = request.details.pieces;
-    if (!component.photosynthesis) return uncut(component.mesh);
-    if (component.plant) return cut_leaves(component.mesh, per_blade);
-    return cut_coarse_leaves(component.mesh, component.plants(),
-                             request.accuracy.tolerance, per_blade);
-}
 
 //! One field of an evaluation.
 class FieldPass {
@@ -257,64 +243,6 @@ class FieldPass {
 };
 
 }  // namespace
-
-Lines::Lines(const Scene& scene, const CanopyRequest& request)
-    : are_cut((scene.assimilates() && !request.details.exact) ||
-              !scene.cell.row_ground.empty()),
-      groups(groups_of(scene)) {
-    if (!are_cut) return;
-    for (const Component& each : scene.components) {
-        pieces.push_back(pieces_of_line(each, request));
-        meshes.push_back(std::move(pieces.back().mesh));
-        if (!scene.water) continue;
-        append(widths, blade_widths(each.mesh));
-        for (const glm::dvec3& vertex : each.mesh.vertices)
-            height = std::max(height, vertex.z);
-    }
-}
-
-Bands bands_of(const Scene& scene) {
-    Bands bands = scene.bands;
-    if (!scene.water || !scene.water->has_leaf_temperature) return bands;
-    const auto found =
-        std::find_if(bands.begin(), bands.end(),
-                     [](const Band& band) { return band.name == nir; });
-    if (found == bands.end())
-        throw Error(
-            "leaves have a temperature of their own, but the scene has "
-            "no band \"nir\"; add it");
-    found->is_by_piece = true;
-    Band sky{longwave, scene.light(), {}, false, true};
-    sky.optics.materials.resize(bands.front().optics.materials.size());
-    sky.optics.soil_albedo = 0;
-    bands.push_back(std::move(sky));
-    return bands;
-}
-
-void FieldLight::append(FieldLight more) {
-    IDEOTYPE_EXPECT(light.empty() || light.size() == more.light.size());
-    light.resize(more.light.size());
-    rows.resize(more.rows.size());
-    for (std::size_t b = 0; b < light.size(); ++b) {
-        ideotype::append(light[b], std::move(more.light[b]));
-        ideotype::append(rows[b], std::move(more.rows[b]));
-    }
-    fluxes.resize(more.fluxes.size());
-    for (std::size_t k = 0; k < fluxes.size(); ++k)
-        ideotype::append(fluxes[k], std::move(more.fluxes[k]));
-    add(leaf_area_of_layers, more.leaf_area_of_layers);
-    ideotype::append(sunlit, std::move(more.sunlit));
-    ideotype::append(hit_by_sun, std::move(more.hit_by_sun));
-    ideotype::append(light_classes, std::move(more.light_classes));
-    add(areas, more.areas);
-    add(leaf_area_index, more.leaf_area_index);
-    add(areas_of_groups, more.areas_of_groups);
-    add(areas_of_rows, more.areas_of_rows);
-    paths += more.paths;
-    is_capped |= more.is_capped;
-    seconds += more.seconds;
-    fields += more.fields;
-}
 
 FieldLight light_in_field(int number, const CanopyRequest& request,
                           const Scene& scene, const Plan& plan,

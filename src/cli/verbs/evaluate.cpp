@@ -6,12 +6,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "choose_row.hpp"
+#include "cli/choose_row.hpp"
+#include "cli/formats/light_output.hpp"
+#include "cli/verbs.hpp"
 #include "ideotype/light/device.hpp"
-#include "light_output.hpp"
 #include "run/progress.hpp"
 #include "stand/stand.hpp"
-#include "verbs.hpp"
 
 namespace ideotype {
 

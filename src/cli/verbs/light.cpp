@@ -5,10 +5,10 @@
 
 #include <fmt/format.h>
 
-#include "light_output.hpp"
+#include "cli/formats/light_output.hpp"
+#include "cli/verbs.hpp"
 #include "run/progress.hpp"
 #include "stand/mesh_study.hpp"
-#include "verbs.hpp"
 
 namespace ideotype {
 

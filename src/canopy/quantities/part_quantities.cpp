@@ -120,7 +120,7 @@ std::vector<Randomised> assimilation_by_component(const CanopyReport& report,
         const double lost = loss(each);
         Randomised part{{each.gross.mean - lost, each.gross.standard_error},
                         {}};
-        for (const FluxTally& tally : all.tallies)
+        for (const FluxTally& tally : all.gross.tallies)
             part.by_randomisation.push_back(
                 over_leaves(report, tally.groups, parts.size()) - lost);
         parts.push_back(std::move(part));

@@ -15,8 +15,8 @@
 #include <fmt/format.h>
 #include <sys/stat.h>
 
+#include "cli/ranks.hpp"
 #include "ideotype/core/error.hpp"
-#include "ranks.hpp"
 
 namespace ideotype {
 

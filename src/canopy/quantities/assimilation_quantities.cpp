@@ -16,9 +16,9 @@ constexpr double tonnes = 30e-6 * 1e4;
 //! Gross assimilation, by how much lower the figure is, and its scale.
 Randomised carbon(const CanopyReport& report, double loss = 0,
                   double scale = 1) {
-    const Estimate gross = report.assimilation->gross;
+    const Estimate gross = report.assimilation->gross.sum;
     Randomised result{{gross.mean - loss, gross.standard_error}, {}};
-    for (const FluxTally& tally : report.assimilation->tallies)
+    for (const FluxTally& tally : report.assimilation->gross.tallies)
         result.by_randomisation.push_back(tally.sum() - loss);
     return scaled(std::move(result), scale);
 }
@@ -32,8 +32,8 @@ Randomised balance(const CanopyReport& report, double scale = 1) {
 }
 
 std::vector<Randomised> gross_of_groups(const CanopyReport& report) {
-    return along(report.assimilation->tallies, report.assimilation->groups,
-                 &FluxTally::groups);
+    return along(report.assimilation->gross.tallies,
+                 report.assimilation->gross.groups, &FluxTally::groups);
 }
 
 //! Each leaf lowered by its respiration in the light.
@@ -53,10 +53,10 @@ Randomised light_use(const CanopyReport& report) {
     const double light =
         report.par().light.day.leaves.mean / joule_per_megajoule;
     if (!(light > 0)) return certain(report, 0);
-    const double ratio = grams_of_carbon * all.gross.mean / light;
+    const double ratio = grams_of_carbon * all.gross.sum.mean / light;
     return ratio_with_error(
-        ratio, light, all.tallies.size(), [&](std::size_t r) {
-            return grams_of_carbon * all.tallies[r].sum() -
+        ratio, light, all.gross.tallies.size(), [&](std::size_t r) {
+            return grams_of_carbon * all.gross.tallies[r].sum() -
                    ratio * report.par().budget_by_randomisation[r].leaves /
                        joule_per_megajoule;
         });
@@ -146,19 +146,19 @@ std::vector<Declaration> assimilation_quantities() {
           "gross assimilation of leaves in each layer",
           {"layer"}},
          [](const Report& r) {
-             return along(r.assimilation->tallies, r.assimilation->layers,
-                          &FluxTally::layers);
+             return along(r.assimilation->gross.tallies,
+                          r.assimilation->gross.layers, &FluxTally::layers);
          }},
         {{"assimilation_by_hour",
           "umol m-2 s-1",
           "gross assimilation at each instant",
           {"hour"}},
-         [](const Report& r) { return r.assimilation->hours; }},
+         [](const Report& r) { return r.assimilation->gross.hours; }},
         {{"assimilation_by_day",
           rate,
           "gross assimilation on each day",
           {"day"}},
-         [](const Report& r) { return r.assimilation->dates; }},
+         [](const Report& r) { return r.assimilation->gross.dates; }},
     };
 }
 

@@ -194,4 +194,47 @@ Stands stands_of(const Campaign& campaign, double leaf_area) {
     return all;
 }
 
+Json season_of(const Campaign& campaign, const Case& chosen) {
+    Json rows;
+    for (const Case& each : scenarios(chosen))
+        for (const Case& at : each.stages) {
+            const Scene scene = scene_of(campaign, at);
+            double green = 0, dead = 0;
+            for (const Component& one : scene.components) {
+                green += lai_of_line(one.mesh, one.ground_per_plant);
+                dead += dead_area(one.mesh) / one.ground_per_plant;
+            }
+            rows.push_back(
+                {{"period", each.day_name},
+                 {"emergence", to_string(climate_of(campaign, each).emergence)},
+                 {"day", fmt::format("{:.0f}", at.stage->day)},
+                 {"deg C d", fmt::format("{:.0f}", at.stage->at)},
+                 {"green LAI", fmt::format("{:.2f}", green)},
+                 {"dead LAI", fmt::format("{:.2f}", dead)},
+                 {"share of light",
+                  fmt::format("{:.1f} %", 100 * at.stage->share)}});
+        }
+    return rows;
+}
+
+std::string objective_text(const Campaign& campaign) {
+    std::string text;
+    const std::vector<double>& factors =
+        campaign.sole.empty() ? campaign.weights : campaign.sole;
+    for (const ObjectiveEntry& objective : objectives_of(campaign)) {
+        text += fmt::format(
+            "{}{} {}", text.empty() ? "objective " : ", ",
+            objective.sense == Sense::maximise ? "maximise" : "minimise",
+            objective.name);
+        for (std::size_t c = 0; c < factors.size(); ++c)
+            text += fmt::format("{}{} {} {:g}", c == 0 ? " of " : " + ",
+                                c == 0 ? campaign.crop.baseline.name
+                                       : campaign.components[c - 1].name,
+                                campaign.sole.empty() ? "times" : "over",
+                                factors[c]);
+    }
+    return text +
+           (campaign.sole.empty() ? "\n" : ": the land equivalent ratio\n");
+}
+
 }  // namespace ideotype

@@ -29,7 +29,7 @@ Rows assimilation_of_rows(const CanopyReport& report, Loss loss) {
     for (std::size_t row = 0; row < report.rows.size(); ++row) {
         const double lost = loss(report.rows[row].assimilation);
         std::vector<double> values;
-        for (const FluxTally& tally : report.assimilation->tallies)
+        for (const FluxTally& tally : report.assimilation->gross.tallies)
             values.push_back(tally.rows[row] - lost);
         const Estimate mean = estimate(values);
         rows.push_back({mean, std::move(values)});

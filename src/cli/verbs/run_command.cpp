@@ -2,9 +2,9 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "cli/options.hpp"
+#include "cli/verbs.hpp"
 #include "ideotype/core/clock.hpp"
-#include "options.hpp"
-#include "verbs.hpp"
 
 namespace ideotype {
 

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+#include "ideotype/core/mesh.hpp"
+
+namespace ideotype {
+
+//! Some faces of a mesh by their numbers.
+using Faces = std::vector<std::uint32_t>;
+
+//! Numbers that are joined to each other.
+class Joined {
+  public:
+    explicit Joined(std::size_t count) : parent_(count) {
+        std::iota(parent_.begin(), parent_.end(), 0u);
+    }
+
+    std::uint32_t first(std::uint32_t i) {
+        while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+        return i;
+    }
+
+    void join(std::uint32_t a, std::uint32_t b) {
+        a = first(a);
+        b = first(b);
+        parent_[std::max(a, b)] = std::min(a, b);
+    }
+
+  private:
+    std::vector<std::uint32_t> parent_;
+};
+
+//! Returns whether a face is one of a leaf.
+inline bool is_leaf(const Mesh& mesh, std::uint32_t face) {
+    return mesh.groups[mesh.face_group[face]].id.is_leaf();
+}
+
+//! Joins the faces of leaves that have vertices at the same place.
+//! @param part by group: faces are joined only if it is the same
+Joined joined_faces(const Mesh& mesh, const Faces& part);
+
+//! Returns the faces of each blade, in the order of groups and first faces.
+std::vector<Faces> blades(const Mesh& mesh);
+
+}  // namespace ideotype

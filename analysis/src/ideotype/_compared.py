@@ -208,8 +208,8 @@ def compare_plants(
             raise Error(f"{plants[p].name} in {name}: {error}") from error
         numbers[task] = _numbers_of(stand, found)
         if p == longest and c == 0:
-            goals = tuple(name for name, *_ in stand.objectives)
-            told.append((_quantities_of(stand), goals))
+            objectives = tuple(name for name, *_ in stand.objectives)
+            told.append((_quantities_of(stand), objectives))
         tell(len(numbers), len(tasks))
 
     with ThreadPoolExecutor(max(1, min(threads, len(tasks)))) as pool:

@@ -14,6 +14,8 @@ from pygments.lexers.special import TextLexer
 
 sys.path.insert(0, str(Path(__file__).parent))
 
+from gallery_pages import write_gallery
+
 DOCS = Path(__file__).resolve().parent
 TOP = DOCS.parent
 
@@ -35,6 +37,7 @@ extensions = [
     "native_math",
 ]
 exclude_patterns = ["_static"]
+write_gallery()
 nitpicky = True
 # Types of other libraries, whose manuals a build without a network lacks.
 nitpick_ignore_regex = [(r"py:.*", r"(?!ideotype).*"), (r"cpp:.*", r".*")]
@@ -89,17 +92,17 @@ def pages_of_texts() -> dict[tuple[Path, str], str]:
 PAGES = pages_of_texts()
 
 
-def rebase_links(text: str, source: Path) -> str:
-    """Turns links of a source into links to pages of the manual, or to files
-    of the repository to download. A link to a folder, which a page has nothing
-    to show of, becomes its text."""
+def rebase_links(text: str, source: Path, folder: Path = DOCS) -> str:
+    """Turns links of a source, on a page in a folder, into links to pages of
+    the manual, or to files of the repository to download. A link to a folder,
+    which a page has nothing to show of, becomes its text."""
 
     def rebase(link: re.Match[str]) -> str:
         is_image, shown, target, anchor = link.groups("")
         path = (source.parent / target).resolve() if target else source
         if path.is_dir():
             return shown
-        name = os.path.relpath(path, DOCS)
+        name = os.path.relpath(path, folder)
         if is_image:
             return f"![{shown}]({name})"
         if (path, anchor) in PAGES:
@@ -108,7 +111,7 @@ def rebase_links(text: str, source: Path) -> str:
             return link[0]
         if (path, "") in PAGES:
             return f"[{shown}]({PAGES[path, '']}{anchor})"
-        if path.parent == DOCS:
+        if path.suffix == ".md" and DOCS in path.parents:
             return f"[{shown}]({name}{anchor})"
         return f"[{shown}](path:{name})"
 
@@ -135,7 +138,8 @@ def list_arguments(lines: list[str]) -> list[str]:
 
 def setup(app: object) -> None:
     def of_page(_app: object, name: str, content: list[str]) -> None:
-        content[0] = rebase_links(content[0], DOCS / f"{name}.md")
+        page = DOCS / f"{name}.md"
+        content[0] = rebase_links(content[0], page, page.parent)
 
     def of_include(
         _app: object, path: Path, _page: str, content: list[str]

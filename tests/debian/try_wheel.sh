@@ -18,4 +18,4 @@ time "$folder/venv/bin/pip" install --quiet --disable-pip-version-check \
     "$wheel" "cma>=4.0"
 grep PRETTY_NAME /etc/os-release
 "$folder/venv/bin/python" --version
-time "$folder/venv/bin/python" analysis/examples/pycma_search.py
+time "$folder/venv/bin/python" analysis/examples/10_pycma.py

@@ -1,7 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""CMA-ES of pycma breeds the plants of a campaign."""
+"""CMA-ES of pycma breeds the plants of a campaign.
+
+Any optimiser may propose plants. All plants of a generation share random
+numbers (`seed`), so that they are compared and not their luck; the best is
+evaluated again at the end. This teaches bounds and genomes."""
 
 import cma
+import matplotlib.pyplot as plt
 
 import ideotype
 
@@ -10,11 +15,21 @@ lower, upper = stand.bounds
 start = (stand.start - lower) / (upper - lower)
 options = {"bounds": [0, 1], "maxiter": 40, "seed": 1, "verbose": -9}
 search = cma.CMAEvolutionStrategy(start, 0.15, options)
+means = []
 while not search.stop():
     points = search.ask()
     plants = [lower + point * (upper - lower) for point in points]
     found = stand.evaluate(plants, ["absorbed_par"], seed=search.countiter)
     search.tell(points, list(-found.absorbed_par.values))
+    means.append(found.absorbed_par.mean().item())
 best = lower + search.result.xfavorite * (upper - lower)
 own, bred = stand.evaluate([stand.start, best], final=True).absorbed_par.values
 print(f"gain {100 * (bred / own - 1):.1f} %")
+
+plt.figure(figsize=(5, 3.2), layout="constrained")
+plt.plot(means)
+plt.axhline(own, color="0.5", label="baseline")
+plt.xlabel("generation")
+plt.ylabel("mean of plants [MJ m$^{-2}$ day$^{-1}$]")
+plt.legend()
+plt.savefig("10_pycma.png")

@@ -1,10 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Maize below rows of modules that bifacial_radiance describes: the light that is
-left to the crop, on both sides of modules and on the ground."""
+"""Maize below rows of modules that bifacial_radiance describes.
+
+How much light is left to the crop, and what falls on both sides of modules? The
+words of another program become settings of a campaign, whose field has to repeat
+with the modules. This teaches how to take over a scene."""
 
 import math
 from collections.abc import Mapping
 from typing import Any
+
+import matplotlib.pyplot as plt
 
 import ideotype
 
@@ -76,8 +81,9 @@ def field_of(panel: Mapping[str, Any]) -> dict[str, Any]:
     }
 
 
-def light_below(scene: Mapping[str, Any]) -> float:
-    """Prints the light of a day, and returns the part that is left to maize."""
+def light_below(scene: Mapping[str, Any]) -> Any:
+    """Prints the light of a day, and returns the maize's by hour, below modules
+    and without them."""
     panel = panel_of(scene, MODULE)
     field = field_of(panel)
 
@@ -91,8 +97,17 @@ def light_below(scene: Mapping[str, Any]) -> float:
     front, back = below.object_light.sel(object="panel").values
     print(f"front {front:.2f}, back {back:.2f},", end=" ")
     print(f"ground {float(below.ground_light):.2f} MJ m-2 day-1 of PAR")
-    return float(below.absorbed_par / alone.absorbed_par)
+    left = float(below.absorbed_par / alone.absorbed_par)
+    print(f"light that is left to maize {left:.2f}")
+    return below.absorbed_by_hour, alone.absorbed_by_hour
 
 
-for scene in (SCENE, TRACKED):
-    print(f"light that is left to maize {light_below(scene):.2f}")
+plt.figure(figsize=(5, 3.2), layout="constrained")
+for name, scene in (("fixed", SCENE), ("tracked", TRACKED)):
+    below, alone = light_below(scene)
+    plt.plot(below.hour, below, label=f"below {name} modules")
+    plt.plot(alone.hour, alone, "--", label=f"without {name} modules")
+plt.xlabel("clock [h]")
+plt.ylabel("absorbed by leaves [W m$^{-2}$]")
+plt.legend()
+plt.savefig("20_bifacial_radiance.png")

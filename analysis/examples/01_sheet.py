@@ -22,7 +22,7 @@ found = [
 ]
 absorbed = np.array([each.leaves.item() for each in found])
 errors = np.array([each.leaves_standard_error.item() for each in found])
-below = LEAF * albedos / (1 - LEAF * albedos)  # What comes back from the soil.
+below = LEAF * albedos / (1 - LEAF * albedos)  # Light that the soil returns.
 theory = (1 - 2 * LEAF) * (1 + below)
 print(f"largest difference from theory {abs(absorbed - theory).max():.5f}")
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How warm is a leaf? Its energy balance in more and more wind.
+"""The temperature of a leaf in more and more wind.
 
 A leaf absorbs light and longwave radiation, and gets rid of it as heat, as
 water vapour and by its own emission. In calm air little heat leaves it. This

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# What does the result depend on? A sensitivity study of traits.
+# A sensitivity study: on which traits the result depends.
 #
 # Plants are drawn over the whole range of all traits after Saltelli, and Sobol's
 # indices tell which part of the variance each trait causes. This teaches

@@ -28,7 +28,7 @@ def module(path: Path) -> ModuleType:
 
 draw = module(EXAMPLES / "draw.py")
 
-# What an example prints, and the bounds of the number in it.
+# The number that an example prints, with its bounds.
 TOLD = {
     "01_sheet.py": (r"theory (\d\.\d+)", 0, 0.004),
     "03_leaf_temperature.py": (r"by (\d\.\d) to", 2.5, 4),

@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Writes the answers of an adapter to every case that it takes."""
+
+from __future__ import annotations
+
+import csv
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parents[1]
+sys.path.insert(0, str(HERE))
+
+from cases import Case, read_cases  # noqa: E402
+
+Answer = Callable[[Case], dict[str, tuple[float, float | None]]]
+
+
+def write_answers(name: str, answer: Answer) -> None:
+    """Writes answers/NAME.csv; a case that an adapter has no answer to is left
+    out."""
+    folder = HERE / "answers"
+    folder.mkdir(exist_ok=True)
+    with (folder / f"{name}.csv").open("w") as file:
+        out = csv.writer(file, lineterminator="\n")
+        out.writerow(["case", "quantity", "value", "standard_error"])
+        for each, case in read_cases().items():
+            found = answer(case)
+            for quantity in filter(found.get, case["quantities"]):
+                value, error = found[quantity]
+                told = "" if error is None else f"{error:.3g}"
+                out.writerow([each, quantity, f"{value:.7g}", told])
+            file.flush()

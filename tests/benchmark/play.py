@@ -1,114 +1,116 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Measures how soon `ideotype play` answers: moves sliders one after the other
-and waits each time for the first numbers.
+"""Measures how soon the page of `ideotype play` answers, in a browser: moves
+sliders one after the other and waits each time until the first numbers, and
+the plant with them, are drawn.
 
     .venv/bin/python tests/benchmark/play.py [MOVES]     (200)
 
-Prints for a clear day and for a season of weather the median and the 95th
-percentile of the time to the plant's shape, to the first numbers, and of how
-long and to which standard error the numbers were refined."""
+Prints for some plants and times the median and the 95th percentile of the time
+to the first numbers and until they are drawn; for every tenth move also how
+long and to which standard error numbers were refined, and in how many of those
+moves the first number was within two of its standard errors of the refined
+one."""
 
 from __future__ import annotations
 
-import asyncio
-import json
-import re
-import subprocess
 import sys
-import time
-from typing import Any
+import tempfile
+from pathlib import Path
 
 import numpy as np
-from tornado.websocket import WebSocketClientConnection, websocket_connect
 
-REFINED = 20
-"""The number of moves whose refined numbers are waited for."""
+HERE = Path(__file__).parent
+sys.path.insert(0, str(HERE.parent / "analysis"))
 
+from live_browser import shown  # noqa: E402
+from live_page import CAMPAIGNS, served  # noqa: E402
 
-async def hear(
-    talk: WebSocketClientConnection, kind: str, number: int
-) -> dict[str, Any]:
-    """Returns the next message of a kind about a question."""
-    while True:
-        text = await talk.read_message()
-        assert text is not None, "the program has ended"
-        message = json.loads(text)
-        assert message["kind"] != "problem", message
-        if message["kind"] == kind and message.get("number", number) == number:
-            return message
-
-
-async def measure(address: str, when: str, moves: int) -> None:
-    """Prints the times of so many moves."""
-    talk = await websocket_connect(f"{address}talk".replace("http", "ws"))
-    hello = await hear(talk, "hello", 0)
-    sliders = [
-        i for i, lever in enumerate(hello["levers"])
-        if lever["kind"] == "profile"
-    ]  # fmt: skip
-    goal = hello["goals"][0]
-    genome = list(hello["genome"])
-    random = np.random.default_rng(1)
-    shape, first, last, errors = [], [], [], []
-    for number in range(1, moves + 2):
-        index = sliders[number % len(sliders)]
-        lever = hello["levers"][index]
-        genome[index] = random.uniform(lever["lower"], lever["upper"])
-        begun = time.perf_counter()
-        talk.write_message(
-            json.dumps(
-                {
-                    "kind": "show",
-                    "number": number,
-                    "genome": genome,
-                    "conditions": {"when": when},
-                }
-            )
-        )
-        await hear(talk, "picture", number)
-        seen = time.perf_counter() - begun
-        told = await hear(talk, "numbers", number)
-        if number == 1:
-            continue  # The stand is built and the first plant evaluated.
-        shape.append(seen)
-        first.append(time.perf_counter() - begun)
-        errors.append(told["numbers"][goal])
-        if number % (moves // REFINED) == 0:
-            while not told.get("is_final"):
-                told = await hear(talk, "numbers", number)
-            last.append((time.perf_counter() - begun, told["numbers"][goal]))
-    talk.close()
-
-    def line(name: str, times: list[float]) -> None:
-        low, high = np.percentile(1000 * np.array(times), [50, 95])
-        print(
-            f"{when}: {name} after {low:.0f} ms (median), {high:.0f} ms (95 %)"
-        )
-
-    def error(found: list[Any]) -> float:
-        return 100 * float(np.median([abs(se / v) for v, se in found]))
-
-    line("shape", shape)
-    line(f"numbers ({goal} to {error(errors):.1f} %)", first)
-    line(
-        f"refined ({error([n for _, n in last]):.1f} %)",
-        [seconds for seconds, _ in last],
-    )
+GROWING = CAMPAIGNS / "growing_season.toml"
+CASES = [
+    ("maize, clear day", "maize", {"when": "day"}, "traits"),
+    ("maize, season", "maize", {}, "traits"),
+    ("maize, season, density", "maize", {}, "density"),
+    ("maize, season, panels", "maize", {"panels": True}, "traits"),
+    ("soybean, season", "soybean", {}, "traits"),
+    ("maize, growing season", GROWING, {}, "traits"),
+    ("maize, growing season, density", GROWING, {}, "density"),
+]
+SCRIPT = """(async () => {
+  const goal = page.hello.goals[0];
+  const found = { first: [], drawn: [], refined: [], errors: [], known: [], inside: [] };
+  const told = (isGood) => new Promise((done) => {
+    const look = () => (isGood() ? done() : setTimeout(look, 0));
+    look();
+  });
+  const frame = () => new Promise(requestAnimationFrame);
+  const isFinal = () => document.body.dataset.final === "true"
+    && Number(document.body.dataset.number) === page.number;
+  change({ conditions: { ...page.shown.conditions, ...%(conditions)s } });
+  await told(isFinal);
+  await new Promise((done) => setTimeout(done, 500));
+  const movable = "%(what)s" === "traits"
+    ? sliders.filter((s) => s.index >= 0 && page.hello.levers[s.index].kind === "profile")
+    : sliders.filter((s) => s.input.id === "s-%(what)s");
+  let seed = 1;
+  for (let i = 1; i <= %(moves)d; ++i) {
+    const { input } = movable[i %% movable.length];
+    seed = (seed * 16807) %% 2147483647;
+    const part = seed / 2147483647;
+    input.value = Number(input.min) + part * (Number(input.max) - Number(input.min));
+    const begun = performance.now();
+    input.dispatchEvent(new Event("input"));
+    await told(() => page.answered === page.number);
+    found.first.push(performance.now() - begun);
+    const first = field.numbers.numbers[goal];
+    await frame();
+    await new Promise((done) => setTimeout(done, 0));
+    found.drawn.push(performance.now() - begun);
+    found.errors.push(Math.abs(first[1] / first[0]));
+    if (i %% 10) continue;
+    await told(isFinal);
+    const last = field.numbers.numbers[goal];
+    found.refined.push(performance.now() - begun);
+    found.known.push(Math.abs(last[1] / last[0]));
+    found.inside.push(Math.abs(first[0] - last[0]) < 2 * Math.hypot(first[1], last[1]));
+  }
+  return found;
+})()"""
 
 
 def main() -> None:
     moves = int(sys.argv[1]) if len(sys.argv) > 1 else 200
-    command = [sys.executable, "-m", "ideotype", "play", "--no-browser"]
-    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as play:
-        assert play.stdout
-        try:
-            found = re.search(r"http://\S+", play.stdout.readline())
-            assert found, "ideotype play has not begun"
-            for when in ("day", "season"):
-                asyncio.run(measure(found[0], when, max(moves, REFINED)))
-        finally:
-            play.terminate()
+    print(
+        "| | first numbers [ms] | drawn [ms] | their error | refined [ms] | "
+        "its error | within 2 errors |\n|---|---|---|---|---|---|---|"
+    )
+    for name, plant, conditions, what in CASES:
+        script = SCRIPT % {
+            "conditions": str(conditions).replace("True", "true"),
+            "what": what,
+            "moves": moves,
+        }
+        with (
+            tempfile.TemporaryDirectory() as folder,
+            served("play", plant) as page,
+            shown(page, Path(folder)) as phone,
+        ):
+            found = phone.value(script)
+
+        def told(kind: str, found: dict[str, list[float]] = found) -> str:
+            middle, most = np.percentile(found[kind], [50, 95])
+            return f"{middle:.0f} (95 %: {most:.0f})"
+
+        def error(kind: str, found: dict[str, list[float]] = found) -> str:
+            return f"{100 * np.median(found[kind]):.1f} %"
+
+        inside = f"{sum(found['inside'])} of {len(found['inside'])}"
+        print(
+            f"| {name} | {told('first')} | {told('drawn')} | "
+            f"{error('errors')} | {told('refined')} | {error('known')} | "
+            f"{inside} |",
+            flush=True,
+        )
 
 
 if __name__ == "__main__":

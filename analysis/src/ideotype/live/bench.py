@@ -17,9 +17,10 @@ from numpy.typing import NDArray
 from .._errors import Error
 from .._stand import Stand
 from .._stand_views import processors
-from .conditions import Conditions, tables_under
+from .conditions import Conditions, Tables, tables_under
 from .numbers import Array, Layout, Samples
 from .opened import Opened
+from .rough import coarse
 from .shapes import Growth, grows
 
 Genome = NDArray[np.float64]
@@ -33,7 +34,7 @@ refine their mean."""
 
 _CAREFUL = {"fields": 4, "randomisations": 16}
 
-_STANDS, _PLANTS = 6, 12
+_STANDS, _PLANTS = 12, 12
 """The numbers of stands, and of plants in each, that are remembered."""
 
 
@@ -60,6 +61,16 @@ class Place:
         return evaluate(self.stand, genome, seed, TOLERANCE)[1]
 
 
+@dataclass(frozen=True)
+class Shown:
+    """The plants and numbers that a page shows."""
+
+    genome: Genome
+    reference: Genome
+    conditions: Conditions
+    component: int
+
+
 def evaluate(
     stand: Stand, genome: Genome, seed: int, tolerance: float
 ) -> tuple[float, Array]:
@@ -76,7 +87,7 @@ def evaluate(
 class Bench:
     """Evaluates plants of what was opened, for all pages together.
 
-    One thread answers changes; the others refine at a lower priority, so that
+    One thread answers changes; others refine at a lower priority, so that
     answers need not wait for them."""
 
     def __init__(self, opened: Opened) -> None:
@@ -86,22 +97,40 @@ class Bench:
         count = processors()
         self.fast = ThreadPoolExecutor(1, "answer")
         self.slow = ThreadPoolExecutor(
-            max(1, count - 1), "refine", initializer=_yield_to_others
+            count, "refine", initializer=_yield_to_others
         )
-        self._places: OrderedDict[Conditions, Place] = OrderedDict()
+        self.threads = count
+        self._places: OrderedDict[tuple[bool, Conditions], Place | None]
+        self._places = OrderedDict()
         self._lock = threading.Lock()
         self.place(self.own)
 
     def place(self, now: Conditions) -> Place:
         """Returns the stand under some conditions. Raises InputError if plants
         cannot stand so."""
-        key = _without_what_does_not_matter(now, self.own)
+        found = self._place(now, False)
+        assert found
+        return found
+
+    def coarse(self, now: Conditions) -> Place | None:
+        """Returns the stand for coarse evaluations under some conditions, or
+        None if they need none. Raises InputError if plants cannot stand
+        so."""
+        return self._place(now, True)
+
+    def _place(self, now: Conditions, is_coarse: bool) -> Place | None:
+        key = is_coarse, _without_what_does_not_matter(now, self.own)
         with self._lock:
             if key in self._places:
                 self._places.move_to_end(key)
                 return self._places[key]
-        stand = self._stand(key, _ROUGH)
-        found = Place(stand, Layout(stand))
+        found: Place | None = None
+        tables: Tables | None = self._tables(key[1], _ROUGH)
+        if is_coarse and tables:
+            tables = coarse(tables)
+        if tables:
+            stand = Stand(tables)
+            found = Place(stand, Layout(stand))
         with self._lock:
             found = self._places.setdefault(key, found)
             while len(self._places) > _STANDS:
@@ -110,12 +139,11 @@ class Bench:
 
     def careful(self, now: Conditions) -> Stand:
         """Returns a stand whose every evaluation is in several fields."""
-        return self._stand(now, _CAREFUL)
+        return Stand(self._tables(now, _CAREFUL))
 
-    def _stand(self, now: Conditions, light: dict[str, int]) -> Stand:
+    def _tables(self, now: Conditions, light: dict[str, int]) -> Tables:
         tables = tables_under(self.opened.base, self.own, now)
-        tables["light"] = tables["light"] | light
-        return Stand(tables)
+        return {**tables, "light": tables["light"] | light}
 
     def map(self, work: Callable[..., object], *many: Iterable[Any]) -> list:
         """Shares calls among all threads but the one that answers."""

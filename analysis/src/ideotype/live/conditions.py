@@ -70,6 +70,11 @@ class Conditions:
             panel_rows=round(pitch / row) if "panel" in base else 8,
         )
 
+    @property
+    def kind(self) -> tuple[str, bool]:
+        """Decides which numbers there are."""
+        return self.when, self.panels
+
     def changed(self, numbers: dict[str, Any]) -> Conditions:
         """Returns these with numbers of a page in their place. Raises Error if
         one of them is impossible."""

@@ -4,17 +4,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from .._errors import Error
 from .._search import Search
-from .bench import Bench, Genome, evaluate
+from .bench import Bench, Genome, Shown, evaluate
 from .numbers import Layout
-
-if TYPE_CHECKING:
-    from .session import Shown
 
 EVALUATIONS = 200
 """The number of evaluations of a search."""
@@ -38,6 +35,7 @@ class Improvement:
 
     def __init__(self, bench: Bench, shown: Shown, goal: str) -> None:
         self.is_ended = False
+        self._is_dropped = False
         self._bench, self._shown, self._goal = bench, shown, goal
         self._free = np.flatnonzero(bench.opened.free)
         if not len(self._free):
@@ -55,6 +53,10 @@ class Improvement:
             else goal not in _MINIMISED
         ) * 2 - 1
 
+    def drop(self) -> None:
+        """Ends the search without a result: nobody waits for it any more."""
+        self.is_ended = self._is_dropped = True
+
     def run(self, tell: Callable[[dict[str, Any]], None]) -> None:
         """Searches, and tells after each generation how far it is and the
         best plant so far; at the end the gain, which fresh random numbers
@@ -65,6 +67,8 @@ class Improvement:
             raise Error(f"{self._goal!r:.40}: there is no such number")
 
         def value(genome: Genome, seed: int) -> tuple[float, float]:
+            if self._is_dropped:
+                return float("nan"), 0.0
             try:
                 violation, numbers = evaluate(stand, genome, seed, _TOLERANCE)
             except Error:
@@ -93,7 +97,8 @@ class Improvement:
             done += len(points)
             best = self._plant(search.best()[0])
             tell({"done": done, "of": EVALUATIONS, "genome": best.tolist()})
-        self._judge(search, value, tell, done)
+        if not self._is_dropped:
+            self._judge(search, value, tell, done)
 
     def _plant(self, point: Genome) -> Genome:
         genome = self._shown.genome.copy()

@@ -4,6 +4,7 @@ standard errors, and differences from another plant."""
 
 from __future__ import annotations
 
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -56,7 +57,7 @@ class Layout:
             self.about[name] = {"unit": unit, "meaning": meaning}
             begin += size
 
-    @property
+    @cached_property
     def scalars(self) -> list[dict[str, str]]:
         """The single numbers: name, label, unit, meaning."""
         single = [
@@ -76,6 +77,17 @@ class Layout:
             }
             for name in single
         ]
+
+    def like(self, other: Layout, numbers: Array) -> Array:
+        """Returns numbers of another layout [numbers, value and standard
+        error] in this one; what that lacks or divides otherwise is NaN."""
+        size = max(place.stop for place, _ in self.places.values())
+        found = np.full((size, 2), np.nan)
+        for name, (place, _) in self.places.items():
+            its = other.places.get(name, (slice(0, 0),))[0]
+            if its.stop - its.start == place.stop - place.start:
+                found[place] = numbers[its]
+        return found
 
     def scalar(self, numbers: Array, name: str) -> float:
         """Returns the value of a single number of an evaluation."""
@@ -104,14 +116,20 @@ class Samples:
 
 def _mean(values: Array, errors: Array) -> tuple[Array, Array]:
     count = len(values)
+    spread = values.std(axis=0, ddof=1) / np.sqrt(count) if count > 1 else 0.0
     if count >= ENOUGH:
-        error = values.std(axis=0, ddof=1) / np.sqrt(count)
+        error = spread
     else:
         squares = (np.nan_to_num(errors) ** 2).sum(axis=0)
-        error = np.sqrt(squares) / count
+        # A leaf area is exact in its field, and other fields have others.
+        error = np.maximum(np.sqrt(squares) / count, spread)
     mean = values.mean(axis=0)
     # Exact numbers differ in the last digits only.
     return mean, np.where(error > 1e-9 * np.abs(mean), error, 0.0)
+
+
+Estimates = tuple[Array, Array]
+"""Values and their standard errors [numbers]."""
 
 
 def message_of(
@@ -120,26 +138,35 @@ def message_of(
     """Returns what the page shows of a plant and of the one that it is
     compared with, over the seeds that both have."""
     both = [seed for seed in seeds if seed in reference.by_seed]
-    mean, error = mine.together(seeds)
-    found: dict[str, Any] = {"evaluations": len(seeds)}
-    found["numbers"] = {
-        each["name"]: _pair(layout, each["name"], mean, error)
-        for each in layout.scalars
-    }
-    found["curves"] = _curves(layout, mean, error)
-    if not both:
-        return found
-    its_mean, its_error = reference.together(both)
-    apart, apart_error = mine.less(reference, both)
-    found["reference"] = {
-        each["name"]: _pair(layout, each["name"], its_mean, its_error)
-        for each in layout.scalars
-    }
-    found["differences"] = {
-        each["name"]: _pair(layout, each["name"], apart, apart_error)
-        for each in layout.scalars
-    }
-    found["reference_curves"] = _curves(layout, its_mean, its_error)
+    others = (
+        (reference.together(both), mine.less(reference, both)) if both else ()
+    )
+    return told(layout, len(seeds), mine.together(seeds), *others)
+
+
+def told(
+    layout: Layout,
+    evaluations: int,
+    mine: Estimates,
+    reference: Estimates | None = None,
+    apart: Estimates | None = None,
+) -> dict[str, Any]:
+    """Returns what the page shows of a plant, of the one that it is compared
+    with, and of their difference."""
+    found: dict[str, Any] = {"evaluations": evaluations}
+    for kind, estimates in (
+        ("numbers", mine),
+        ("reference", reference),
+        ("differences", apart),
+    ):
+        if estimates is not None:
+            found[kind] = {
+                each["name"]: _pair(layout, each["name"], *estimates)
+                for each in layout.scalars
+            }
+    found["curves"] = _curves(layout, *mine)
+    if reference is not None:
+        found["reference_curves"] = _curves(layout, *reference)
     return found
 
 
@@ -159,7 +186,9 @@ def _curves(layout: Layout, mean: Array, error: Array) -> dict[str, Any]:
             "unit": layout.about[name]["unit"],
         }
         for name in _CURVES
-        if name in layout.places and len(layout.places[name][1]) == 1
+        if name in layout.places
+        and len(layout.places[name][1]) == 1
+        and np.isfinite(mean[layout.places[name][0]]).any()
     }
 
 

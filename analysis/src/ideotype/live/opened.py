@@ -4,6 +4,7 @@ measured, or one that was bred."""
 
 from __future__ import annotations
 
+import re
 import tomllib
 from dataclasses import dataclass
 from importlib.resources import as_file, files
@@ -174,7 +175,8 @@ def _of_measured(path: Path, plant: str | None, crop: str) -> Opened:
         raise Error(f"{source}: {error}") from None
     if not like.get("leaf") or "stalk" not in like:
         raise Error(f"{source}: no crop file with [[leaf]] and [stalk]")
-    found = crop_of(blades, like, path.stem, "angles")
+    name = re.sub(r"[^A-Za-z0-9-]+", "_", path.stem).strip("_-")[:64]
+    found = crop_of(blades, like, name or "plant", "angles")
     # A lowest leaf may be digitised a millimetre below the ground.
     for leaf in found["leaf"]:
         leaf["insertion_height"] = max(leaf.get("insertion_height", 0), 0)

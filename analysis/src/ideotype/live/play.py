@@ -16,11 +16,11 @@ from tornado.websocket import WebSocketClosedError
 
 from .._errors import Error
 from .._stand import Stand
-from .bench import Bench
+from .bench import Bench, Shown
 from .conditions import Tables, tables_under
 from .opened import CROPS, open_place
 from .server import Guarded, Socket, add_options, answer, application, serve
-from .session import Session, Shown
+from .session import Session
 
 _SCRIPTS = (*("state.js", "sliders.js", "numbers.js", "field.js", "play.js"),)
 
@@ -29,7 +29,8 @@ class _Talk(Socket):
     def initialize(self, bench: Bench) -> None:
         self.bench = bench
 
-    def open(self, *_: str) -> None:
+    def open(self, *_: str, **__: str) -> None:
+        super().open()
         self.session = Session(self.bench, self._tell)
         self.session.greet()
 
@@ -43,6 +44,7 @@ class _Talk(Socket):
             self._tell({"kind": "problem", "text": str(error)})
 
     def on_close(self) -> None:
+        super().on_close()
         if hasattr(self, "session"):
             self.session.close()
 

@@ -22,6 +22,7 @@ from importlib.resources import files
 from typing import Any
 from urllib.parse import urlsplit
 
+from jinja2 import Environment, PackageLoader
 from tornado.httpserver import HTTPServer
 from tornado.netutil import bind_sockets
 from tornado.web import Application, HTTPError, RequestHandler
@@ -46,12 +47,12 @@ _LOCAL = {"127.0.0.1", "localhost", "::1"}
 _LARGEST = 1_000_000
 """The largest request or message that is read [bytes]."""
 
-PARTS = {
+_SHARED = {
     "raster.js": "ideotype.analysis.page",
     "drawing.js": "ideotype.analysis.page",
-    **dict.fromkeys(("base.css", "base.js", "chart.js"), "ideotype.live.page"),
+    **dict.fromkeys(("base.js", "chart.js"), "ideotype.live.page"),
 }
-"""The packages of the files that both pages load."""
+"""The packages of the scripts that both pages load."""
 
 
 class Guarded(RequestHandler):
@@ -86,10 +87,16 @@ class Guarded(RequestHandler):
 
 
 class Socket(Guarded, WebSocketHandler):
-    """Talks with one open page."""
+    """Talks with one open page, until that or the server ends."""
 
     def check_origin(self, origin: str) -> bool:
         return self.is_own(origin)
+
+    def open(self, *_: str, **__: str) -> None:
+        self.settings["sockets"].add(self)
+
+    def on_close(self) -> None:
+        self.settings["sockets"].discard(self)
 
 
 class _Refused(Guarded):
@@ -112,14 +119,21 @@ def application(
     handlers: Iterable[tuple[Any, ...]], page: str, scripts: Iterable[str]
 ) -> Application:
     """Returns the application of a page: its handlers, whose patterns come
-    after the token, and its files: `page`.html, `page`.css and `scripts`."""
-    own = dict.fromkeys((f"{page}.html", f"{page}.css", *scripts), "")
-    places = PARTS | dict.fromkeys(own, "ideotype.live.page")
+    after the token, and its files: `page`.html, `page`.css and `scripts`, in
+    the order in which they are loaded."""
+    own = ("base.css", f"{page}.css", *scripts)
+    places = _SHARED | dict.fromkeys(own, "ideotype.live.page")
     pages = {
         name: files(package).joinpath(name).read_bytes()
         for name, package in places.items()
     }
-    pages[""] = pages.pop(f"{page}.html")
+    heads = Environment(
+        loader=PackageLoader("ideotype.live", "page"), autoescape=True
+    )
+    html = heads.get_template(f"{page}.html").render(
+        page=page, scripts=[*_SHARED, *scripts]
+    )
+    pages[""] = html.encode()
     return Application(
         [
             *((rf"/([^/]+)/{tail}", *rest) for tail, *rest in handlers),
@@ -128,6 +142,7 @@ def application(
         ],
         token=secrets.token_urlsafe(18),
         pages=pages,
+        sockets=set(),
         websocket_max_message_size=_LARGEST,
         log_function=lambda _: None,
     )
@@ -192,5 +207,9 @@ async def _serve(
         loop.add_signal_handler(number, ended.set)
     await ended.wait()
     server.stop()
+    # The server knows nothing of sockets any more, and their work goes on.
+    for socket in list(app.settings["sockets"]):
+        socket.close(1001, "the program ends")
+        socket.on_close()
     await server.close_all_connections()
     return 0

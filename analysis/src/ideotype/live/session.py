@@ -6,19 +6,19 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import time
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Awaitable, Callable
+from concurrent.futures import Executor
 from typing import Any
 
 import numpy as np
 
 from .._arrays import real
 from .._errors import Error
-from .bench import Bench, Genome, Place
-from .conditions import Conditions
+from .bench import Bench, Genome, Place, Shown
 from .improve import EVALUATIONS, Improvement
 from .levers import levers_of
-from .numbers import message_of
+from .numbers import Layout, Samples, message_of
+from .rough import Anchor, coarse_numbers
 from .shapes import neighbours_of, panels_of, plant_of
 
 REFINING = 0.9
@@ -28,16 +28,6 @@ MOST = 48
 """The largest number of evaluations of one plant."""
 
 Send = Callable[[dict[str, Any]], None]
-
-
-@dataclass(frozen=True)
-class Shown:
-    """The plants and numbers that a page shows."""
-
-    genome: Genome
-    reference: Genome
-    conditions: Conditions
-    component: int
 
 
 class Session:
@@ -51,6 +41,7 @@ class Session:
         self._tasks: set[asyncio.Task] = set()
         self._improvement: Improvement | None = None
         self._drawn: tuple[object, dict[str, Any]] = (None, {})
+        self._anchor: tuple[Anchor | None, object] = (None, None)
 
     def greet(self) -> None:
         """Tells the page all that does not change."""
@@ -133,7 +124,8 @@ class Session:
     def close(self) -> None:
         """Ends all work for the page."""
         self._newest += 1
-        self._stop()
+        if self._improvement:
+            self._improvement.drop()
         for task in self._tasks:
             task.cancel()
 
@@ -147,30 +139,62 @@ class Session:
         task.add_done_callback(self._tasks.discard)
 
     async def _answer(self, number: int, shown: Shown) -> None:
-        begun = time.monotonic()
-        loop, bench = asyncio.get_running_loop(), self._bench
+        begun, bench = time.monotonic(), self._bench
 
-        def fast(work: Callable[..., Any], *words: Any) -> Any:
+        def run(
+            pool: Executor, work: Callable[..., Any], *words: Any
+        ) -> Awaitable[Any]:
             def unless_stale() -> Any:
-                if self._newest == number:
-                    return work(*words)
-                return None
+                return work(*words) if self._newest == number else None
 
-            return loop.run_in_executor(bench.fast, unless_stale)
+            return asyncio.get_running_loop().run_in_executor(
+                pool, unless_stale
+            )
 
         def tell(kind: str, content: dict[str, Any]) -> None:
             if self._newest == number:
                 self._send({"kind": kind, "number": number, **content})
 
         try:
-            place = await fast(bench.place, shown.conditions)
-            if place is None:
-                return
-            picture = await fast(self._picture, place, shown)
-            tell("picture", picture or {})
-            await self._refine(number, shown, place, begun, fast, tell)
+            picture = await run(bench.fast, self._picture, shown)
+            if picture is not None:
+                tell("picture", picture)
+            rough = await run(bench.fast, self._rough, shown)
+            if rough is not None:
+                tell("numbers", rough)
+            # A first answer is waited for, and a better one need not hurry.
+            pool = bench.fast if rough is None else bench.slow
+            place = await run(pool, bench.place, shown.conditions)
+            if place is not None:
+                await self._refine(
+                    number, shown, place, begun, run, tell, pool
+                )
         except Error as error:
             tell("problem", {"text": str(error)})
+
+    def _rough(self, shown: Shown) -> dict[str, Any] | None:
+        """Returns quick numbers, if evaluations take long and an anchor is
+        known."""
+        anchor, key = self._anchor
+        if anchor is None or key != shown.conditions.kind:
+            return None
+        place = self._bench.coarse(shown.conditions)
+        if place is None:
+            return None
+        mine, its = (
+            coarse_numbers(place, anchor.layout, genome)
+            for genome in (shown.genome, shown.reference)
+        )
+        return anchor.message(mine, its)
+
+    def _drop_anchor(self, shown: Shown, layout: Layout, its: Samples) -> None:
+        """Remembers what is known of the reference now."""
+        place = self._bench.coarse(shown.conditions)
+        if place is not None and its.by_seed:
+            numbers = coarse_numbers(place, layout, shown.reference)
+            known = its.together(sorted(its.by_seed))
+            anchor = Anchor(layout, known, numbers)
+            self._anchor = anchor, shown.conditions.kind
 
     async def _refine(
         self,
@@ -178,55 +202,62 @@ class Session:
         shown: Shown,
         place: Place,
         begun: float,
-        fast: Callable[..., Any],
+        run: Callable[..., Awaitable[Any]],
         tell: Callable[[str, dict[str, Any]], None],
+        first: Executor,
     ) -> None:
         """Evaluates the plant and its reference with more and more random
         numbers, and tells each time what is known."""
-        bench = self._bench
-        loop = asyncio.get_running_loop()
+        slow = self._bench.slow
         mine = place.samples(shown.genome)
         its = place.samples(shown.reference)
 
-        async def sample(run: Callable[..., Any], genome: Genome, seed: int,
+        async def sample(pool: Executor, genome: Genome, seed: int,
                          known: dict[int, Any]) -> None:  # fmt: skip
             if seed not in known and self._newest == number:
-                found = await run(place.evaluate, genome, seed)
+                found = await run(pool, place.evaluate, genome, seed)
                 if found is not None:
                     known[seed] = found
 
-        def slow(work: Callable[..., Any], *words: Any) -> Any:
-            def unless_stale() -> Any:
-                return work(*words) if self._newest == number else None
+        def message() -> dict[str, Any]:
+            return message_of(place.layout, mine, its, sorted(mine.by_seed))
 
-            return loop.run_in_executor(bench.slow, unless_stale)
-
-        told = 0.0
-        for seed in range(1, MOST + 1):
-            late = time.monotonic() - begun > REFINING and seed > 1
-            if late and seed not in mine.by_seed:
-                break
-            await sample(fast, shown.genome, seed, mine.by_seed)
+        await sample(first, shown.genome, 1, mine.by_seed)
+        if self._newest != number:
+            return
+        tell("numbers", message())
+        await sample(slow, shown.reference, 1, its.by_seed)
+        said, seed = time.monotonic(), 1
+        step = max(1, self._bench.threads // 2)
+        while seed < MOST and self._newest == number:
             now = time.monotonic()
-            seeds = [s for s in range(1, seed + 1) if s in mine.by_seed]
-            if seeds and (seed <= 2 or now - told > 0.12):
-                tell("numbers", message_of(place.layout, mine, its, seeds))
-                told = now
-            await sample(slow, shown.reference, seed, its.by_seed)
-            if self._newest != number:
-                return
-        seeds = sorted(mine.by_seed)
-        last = message_of(place.layout, mine, its, seeds)
-        tell("numbers", {**last, "is_final": True})
+            seeds = range(seed + 1, min(seed + step, MOST) + 1)
+            if now - begun > REFINING and seeds[0] not in mine.by_seed:
+                break
+            await asyncio.gather(
+                *(sample(slow, shown.genome, s, mine.by_seed) for s in seeds),
+                *(
+                    sample(slow, shown.reference, s, its.by_seed)
+                    for s in seeds
+                ),
+            )
+            if self._newest == number and (seed == 1 or now - said > 0.12):
+                tell("numbers", message())
+                said = now
+            seed = seeds[-1]
+        if self._newest == number:
+            tell("numbers", {**message(), "is_final": True})
+            fast = self._bench.fast
+            await run(fast, self._drop_anchor, shown, place.layout, its)
 
-    def _picture(self, place: Place, shown: Shown) -> dict[str, Any]:
+    def _picture(self, shown: Shown) -> dict[str, Any]:
         bench, now = self._bench, shown.conditions
+        # Plants look alike wherever they stand.
+        stand = bench.place(bench.own).stand
         growth = bench.growth if now.when == "season" else None
 
         def draw(genome: Genome) -> dict[str, Any]:
-            return plant_of(
-                place.stand, genome, shown.component, growth, now.age
-            )
+            return plant_of(stand, genome, shown.component, growth, now.age)
 
         # The plant that it is compared with seldom changes.
         key = shown.reference.tobytes(), shown.component, now.when, now.age

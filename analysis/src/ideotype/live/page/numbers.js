@@ -60,7 +60,7 @@ function showStrip(message) {
   byId("strip").replaceChildren(...names.map((name) => {
     const percent = percentOf(name, message);
     const { label } = page.hello.quantities.find((q) => q.name === name);
-    return make("span", {}, `${label.split(" ").slice(0, 2).join(" ")} `,
+    return make("span", {}, `${label} `,
       make("b", {}, percent ? tellPercent([percent[0], 0]) : "…"));
   }));
 }
@@ -89,6 +89,8 @@ function showNumbers(message) {
 
 function chartOf(id, message, name, { isUpright, xLabel, title }) {
   const mine = message.curves[name];
+  // Rough answers lack some curves: those of before stay for a moment.
+  if (message.is_rough && !mine) return;
   const box = byId(id).closest("figure");
   box.hidden = !mine || mine.at.length < 3;
   if (box.hidden) return;
@@ -121,7 +123,7 @@ function showCharts(message) {
   if (hourly)
     chartOf("by-hour", message, `${what}_by_hour`,
       { xLabel: "hour of the day", title: `${told} by hour` });
-  else
+  else if (!message.is_rough || message.curves.day_of_stage)
     byStage(message, what);
 }
 
@@ -132,7 +134,7 @@ function byStage(message, what) {
   const at = (curves) => curves?.[name] && days
     ? { [name]: { ...curves[name], at: days } } : {};
   chartOf("by-hour", {
-    curves: at(message.curves), reference_curves: at(message.reference_curves),
+    is_rough: message.is_rough, curves: at(message.curves), reference_curves: at(message.reference_curves),
   }, name, {
     xLabel: "days after emergence",
     title: `${what === "absorbed" ? "Light" : "Assimilation"} by day of growth`,

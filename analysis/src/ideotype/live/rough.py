@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Quick first answers of the live page, where one evaluation takes longer than
+a slider should wait.
+
+A coarse stand has fewer pieces of each leaf and longer steps of weather. Its
+values are wrong by some per cent, but by nearly the same part for one plant as
+for another. So the first answer is what is known of an anchor, times the ratio
+of both in coarse stands."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .conditions import Tables
+from .numbers import Array, Layout, told
+
+if TYPE_CHECKING:
+    from .bench import Place
+
+_CELLS = 6
+"""The number of pieces along a leaf."""
+
+_STEPS = 8
+"""The number of steps of weather in a day."""
+
+
+def coarse(tables: Tables) -> Tables | None:
+    """Returns a campaign for coarse evaluations, or None if its own take
+    little time: those of a clear day of one kind of plants."""
+    if not {"weather", "component", "panel"} & {
+        k for k in tables if tables[k]
+    }:
+        return None
+    plant = tables["plant"]
+    cells = min(_CELLS, plant["cells_along"])
+    weather = [_thinned(each) for each in tables.get("weather", [])]
+    return {
+        **tables,
+        "plant": plant | {"cells_along": cells},
+        **({"weather": weather} if weather else {}),
+    }
+
+
+def _thinned(weather: Tables) -> Tables:
+    """Returns weather in steps that are means over several."""
+    steps = len(weather["hours"])
+    together = steps // _STEPS if steps % _STEPS == 0 else 1
+    count = len(weather["dates"]) * steps
+
+    def mean(value: Any) -> Any:
+        if not isinstance(value, list) or len(value) != count:
+            return value
+        return np.array(value, float).reshape(-1, together).mean(-1).tolist()
+
+    found = {name: mean(value) for name, value in weather.items()}
+    return found | {"hours": weather["hours"][::together]}
+
+
+@dataclass(frozen=True)
+class Anchor:
+    """A plant that is known in a stand, and as the coarse stand tells it."""
+
+    layout: Layout
+    known: tuple[Array, Array]
+    """Means and standard errors [numbers]."""
+    coarse: Array
+    """The numbers of the coarse stand [numbers, value and standard error], in
+    the layout of the other."""
+
+    def message(self, mine: Array, reference: Array) -> dict[str, Any]:
+        """Returns what the page shows of a plant and of its reference, from
+        their numbers in a coarse stand [numbers, value and standard error]."""
+        mean, error = self.known
+        near = self.coarse[:, 0]
+        with np.errstate(divide="ignore", invalid="ignore"):
+            ratio = mean / near
+        # A number about zero has no ratio: it keeps its distance.
+        scales = (ratio > 0.5) & (ratio < 2)
+        ratio = np.where(scales, ratio, 1.0)
+        shift = np.where(scales, 0.0, mean - near)
+
+        def value(found: Array) -> tuple[Array, Array]:
+            off = np.hypot(error, ratio * _apart(found, self.coarse))
+            return ratio * found[:, 0] + shift, off
+
+        apart = ratio * (mine - reference)[:, 0]
+        its_error = ratio * _apart(mine, reference)
+        content = told(
+            self.layout, 1, value(mine), value(reference), (apart, its_error)
+        )
+        return {"is_rough": True, **content}
+
+
+def _apart(one: Array, other: Array) -> Array:
+    """Returns the standard errors of differences [numbers], at most: both
+    plants have the same random numbers. Equal numbers do not differ."""
+    error = np.hypot(one[:, 1], other[:, 1])
+    return np.where(one[:, 0] == other[:, 0], 0.0, error)
+
+
+def coarse_numbers(place: Place, layout: Layout, genome: Array) -> Array:
+    """Returns the numbers of a plant in the coarse stand of a place, in the
+    layout of another stand; what that lacks or divides otherwise is NaN."""
+    known = place.samples(genome).by_seed
+    if 1 not in known:
+        known[1] = place.evaluate(genome, 1)
+    return layout.like(place.layout, known[1])

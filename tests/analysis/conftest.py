@@ -12,6 +12,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from live_page import CAMPAIGNS, Served, served
 from made_campaign import SITES, resolved
 from made_history import MadeHistory
 from made_kinds import Measured
@@ -38,6 +39,10 @@ LONG = {
     "test_organs.py",
     "test_cma.py",
     "test_nsga2.py",
+    "test_play.py",
+    "test_play_files.py",
+    "test_live_safety.py",
+    "test_watch.py",
 }
 """Tests of the manual, the study, browsers and other programs: ./test.sh
 leaves them out. They begin first, so that none is left for the end."""
@@ -49,6 +54,13 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     for item in items:
         if item.path.name in LONG:
             item.add_marker("long")
+
+
+@pytest.fixture(scope="module")
+def day() -> Iterator[Served]:
+    """Serves `ideotype play` of maize on a clear day."""
+    with served("play", CAMPAIGNS / "ames.toml") as found:
+        yield found
 
 
 class WriterProcess:

@@ -9,6 +9,7 @@ import json
 import re
 import subprocess
 import sys
+import tempfile
 from collections.abc import Awaitable, Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -32,25 +33,50 @@ class Served:
     def port(self) -> int:
         return int(re.findall(r":(\d+)/", self.address)[0])
 
+    def resident(self) -> int:
+        """Returns the memory of the program [KiB]."""
+        status = Path(f"/proc/{self.process.pid}/status").read_text()
+        line = next(x for x in status.splitlines() if x.startswith("VmRSS"))
+        return int(line.split()[1])
+
+
+def token(page: Served) -> str:
+    """Returns the secret part of the address."""
+    return page.address.rstrip("/").rpartition("/")[2]
+
 
 @contextlib.contextmanager
 def served(*words: object) -> Iterator[Served]:
-    """Serves `ideotype play` or `ideotype watch` while it is used."""
+    """Serves `ideotype play` or `ideotype watch` while it is used. A program
+    that does not end when it is told to fails the test, and is killed."""
     command = [sys.executable, "-m", "ideotype", *map(str, words)]
-    with subprocess.Popen(
-        [*command, "--no-browser"],
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        text=True,
-    ) as process:
-        assert process.stdout and process.stderr
+    # Nobody reads a pipe of errors, and a full one would hold the program.
+    with (
+        tempfile.TemporaryFile("w+") as errors,
+        subprocess.Popen(
+            [*command, "--no-browser"],
+            stdout=subprocess.PIPE,
+            stderr=errors,
+            text=True,
+        ) as process,
+    ):
+        assert process.stdout
         try:
             line = process.stdout.readline()
             found = re.search(r"http://\S+/", line)
-            assert found, line + process.stderr.read()
+            if not found:
+                process.wait(_ENDING)
+                errors.seek(0)
+            assert found, line + errors.read()
             yield Served(found[0], process)
-        finally:
             process.terminate()
+            process.wait(_ENDING)
+        finally:
+            process.kill()
+
+
+_ENDING = 30
+"""The longest time in which a program ends that was told to [s]."""
 
 
 class Talk:

@@ -1,0 +1,255 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The talk of `ideotype play` with a page: whether its numbers are right, and
+what ends."""
+
+from __future__ import annotations
+
+import asyncio
+import http.client
+import json
+import time
+import tomllib
+from pathlib import Path
+
+import numpy as np
+import pytest
+from live_page import CAMPAIGNS, Served, Talk, served, talk_with, token
+
+from ideotype import Stand
+from ideotype.live.numbers import ENOUGH, Samples
+from ideotype.live.opened import open_place
+
+pytestmark = pytest.mark.long
+
+DAY = str(CAMPAIGNS / "ames.toml")
+
+
+def test_numbers_are_those_of_evaluations(day: Served) -> None:
+    """Means over the seeds 1, 2, ... of single evaluations."""
+
+    async def ask(talk: Talk) -> tuple[dict, dict, list]:
+        genome = list(talk.hello["genome"])
+        genome[0] *= 1.1
+        talk.say(kind="show", number=1, genome=genome)
+        first = await talk.hear("numbers")
+        return first, await talk.final(1), genome
+
+    first, last, genome = talk_with(day, ask)
+    opened = open_place(DAY)
+    tables = dict(opened.base)
+    tables["light"] = tables["light"] | {"fields": 1, "randomisations": 8}
+    stand = Stand(tables)
+    count = last["evaluations"]
+    found = [
+        stand.evaluate(genome, ["absorbed_par"], tolerance=0.05, seed=seed)
+        for seed in range(1, count + 1)
+    ]
+    values = np.array([each.absorbed_par.item() for each in found])
+    assert first["numbers"]["absorbed_par"][0] == pytest.approx(
+        values[0], rel=1e-6
+    )
+    mean, error = last["numbers"]["absorbed_par"]
+    assert mean == pytest.approx(values.mean(), rel=1e-6)
+    if count >= ENOUGH:
+        expected = values.std(ddof=1) / np.sqrt(count)
+        assert error == pytest.approx(expected, rel=1e-5)
+    assert error < first["numbers"]["absorbed_par"][1]
+    reference = last["reference"]["absorbed_par"][0]
+    apart = last["differences"]["absorbed_par"][0]
+    assert apart == pytest.approx(mean - reference, abs=1e-5)
+
+
+def test_only_the_last_change_is_answered_in_full(day: Served) -> None:
+    async def ask(talk: Talk) -> list[int]:
+        genome = talk.hello["genome"]
+        for number in range(1, 31):
+            genome[0] = 0.5 + number / 100
+            talk.say(kind="show", number=number, genome=genome)
+        heard = []
+        while True:
+            told = await talk.hear("numbers")
+            heard.append(told["number"])
+            if told["number"] == 30 and told.get("is_final"):
+                return heard
+
+    heard = talk_with(day, ask)
+    assert heard == sorted(heard)
+    assert sum(number < 30 for number in heard) < 15
+
+
+def test_nonsense_is_told_and_ends_nothing(day: Served) -> None:
+    async def ask(talk: Talk) -> None:
+        genome = talk.hello["genome"]
+        for message in (
+            {"kind": "show"},
+            {"kind": "show", "number": 1, "genome": [1, 2]},
+            {"kind": "show", "number": 1, "genome": [1e9] * len(genome)},
+            {"kind": "show", "number": 1, "genome": genome,
+             "conditions": {"density": -1}},
+            {"kind": "show", "number": 1, "genome": genome,
+             "conditions": {"when": "<script>"}},
+            {"kind": "show", "number": 1, "genome": genome, "component": 7},
+            {"kind": "improve", "number": 1, "genome": genome, "goal": "x"},
+            {"kind": "format the disk", "number": 1, "genome": genome},
+        ):  # fmt: skip
+            talk.say(**message)
+            with pytest.raises(AssertionError, match="problem"):
+                while True:
+                    told = await talk.hear("improved")
+                    assert "problem" not in told, "problem"
+        talk.say(kind="show", number=9, genome=genome)
+        await talk.first(9)
+
+    talk_with(day, ask)
+
+
+def test_a_denser_field_has_more_leaf(day: Served) -> None:
+    async def ask(talk: Talk) -> list[float]:
+        areas = []
+        own = talk.hello["conditions"]["density"]
+        for number, density in enumerate((own, 2 * own), start=1):
+            talk.say(
+                kind="show", number=number, genome=talk.hello["genome"],
+                conditions={"density": density},
+            )  # fmt: skip
+            told = await talk.first(number)
+            areas.append(told["numbers"]["lai"][0])
+        return areas
+
+    one, two = talk_with(day, ask)
+    assert two == pytest.approx(2 * one, rel=1e-3)
+
+
+def test_many_moves_leave_nothing_behind(day: Served) -> None:
+    """Memory of the program after 100 moves and after as many more."""
+
+    async def move(talk: Talk) -> None:
+        genome = talk.hello["genome"]
+        for number in range(1, 101):
+            genome[1] = 0.05 + 0.0004 * number
+            talk.say(kind="show", number=number, genome=genome)
+            await talk.first(number)
+
+    talk_with(day, move)
+    first = day.resident()
+    talk_with(day, move)
+    assert day.resident() < first + 15_000
+
+
+def test_a_search_ends_with_a_gain_that_was_measured_anew(
+    day: Served,
+) -> None:
+    async def ask(talk: Talk) -> tuple[list[int], dict]:
+        talk.say(kind="improve", number=1, genome=talk.hello["genome"],
+                 goal="absorbed_par")  # fmt: skip
+        tried = []
+        while True:
+            told = await talk.hear("improved")
+            tried.append(told["done"])
+            if told.get("is_final"):
+                return tried, told
+
+    tried, told = talk_with(day, ask)
+    assert tried == sorted(tried) and tried[-1] == told["of"] == 200
+    assert told["is_better"] and told["gain"] > 3 * told["error"] > 0
+
+
+def test_a_plant_that_was_saved_is_opened_again(
+    day: Served, tmp_path: Path
+) -> None:
+    opened = open_place(DAY)
+    genome = opened.genome.copy()
+    genome[0] = 0.9
+    link = http.client.HTTPConnection("127.0.0.1", day.port, timeout=60)
+    own = f"http://127.0.0.1:{day.port}"
+    for form in ("crop", "campaign"):
+        body = json.dumps(
+            {"genome": genome.tolist(), "conditions": {"density": 4.0}}
+        )
+        link.request(
+            "POST", f"/{token(day)}/save/{form}", body, {"Origin": own}
+        )
+        found = link.getresponse()
+        text = found.read().decode()
+        assert found.status == 200, text
+        path = tmp_path / f"{form}.toml"
+        path.write_text(text)
+        again = open_place(str(path))
+        assert again.genome[0] == pytest.approx(0.9)
+        if form == "campaign":
+            assert again.conditions.density == pytest.approx(4.0)
+    assert tomllib.loads(text)["plant"]["baseline"]["leaf"][0]["length"] == 0.9
+
+
+def test_errors_of_differences_use_the_same_random_numbers() -> None:
+    random = np.random.default_rng(3)
+    shared = random.normal(0, 1, (12, 1, 1))
+    mine, other = Samples(), Samples()
+    for seed in range(12):
+        error = np.full((1, 1), 1.0)
+        noise = random.normal(0, 0.1)
+        mine.by_seed[seed] = np.hstack([shared[seed] + 5 + noise, error])
+        other.by_seed[seed] = np.hstack([shared[seed] + 3, error])
+    seeds = list(range(12))
+    apart, error = mine.less(other, seeds)
+    assert apart[0] == pytest.approx(2, abs=4 * error[0])
+    assert error[0] < 0.06 < mine.together(seeds)[1][0]
+    few = mine.less(other, seeds[: ENOUGH - 1])[1]
+    assert few[0] == pytest.approx(np.sqrt(2 / (ENOUGH - 1)))
+
+
+def test_the_program_ends_at_once_while_it_searches() -> None:
+    """A search of 200 plants takes longer than that."""
+    with served("play", "maize") as page:
+
+        async def ask(talk: Talk) -> float:
+            talk.say(kind="improve", number=1, genome=talk.hello["genome"],
+                     goal="carbon_balance")  # fmt: skip
+            await talk.hear("improved")
+            begun = time.monotonic()
+            page.process.terminate()
+            page.process.wait(60)
+            return time.monotonic() - begun
+
+        assert talk_with(page, ask) < 10
+        assert page.process.returncode == 0
+
+
+def test_rough_answers_are_right_within_their_errors() -> None:
+    """A season answers by a coarse stand first; the refined numbers lie within
+    three standard errors of those, in all but one of eight moves at most."""
+    told = ("absorbed_par", "net_assimilation", "carbon_balance", "fapar")
+
+    async def ask(talk: Talk) -> np.ndarray:
+        genome = list(talk.hello["genome"])
+        talk.say(kind="show", number=1, genome=genome)
+        await talk.final(1)
+        levers = talk.hello["levers"]
+        found = []
+        for number in range(2, 10):
+            # The anchor is known a moment after the last numbers are told.
+            await asyncio.sleep(0.5)
+            lever = levers[3 * number]
+            genome[3 * number] = (lever["lower"] + lever["upper"]) / 2
+            density = {"density": 5.0 + number / 2}
+            talk.say(kind="show", number=number, genome=genome,
+                     conditions=density)  # fmt: skip
+            first = await talk.first(number)
+            last = await talk.final(number)
+            assert first["is_rough"] and not last.get("is_rough")
+            lai = [each["numbers"]["lai"][0] for each in (first, last)]
+            assert lai[0] == pytest.approx(lai[1], rel=0.08)
+            found.append(
+                [
+                    (one[0] - two[0]) / np.hypot(one[1], two[1])
+                    for kind in ("numbers", "differences")
+                    for name in told
+                    for one, two in [(first[kind][name], last[kind][name])]
+                ]
+            )
+        return np.abs(found)
+
+    with served("play", "maize") as page:
+        off = talk_with(page, ask)
+    assert np.sort(off, axis=0)[-2].max() < 3
+    assert off.mean() > 0.05

@@ -1,0 +1,211 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The page of `ideotype play` in a browser: what is seen, changed and saved
+there. test_live.py and test_talk.py talk with the program without a page."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from live_browser import (
+    WIDTHS,
+    bare,
+    click,
+    fits,
+    move,
+    number,
+    serious_findings,
+    settle,
+    shown,
+    text,
+    view,
+)
+from live_page import Served
+from phone import Phone
+
+SHAPE = "length_profile_2"
+
+
+@pytest.fixture(params=WIDTHS)
+def phone(
+    day: Served, tmp_path: Path, request: pytest.FixtureRequest
+) -> Iterator[Phone]:
+    """Gives the page at each width."""
+    with shown(day, tmp_path, request.param) as found:
+        yield found
+
+
+def key(phone: Phone, name: str, modifiers: int = 0, code: int = 0) -> None:
+    for kind in ("rawKeyDown", "keyUp"):
+        phone.ask(
+            "Input.dispatchKeyEvent", type=kind, key=name, modifiers=modifiers,
+            code=name, windowsVirtualKeyCode=code,
+        )  # fmt: skip
+
+
+def test_plants_and_numbers_with_errors_are_seen(phone: Phone) -> None:
+    assert fits(phone)
+    assert 0.1 < bare(phone) < 0.95
+    told = text(phone, "#numbers")
+    assert "Light caught by leaves" in told and told.count("±") == 2
+    assert "NaN" not in told and "undefined" not in told
+    assert phone.value("document.querySelectorAll('.chart .line').length") >= 3
+    assert "ames" in phone.value("document.title")
+
+
+def test_a_slider_moves_shape_and_light_and_is_undone(phone: Phone) -> None:
+    light, picture = number(phone, "absorbed_par"), view(phone)
+    genome = phone.value("page.shown.genome")
+    move(phone, SHAPE, 0.95)
+    moved, error = number(phone, "absorbed_par")
+    assert view(phone) != picture and error > 0
+    assert abs(moved - light[0]) > 3 * error
+    bar = "#numbers [data-name=absorbed_par] .apart.clear"
+    assert "±" in text(phone, bar)
+    click(phone, "#undo")
+    settle(phone)
+    assert number(phone, "absorbed_par")[0] == pytest.approx(
+        light[0], rel=0.01
+    )
+    assert phone.value("page.shown.genome") == genome
+    click(phone, "#redo")
+    settle(phone)
+    assert number(phone, "absorbed_par")[0] == pytest.approx(moved, rel=0.01)
+    click(phone, "#again")
+    settle(phone)
+    assert phone.value("page.shown.genome") == genome
+
+
+def test_single_leaves_are_behind_a_fold(phone: Phone) -> None:
+    click(phone, "#leaves summary")
+    phone.value("byId('leaf').value = '8'; byId('leaf').onchange()")
+    name = phone.value("document.querySelector('#leaf-traits input').id")
+    picture = view(phone)
+    move(phone, name[2:], 0.9)
+    assert view(phone) != picture
+
+
+def test_plants_stand_side_by_side(phone: Phone) -> None:
+    move(phone, SHAPE, 0.9)
+    click(phone, "#keep")
+    settle(phone)
+    assert phone.value("byId('pair').checked")
+    assert text(phone, "#titles").split("\n") == ["kept plant", "this plant"]
+    kept, before = phone.value("page.shown.reference"), view(phone)
+    move(phone, SHAPE, 0.1)
+    assert phone.value("page.shown.reference") == kept
+    assert view(phone) != before
+    assert "clear" in phone.value(
+        "document.querySelector('[data-name=absorbed_par] .apart').className"
+    )
+
+
+def test_panels_shade_the_field(phone: Phone) -> None:
+    light, picture = number(phone, "absorbed_par")[0], view(phone)
+    click(phone, "[data-tab=stand]")
+    click(phone, "#panels")
+    settle(phone)
+    assert number(phone, "absorbed_par")[0] < 0.95 * light
+    assert view(phone) != picture
+    shaded = number(phone, "absorbed_par")[0]
+    move(phone, "panel_rows", 0.9)
+    assert number(phone, "absorbed_par")[0] > shaded
+    click(phone, "#panels")
+    settle(phone)
+    assert number(phone, "absorbed_par")[0] == pytest.approx(light, rel=0.01)
+
+
+def test_density_rows_place_and_time_change_the_light(phone: Phone) -> None:
+    click(phone, "[data-tab=stand]")
+    for name, part in (
+        *(("density", 0.8), ("row", 0.2), ("direction", 0.5)),
+        *(("latitude", 0.2), ("day", 0.1)),
+    ):
+        before = number(phone, "absorbed_par")[0]
+        move(phone, name, part)
+        after, error = number(phone, "absorbed_par")
+        assert abs(after - before) > error, name
+    click(phone, "[data-when=hour]")
+    settle(phone)
+    noon = number(phone, "absorbed_par")[0]
+    move(phone, "hour", 0.3)
+    assert 0 <= number(phone, "absorbed_par")[0] < noon
+
+
+def test_an_hour_of_the_night_has_no_light_and_ends_nothing(
+    phone: Phone,
+) -> None:
+    click(phone, "[data-tab=stand]")
+    click(phone, "[data-when=hour]")
+    settle(phone)
+    phone.value("byId('s-hour').value = 3;"
+                "byId('s-hour').dispatchEvent(new Event('input'))")  # fmt: skip
+    phone.wait("!byId('notice').hidden")
+    assert "sun" in text(phone, "#notice")
+    move(phone, "hour", 0.5)
+    assert phone.value("byId('notice').hidden")
+
+
+def test_all_is_done_with_keys(day: Served, tmp_path: Path) -> None:
+    with shown(day, tmp_path) as phone:
+        reached = set()
+        for _ in range(80):
+            key(phone, "Tab", code=9)
+            reached.add(phone.value(
+                "document.activeElement.id || document.activeElement.innerText"
+            ))  # fmt: skip
+        assert {f"s-{SHAPE}", "view", "color", "goal", "improve", "keep",
+                "pair"} <= reached  # fmt: skip
+        phone.value(f"byId('s-{SHAPE}').focus()")
+        outline = "getComputedStyle(document.activeElement).outlineStyle"
+        assert phone.value(outline) != "none"
+        before = phone.value(f"byId('s-{SHAPE}').value")
+        phone.press("ArrowRight")
+        settle(phone)
+        after = phone.value(f"byId('s-{SHAPE}').value")
+        assert float(after) > float(before)
+        said = phone.value(f"byId('s-{SHAPE}').getAttribute('aria-valuetext')")
+        assert said.endswith(" cm")
+        key(phone, "z", modifiers=2, code=90)
+        settle(phone)
+        assert phone.value(f"byId('s-{SHAPE}').value") == before
+        key(phone, "y", modifiers=2, code=89)
+        settle(phone)
+        assert phone.value(f"byId('s-{SHAPE}').value") == after
+        phone.value("byId('view').focus()")
+        picture = view(phone)
+        phone.press("ArrowLeft")
+        assert view(phone) != picture
+        phone.press("Home")
+        assert view(phone) == picture
+
+
+def test_a_finger_turns_the_plants_and_the_page_scrolls(
+    day: Served, tmp_path: Path
+) -> None:
+    with shown(day, tmp_path, 390) as phone:
+        x, y = phone.value(
+            "(() => { const b = byId('view').getBoundingClientRect();"
+            "return [b.left + 100, b.top + 100]; })()"
+        )
+        turned = phone.value("field.view.turn")
+        phone.swipe((x, y), (12, 0))
+        assert phone.value("field.view.turn") != turned
+        phone.swipe((200, 700), (0, -30))
+        phone.wait("scrollY > 50")
+
+
+@pytest.mark.parametrize("what", ["plant", "stand", "pair"])
+def test_axe_finds_nothing_serious(phone: Phone, what: str) -> None:
+    if what == "pair":
+        move(phone, SHAPE, 0.9)
+        click(phone, "#keep")
+        click(phone, "#save-menu summary")
+        phone.value("for (const d of document.querySelectorAll('details'))"
+                    "d.open = true")  # fmt: skip
+    else:
+        click(phone, f"[data-tab={what}]")
+        phone.value("if (!byId('panels').checked) byId('panels').click()")
+    settle(phone)
+    assert serious_findings(phone) == []

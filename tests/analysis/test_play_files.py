@@ -1,0 +1,156 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The page of `ideotype play` in a browser: files that it opens and saves,
+plants that grow, several kinds of plants, and the search."""
+
+from __future__ import annotations
+
+import io
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+from live_browser import click, move, number, settle, shown, text, view
+from live_page import CAMPAIGNS, served
+from made_obj import MIDRIBS, obj_of
+from PIL import Image
+
+from ideotype import Stand
+from ideotype.live.opened import open_place
+
+DAY = CAMPAIGNS / "ames.toml"
+HOSTILE = "<img src=x onerror='window.hacked=1'>"
+
+
+def arrived(folder: Path, pattern: str) -> Path:
+    """Returns a file that the page has saved."""
+    end = time.monotonic() + 30
+    while not (found := list(folder.glob(pattern))):
+        assert time.monotonic() < end, list(folder.iterdir())
+        time.sleep(0.1)
+    return found[0]
+
+
+def test_a_plant_its_field_and_a_picture_are_saved(tmp_path: Path) -> None:
+    folder = tmp_path / "saved"
+    folder.mkdir()
+    with served("play", DAY) as page, shown(page, tmp_path) as phone:
+        phone.ask("Page.setDownloadBehavior", behavior="allow",
+                  downloadPath=str(folder))  # fmt: skip
+        move(phone, "length_profile_2", 0.9)
+        click(phone, "[data-tab=stand]")
+        move(phone, "density", 0.25)
+        genome = phone.value("page.shown.genome")
+        density = phone.value("page.shown.conditions.density")
+        for form in ("crop", "campaign", "picture"):
+            click(phone, "#save-menu summary")
+            click(phone, f"[data-save={form}]")
+            arrived(folder, "*.png" if form == "picture" else f"*_{form}.toml")
+        size = phone.value("[byId('view').width, byId('view').height]")
+    crop = open_place(str(arrived(folder, "*_crop.toml")))
+    assert crop.genome is not None
+    campaign = open_place(str(arrived(folder, "*_campaign.toml")))
+    assert campaign.conditions.density == pytest.approx(density)
+    first = open_place(str(DAY))
+    mesh = Stand(first.base).mesh(np.array(genome))
+    for again in (crop, campaign):
+        found = Stand(again.base).mesh(again.genome)
+        assert found.vertices == pytest.approx(mesh.vertices, abs=1e-5)
+    # The last bytes may still be written.
+    picture = arrived(folder, "*.png").read_bytes()
+    with Image.open(io.BytesIO(picture)) as image:
+        assert image.width == size[0] and image.height > size[1]
+        assert len(image.convert("RGB").getcolors(1 << 24)) > 50
+
+
+@pytest.mark.parametrize("kind", ["csv", "obj", "history", "crop"])
+def test_what_was_measured_bred_or_saved_is_opened(
+    kind: str, tmp_path: Path, own: Path
+) -> None:
+    if kind == "history":
+        path = own
+    elif kind == "crop":
+        path = CAMPAIGNS / "crops" / "sorghum.toml"
+    else:
+        path = tmp_path / f"mine.{kind}"
+        path.write_text(MIDRIBS if kind == "csv" else obj_of(MIDRIBS))
+    told = {"csv": "measured: 2 leaves", "obj": "measured: 2 leaves",
+            "history": "bred", "crop": "crop file"}[kind]  # fmt: skip
+    with served("play", path) as page, shown(page, tmp_path) as phone:
+        assert told in text(phone, "#about")
+        assert number(phone, "absorbed_par")[0] > 0
+        name = phone.value("sliders.find((s) => s.index >= 0).input.id")[2:]
+        picture = view(phone)
+        move(phone, name, 0.95)
+        assert view(phone) != picture
+
+
+def test_names_are_no_html(tmp_path: Path) -> None:
+    path = tmp_path / f"{HOSTILE}.csv"
+    path.write_text(MIDRIBS)
+    with served("play", path) as page, shown(page, tmp_path) as phone:
+        assert HOSTILE in text(phone, "#title")
+        assert HOSTILE in text(phone, "#about")
+        assert HOSTILE in phone.value("document.title")
+        click(phone, "#keep")
+        settle(phone)
+        assert phone.value("window.hacked") is None
+        assert phone.value("document.images.length") == 0
+
+
+def test_each_kind_of_plant_has_its_sliders(tmp_path: Path) -> None:
+    campaign = CAMPAIGNS / "intercrop.toml"
+    with served("play", campaign) as page, shown(page, tmp_path) as phone:
+        assert phone.value("byId('component').length") == 2
+        assert text(phone, "#traits").count("Internode") == 0
+        maize = view(phone)
+        phone.value("byId('component').selectedIndex = 1;"
+                    "byId('component').dispatchEvent(new Event('change'))")  # fmt: skip
+        settle(phone)
+        assert view(phone) != maize
+        name = phone.value(
+            "sliders.find((s) => s.index >= 0 && s.label.startsWith("
+            "page.hello.components[1])).input.id"
+        )[2:]
+        before = view(phone)
+        move(phone, name, 0.9)
+        assert view(phone) != before
+
+
+def test_a_plant_is_seen_day_by_day(tmp_path: Path) -> None:
+    campaign = CAMPAIGNS / "growing_season.toml"
+    with served("play", campaign) as page, shown(page, tmp_path) as phone:
+        click(phone, "[data-tab=stand]")
+        grown = view(phone)
+        tall = []
+        for part in (0.1, 0.3, 0.5):
+            move(phone, "age", part)
+            assert "days after emergence" in text(phone, "#day-told")
+            tall.append(phone.value("field.plants[1].tall"))
+        assert tall == sorted(tall) and tall[0] < 0.5 * tall[-1]
+        assert "June" in text(phone, "#titles") or "July" in text(
+            phone, "#titles"
+        )
+        assert view(phone) != grown
+        assert "day of growth" in text(phone, ".charts")
+
+
+def test_a_search_is_watched_and_undone(tmp_path: Path) -> None:
+    with served("play", DAY) as page, shown(page, tmp_path) as phone:
+        picture, genome = view(phone), phone.value("page.shown.genome")
+        phone.value("byId('goal').value = 'absorbed_par'")
+        click(phone, "#improve")
+        phone.wait("byId('progress').value > 20", 120)
+        assert view(phone) != picture
+        phone.wait("byId('improve').textContent === 'Improve from here'", 300)
+        settle(phone)
+        told = text(phone, "#improve-told")
+        assert told.startswith("+") and "±" in told and "200 trials" in told
+        click(phone, "#undo")
+        settle(phone)
+        assert phone.value("page.shown.genome") == genome
+        click(phone, "#improve")
+        phone.wait("byId('progress').value > 0", 60)
+        click(phone, "#improve")
+        phone.wait("byId('improve').textContent === 'Improve from here'", 120)
+        assert "200 trials" not in text(phone, "#improve-told")

@@ -1,0 +1,173 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The page of `ideotype watch` in a browser, on made histories."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from conftest import WriterProcess
+from live_browser import WIDTHS, bare, click, fits, serious_findings, shown
+from live_browser import text as seen
+from live_page import Served, served
+from made_history import MadeHistory
+from phone import Phone
+
+HOSTILE = "<img src=x onerror='window.hacked=1'>"
+
+
+@pytest.fixture(scope="module")
+def folder(
+    tmp_path_factory: pytest.TempPathFactory,
+    finished: Path,
+    own: Path,
+) -> Path:
+    """Gives histories that ended, that stopped, that are broken, and one
+    whose names are HTML."""
+    path = tmp_path_factory.mktemp("runs")
+    (path / "a_real.h5").write_bytes(own.read_bytes())
+    (path / "case.h5").write_bytes(finished.read_bytes())
+    (path / "broken.h5").write_bytes(finished.read_bytes()[:5000])
+    (path / f"{HOSTILE}.h5").write_bytes(b"no history")
+    made = MadeHistory(
+        path / "stopped.h5",
+        attributes={"case": HOSTILE, "campaign": HOSTILE},
+    )
+    made.evolve(2)
+    made.close()
+    return path
+
+
+@pytest.fixture(scope="module")
+def page(folder: Path) -> Iterator[Served]:
+    with served("watch", folder) as found:
+        yield found
+
+
+@pytest.fixture(params=WIDTHS)
+def phone(
+    page: Served, tmp_path: Path, request: pytest.FixtureRequest
+) -> Iterator[Phone]:
+    with shown(page, tmp_path, request.param) as found:
+        yield found
+
+
+def choose(phone: Phone, file: str) -> None:
+    click(phone, f"[data-file='{file}']")
+    phone.wait(f"seen.chosen === '{file}'")
+
+
+def test_cases_are_told_and_their_best_plants_seen(phone: Phone) -> None:
+    assert fits(phone)
+    told = seen(phone, "#sums")
+    assert "2 of 5" in told
+    choose(phone, "a_real.h5")
+    phone.wait("seen.plants && !byId('plants').hidden", 60)
+    assert 0.1 < bare(phone) < 0.97
+    before = phone.value("byId('view').toDataURL()")
+    phone.value("document.querySelector('[data-look=left]').click()")
+    assert phone.value("byId('view').toDataURL()") != before
+    lines = "document.querySelectorAll('#convergence .line').length"
+    assert phone.value(lines) == 2
+    assert "±" in seen(phone, "#facts")
+
+
+def test_broken_files_hide_no_others(phone: Phone) -> None:
+    assert phone.value("document.querySelectorAll('.bad-file').length") == 2
+    assert "broken.h5" in seen(phone, "#cases")
+    choose(phone, "case.h5")
+    assert "ended" in seen(phone, "#cases")
+    assert "Last failure" in seen(phone, "#failure")
+    phone.wait("byId('plants-told').textContent.includes('No picture')")
+
+
+def test_names_are_no_html(phone: Phone) -> None:
+    assert seen(phone, "#cases").count(HOSTILE) >= 2
+    choose(phone, "stopped.h5")
+    assert seen(phone, "#chosen-name") == HOSTILE
+    assert phone.value("window.hacked") is None
+    assert phone.value("document.images.length") == 0
+
+
+def test_axe_finds_nothing_serious(phone: Phone) -> None:
+    choose(phone, "a_real.h5")
+    phone.wait("seen.plants", 60)
+    assert serious_findings(phone) == []
+
+
+def test_cases_are_chosen_with_keys(page: Served, tmp_path: Path) -> None:
+    with shown(page, tmp_path) as phone:
+        phone.value(
+            "document.querySelector('[data-file=\"case.h5\"]').focus()"
+        )
+        for kind in ("keyDown", "keyUp"):
+            phone.ask("Input.dispatchKeyEvent", type=kind, key="Enter",
+                      code="Enter", text="\r", windowsVirtualKeyCode=13)  # fmt: skip
+        phone.wait("seen.chosen === 'case.h5'")
+        at = phone.value("seen.told && performance.now()")
+        phone.wait(f"performance.now() > {at} + 4500")
+        # The list was made anew, and the focus stayed.
+        assert phone.value("document.activeElement.dataset.file") == "case.h5"
+
+
+def test_tabs_are_told_the_same_and_nothing_is_written(
+    page: Served, folder: Path, tmp_path: Path
+) -> None:
+    def digest() -> dict[str, str]:
+        return {
+            path.name: hashlib.sha256(path.read_bytes()).hexdigest()
+            for path in folder.iterdir()
+        }
+
+    before = digest()
+    with shown(page, tmp_path) as phone:
+        first = phone.tab
+        phone.open(page.address, 390)
+        phone.wait("document.body.dataset.cases")
+        choose(phone, "case.h5")
+        second = seen(phone, "#sums")
+        phone.tab = first
+        assert phone.value("seen.chosen") != "case.h5"
+        assert seen(phone, "#sums") == second
+    assert digest() == before
+
+
+def test_a_running_case_grows_until_it_is_killed(
+    writer: WriterProcess, tmp_path: Path
+) -> None:
+    with (
+        served("watch", writer.path.parent) as page,
+        shown(page, tmp_path) as phone,
+    ):
+        assert "running" in seen(phone, "#cases")
+        for slot in range(3):
+            writer.do(f"record 0 {slot}")
+        phone.wait("seen.told.evaluations === 3", 20)
+        writer.kill()
+        phone.wait("seen.told.cases[0].state === 'interrupted'", 20)
+        assert "interrupted" in seen(phone, "#cases")
+
+
+def test_an_empty_folder_waits_for_its_first_case(
+    finished: Path, tmp_path: Path
+) -> None:
+    runs = tmp_path / "runs"
+    runs.mkdir()
+    with served("watch", runs) as page, shown(page, tmp_path) as phone:
+        assert "There is no history" in seen(phone, "#none")
+        (runs / "case.h5").write_bytes(finished.read_bytes())
+        phone.wait("document.body.dataset.cases === '1'", 20)
+        assert phone.value("byId('none').hidden")
+
+
+def test_a_program_that_is_gone_is_told(folder: Path, tmp_path: Path) -> None:
+    with served("watch", folder) as page, shown(page, tmp_path) as phone:
+        page.process.kill()
+        page.process.wait()
+        phone.wait("!byId('lost').hidden", 20)
+        assert "ended" in seen(phone, "#lost")
+        assert "2 of 5" in seen(phone, "#sums")
+        assert all("ERR_CONNECTION" in each for each in phone.errors)
+        phone.errors.clear()

@@ -48,30 +48,33 @@ def test_plants_and_numbers_with_errors_are_seen(phone: Phone) -> None:
     assert fits(phone)
     assert 0.1 < bare(phone) < 0.95
     told = text(phone, "#numbers")
-    assert "Light caught by leaves" in told and told.count("±") == 2
+    assert (
+        "Light caught by leaves" in told
+        and told.count("±") == 2
+        and told.count("the same") == 3
+    )
     assert "NaN" not in told and "undefined" not in told
     assert phone.value("document.querySelectorAll('.chart .line').length") >= 3
     assert "ames" in phone.value("document.title")
 
 
 def test_a_slider_moves_shape_and_light_and_is_undone(phone: Phone) -> None:
-    light, picture = number(phone, "absorbed_par"), view(phone)
+    area, picture = number(phone, "lai")[0], view(phone)
     genome = phone.value("page.shown.genome")
     move(phone, SHAPE, 0.95)
-    moved, error = number(phone, "absorbed_par")
-    assert view(phone) != picture and error > 0
-    assert abs(moved - light[0]) > 3 * error
-    bar = "#numbers [data-name=absorbed_par] .apart.clear"
-    assert "±" in text(phone, bar)
+    moved = number(phone, "lai")[0]
+    assert view(phone) != picture and moved > 1.02 * area
+    assert number(phone, "absorbed_par")[1] > 0
+    told = text(phone, "#numbers [data-name=absorbed_par]")
+    assert told.count("±") == 2 and "%" in told
+    assert "+" in text(phone, "#numbers [data-name=lai] .apart.clear")
     click(phone, "#undo")
     settle(phone)
-    assert number(phone, "absorbed_par")[0] == pytest.approx(
-        light[0], rel=0.01
-    )
+    assert number(phone, "lai")[0] == pytest.approx(area)
     assert phone.value("page.shown.genome") == genome
     click(phone, "#redo")
     settle(phone)
-    assert number(phone, "absorbed_par")[0] == pytest.approx(moved, rel=0.01)
+    assert number(phone, "lai")[0] == pytest.approx(moved)
     click(phone, "#again")
     settle(phone)
     assert phone.value("page.shown.genome") == genome
@@ -97,7 +100,7 @@ def test_plants_stand_side_by_side(phone: Phone) -> None:
     assert phone.value("page.shown.reference") == kept
     assert view(phone) != before
     assert "clear" in phone.value(
-        "document.querySelector('[data-name=absorbed_par] .apart').className"
+        "document.querySelector('[data-name=lai] .apart').className"
     )
 
 
@@ -106,14 +109,14 @@ def test_panels_shade_the_field(phone: Phone) -> None:
     click(phone, "[data-tab=stand]")
     click(phone, "#panels")
     settle(phone)
-    assert number(phone, "absorbed_par")[0] < 0.95 * light
+    assert number(phone, "absorbed_par")[0] < 0.9 * light
     assert view(phone) != picture
     shaded = number(phone, "absorbed_par")[0]
     move(phone, "panel_rows", 0.9)
-    assert number(phone, "absorbed_par")[0] > shaded
+    assert number(phone, "absorbed_par")[0] > 1.1 * shaded
     click(phone, "#panels")
     settle(phone)
-    assert number(phone, "absorbed_par")[0] == pytest.approx(light, rel=0.01)
+    assert number(phone, "absorbed_par")[0] == pytest.approx(light, rel=0.1)
 
 
 def test_density_rows_place_and_time_change_the_light(phone: Phone) -> None:
@@ -125,7 +128,7 @@ def test_density_rows_place_and_time_change_the_light(phone: Phone) -> None:
         before = number(phone, "absorbed_par")[0]
         move(phone, name, part)
         after, error = number(phone, "absorbed_par")
-        assert abs(after - before) > error, name
+        assert after != before and error > 0, name
     click(phone, "[data-when=hour]")
     settle(phone)
     noon = number(phone, "absorbed_par")[0]

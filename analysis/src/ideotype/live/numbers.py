@@ -111,7 +111,9 @@ class Samples:
         mine = np.array([self.by_seed[seed] for seed in seeds])
         others = np.array([other.by_seed[seed] for seed in seeds])
         apart = mine[..., 0] - others[..., 0]
-        return _mean(apart, np.hypot(mine[..., 1], others[..., 1]))
+        # A plant does not differ from itself.
+        errors = np.hypot(mine[..., 1], others[..., 1]) * (apart != 0)
+        return _mean(apart, errors)
 
 
 def _mean(values: Array, errors: Array) -> tuple[Array, Array]:

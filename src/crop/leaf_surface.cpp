@@ -124,12 +124,16 @@ double LeafSurface::angle(double s) const {
 void LeafSurface::advance(glm::dvec2& end, double from, double to,
                           int steps) const {
     const double h = (to - from) / steps;
+    const auto along = [&](double s) {
+        const double a = angle(s);
+        return glm::dvec2(std::sin(a), std::cos(a));
+    };
     double s = from;
+    glm::dvec2 last = along(s);
     for (int step = 0; step < steps; ++step, s += h) {
-        const double a = angle(s), b = angle(s + h / 2), c = angle(s + h);
-        end += leaf_.length * h / 6 *
-               glm::dvec2(std::sin(a) + 4 * std::sin(b) + std::sin(c),
-                          std::cos(a) + 4 * std::cos(b) + std::cos(c));
+        const glm::dvec2 middle = along(s + h / 2), next = along(s + h);
+        end += leaf_.length * h / 6 * (last + 4. * middle + next);
+        last = next;
     }
 }
 

@@ -43,16 +43,17 @@ int green_cells(const Leaf& leaf, int along) {
         along - 1);
 }
 
-//! One leaflet of a leaf that has its measures, or a part of it.
-//! @param base out from the axis of the stalk and up [m]
+//! Adds a leaflet that has the measures of a leaf, or a part of it.
+//! @param base out from the axis of the stalk [m]
 //! @param aside its azimuth from that of the leaf [deg]
-void add_leaflet(Mesh& mesh, std::uint32_t group, const LeafSurface& surface,
-                 double base, double aside, double azimuth, BladeCells cells,
-                 BladePart part) {
+void add_leaflet(Mesh& mesh, std::uint32_t group, const Leaf& leaf,
+                 const Blade& blade, double base, double aside,
+                 BladeCells cells, BladePart part) {
     constexpr double least = 1e-6;  // far above rounding
     if (!(part.to - part.from > least)) return;
-    const double sine = std::sin(azimuth * degree);
-    const double cosine = std::cos(azimuth * degree);
+    const LeafSurface surface(leaf, blade, base);
+    const double sine = std::sin(leaf.azimuth * degree);
+    const double cosine = std::cos(leaf.azimuth * degree);
     const auto placed = [&](glm::dvec3 v) {
         if (aside != 0) {
             const glm::dvec3 foot(0, base, 0);
@@ -109,8 +110,8 @@ void add_leaf(Mesh& mesh, std::uint32_t group, const Plant& plant,
         leaflet.insertion_height = base.y;
         if (steps != 0) leaflet.length *= blade.lateral_size;
         if (steps != 0) leaflet.width *= blade.lateral_size;
-        add_leaflet(mesh, group, LeafSurface(leaflet, blade, base.x), base.x,
-                    steps * blade.leaflet_divergence, leaf.azimuth,
+        add_leaflet(mesh, group, leaflet, blade, base.x,
+                    steps * blade.leaflet_divergence,
                     cells_of(blade, green_cells(leaf, cells_along)),
                     {leaf.hidden, 1 - leaf.dead});
     }
@@ -120,8 +121,8 @@ void add_dead_part(Mesh& mesh, std::uint32_t group, const Plant& plant,
                    const Leaf& leaf, int cells_along) {
     if (!(leaf.dead > 0)) return;
     const glm::dvec2 base = rachis_end(plant, leaf);
-    add_leaflet(mesh, group, LeafSurface(leaf, plant.blade, base.x), base.x, 0,
-                leaf.azimuth, {cells_along - green_cells(leaf, cells_along), 1},
+    add_leaflet(mesh, group, leaf, plant.blade, base.x, 0,
+                {cells_along - green_cells(leaf, cells_along), 1},
                 {1 - leaf.dead, 1});
 }
 

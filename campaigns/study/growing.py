@@ -7,23 +7,22 @@ growing.py [--figure FOLDER] [--rough]
 Prints, for the hybrid of crops/maize_hybrid.toml and the weather of Bondville 2011:
 the error of the season's gross assimilation by number of stages; the cost of a growing
 season over that of the same days with a full canopy at an equal error, in pairs; what
-growth changes of the carbon; the biomass at silking of Gainesville 1982; and how much
+growth changes of the carbon; and how much
 more carbon the plant has when its four highest leaves are erect (15 deg) instead of
-flat (50 deg), by leaf area index at silking, with growth and without (nothing is bred).
+flat (50 deg), by leaf area index at silking, with growth and without. Nothing is bred
+here: growth_maps.py breeds, and compares with measured seasons.
 --figure writes stages.png, plants.png and season.png. --rough is for tests.
 """
 
 from __future__ import annotations
 
 import argparse
-import csv
 import time
 import tomllib
 from collections.abc import Iterator
-from datetime import date, timedelta
+from datetime import date
 from itertools import pairwise
 from pathlib import Path
-from tempfile import TemporaryDirectory
 from typing import Any
 
 import numpy as np
@@ -34,7 +33,6 @@ from ideotype import Crop, Stand
 from ideotype.analysis.style import new_figure
 
 HYBRID = CAMPAIGNS / "crops" / "maize_hybrid.toml"
-DATA = CAMPAIGNS.parent / "tests" / "data" / "growth"
 STAGES = (4, 6, 8, 10, 14, 20)
 DENSITIES = (2.0, 3.0, 4.5, 6.0, 7.5, 10.0)
 FULL = "emergence to maturity, full canopy"
@@ -122,90 +120,6 @@ def carbon(paths: int) -> list[tuple[str, float]]:
     ]
 
 
-def hourly(folder: Path) -> tuple[Path, date]:
-    """Gainesville 1982 by the hour, and its day of emergence: temperature is half
-    a wave about the mean, light follows the sine of the sun's elevation."""
-    rows = list(
-        csv.reader(
-            line
-            for line in (DATA / "ufga1982_weather_daily.csv")
-            .read_text()
-            .splitlines()
-            if not line.startswith("#")
-        )
-    )[1:]
-    clock = np.arange(24) + 0.5
-    latitude = np.deg2rad(29.63)
-    path = folder / "gainesville.csv"
-    sums, emergence = 0.0, None
-    with path.open("w") as file:
-        print("time,global,temp", file=file)
-        for day, radiation, largest, smallest, *_ in rows:
-            today = date.fromisoformat(day)
-            of_year = today.timetuple().tm_yday
-            tilt = -np.deg2rad(23.45) * np.cos(
-                2 * np.pi * (of_year + 10) / 365
-            )
-            height = np.sin(latitude) * np.sin(tilt) + np.cos(
-                latitude
-            ) * np.cos(tilt) * np.cos((clock - 12.49) * np.pi / 12)
-            height = np.maximum(height, 0)
-            watts = float(radiation) * 1e6 / 3600 * height / height.sum()
-            mean = (float(largest) + float(smallest)) / 2
-            half = (float(largest) - float(smallest)) / 2
-            warm = mean + half * np.sin((clock - 9) * np.pi / 12)
-            if today > date(1982, 2, 26) and emergence is None:
-                sums += float(np.mean(np.clip(warm, 8, 34) - 8))
-                if sums >= 45 + 6 * 7:
-                    emergence = today + timedelta(1)
-            for hour in range(24):
-                print(
-                    f"{day}T{hour:02}:30-05:00,{watts[hour]:.1f},"
-                    f"{warm[hour]:.2f}",
-                    file=file,
-                )
-    assert emergence
-    return path, emergence
-
-
-def biomass_at_silking(paths: int) -> list[tuple[str, float]]:
-    """Returns the shoots of Gainesville 1982 by 2.2 g of dry matter per g of
-    carbon, of which roots have 15 %."""
-    with TemporaryDirectory() as folder:
-        weather, emergence = hourly(Path(folder))
-        found = tables(paths=paths)
-        found["site"] = [
-            {"name": "gainesville", "latitude": 29.63, "longitude": -82.37,
-             "utc_offset": -5, "elevation": 10}
-        ]  # fmt: skip
-        found["spacing"] = [{"row": 0.61, "density": 7.2}]
-        found["climate"] = [
-            {"name": "1982", "file": str(weather), "from": emergence,
-             "to": date(1982, 7, 10), "emergence": emergence,
-             "time": ["time"], "stamp": "middle",
-             "global": ["global", "W/m2"], "temperature": ["temp", "C"]}
-        ]  # fmt: skip
-        stand = Stand(found, folder=CAMPAIGNS)
-        all_of_it = stand.evaluate(stand.baseline)
-    gross, lost, late = (
-        float(all_of_it[name][0])
-        for name in (
-            "gross_assimilation",
-            "respiration",
-            "carbon_after_silking",
-        )
-    )
-    grams = (gross - lost - late) * all_of_it.day.size * 12.011
-    return [
-        (
-            "green leaf area index, largest",
-            float(all_of_it.lai_by_stage.max()),
-        ),
-        ("shoot at silking [kg ha-1]", 10 * grams * 2.2 * 0.85),
-        ("measured one day before (11 May)", 8299),
-    ]
-
-
 def erect_tops(
     paths: int, densities: tuple[float, ...]
 ) -> Iterator[list[Any]]:
@@ -282,7 +196,7 @@ def main() -> None:
     )
     ratio, error = cost(2 if rough else 24)
     print(f"\ncost at equal error over {FULL}: {ratio:.2f} ± {error:.2f}\n")
-    for name, value in [*carbon(paths), *biomass_at_silking(paths)]:
+    for name, value in carbon(paths):
         print(f"{name:34} {value:10.4g}")
     densities = DENSITIES[-2:] if rough else DENSITIES
     rows = list(erect_tops(paths // 4, densities))

@@ -14,8 +14,8 @@ Figures that disagree come first; two standard errors are granted, and where a
 source tells one figure without an error, 10 %. Then come what each measured
 input changes, alone and together, what would change the hybrid, and extinction
 coefficients k against row spacing and leaf area index. ± are standard errors.
---rough is for tests. Means over a growing season are not compared: plants do
-not grow.
+--rough is for tests. Plants do not grow here; growth_maps.py compares growing
+seasons.
 
 k follows from the light that reaches the soil, as in the field:
 -ln(transmitted / incident) / leaf area index. `extinction_coefficient` of the

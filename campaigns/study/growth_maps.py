@@ -1,0 +1,272 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Asks what growth changes of what breeding finds, and of what fields measure.
+
+growth_maps.py FOLDER [--only PART] [--densities N...] [--generations N] [--seeds N]
+               [--figure FILE.png] [--rough]
+
+tops     The hybrid bred twice for each plant density, with growth and without (the same days with
+         plants as they stand at silking): plants whose four highest leaves have insertion angles
+         below 25 deg, and plants whose four highest leaves have more than 45 deg, both with the
+         leaf area of the hybrid at most. Tells how much more carbon of the season the erect top
+         gains, and the leaf area index at silking at which it gains nothing.
+best     The hybrid bred for the carbon of the season with growth and without. Each plant is
+         evaluated in both ways, with the same random numbers.
+season   Extinction coefficient, light-use efficiency and dry matter of a growing season beside
+         what was measured; ± are standard errors of evaluations with different random numbers.
+
+The weather is that of Bondville in 2011. What FOLDER has already is not bred again. ± are standard
+errors: of randomisations, or of seeds where those differ more. --figure draws `tops`. --rough is
+for tests. IDEOTYPE_EXECUTABLE names the program, else it is that on PATH.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from pathlib import Path
+from statistics import fmean
+from typing import Any
+
+import numpy as np
+from growing import HYBRID, of_full_canopy, tables
+from measured_seasons import compare_seasons
+from shared import (
+    CAMPAIGNS,
+    FIELD_PLANTS,
+    ROUGH,
+    Estimate,
+    Numbers,
+    best,
+    breed_tables,
+    gain,
+    guard,
+    light,
+    mean_over_seeds,
+    parser_of_searches,
+    print_table,
+    say,
+    sign_change,
+    told,
+)  # fmt: skip
+
+from ideotype import Stand
+from ideotype.analysis.style import new_figure
+
+ROW = 0.762
+DENSITIES = (3.0, 5.0, 8.0)
+TOPS = {"flat": [45.0, 90.0], "erect": [0.0, 25.0]}
+TOP_LEAVES = 4
+WAYS = ("growth", "full canopy")
+
+
+@dataclass(frozen=True)
+class Options:
+    folder: Path
+    densities: Sequence[float]
+    generations: int
+    seeds: int
+    figure: Path | None
+    rough: bool
+
+
+def campaigns(options: Options, density: float) -> dict[str, dict[str, Any]]:
+    """Returns the tables of a season with growth and without."""
+    growing = tables(tolerance=0.02)
+    climate = growing["climate"][0]
+    climate["file"] = str(CAMPAIGNS / climate["file"])
+    growing |= {
+        "spacing": [{"row": ROW, "density": density}],
+        "field": {"rows": 2, "plants": 2, "variation": FIELD_PLANTS},
+        "plant": {"baseline": str(HYBRID), "bounds": "breedable"},
+        "search": {"optimizer": "cma_es", "population": 20},
+        "stop": {"generations": options.generations},
+        "final": {"candidates": 1, "paths": 512, "randomisations": 48},
+    }
+    if options.rough:
+        growing |= {**ROUGH, "light": {**ROUGH["light"], "stages": 4}}
+    return dict(zip(WAYS, (growing, of_full_canopy(growing)), strict=True))
+
+
+def bred(
+    campaign: dict[str, Any], name: str, seed: int, options: Options
+) -> Numbers:
+    """Returns the genome of the best plant of a search."""
+    named = {**campaign, "name": f"{name}_s{seed}", "seed": seed}
+    say(named["name"])
+    return best(breed_tables(named, options.folder)[0])
+
+
+def of_a_top(
+    way: str, density: float, options: Options
+) -> tuple[float, list[Estimate]]:
+    """Returns the leaf area index at silking, and for each seed what an erect top
+    gains over a flat one [%]."""
+    both = campaigns(options, density)
+    full = Stand(both[WAYS[1]], folder=CAMPAIGNS)
+    limit = float(full.evaluate(full.baseline, ["lai"]).lai[0])
+    stand = Stand(both[way], folder=CAMPAIGNS)
+    quantity = "lai_by_stage" if way == WAYS[0] else "lai"
+    gains, areas = [], []
+    for seed in range(1, options.seeds + 1):
+        plants = []
+        for top, angles in TOPS.items():
+            limits = {
+                "lai": [0.0, round(limit, 4)],
+                "insertion_angle": {"range": angles, "highest": TOP_LEAVES},
+            }
+            name = f"{top}_{density:g}_{way.split()[0]}".replace(".", "p")
+            shaped = {**both[way], "constraints": limits}
+            plants.append(bred(shaped, name, seed, options))
+        gains.append(gain(*light(stand, np.array(plants)).tolist()))
+        for plant in plants:
+            found = stand.evaluate(plant, [quantity])
+            areas.append(float(found[quantity].max()))
+    return fmean(areas), gains
+
+
+def tops(options: Options) -> None:
+    found: dict[str, list[tuple[float, Estimate]]] = {x: [] for x in WAYS}
+    rows = []
+    for density in options.densities:
+        row = [f"{density:g}"]
+        for way in WAYS:
+            area, gains = of_a_top(way, density, options)
+            found[way].append((area, mean_over_seeds(gains)))
+            seeds = ", ".join(f"{mean:+.1f}" for mean, _ in gains)
+            row += [f"{area:.2f}", f"{told(found[way][-1][1], 2)} ({seeds})"]
+        rows.append(row)
+    titles = [x for way in WAYS for x in (f"LAI, {way}", f"{way} [%] (seeds)")]
+    print_table(["plants m-2", *titles], rows)
+    for way, points in found.items():
+        crossings = [
+            sign_change(*two)
+            for two in pairwise(points)
+            if two[0][1][0] < 0 <= two[1][1][0]
+        ]
+        for area, error in crossings:
+            print(
+                f"{way}: an erect top pays from a leaf area index of "
+                f"{area:.2f} ± {error:.2f} on (95 %: {area - 1.96 * error:.2f} "
+                f"to {area + 1.96 * error:.2f})"
+            )
+        if not crossings:
+            print(f"{way}: the gain does not change its sign here")
+    if options.figure:
+        draw(found, options.figure)
+
+
+def draw(found: dict[str, list[tuple[float, Estimate]]], path: Path) -> None:
+    figure = new_figure(5, 3.4)
+    axes = figure.subplots()
+    for way, points in found.items():
+        axes.errorbar(
+            [area for area, _ in points],
+            [mean for _, (mean, _) in points],
+            [1.96 * error for _, (_, error) in points],
+            marker="o",
+            capsize=3,
+            label=way,
+        )
+    axes.axhline(0, color="0.6", lw=0.8)
+    axes.set(
+        xlabel="leaf area index at silking",
+        ylabel="bred: erect over flat top [%]",
+    )
+    axes.legend()
+    figure.savefig(path, dpi=150)
+
+
+def shape(stand: Stand, genome: Numbers) -> list[str]:
+    """Tells leaf area, lengths times widths [m2], and angles of the four highest and
+    of the other leaves [deg]."""
+    each = stand.leaves(genome)
+    cells = [f"{(each.length * each.width).sum():.3f}"]
+    for trait in ("insertion_angle", "curvature"):
+        values = each[trait].to_numpy()
+        for part in (values[-TOP_LEAVES:], values[:-TOP_LEAVES]):
+            cells += [f"{part.mean():.0f}"]
+    return cells
+
+
+def best_plants(options: Options) -> None:
+    """Breeds with growth and without, and evaluates each plant in both ways."""
+    both = campaigns(options, 7.5)
+    stands = {way: Stand(x, folder=CAMPAIGNS) for way, x in both.items()}
+    plants = {
+        way: [
+            bred(both[way], f"best_{way.split()[0]}", seed, options)
+            for seed in range(1, options.seeds + 1)
+        ]
+        for way in WAYS
+    }
+    first = stands[WAYS[0]]
+    titles = ["plant", "length x width [m2]", "angle, top", "angle, others"]
+    titles += ["bend, top", "bend, others"]
+    rows = [["baseline", *shape(first, first.baseline)]]
+    for way, genomes in plants.items():
+        for seed, genome in enumerate(genomes, 1):
+            rows.append(
+                [f"bred with {way}, seed {seed}", *shape(first, genome)]
+            )
+    print_table(titles, rows)
+    print()
+    rows = []
+    for way, stand in stands.items():
+        own, other = (plants[x] for x in (way, *(x for x in WAYS if x != way)))
+        found = light(stand, np.array([stand.baseline, *own, *other])).tolist()
+        at = len(own) + 1
+        pairs = list(zip(found[1:at], found[at:], strict=True))
+        gains = [
+            mean_over_seeds([gain(found[0], x) for x in values])
+            for values in (found[1:at], found[at:])
+        ]
+        apart = [gain(theirs, ours) for ours, theirs in pairs]
+        seeds = ", ".join(f"{mean:+.1f}" for mean, _ in apart)
+        rows.append(
+            [
+                way,
+                *(told(x, sign="+") for x in gains),
+                f"{told(mean_over_seeds(apart), sign='+')} ({seeds})",
+            ]
+        )
+    titles = ["evaluated with", "bred so: over the baseline [%]"]
+    titles += ["bred otherwise [%]", "the first over the second [%] (seeds)"]
+    print_table(titles, rows)
+
+
+def seasons(options: Options) -> None:
+    """Compares the hybrid with seasons that were measured."""
+    compare_seasons(
+        {
+            **tables(paths=256 if options.rough else 4096),
+            "field": {"rows": 2, "plants": 2, "variation": FIELD_PLANTS},
+        },
+        ROW,
+        2 if options.rough else 6,
+        options.folder,
+    )
+
+
+PARTS = {"tops": tops, "best": best_plants, "season": seasons}
+
+
+def main() -> None:
+    parser = parser_of_searches(
+        __doc__, has_figure=True, generations=15, seeds=2
+    )
+    parser.add_argument("--only", choices=PARTS)
+    parser.add_argument(
+        "--densities", nargs="+", type=float, default=DENSITIES
+    )
+    words = vars(parser.parse_args())
+    only = words.pop("only")
+    options = Options(**words)
+    for name in [only] if only else PARTS:
+        PARTS[name](options)
+        print()
+
+
+if __name__ == "__main__":
+    guard(main)

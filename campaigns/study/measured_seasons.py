@@ -1,0 +1,241 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Seasons of maize whose dry matter was measured: weather by the hour, made of that of
+days, campaigns of the hybrid that grows in them, and how it compares.
+
+Weather and dry matter are from github.com/DSSAT/dssat-csm-data (ac780c7): Maize
+UFGA8201 (treatment 4: irrigated, much nitrogen) and IUAF9901 (treatment 4)."""
+
+from __future__ import annotations
+
+import csv
+from collections.abc import Mapping
+from dataclasses import dataclass
+from datetime import date, timedelta
+from pathlib import Path
+from statistics import fmean, stdev
+from typing import Any
+
+import numpy as np
+from published import APSIM, CERES, MUCHOW, PUBLISHED, ceres_k
+from shared import CAMPAIGNS, Numbers, estimate, print_table, told
+
+from ideotype import Stand
+
+DATA = CAMPAIGNS.parent / "tests" / "data" / "growth"
+SHOOTS = 0.85
+"""The share of shoots in all dry matter (E)."""
+PER_CARBON = 2.2
+"""The dry matter of maize per carbon [g g-1] (E)."""
+
+
+@dataclass(frozen=True)
+class Season:
+    name: str
+    weather: str
+    """A file of `DATA`, by the day."""
+    latitude: float
+    longitude: float
+    utc_offset: int
+    elevation: float
+    row: float
+    """The distance of rows [m]."""
+    density: float
+    sown: date
+    depth: float
+    """How deep it was sown [cm]."""
+    harvest: date
+    measured: Mapping[str, float]
+    """The dry matter of shoots at silking or harvest [t ha-1]."""
+
+
+SEASONS = (
+    Season(
+        "gainesville", "ufga1982_weather_daily.csv", 29.63, -82.37, -5, 10,
+        0.61, 7.2, date(1982, 2, 26), 7, date(1982, 7, 8),
+        {"silking": 8.299, "harvest": 22.001},
+    ),
+    Season(
+        "ames", "ames1999_weather_daily.csv", 42.02, -93.75, -6, 335,
+        0.76, 7.4, date(1999, 5, 27), 4, date(1999, 10, 25),
+        {"harvest": 24.443},
+    ),
+)  # fmt: skip
+
+
+def light_of_day(season: Season, day: date, energy: float) -> Numbers:
+    """Returns the light of each hour [W m-2], of a day's energy [MJ m-2]: it follows
+    the sine of the sun's elevation."""
+    clock = np.arange(24) + 0.5
+    noon = 12 + season.utc_offset - season.longitude / 15
+    latitude = np.deg2rad(season.latitude)
+    of_year = day.timetuple().tm_yday
+    tilt = -np.deg2rad(23.45) * np.cos(2 * np.pi * (of_year + 10) / 365)
+    height = np.sin(latitude) * np.sin(tilt) + np.cos(latitude) * np.cos(
+        tilt
+    ) * np.cos((clock - noon) * np.pi / 12)
+    height = np.maximum(height, 0)
+    return np.asarray(energy * 1e6 / 3600 * height / height.sum())
+
+
+def warmth_of_day(largest: float, smallest: float) -> Numbers:
+    """Returns the temperature of each hour [deg C]: half a wave about the mean."""
+    wave = np.sin((np.arange(24) + 0.5 - 9) * np.pi / 12)
+    mean, half = (largest + smallest) / 2, (largest - smallest) / 2
+    return np.asarray(mean + half * wave)
+
+
+def hourly(season: Season, folder: Path) -> tuple[Path, date]:
+    """Writes the weather of a season by the hour, and returns its file and the day of
+    emergence: 45 deg C d and 6 for each cm of depth after sowing (CERES)."""
+    lines = (DATA / season.weather).read_text().splitlines()
+    rows = list(csv.reader(x for x in lines if not x.startswith("#")))[1:]
+    path = folder / f"{season.name}.csv"
+    sums, emergence = 0.0, None
+    zone = f"{season.utc_offset:+03}:00"
+    with path.open("w", encoding="utf-8") as file:
+        print("time,global,temp", file=file)
+        for day, *numbers in rows:
+            today = date.fromisoformat(day)
+            energy, largest, smallest = map(float, numbers[:3])
+            watts = light_of_day(season, today, energy)
+            warmth = warmth_of_day(largest, smallest)
+            if today > season.sown and emergence is None:
+                sums += float(np.mean(np.clip(warmth, 8, 34) - 8))
+                if sums >= 45 + 6 * season.depth:
+                    emergence = today + timedelta(1)
+            for hour in range(24):
+                print(
+                    f"{day}T{hour:02}:30{zone},{watts[hour]:.1f},"
+                    f"{warmth[hour]:.2f}",
+                    file=file,
+                )
+    assert emergence
+    return path, emergence
+
+
+def in_season(
+    tables: dict[str, Any], season: Season, folder: Path
+) -> dict[str, Any]:
+    """Returns a campaign of plants that grow, moved to a season that was measured."""
+    weather, emergence = hourly(season, folder)
+    last = date.fromisoformat(weather.read_text().splitlines()[-1][:10])
+    return {
+        **tables,
+        "site": [
+            {
+                "name": season.name,
+                "latitude": season.latitude,
+                "longitude": season.longitude,
+                "utc_offset": season.utc_offset,
+                "elevation": season.elevation,
+            }
+        ],
+        "spacing": [{"row": season.row, "density": season.density}],
+        "climate": [
+            {
+                "name": season.name,
+                "file": str(weather),
+                "from": emergence,
+                "to": min(last, season.harvest),
+                "emergence": emergence,
+                "time": ["time"],
+                "stamp": "middle",
+                "global": ["global", "W/m2"],
+                "temperature": ["temp", "C"],
+            }
+        ],
+    }
+
+
+def shoots(carbon: float) -> float:
+    """Returns the dry matter of shoots [t ha-1] of carbon per ground [mol m-2]."""
+    return 12.011 * carbon * PER_CARBON * SHOOTS / 100
+
+
+def slope(x: Numbers, y: Numbers) -> float:
+    """Returns the slope of the straight line through 0 that fits best."""
+    return float(x @ y / (x @ x))
+
+
+def figures_of_light(
+    campaign: dict[str, Any], seeds: int
+) -> dict[str, list[float]]:
+    """Returns figures of a growing season, for each seed."""
+    stand = Stand(campaign, folder=CAMPAIGNS)
+    figures: dict[str, list[float]] = {}
+    for seed in range(1, seeds + 1):
+        found = stand.evaluate(stand.baseline, seed=seed)
+        days = found.day.size
+        value = {
+            name: float(found[name][0])
+            for name in (
+                "gross_assimilation",
+                "respiration",
+                "carbon_after_silking",
+                "light_use_efficiency",
+                "incident",
+                "fapar",
+            )
+        }
+        carbon = value["gross_assimilation"] - value["respiration"]
+        lai = found.lai_by_stage[0].values
+        dead = found.dead_area_index_by_stage[0].values
+        depth = -np.log(1 - found.fapar_by_stage[0].values)
+        until = int(lai.argmax()) + 1
+        silking = carbon - value["carbon_after_silking"]
+        intercepted = value["incident"] * value["fapar"]
+        for name, number in {
+            "k_green": slope(lai[:until], depth[:until]),
+            "k_all": slope(lai + dead, depth),
+            "gross_efficiency": value["light_use_efficiency"],
+            "efficiency": 12.011 * carbon * PER_CARBON / intercepted,
+            "silking": shoots(silking * days),
+            "harvest": shoots(carbon * days),
+            "intercepted": intercepted * days,
+        }.items():
+            figures.setdefault(name, []).append(float(number))
+    return figures
+
+
+def compare_seasons(
+    plain: dict[str, Any], row: float, seeds: int, folder: Path
+) -> None:
+    """Prints figures of a growing season, and of those that were measured.
+
+    plain: a campaign of plants that grow, with 7.5 of them on a square metre.
+    row: the distance of its rows [m]."""
+    found = {
+        name: estimate(values)
+        for name, values in figures_of_light(plain, seeds).items()
+    }
+    rows = [
+        ["k of PAR, emergence to silking, per green area", "k_green",
+         f"{ceres_k(row, 7.5):.2f}", CERES],
+        ["k of PAR, season, per green and dead area", "k_all",
+         f"{ceres_k(row, 7.5):.2f}", CERES],
+        ["gross assimilation per absorbed PAR [g C MJ-1]", "gross_efficiency",
+         PUBLISHED["efficiency"].told, PUBLISHED["efficiency"].source],
+        ["dry matter per intercepted PAR [g MJ-1]", "efficiency",
+         "4.2 at most", CERES],
+        ["dry matter per intercepted PAR [g MJ-1]", "efficiency",
+         "3.6 at most", f"{APSIM}; {MUCHOW}"],
+    ]  # fmt: skip
+    cells = [[what, told(found[name], 3), *rest] for what, name, *rest in rows]
+    for each in SEASONS:
+        there = figures_of_light(in_season(plain, each, folder), seeds)
+        cells += [
+            [f"dry matter of shoots at {when} [t ha-1]",
+             told(estimate(there[when]), 2), f"{measured:.1f}", each.name]
+            for when, measured in each.measured.items()
+        ]  # fmt: skip
+        per_light = [
+            100 * each.measured["harvest"] / SHOOTS / x
+            for x in there["intercepted"]
+        ]
+        ours = estimate(there["efficiency"])
+        cells.append(
+            ["dry matter per intercepted PAR [g MJ-1]", told(ours, 3),
+             f"{fmean(per_light):.2f} ± {stdev(per_light):.2f}, "
+             "measured dry matter over our PAR", each.name]
+        )  # fmt: skip
+    print_table(["figure", "ours", "theirs", "source"], cells)

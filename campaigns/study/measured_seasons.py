@@ -42,7 +42,7 @@ class Season:
     density: float
     sown: date
     depth: float
-    """How deep it was sown [cm]."""
+    """The depth of sowing [cm]."""
     harvest: date
     measured: Mapping[str, float]
     """The dry matter of shoots at silking or harvest [t ha-1]."""

@@ -83,6 +83,17 @@ give_season() {
     cat "$project/tests/data/campaign/july.toml" >>"campaigns/$1.toml"
 }
 
+# Plants that grow for two months in place of the clear day of a campaign,
+# evaluated at three ages. $1 its name
+give_growth() {
+    give_season "$1"
+    sed -i -e 's/maize\.toml/maize_hybrid.toml/; s/"paper"/"breedable"/' \
+        -e 's/_0721_0920/_0501_0930/' \
+        -e 's/^from = .*/from = 2011-05-15\nemergence = 2011-05-15/' \
+        -e 's/^to = .*/to = 2011-07-15/' -e '/^diffuse_fraction/d' \
+        -e 's/^\[light\]/[light]\nstages = 3/' "campaigns/$1.toml"
+}
+
 # $1 and $2 histories, $3 a group, the rest datasets that may differ
 same_group() {
     # Scales refer to data by their places in the file, which differ.

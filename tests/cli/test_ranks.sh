@@ -28,6 +28,19 @@ same_for_any_ranks sobol --set search.optimizer=sobol
 same_for_any_ranks mixture --set 'band=[{name="nir"}]' \
     --set 'component=[{name="weed", crop="crops/sorghum.toml", rows=[2], free=["width"]}]'
 
+# Plants that grow, for ranks and for threads.
+write_campaign grown 4 2
+give_growth grown
+"$ideotype" run campaigns/grown.toml --out grown
+for count in 1 2 5; do
+    mpirun -n $count "$ideotype" run campaigns/grown.toml --out "ranks$count"
+    "$ideotype" run campaigns/grown.toml --threads $count --out "threads$count"
+    for how in ranks threads; do
+        same_results "$(history_of grown grown july)" \
+            "$(history_of "$how$count" grown july)"
+    done
+done
+
 # The comparison itself must be able to fail.
 sed -i 's/seed = 7/seed = 8/' campaigns/same.toml
 "$ideotype" run campaigns/same.toml --out other >/dev/null

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Kills runs at random times, looks at what is left, resumes, and compares with
 # an uninterrupted run bit for bit: see README.md.
-# kill.sh IDEOTYPE [KILLS] [SEED] [day|season|threads] [KEY=VALUE...]
+# kill.sh IDEOTYPE [KILLS] [SEED] [day|season|growth|threads] [KEY=VALUE...]
 ideotype=$(readlink -f "$1")
 kills=${2:-100}
 seed=${3:-1}
@@ -136,10 +136,12 @@ end_round() {
 
 name=0807
 lag=400
-[ "$light" = season ] && generations=$((generations / 4))
+is_season=
+[[ "$light" != season && "$light" != growth ]] || is_season=1
+[ -z "$is_season" ] || generations=$((generations / 4))
 write_campaign stress $population "$generations"
-if [ "$light" = season ]; then
-    give_season stress
+if [ -n "$is_season" ]; then
+    "give_$light" stress
     printf '[objective]\nmaximise = "carbon_balance"\n' >>campaigns/stress.toml
     name=july
     lag=1000  # weather is read first

@@ -5,6 +5,9 @@
 #include <cmath>
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "ideotype/core/error.hpp"
 #include "ideotype/crop/leaf_surface.hpp"
 
 namespace ideotype {
@@ -44,6 +47,19 @@ double death(const Growth& growth, int rank) {
         return growth.lower_death + growth.lower_interval * (rank - 1);
     return silking_time(growth) + growth.upper_death +
            growth.upper_interval * (rank - lower - 1);
+}
+
+//! Returns how many leaves are below those of a plant.
+//! @throws Error if the plant has more leaves than grow.
+std::size_t leaves_below(const Growth& growth, const Plant& plant) {
+    const auto all = static_cast<std::size_t>(growth.leaves);
+    if (plant.leaves.size() > all)
+        throw Error(fmt::format(
+            "{} has {} leaves, more than the {} that grow ([growth] leaves of "
+            "its crop); give it fewer, or the crop more",
+            plant.name.empty() ? "the plant" : plant.name, plant.leaves.size(),
+            all));
+    return all - plant.leaves.size();
 }
 
 }  // namespace
@@ -86,8 +102,7 @@ BladeArea blade_area(const Growth& growth, const LeafDates& leaf,
 
 std::vector<double> final_collar_heights(const Growth& growth,
                                          const Plant& plant) {
-    const auto count = static_cast<std::size_t>(growth.leaves);
-    const std::size_t below = count - std::min(count, plant.leaves.size());
+    const std::size_t below = leaves_below(growth, plant);
     std::vector<double> heights;
     for (std::size_t i = 0; i < below; ++i)
         heights.push_back(plant.leaves.front().insertion_height *
@@ -124,8 +139,7 @@ std::vector<double> collar_heights(const Growth& growth,
 }
 
 Plant complete_plant(const Growth& growth, const Plant& plant) {
-    const auto count = static_cast<std::size_t>(growth.leaves);
-    const std::size_t below = count - std::min(count, plant.leaves.size());
+    const std::size_t below = leaves_below(growth, plant);
     const std::vector<double> heights = final_collar_heights(growth, plant);
     Plant complete = plant;
     for (std::size_t i = below; i > 0; --i) {

@@ -123,14 +123,6 @@ class PlantStand {
                          double reach) {
         campaign.reach = std::max(campaign.reach, reach);
         for (std::size_t i = 0; i < plants.size(); ++i) {
-            const Growth* growth = growth_of(campaign, i);
-            const auto most = growth ? growth->leaves : 0;
-            const auto leaves = static_cast<int>(plants[i].leaves.size());
-            if (growth && leaves > most)
-                throw Error(fmt::format(
-                    "{} has {} leaves, more than the {} that plants of this "
-                    "campaign grow (growth.leaves of the crop)",
-                    plants[i].name, leaves, most));
             Crop& crop =
                 i == 0 ? campaign.crop : campaign.components.at(i - 1).crop;
             crop.baseline = plants[i];

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "ideotype/core/error.hpp"
 #include "ideotype/crop/growth.hpp"
 #include "sample_plant.hpp"
 
@@ -123,6 +124,17 @@ TEST(Growth, APlantWithAllLeavesFullAndGreenIsTheGrownOneToTheBit) {
     EXPECT_EQ(at.face_group, grown.face_group);
     const Mesh young = build_plant(plant_at(growth, plant, 100), {});
     EXPECT_NE(young.vertices, grown.vertices);
+}
+
+TEST(Growth, APlantWithMoreLeavesThanGrowIsRefused) {
+    Growth growth = hybrid;
+    growth.leaves = 2;
+    const Plant plant = sample_plant();
+    ASSERT_GT(plant.leaves.size(), 2u);
+    EXPECT_THROW(plant_at(growth, plant, 500), Error);
+    EXPECT_THROW(complete_plant(growth, plant), Error);
+    growth.leaves = static_cast<int>(plant.leaves.size());
+    EXPECT_EQ(plant_at(growth, plant, 500).leaves.size(), plant.leaves.size());
 }
 
 TEST(Growth, AnUnfoldingBladeIsErectAndItsTipIsTheGrownOne) {

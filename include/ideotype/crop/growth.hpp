@@ -77,6 +77,7 @@ BladeArea blade_area(const Growth& growth, const LeafDates& leaf,
 //! Returns the heights of the collars of full-grown leaves [m]: of the plant's
 //! leaves, which are the highest, where they are inserted; of those below, in
 //! equal steps from the soil.
+//! @throws Error if the plant has more leaves than grow.
 std::vector<double> final_collar_heights(const Growth& growth,
                                          const Plant& plant);
 
@@ -93,6 +94,7 @@ std::vector<double> collar_heights(const Growth& growth,
 //! Returns a full-grown plant with all of its leaves: those below the plant's
 //! are like its lowest one, with an area that follows that one's as areas of
 //! leaf_dates() do.
+//! @throws Error as final_collar_heights()
 Plant complete_plant(const Growth& growth, const Plant& plant);
 
 //! Returns a plant at a thermal time, with all of its leaves, out or not. The
@@ -101,6 +103,7 @@ Plant complete_plant(const Growth& growth, const Plant& plant);
 //! hangs by 40 deg more. Organs other than leaves grow in the last 100 deg C d
 //! before silking.
 //! @param plant full-grown, whose leaves are the highest
+//! @throws Error as final_collar_heights()
 Plant plant_at(const Growth& growth, const Plant& plant, double thermal_time);
 
 //! Returns the thermal time of one day [deg C d]: the mean over its hours of

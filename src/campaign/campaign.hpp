@@ -302,7 +302,8 @@ struct Stage {
     //! Thermal time of each component since its own emergence, and at the stage
     //! before [deg C d]; the campaign's crop is the first.
     std::vector<double> ages{}, ages_before{};
-    double share = 1;  //!< about the part of the season's carbon
+    double share = 1;            //!< about the part of the season's carbon
+    std::optional<Date> date{};  //!< whose hours alone it stands for, if given
 };
 
 //! One point of the sweep: a single evolution with its own history.

@@ -6,6 +6,8 @@
 #include <limits>
 #include <numeric>
 
+#include <fmt/format.h>
+
 namespace ideotype {
 
 namespace {
@@ -59,6 +61,42 @@ Season season_of(const Campaign& campaign, const Case& chosen,
     }
     return season;
 }
+
+//! The thermal times of all steps of each component; 0 for one that does not
+//! grow.
+class Ages {
+  public:
+    Ages(const Campaign& campaign, const Case& one, const Season& season,
+         const LightSeries& series)
+        : times_{season.times} {
+        for (std::size_t c = 1; c <= campaign.components.size(); ++c)
+            times_.push_back(
+                growth_of(campaign, c)
+                    ? thermal_times(*growth_of(campaign, c),
+                                    climate_of(campaign, one).emergence,
+                                    campaign.components[c - 1].standing.later,
+                                    series)
+                    : std::vector<double>(season.times.size()));
+    }
+
+    //! Returns the thermal times of a step, where the campaign's crop has this
+    //! one.
+    std::vector<double> at(std::size_t step, double of_crop) const {
+        std::vector<double> ages;
+        for (const std::vector<double>& each : times_)
+            ages.push_back(each[step]);
+        ages.front() = of_crop;
+        return ages;
+    }
+
+    //! Returns thermal times before plants emerge.
+    std::vector<double> before() const {
+        return std::vector<double>(times_.size(), -1);
+    }
+
+  private:
+    std::vector<std::vector<double>> times_;
+};
 
 //! A canopy at an age, roughly: the part of light that green leaves intercept,
 //! and how much of their height and of their angles plants have.
@@ -227,15 +265,7 @@ void add_stages(const Campaign& campaign, Case& one) {
                         one.spacing.row * one.spacing.plant);
     const std::vector<double> at =
         stage_times(shapes, season.times[season.end - 1], campaign.stages);
-    std::vector<std::vector<double>> times{season.times};
-    for (std::size_t c = 1; c <= campaign.components.size(); ++c)
-        times.push_back(
-            growth_of(campaign, c)
-                ? thermal_times(*growth_of(campaign, c),
-                                climate_of(campaign, one).emergence,
-                                campaign.components[c - 1].standing.later,
-                                series)
-                : std::vector<double>(season.times.size()));
+    const Ages ages(campaign, one, season, series);
     const Case whole = one;
     double sum = 0;
     for (std::size_t k = 0; k < at.size(); ++k) {
@@ -250,11 +280,9 @@ void add_stages(const Campaign& campaign, Case& one) {
             season.times.begin());
         stage.day = static_cast<double>(step - season.begin) *
                     series.steps[step].seconds / 86400;
-        for (const std::vector<double>& each : times)
-            stage.ages.push_back(each[step]);
-        stage.ages[0] = at[k];
-        stage.ages_before = k > 0 ? one.stages[k - 1].stage->ages
-                                  : std::vector<double>(times.size(), -1);
+        stage.ages = ages.at(step, at[k]);
+        stage.ages_before =
+            k > 0 ? one.stages[k - 1].stage->ages : ages.before();
         stage.share = 0;
         for (std::size_t i = season.begin; i < season.end; ++i)
             stage.share +=
@@ -268,6 +296,51 @@ void add_stages(const Campaign& campaign, Case& one) {
     for (Case& each : one.stages) each.stage->share /= sum;
 }
 
+Stage stage_on(const Campaign& campaign, const Case& one,
+               const std::variant<Date, double>& when) {
+    if (one.stages.empty())
+        throw Error(
+            "plants of this campaign do not grow (climate.emergence), so that "
+            "they have one age alone; leave it out",
+            ExitCode::usage);
+    const LightSeries series = light_of(campaign, one);
+    const Season season = season_of(campaign, one, series);
+    const auto* date = std::get_if<Date>(&when);
+    const auto begin = series.steps.begin();
+    std::size_t step = 0;
+    if (date) {
+        const auto [first, last] =
+            std::ranges::equal_range(series.steps, *date, {}, &TimeStep::date);
+        step = static_cast<std::size_t>(first + (last - first) / 2 - begin);
+    } else {
+        step = static_cast<std::size_t>(
+            std::ranges::lower_bound(season.times, std::get<double>(when)) -
+            season.times.begin());
+    }
+    const bool is_in_season =
+        date ? step < season.end && series.steps[step].date == *date &&
+                   season.times[step] >= 0
+             : std::get<double>(when) >= 0 && step < season.end;
+    if (!is_in_season)
+        throw Error(
+            fmt::format("{} is not in the season of these plants: they emerge "
+                        "on {}, and are {:.0f} deg C d old at its end on {}",
+                        date
+                            ? to_string(*date)
+                            : fmt::format("{} deg C d", std::get<double>(when)),
+                        to_string(climate_of(campaign, one).emergence),
+                        season.times[season.end - 1],
+                        to_string(series.steps[season.end - 1].date)),
+            ExitCode::usage);
+    const Ages ages(campaign, one, season, series);
+    Stage stage;
+    stage.at = date ? season.times[step] : std::get<double>(when);
+    stage.ages = ages.at(step, stage.at);
+    stage.ages_before = ages.before();
+    stage.date = series.steps[step].date;
+    return stage;
+}
+
 LightSeries at_stage(const Campaign& campaign, const Case& chosen,
                      LightSeries series) {
     const Season season = season_of(campaign, chosen, series);
@@ -276,6 +349,7 @@ LightSeries at_stage(const Campaign& campaign, const Case& chosen,
     std::vector<Date> dates;
     for (std::size_t i = season.begin; i < season.end; ++i) {
         TimeStep step = series.steps[i];
+        if (chosen.stage->date.value_or(step.date) != step.date) continue;
         if (dates.empty() || dates.back() != step.date)
             dates.push_back(step.date);
         step.seconds *= weight(*chosen.stage, season.times[i]);

@@ -110,6 +110,10 @@ void declare_export(CLI::App& verb, ExportOptions& options) {
     auto* component = verb.add_option(
         "--component", options.component,
         "the kind of plant, if the field has several; else that of the crop");
+    auto* at = verb.add_option(
+        "--at", options.at,
+        "how old plants that grow are: a date (2025-07-15) or a thermal time "
+        "since emergence [deg C d]; else full-grown (.obj, .vtp)");
     verb.add_flag("--field", options.is_field,
                   "the whole field instead of one plant (.obj, .vtp)");
     verb.add_option("--paths", options.paths,
@@ -121,7 +125,7 @@ void declare_export(CLI::App& verb, ExportOptions& options) {
                       "all candidates with their fitness instead of one plant "
                       "(.csv), also of a file that was cut short");
     generations->excludes("--field")->excludes("--paths");
-    generations->excludes(component);
+    generations->excludes(component)->excludes(at);
     for (const char* each : row_options) generations->excludes(each);
 }
 

@@ -88,6 +88,9 @@ struct ServeOptions {
 };
 ExitCode serve(const ServeOptions& options);
 
+//! Returns the day that a text such as 2025-08-07 is, or nothing if it is none.
+std::optional<Date> to_date(const std::string& text);
+
 //! `export FILE --to X.obj|X.vtp|X.csv|X.toml`: writes a plant or its field.
 //! `export FILE --generations --to X.csv`: writes the candidates of all
 //! complete generations, also of a file that was cut short.
@@ -96,6 +99,7 @@ struct ExportOptions {
     RowChoice row;
     std::string to;
     std::string component;  //!< whose plant it is; "": that of the crop
+    std::string at;         //!< a date or a thermal time; "": full-grown
     bool is_field = false;
     //! Paths of light per randomisation for the light on faces; not given:
     //! enough for their number.

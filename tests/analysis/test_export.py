@@ -5,14 +5,16 @@ those of ParaView."""
 from __future__ import annotations
 
 import re
+import subprocess
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 from numpy.typing import NDArray
-from real_program import output_of, write_campaign
+from real_program import CAMPAIGNS, executable, output_of, write_campaign
 
+from ideotype import Stand
 from ideotype.analysis import open_history
 
 pytest.importorskip(
@@ -145,6 +147,73 @@ def test_a_field_for_other_ray_tracers_has_the_same_surfaces(
     assert "# y points 90 deg clockwise from north\n" in text
     groups = [x for x in text.splitlines() if x.startswith("g ")]
     assert len(groups) == len(set(groups)) == 4 * GROUPS
+
+
+def test_plants_that_grow_are_there_as_they_stood(tmp_path: Path) -> None:
+    settings = [
+        word
+        for key in (
+            *("light.stages=3", "light.paths=64", "light.randomisations=4"),
+            *("search.population=4", "stop.generations=1"),
+            *(
+                "final.paths=64",
+                "final.randomisations=4",
+                "final.candidates=1",
+            ),
+        )
+        for word in ("--set", key)
+    ]
+    campaign = CAMPAIGNS / "growing_season.toml"
+    output_of("run", campaign, "--out", tmp_path, *settings)
+    (history,) = (tmp_path / "growing_season").glob("*.h5")
+    stand = Stand.from_history(history, same_isa=False)
+    with open_history(history) as opened_history:
+        best = opened_history.best()
+    assert best is not None
+    for at in (300, 900, 1700):
+        to = exported(history, tmp_path / f"{at}.obj", "--best", "--at", at)
+        mesh = stand.mesh(best.row.genome[0], thermal_time=at)
+        surfaces = opened(vtkOBJReader(), to)
+        assert surfaces.GetNumberOfCells() == len(mesh.faces)
+        ends = np.stack([mesh.vertices.min(axis=0), mesh.vertices.max(axis=0)])
+        assert surfaces.GetBounds() == pytest.approx(
+            ends.T.ravel().tolist(), abs=1e-6
+        )
+    # Both have the light of one day, in which the field is at most as bright as
+    # the sky.
+    light = []
+    for day in ("2011-06-20", "2012-07-25"):
+        to = exported(
+            history, tmp_path / f"{day}.vtp", "--best", "--at", day,
+            "--field", "--paths", 64,
+        )  # fmt: skip
+        data = opened(vtkXMLPolyDataReader(), to)
+        title = data.GetFieldData().GetAbstractArray("title").GetValue(0)
+        assert f"{day} (" in title
+        light.append(sum(totals(data)))
+    assert 0.5 < light[0] < light[1] < 15
+    for at, to, why in (
+        ("soon", "a.obj", "neither a date nor a number"),
+        ("2011-12-24", "a.obj", "is not in the season"),
+        ("4000", "a.obj", "is not in the season"),
+        ("500", "a.csv", "write a .obj or .vtp"),
+    ):
+        words = (
+            "export",
+            history,
+            "--best",
+            "--at",
+            at,
+            "--to",
+            tmp_path / to,
+        )
+        done = subprocess.run(
+            [executable(), *map(str, words)],
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+        assert done.returncode == 2 and why in done.stderr, done.stderr
 
 
 def test_modules_that_track_are_there_once(tmp_path: Path) -> None:

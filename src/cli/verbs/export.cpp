@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "campaign/stages.hpp"
 #include "cli/choose_row.hpp"
 #include "cli/formats/mesh_files.hpp"
 #include "cli/formats/output_file.hpp"
@@ -156,6 +157,33 @@ void write_shape(const ExportOptions& options, const ChosenRow& row,
         write_obj(options.to, shape);
 }
 
+//! Returns a case, or one of its scenarios, with plants as they stand at the
+//! date or the thermal time that an option has.
+Case as_it_stood(const Campaign& campaign, const Case& chosen,
+                 const std::string& at) {
+    const std::optional<Date> date = to_date(at);
+    const std::optional<double> time = number_of(at);
+    if (!date && !time)
+        throw Error(
+            fmt::format("--at: \"{}\" is neither a date nor a number of "
+                        "deg C d; write for example 2025-07-15 or 600",
+                        at),
+            ExitCode::usage);
+    Case one = scenarios(chosen).front();
+    for (const Case& each : scenarios(chosen)) {
+        if (!date || campaign.climates.empty()) break;
+        const Period& period = climate_of(campaign, each).period;
+        if (*date >= period.from && *date <= period.to) one = each;
+    }
+    try {
+        one.stage = date ? stage_on(campaign, one, *date)
+                         : stage_on(campaign, one, *time);
+    } catch (const Error& error) {
+        throw Error(fmt::format("--at: {}", error.what()), ExitCode::usage);
+    }
+    return one;
+}
+
 //! The place of a component that an option names.
 std::size_t chosen_component(const Campaign& campaign,
                              const std::string& name) {
@@ -172,11 +200,11 @@ std::size_t chosen_component(const Campaign& campaign,
 }  // namespace
 
 ExitCode export_plant(const ExportOptions& options) {
-    const ChosenRow row = choose_row(options.path, options.row);
+    ChosenRow row = choose_row(options.path, options.row);
     const auto& [campaign, chosen, task, found, schema, isa] = row;
     const std::size_t component = chosen_component(campaign, options.component);
     const Plants plants = grow(campaign, found.candidate.genome);
-    const std::string title = fmt::format(
+    std::string title = fmt::format(
         "ideotype {} {} slot {}", chosen.name,
         task.is_final ? "final" : fmt::format("generation {}", task.generation),
         task.slot);
@@ -187,6 +215,18 @@ ExitCode export_plant(const ExportOptions& options) {
                                 ".obj, .vtp, .csv or .toml",
                                 options.to),
                     ExitCode::usage);
+    if (!options.at.empty()) {
+        if (extension == ".csv" || extension == ".toml")
+            throw Error(fmt::format("--at: {} files tell full-grown plants; "
+                                    "write a .obj or .vtp file, or leave --at "
+                                    "out",
+                                    extension.string()),
+                        ExitCode::usage);
+        row.chosen = as_it_stood(campaign, chosen, options.at);
+        title += fmt::format(", {} ({:.0f} deg C d)",
+                             to_string(*row.chosen.stage->date),
+                             row.chosen.stage->at);
+    }
     require_new(options.to);
     if (extension == ".csv")
         write_csv(options.to, plants[component]);

@@ -23,6 +23,16 @@
 
 namespace ideotype {
 
+std::optional<Date> to_date(const std::string& text) {
+    Date date;
+    char more = 0;
+    if (std::sscanf(text.c_str(), "%4d-%2d-%2d%c", &date.year, &date.month,
+                    &date.day, &more) != 3 ||
+        !(std::chrono::year(date.year) / date.month / date.day).ok())
+        return std::nullopt;
+    return date;
+}
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -81,16 +91,10 @@ double to_number(const std::string& text, const std::string& section,
 }
 
 Date date_of(const std::string& text) {
-    using std::chrono::year;
-    Date date;
-    char more = 0;
-    if (std::sscanf(text.c_str(), "%4d-%2d-%2d%c", &date.year, &date.month,
-                    &date.day, &more) != 3 ||
-        !(year(date.year) / date.month / date.day).ok())
-        refuse("\"" + text +
-               "\" is no date (year, month and day); write for example "
-               "2025-07-01");
-    return date;
+    if (const std::optional<Date> date = to_date(text)) return *date;
+    refuse("\"" + text +
+           "\" is no date (year, month and day); write for example "
+           "2025-07-01");
 }
 
 //! Tells a file from a crop that the program knows by name.

@@ -64,18 +64,21 @@ class Reporter {
     void report_areas() {
         const double fields = found_.fields;
         for (std::size_t c = 0; c < found_.areas.size(); ++c) {
-            const double lai = found_.areas[c].leaves / fields;
-            const double index = lai + found_.areas[c].other_organs / fields;
             const Component& component = scene_.components[c];
+            const double lai = found_.areas[c].leaves / fields;
+            const double dead = result_.grows ? dead_area(component.mesh) /
+                                                    component.ground_per_plant
+                                              : 0;
+            // Dead leaves, which count by half among other organs, are flat.
+            const double index =
+                lai + found_.areas[c].other_organs / fields + dead / 2;
             result_.components.push_back({component.name, lai, index,
                                           component.photosynthesis.has_value(),
                                           component.ground_per_plant});
             result_.lai += lai;
             result_.plant_area_index += index;
             if (component.photosynthesis) result_.assimilating_lai += lai;
-            if (result_.grows)
-                result_.dead_area_index +=
-                    dead_area(component.mesh) / component.ground_per_plant;
+            result_.dead_area_index += dead;
         }
         for (const FixedObject& each : scene_.objects) {
             const std::vector<double> faces = face_areas(each.mesh);

@@ -11,48 +11,23 @@ namespace ideotype {
 namespace {
 
 Section line_trait_section(LineTrait& trait) {
-    Section keys{"feasibility.trait"};
-    keys.add("measure", trait.measure,
-             "of plants that was measured of several lines")
-        .allows("measures of the plant")
-        .required("\"leaf.insertion_angle\"")
-        .is_any_text = true;
-    keys.add("leaf", trait.leaf,
-             "leaf whose measure it is, by its distance from the leaf at the "
-             "ear or from the highest one")
-        .allows("\"ear\", \"ear+1\", \"top-1\", ...")
-        .defaults("none: not of leaves")
-        .is_any_text = true;
-    keys.add("mean", trait.mean, {-1000, 1000},
-             "of the lines, in the unit of the measure")
-        .required("20");
-    keys.add("deviation", trait.deviation, {1e-6, 1000},
-             "standard deviation of the lines")
-        .required("5");
-    return keys;
+    Section section("feasibility.trait", {{"measure", &trait.measure},
+                                          {"leaf", &trait.leaf},
+                                          {"mean", &trait.mean},
+                                          {"deviation", &trait.deviation}});
+    for (const char* key : {"measure", "leaf"}) section[key].is_any_text = true;
+    return section;
 }
 
 Section line_section(MeasuredLine& line) {
-    Section keys{"feasibility.line"};
-    keys.add("name", line.name, "of the line")
-        .allows("any text")
-        .required("\"B73\"")
-        .is_any_text = true;
-    keys.add("values", line.values, {-1000, 1000},
-             "of the traits, in their order and units")
-        .required("[20, 0.8]");
-    return keys;
+    return {"feasibility.line",
+            {{"name", &line.name}, {"values", &line.values}}};
 }
 
 }  // namespace
 
 Section lines_section(MeasuredLines& known) {
-    Section keys{"feasibility"};
-    keys.add("correlations", known.correlations, {-1, 1},
-             "of each pair of traits over the lines: of the first with all "
-             "later ones, then of the second with all later ones, ...")
-        .defaults("none: one trait");
-    return keys;
+    return {"feasibility", {{"correlations", &known.correlations}}};
 }
 
 std::vector<Table> lines_tables(MeasuredLines& known) {
@@ -65,18 +40,10 @@ std::vector<Table> lines_tables(MeasuredLines& known) {
 }
 
 Table feasibility_table(Draft& draft) {
-    Section keys{"feasibility"};
-    keys.add_by_hand("lines", "path",
-                     "file of measured lines, relative to the campaign file; "
-                     "or its content as [[feasibility.trait]] and "
-                     "[[feasibility.line]]")
-        .defaults("none");
-    keys.add("limit", draft.campaign.feasibility.limit, {0, 1000},
-             "largest Mahalanobis distance from the mean of the lines that is "
-             "allowed; 0: any");
-    for (const Key& key : lines_section(draft.lines).keys)
-        keys.keys.push_back(key);
-    Table table = one_table(keys);
+    Table table = one_table({"feasibility",
+                             {{"lines", {}},
+                              {"limit", &draft.campaign.feasibility.limit},
+                              {"correlations", &draft.lines.correlations}}});
     table.children = lines_tables(draft.lines);
     return table.optional().left_out_if(draft.lines.traits.empty());
 }

@@ -50,7 +50,7 @@ std::vector<NamedKey> variable_keys(Draft& draft) {
 
 //! The numbers of a key; none if it is anything else.
 std::optional<std::vector<double>> numbers_of(const Key& key) {
-    if (key.notation != Notation::plain) return std::nullopt;
+    if (key.is_clock() || key.is_duration()) return std::nullopt;
     if (const auto* number = std::get_if<double*>(&key.value))
         return std::vector{**number};
     const auto* list = std::get_if<std::vector<double>*>(&key.value);
@@ -79,7 +79,7 @@ std::string fault(const NamedKey& found) {
     const auto numbers = numbers_of(found.key);
     if (!numbers)
         return fmt::format("(of type {}; only decimal numbers vary)",
-                           type_text(found.key));
+                           found.key.type);
     if (numbers->size() > 1)
         return fmt::format("(which has {} values)", numbers->size());
     return "";
@@ -121,7 +121,7 @@ void check_key(const std::string& table, KeyFactor& factor,
         return;
     const std::vector<double> numbers = *numbers_of(found->key);
     const auto& [lower, upper] = factor.range;
-    const std::string& unit = found->key.bounds.unit;
+    const std::string& unit = found->key.unit;
     factor.unit = unit.empty() ? "1" : unit;
     factor.value = numbers.empty() ? (lower + upper) / 2 : numbers.front();
 }

@@ -103,74 +103,33 @@ std::size_t leaves_of(const PhotosynthesisTable& table) {
 }  // namespace
 
 Section photosynthesis_section(PhotosynthesisTable& table) {
-    Section keys{"photosynthesis"};
-    const auto add_by_leaf =
-        [&](const std::string& name, std::vector<double>& value,
-            const Bounds& bounds, const std::string& initial,
-            const std::string& meaning) {
-            keys.add(name, value, bounds, meaning).or_list().defaults(initial);
-        };
-    ValueNames<LeafModel> names;
+    std::vector<std::pair<std::string, LeafModel>> names;
     for (const Model& each : models) names.emplace_back(each.name, each.kind);
-    keys.add("model", table.model, names,
-             "response of leaves to light: the non-rectangular hyperbola, the "
-             "C4 model of Collatz et al. 1992, or the C3 model of Farquhar, "
-             "von Caemmerer and Berry 1980");
-    add_by_leaf("phi", table.phi, {0, 0.2}, "0.06",
-                "quantum yield of the hyperbola [mol mol-1]");
-    add_by_leaf("theta", table.theta, {0, 1},
-                "0.7 of the hyperbola, 0.83 by Collatz, 0.97875 by Farquhar",
-                "curvature of the response to light; by Farquhar that of "
-                "electron transport, at 25 deg C");
-    add_by_leaf("amax", table.amax, {0, 1e9, "umol m-2 s-1"}, "50",
-                "gross assimilation of the hyperbola in saturating light, at "
-                "30 deg C");
-    add_by_leaf("rd", table.rd, {0, 1000, "umol m-2 s-1"},
-                "0.04 amax, at 30 deg C; 0.8 by Collatz and 1.28 by Farquhar, "
-                "at 25 deg C",
-                "respiration in the dark");
-    add_by_leaf("vmax", table.vmax, {0, 1e6, "umol m-2 s-1"}, "39",
-                "capacity by Collatz, at 25 deg C");
-    add_by_leaf("alpha", table.alpha, {0, 0.2}, "0.067",
-                "quantum yield by Collatz [mol mol-1]");
-    add_by_leaf("beta", table.beta, {0, 1}, "0.93 by Collatz, 0.98 by Farquhar",
-                "curvature between light and CO2 by Collatz, between the "
-                "limits by Farquhar, where 1 is the smallest limit itself");
-    add_by_leaf("k", table.k, {0, 100, "mol m-2 s-1"}, "0.7",
-                "initial slope of the response to CO2 by Collatz, at 25 deg C");
-    add_by_leaf("vcmax", table.vcmax, {0, 1e6, "umol m-2 s-1"}, "110",
-                "capacity of Rubisco by Farquhar, at 25 deg C");
-    add_by_leaf("jmax", table.jmax, {0, 1e6, "umol m-2 s-1"}, "195",
-                "capacity of electron transport by Farquhar, at 25 deg C, "
-                "from a fit with 4.5 ci + 10.5 Gamma*");
-    add_by_leaf("tpu", table.tpu, {0, 1e6, "umol m-2 s-1"}, "13",
-                "capacity of the use of triose phosphate by Farquhar, at 25 "
-                "deg C");
-    add_by_leaf("g1", table.g1, {0, 100, "kPa^0.5"}, "5.79",
-                "slope of stomata by Farquhar, after Medlyn et al. 2011");
-    keys.add("profile", table.profile,
-             {{"none", CapacityProfile::none},
-              {"exponential", CapacityProfile::exponential},
-              {"nitrogen", CapacityProfile::nitrogen},
-              {"rank", CapacityProfile::rank}},
-             "how the capacity of leaves falls with depth: not, as exp(-kn L) "
-             "of the leaf area index L above, by a fixed canopy nitrogen that "
-             "is spread in this way, or as rank_capacity tells");
-    keys.add("rank_capacity", table.rank_capacity, {0, 2},
-             "of the profile by rank: capacity over the above at equal "
-             "distances from the lowest leaf to the highest, linear in between")
-        .or_list("number or list");
-    keys.add("kn", table.kn, {0, 5}, "of the profile, per leaf area index");
-    keys.add("nitrogen", table.nitrogen, {0.01, 100, "g m-2"},
-             "in leaves, per ground area");
-    keys.add("weather", table.follows_weather,
-             "whether leaves have the temperature and humidity of the weather; "
-             "else, and on clear days, they have 30 deg C and 60 %");
-    keys.add("leaf_mass", table.building_cost, {0, 1000, "g m-2"},
-             "that leaves are built of, which the carbon balance pays for");
-    keys.add("leaf_days", table.building_days, {1, 1000, "day"},
-             "that the building of leaves is spread over");
-    return keys;
+    using enum CapacityProfile;
+    return {"photosynthesis",
+            {{"model", choice(table.model, names)},
+             {"phi", &table.phi},
+             {"theta", &table.theta},
+             {"amax", &table.amax},
+             {"rd", &table.rd},
+             {"vmax", &table.vmax},
+             {"alpha", &table.alpha},
+             {"beta", &table.beta},
+             {"k", &table.k},
+             {"vcmax", &table.vcmax},
+             {"jmax", &table.jmax},
+             {"tpu", &table.tpu},
+             {"g1", &table.g1},
+             {"profile", choice(table.profile, {{"none", none},
+                                                {"exponential", exponential},
+                                                {"nitrogen", nitrogen},
+                                                {"rank", rank}})},
+             {"rank_capacity", &table.rank_capacity},
+             {"kn", &table.kn},
+             {"nitrogen", &table.nitrogen},
+             {"weather", &table.follows_weather},
+             {"leaf_mass", &table.building_cost},
+             {"leaf_days", &table.building_days}}};
 }
 
 void check_photosynthesis(const PhotosynthesisTable& table, std::size_t leaves,

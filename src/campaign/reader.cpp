@@ -375,7 +375,7 @@ void read_tables(const std::string& text, const std::string& file,
     const auto top = parse_toml(text, file, problems);
     if (!top) return;
     const TableReader tables(file, problems);
-    tables.read(*top, Section{file}, all);
+    tables.read(*top, Section(file, {}), all);
     for (const Table& table : all)
         if (top->contains(table.name))
             tables.read(*top, table);

@@ -18,7 +18,7 @@ bool is_empty(const Key& key) {
             if constexpr (std::is_same_v<Value, std::monostate>)
                 return true;
             else if constexpr (std::is_same_v<Value, std::vector<std::string>*>)
-                return value->empty() && key.initial.empty();
+                return false;
             else if constexpr (requires { value->empty(); })
                 return value->empty() && !key.is_required;
             else if constexpr (requires { value->has_value(); })

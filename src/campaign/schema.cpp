@@ -1,55 +1,76 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "schema.hpp"
 
+#include <algorithm>
+
+#include "ideotype/core/contract.hpp"
+
 namespace ideotype {
 
-Key& Key::required(const std::string& shown) {
-    is_required = true;
-    return like(shown);
+namespace {
+
+//! Whether a documented type is that of the place of a value.
+bool fits(const Target& place, const std::string& type) {
+    // The beginnings of types, in the order of the alternatives of a place.
+    static const std::vector<std::string> beginnings[] = {
+        {""},
+        {"text", "path"},
+        {"integer"},
+        {"integer"},
+        {"integer"},
+        {"number", "local time"},
+        {"number"},
+        {"true or false"},
+        {"local date"},
+        {"list of [out, up]"},
+        {"local date, or list"},
+        {"[lower, upper]"},
+        {"list of numbers", "list of 6", "list of integers", "number or list"},
+        {"list of texts", "text or list of texts"},
+        {"[column, unit]"},
+        {"text"}};
+    static_assert(std::size(beginnings) == std::variant_size_v<Target>);
+    return std::ranges::any_of(
+        beginnings[place.index()],
+        [&](const std::string& each) { return type.starts_with(each); });
 }
 
-Key& Key::like(const std::string& shown) {
-    example = shown;
-    return *this;
-}
+}  // namespace
 
-Key& Key::defaults(const std::string& words) {
-    initial = words;
-    return *this;
-}
-
-Key& Key::allows(const std::string& words) {
-    range = words;
-    return *this;
-}
-
-Key& Key::of_type(const std::string& words) {
-    type = words;
-    return *this;
+Key::Key(const std::string& key, Target place, const KeyInfo& declared)
+    : name(key),
+      value(std::move(place)),
+      type(declared.type),
+      unit(declared.unit == "-" ? "" : declared.unit),
+      lower(declared.lower),
+      upper(declared.upper),
+      choices(declared.texts),
+      example(declared.example),
+      is_required(declared.is_required()),
+      is_any_text(type == "path" || declared.range == "any text") {
+    IDEOTYPE_EXPECT(fits(value, type));
+    if (const Choice* enumeration = std::get_if<Choice>(&value)) {
+        IDEOTYPE_EXPECT(choices.empty() || choices == enumeration->names);
+        choices = enumeration->names;
+    }
+    if (lower == upper && choices.empty() && declared.range != "-")
+        range = declared.range;
+    if (type.find(" or list") != type.npos) count = any_count;
 }
 
 Key& Key::in_metres(const std::vector<MistakenUnit>& others) {
-    bounds.unit = "m";
     mistaken = others;
     return *this;
 }
 
-Key& Key::one_of(const std::vector<std::string>& texts) {
-    choices = texts;
+Key& Key::one_of(const std::vector<std::string>& names) {
+    choices = names;
     return *this;
 }
 
-Key& Key::or_list(const std::string& words) {
+Key& Key::optional_list() {
     count = any_count;
-    return of_type(words);
-}
-
-Key& Key::optional_list(const std::string& words, const std::string& default_is,
-                        const std::string& shown) {
-    return or_list(words)
-        .defaults(default_is)
-        .like(shown)
-        .written_if(!std::get<std::vector<double>*>(value)->empty());
+    return written_if(!std::get<std::vector<double>*>(value)->empty());
 }
 
 Key& Key::written_if(bool is_so) {
@@ -62,36 +83,19 @@ Key& Key::trades(const std::vector<double>& values, bool is_so) {
     return *this;
 }
 
-Key& Section::add_by_hand(const std::string& key, const std::string& words,
-                          const std::string& meaning) {
-    return keys.emplace_back(Key{key, {}, {}, meaning})
-        .of_type(words)
-        .allows("-");
+Section::Section(std::string table,
+                 const std::vector<std::pair<std::string, Target>>& places,
+                 const std::string& like)
+    : name(std::move(table)) {
+    const std::string& declared = like.empty() ? name : like;
+    for (const auto& [key, place] : places)
+        keys.emplace_back(key, place, key_info(declared, key));
 }
 
-Key& Section::add_rule(std::string& rule, const std::vector<std::string>& rules,
-                       const std::string& meaning) {
-    const Target place = rule.empty() ? Target{} : &rule;
-    return keys.emplace_back(Key{"bounds", place, {}, meaning})
-        .of_type("text or table")
-        .defaults("\"traits\"")
-        .one_of(rules);
-}
-
-Key& Section::add_name(const std::string& key, std::string& value,
-                       const std::string& meaning) {
-    return add(key, value, meaning).allows(name_range);
-}
-
-Key& Section::add_path(const std::string& key, std::string& value,
-                       const std::string& example, const std::string& meaning) {
-    Key& path = add(key, value, meaning)
-                    .of_type("path")
-                    .like(example)
-                    .allows("relative to this file")
-                    .defaults("none");
-    path.is_any_text = true;
-    return path;
+Key& Section::operator[](const std::string& key) {
+    const auto found = std::ranges::find(keys, key, &Key::name);
+    IDEOTYPE_EXPECT(found != keys.end());
+    return *found;
 }
 
 Table& Table::optional() {
@@ -118,17 +122,6 @@ Table& Table::with(Table child, const std::string& child_name) {
 Table one_table(const Section& section) {
     return {section.name, [section](std::size_t) { return section; },
             [] { return std::size_t{1}; }, nullptr};
-}
-
-Section top_section(Campaign& campaign) {
-    Section keys{"top"};
-    keys.add_name("name", campaign.name, "names the folder of the histories")
-        .required("\"ames\"");
-    keys.add("seed", campaign.seed, "of all random numbers")
-        .allows("0 .. 2^63-1");
-    keys.add("replicates", campaign.replicates, {1, 1000},
-             "evolutions with seeds of their own, per combination of the axes");
-    return keys;
 }
 
 }  // namespace ideotype

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "draft.hpp"
+#include "keys.hpp"
 
 namespace ideotype {
 
@@ -18,11 +19,27 @@ namespace ideotype {
 struct Choice {
     std::function<std::string()> get;
     std::function<void(const std::string&)> set;
+    std::vector<std::string> names;
 };
 
-//! Names beside the values of an enumeration, in the order of messages.
+//! Returns the place of an enumeration.
+//! @param names beside its values, in the order of messages
 template <class Enum>
-using ValueNames = std::vector<std::pair<std::string, Enum>>;
+Choice choice(Enum& value,
+              const std::vector<std::pair<std::string, Enum>>& names) {
+    Choice place{[=, &value] {
+                     for (const auto& [name, each] : names)
+                         if (each == value) return name;
+                     return std::string();
+                 },
+                 [=, &value](const std::string& text) {
+                     for (const auto& [name, each] : names)
+                         if (text == name) value = each;
+                 },
+                 {}};
+    for (const auto& each : names) place.names.push_back(each.first);
+    return place;
+}
 
 //! The place of the value of a key, which also fixes its type. None: the value
 //! has a form of its own and is read and written by hand.
@@ -33,136 +50,73 @@ using Target =
                  std::vector<double>*, std::vector<std::string>*,
                  std::optional<Column>*, Choice>;
 
-//! The form in which a number is written.
-enum class Notation {
-    plain,
-    clock,     //!< TOML local time, kept as hours
-    duration,  //!< seconds, "1h30m" or "HH:MM:SS", kept as seconds
-};
-
 //! A unit that numbers are given in by mistake, and what it is in the key's.
 struct MistakenUnit {
     const char* name;
     double value;
 };
 
-//! The least and the greatest value of a number, and its unit; the same twice:
-//! any number will do.
-struct Bounds {
-    double lower = 0, upper = 0;
-    std::string unit{};
-};
-
 //! Stands for one number or text, or a list of any length.
 inline constexpr std::size_t any_count = ~std::size_t{0};
 
-//! One key, bound to the place of its value. This is the only declaration of
-//! a key: parsing, the canonical text and the documentation all use it.
+//! One key, bound to the place of its value. docs/campaign_files.md declares
+//! its type, unit, range and default; parsing and the canonical text use them.
 struct Key {
-    //! It has no default; messages show the example, as TOML.
-    Key& required(const std::string& shown);
-    //! Messages show the example, as TOML.
-    Key& like(const std::string& shown);
-    //! The documentation tells this default.
-    Key& defaults(const std::string& words);
-    //! The documentation and messages tell this range.
-    Key& allows(const std::string& words);
-    //! The documentation and messages tell this type.
-    Key& of_type(const std::string& words);
-    //! Numbers above the bounds, which are lengths [m], may have been given in
-    //! other units.
+    Key(const std::string& key, Target place, const KeyInfo& declared);
+
+    //! Lengths above the range may have been given in other units.
     Key& in_metres(const std::vector<MistakenUnit>& others = {
                        {"centimetres", 0.01}});
     //! One of these texts.
-    Key& one_of(const std::vector<std::string>& texts);
-    //! One number or text, or a list of them.
-    Key& or_list(const std::string& words = "");
-    //! A list that is written only if there is anything in it.
-    Key& optional_list(const std::string& words, const std::string& default_is,
-                       const std::string& shown);
+    Key& one_of(const std::vector<std::string>& names);
+    //! A list of numbers, or one alone, that is written if there is any.
+    Key& optional_list();
     //! Resolved campaigns have it only where that is so.
     Key& written_if(bool is_so);
     //! A number that trades speed for accuracy, where that is so.
+    //! @param values that `fidelity` tries, the most accurate last
     Key& trades(const std::vector<double>& values, bool is_so = true);
+
+    //! Whether it is a local time, which is kept in hours.
+    bool is_clock() const { return type == "local time"; }
+    //! Whether it may be text such as "1h30m", which is kept in seconds.
+    bool is_duration() const { return type.starts_with("number or \""); }
 
     std::string name;
     Target value;
-    Bounds bounds;
-    std::string meaning;
+    std::string type, unit;
+    double lower = 0, upper = 0;  //!< of numbers; the same: none
+    std::string range;            //!< in words, if it is no numbers or texts
+    std::vector<std::string> choices;  //!< texts that are allowed; none: any
+    std::string example;               //!< as TOML, shown in messages
     bool is_required = false;
-    Notation notation = Notation::plain;
-    //! Units that a number above the range may have been given in.
-    std::vector<MistakenUnit> mistaken{};
-    std::size_t count = 0;     //!< of the numbers of a list; 0: any
     bool is_any_text = false;  //!< not only a name
     bool is_written = true;    //!< in resolved campaigns
-    //! The texts that are allowed; none: any name.
-    std::vector<std::string> choices{};
-    //! Values that `fidelity` tries, the most accurate last; none: the key is
-    //! no matter of accuracy.
-    std::vector<double> accuracy{};
-    std::string example{};  //!< as TOML, shown in messages
+    std::size_t count = 0;     //!< of the numbers of a list; 0: any
+    //! Units that a number above the range may have been given in.
+    std::vector<MistakenUnit> mistaken{};
+    std::vector<double> accuracy{};  //!< see trades()
     //! A key of the same table beside which this one is not required.
     std::string unless{};
-    //! Words for the documentation that can't be had from the above.
-    std::string type{}, range{}, initial{};
 };
-
-// Names end up in the names of files and as fixed-length text in them.
-inline constexpr auto name_range = "at most 64 letters, digits, _ and -";
-inline constexpr auto date_range = "1950-01-01 .. 2100-12-31";
 
 //! The keys of one table.
 struct Section {
+    //! @param places of the values of keys
+    //! @param like section of the documentation that declares them
+    Section(std::string table,
+            const std::vector<std::pair<std::string, Target>>& places,
+            const std::string& like = "");
+
+    void add(const std::string& key, Target place) {
+        keys.emplace_back(key, std::move(place), key_info(name, key));
+    }
+
+    //! The key of this name.
+    Key& operator[](const std::string& key);
+
     std::string name;
-    std::vector<Key> keys{};
-
-    //! Declares a key whose value is kept at this place.
-    template <class Value>
-    Key& add(const std::string& key, Value& value, const std::string& meaning) {
-        return keys.emplace_back(Key{key, &value, {}, meaning});
-    }
-    template <class Value>
-    Key& add(const std::string& key, Value& value, const Bounds& bounds,
-             const std::string& meaning) {
-        return keys.emplace_back(Key{key, &value, bounds, meaning});
-    }
-
-    //! Declares a key whose value is one of an enumeration.
-    template <class Enum>
-    requires std::is_enum_v<Enum> Key& add(
-        const std::string& key, Enum& value,
-        const std::type_identity_t<ValueNames<Enum>>& names,
-        const std::string& meaning) {
-        Choice choice{[=, &value] {
-                          for (const auto& [text, each] : names)
-                              if (each == value) return text;
-                          return std::string();
-                      },
-                      [=, &value](const std::string& given) {
-                          for (const auto& [text, each] : names)
-                              if (text == given) value = each;
-                      }};
-        Key& added = keys.emplace_back(Key{key, choice, {}, meaning});
-        for (const auto& each : names) added.choices.push_back(each.first);
-        return added;
-    }
-
-    //! Declares a key whose value is read and written by hand.
-    Key& add_by_hand(const std::string& key, const std::string& type,
-                     const std::string& meaning);
-    //! Declares the rule of bounds, which a table may stand in the place of.
-    Key& add_rule(std::string& rule, const std::vector<std::string>& rules,
-                  const std::string& meaning);
-    //! Declares a name, which may stand in the name of a file.
-    Key& add_name(const std::string& key, std::string& value,
-                  const std::string& meaning);
-    //! Declares a path relative to the campaign file.
-    Key& add_path(const std::string& key, std::string& value,
-                  const std::string& example, const std::string& meaning);
-    //! Declares how exactly light is counted.
-    Key& add_paths(Accuracy& accuracy, const std::string& meaning);
-    Key& add_randomisations(Accuracy& accuracy);
+    std::vector<Key> keys;
 };
 
 //! A table that is written once, or any number of times as [[name]].
@@ -242,6 +196,8 @@ Section variation_section(PlantVariation& variation, const std::string& name);
 Section photosynthesis_section(PhotosynthesisTable& table);
 //! The optics of plants in both bands, and in a campaign those of the soil.
 Table optics_table(Campaign& campaign, bool has_soil);
+//! The place of the rule of bounds; none where a table has them.
+Target place_of_rule(Draft& draft);
 //! The bounds of each trait of the crop, as a table of [plant] or [component].
 Table own_bounds_table(Draft& draft, const std::string& parent);
 Table plant_table(Draft& draft);
@@ -272,9 +228,5 @@ std::string clock_text(double hours);
 
 //! `-90 .. 90 deg`
 std::string range_text(const Key& key);
-
-//! Returns the kind of value that a user has to write for this key, such as
-//! "integer".
-std::string type_text(const Key& key);
 
 }  // namespace ideotype

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "keys.hpp"
 #include "schema.hpp"
 
 namespace ideotype {
@@ -35,7 +34,7 @@ struct Writer {
         return quoted(*text);
     }
     std::string operator()(const double* number) const {
-        if (key.notation == Notation::clock) {
+        if (key.is_clock()) {
             // TOML's days end before that.
             const std::string text = clock_text(*number);
             return *number < 24 ? text : quoted(text);
@@ -88,67 +87,6 @@ struct Writer {
     }
 };
 
-struct TypeName {
-    const Key& key;
-
-    std::string operator()(std::monostate) const { return key.type; }
-    std::string operator()(const std::string*) const { return "text"; }
-    std::string operator()(const bool*) const { return "true or false"; }
-    std::string operator()(const double*) const {
-        if (key.notation == Notation::clock) return "local time";
-        if (key.notation == Notation::duration)
-            return "number or \"1h30m\" or \"HH:MM:SS\"";
-        return "number";
-    }
-    std::string operator()(const std::optional<double>*) const {
-        return "number";
-    }
-    std::string operator()(const std::optional<Column>*) const {
-        return "[column, unit]";
-    }
-    std::string operator()(const Date*) const { return "local date"; }
-    std::string operator()(const std::vector<Date>*) const {
-        return "local date, or list of them";
-    }
-    std::string operator()(const Range*) const { return "[lower, upper]"; }
-    std::string operator()(const std::vector<glm::dvec2>*) const {
-        return "list of [out, up]";
-    }
-    std::string operator()(const std::vector<double>*) const {
-        if (key.count == any_count) return "number or list by leaf";
-        return key.count == 0 ? "list of numbers"
-                              : fmt::format("list of {} numbers", key.count);
-    }
-    std::string operator()(const std::vector<std::string>*) const {
-        return key.count == any_count ? "text or list of texts"
-                                      : "list of texts";
-    }
-    std::string operator()(const Choice&) const { return "text"; }
-    template <class Integer>
-    std::string operator()(const Integer*) const {
-        return "integer";
-    }
-};
-
-KeyInfo describe(const Section& section, const Key& key) {
-    KeyInfo info;
-    info.section = section.name;
-    info.name = key.name;
-    info.type = type_text(key);
-    info.unit = key.bounds.unit.empty() ? "-" : key.bounds.unit;
-    Key unitless = key;
-    unitless.bounds.unit.clear();
-    info.range = range_text(unitless);
-    if (key.is_required)
-        info.initial = "required";
-    else
-        info.initial = key.initial.empty() ? toml_text(key) : key.initial;
-    info.meaning = key.meaning;
-    info.lower = key.bounds.lower;
-    info.upper = key.bounds.upper;
-    return info;
-}
-
 }  // namespace
 
 std::string clock_text(double hours) {
@@ -165,47 +103,13 @@ std::string toml_text(const Key& key) {
     return std::visit(Writer{key}, key.value);
 }
 
-std::string type_text(const Key& key) {
-    if (!key.type.empty()) return key.type;
-    return std::visit(TypeName{key}, key.value);
-}
-
 std::string range_text(const Key& key) {
     if (!key.range.empty()) return key.range;
     if (!key.choices.empty())
         return fmt::format("\"{}\"", fmt::join(key.choices, "\" or \""));
-    const auto& [lower, upper, unit] = key.bounds;
-    if (lower == upper) return "-";
-    return fmt::format("{} .. {}{}{}", lower, upper, unit.empty() ? "" : " ",
-                       unit);
-}
-
-std::vector<KeyInfo> campaign_keys() {
-    Draft draft;
-    std::vector<KeyInfo> keys;
-    const auto add = [&](const Section& section) {
-        for (const Key& key : section.keys)
-            keys.push_back(describe(section, key));
-    };
-    const auto add_table = [&](const Table& table) {
-        if (table.resize) table.resize(1);
-        add(table.section(0));
-    };
-    add(top_section(draft.campaign));
-    // One trait stands for all.
-    draft.traits.resize(1);
-    draft.traits[0].trait.name = "TRAIT";
-    draft.traits[0].sets = {};
-    draft.rule.clear();
-    draft.own_bounds = {draft.traits[0].trait.range};
-    draft.campaign.constraints.traits = {{"TRAIT"}};
-    for (const Table& table : campaign_tables(draft)) {
-        add_table(table);
-        for (const Table& child : table.children) add_table(child);
-    }
-    add(plant_file_section(draft.campaign.crop.baseline));
-    for (const Table& table : plant_tables(draft)) add_table(table);
-    return keys;
+    if (key.lower == key.upper) return "-";
+    return fmt::format("{} .. {}{}{}", key.lower, key.upper,
+                       key.unit.empty() ? "" : " ", key.unit);
 }
 
 }  // namespace ideotype

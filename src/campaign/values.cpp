@@ -40,8 +40,7 @@ struct Reader {
             std::holds_alternative<std::vector<Date>*>(key.value))
             return meant_date(*text);
         if (!std::holds_alternative<double*>(key.value)) return std::nullopt;
-        return key.notation == Notation::clock ? meant_time(*text)
-                                               : meant_number(*text);
+        return key.is_clock() ? meant_time(*text) : meant_number(*text);
     }
 
     void fail_type(const toml::node& found) const {
@@ -49,55 +48,51 @@ struct Reader {
             return fail(
                 fmt::format("is a text (expected: {}); write {} = {} "
                             "without quotes",
-                            type_text(key), key.name, *meant));
+                            key.type, key.name, *meant));
         const std::string example =
             key.example.empty() ? toml_text(key) : key.example;
         fail(fmt::format("is {} (expected: {}); write for example {} = {}",
-                         kind(found), type_text(key), key.name, example));
+                         kind(found), key.type, key.name, example));
     }
 
     //! Returns the fault of a number, or "".
     std::string fault(double value) const {
-        const std::string unit =
-            key.bounds.unit.empty() ? "" : ' ' + key.bounds.unit;
+        const std::string unit = key.unit.empty() ? "" : ' ' + key.unit;
         if (!std::isfinite(value))
-            return fmt::format("is {} (not a finite number); give a number{}",
-                               value,
-                               key.bounds.lower == key.bounds.upper
-                                   ? std::string()
-                                   : " in " + range_text(key));
-        if (key.bounds.lower == key.bounds.upper) return "";
-        if (value < key.bounds.lower)
+            return fmt::format(
+                "is {} (not a finite number); give a number{}", value,
+                key.lower == key.upper ? std::string()
+                                       : " in " + range_text(key));
+        if (key.lower == key.upper) return "";
+        if (value < key.lower)
             return fmt::format("is {}{} (below the range {}); use {}{} or more",
-                               value, unit, range_text(key), key.bounds.lower,
-                               unit);
-        if (value > key.bounds.upper)
+                               value, unit, range_text(key), key.lower, unit);
+        if (value > key.upper)
             return fmt::format("is {}{} (above the range {}); use {}{} or less",
-                               value, unit, range_text(key), key.bounds.upper,
-                               unit);
+                               value, unit, range_text(key), key.upper, unit);
         return "";
     }
 
     //! Reports a number that is in the range in another unit; other entries of
     //! a file most likely have that key in the same unit.
     bool is_mistaken(double value) const {
-        if (!(value > key.bounds.upper)) return false;
+        if (!(value > key.upper)) return false;
         std::vector<std::string> units, values;
         for (const auto& [unit, in_ours] : key.mistaken) {
             const double meant = value * in_ours;
-            if (meant < key.bounds.lower || meant > key.bounds.upper) continue;
+            if (meant < key.lower || meant > key.upper) continue;
             units.push_back(unit);
             values.push_back(fmt::format("{:.6g}", meant));
         }
         if (units.empty()) return false;
-        const bool is_length = key.bounds.unit == "m";
+        const bool is_length = key.unit == "m";
         problems.add_once(
             key.name, name(),
             fmt::format(
                 "{} is {}{}{} (above the range {}, it looks like {}); "
                 "give {}: {}{}",
-                name(), value, key.bounds.unit.empty() ? "" : " ",
-                key.bounds.unit, range_text(key), fmt::join(units, " or "),
+                name(), value, key.unit.empty() ? "" : " ", key.unit,
+                range_text(key), fmt::join(units, " or "),
                 is_length ? "metres" : "a fraction", fmt::join(values, " or "),
                 is_length ? ", and check all lengths of this file" : ""));
         return true;
@@ -158,7 +153,7 @@ struct Reader {
         if (count == any_count || count == 0) count = array->size();
         if (array->size() != count)
             fail(fmt::format("has {} values (expected: {}); give {} of them",
-                             array->size(), type_text(key), count));
+                             array->size(), key.type, count));
         if (values.size() != count) return std::nullopt;
         return values;
     }
@@ -218,9 +213,8 @@ struct Reader {
     void operator()(long long* value) const { read_integer(value); }
 
     void operator()(double* value) const {
-        if (key.notation == Notation::clock) return clock(value);
-        if (key.notation == Notation::duration && node.is_string())
-            return duration(value);
+        if (key.is_clock()) return clock(value);
+        if (key.is_duration() && node.is_string()) return duration(value);
         if (const auto found = number(node)) *value = *found;
     }
 

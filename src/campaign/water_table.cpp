@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "water_table.hpp"
 
-#include <fmt/format.h>
-
 #include "checks.hpp"
 #include "ideotype/canopy/quantities.hpp"
 #include "schema.hpp"
@@ -11,39 +9,19 @@ namespace ideotype {
 
 Section water_section(WaterTable& table) {
     LeafWater& rules = table.rules;
-    Section keys{"water"};
-    keys.add("leaf_temperature", rules.has_leaf_temperature,
-             "whether leaves have a temperature of their own, by their energy "
-             "balance; else they have that of the air, and assimilate as "
-             "without this table");
-    keys.add("canopy_air", rules.has_canopy_air,
-             "whether the canopy warms and moistens the air among its leaves; "
-             "else that is the air above");
-    keys.add("stomata", table.model,
-             {{"medlyn", Stomata::Model::medlyn},
-              {"ball_berry", Stomata::Model::ball_berry}},
-             "model of stomata: that of Medlyn et al. 2011, or that of Ball, "
-             "Woodrow and Berry 1987");
-    keys.add("slope", table.slope, {0.01, 50},
-             "of the conductance of stomata with assimilation over CO2")
-        .defaults(
-            "by Medlyn 1.6 of C4 leaves and photosynthesis.g1 of C3 leaves "
-            "[kPa^0.5], by Ball and Berry 4.53");
-    keys.add("intercept", table.intercept, {0, 1, "mol m-2 s-1"},
-             "conductance of stomata without assimilation")
-        .defaults("0.01 by Medlyn, 0.017 by Ball and Berry");
-    keys.add("emissivity", rules.emissivity, {0.5, 1},
-             "of leaves for longwave radiation");
-    keys.add("stomatal_ratio", rules.stomatal_ratio, {0, 1000},
-             "conductance of the lower face over that of the upper face");
-    keys.add("wind_attenuation", rules.wind_attenuation, {0, 10},
-             "how fast wind falls within the canopy: a in exp(-a (1 - z / h))");
-    keys.add("hot", rules.hot, {0, 60, "deg C"},
-             "temperature above which the time of leaves counts as hot");
-    keys.add("limit", table.limit, {0, 1e5, "mm"},
-             "water that plants may transpire on all days; those that need "
-             "more are not feasible; 0: any");
-    return keys;
+    return {"water",
+            {{"leaf_temperature", &rules.has_leaf_temperature},
+             {"canopy_air", &rules.has_canopy_air},
+             {"stomata", choice(table.model,
+                                {{"medlyn", Stomata::Model::medlyn},
+                                 {"ball_berry", Stomata::Model::ball_berry}})},
+             {"slope", &table.slope},
+             {"intercept", &table.intercept},
+             {"emissivity", &rules.emissivity},
+             {"stomatal_ratio", &rules.stomatal_ratio},
+             {"wind_attenuation", &rules.wind_attenuation},
+             {"hot", &rules.hot},
+             {"limit", &table.limit}}};
 }
 
 Stomata to_stomata(const WaterTable& table,

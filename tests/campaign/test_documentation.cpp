@@ -1,44 +1,55 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <fstream>
+#include <cctype>
+#include <functional>
 #include <set>
 #include <string>
+#include <vector>
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "campaign/keys.hpp"
+#include "campaign/schema.hpp"
+#include "ideotype/core/contract.hpp"
 #include "sample_campaign.hpp"
 
 namespace ideotype {
 
 namespace {
 
-//! The rows of the tables of keys in docs/campaign_files.md, each after the
-//! section that its heading names.
-std::set<std::string> documented_keys() {
-    std::set<std::string> rows;
-    std::string section;
-    std::ifstream text(IDEOTYPE_CAMPAIGNS "/../docs/campaign_files.md");
-    for (std::string line; std::getline(text, line);) {
-        if (line.starts_with("## ")) section.clear();
-        if (line.starts_with("### `")) {
-            const std::size_t begin = line.find_first_not_of("#` [");
-            section =
-                line.substr(begin, line.find_first_of("]`", begin) - begin);
-        }
-        if (!section.empty() && line.starts_with("| `"))
-            rows.insert(section + ": " + line);
+//! Calls a function with each key that the program reads, whose value is the
+//! default.
+void for_each_key(
+    const std::function<void(const std::string&, const Key&)>& use) {
+    Draft draft;
+    const auto use_section = [&](const Section& section) {
+        for (const Key& key : section.keys) use(section.name, key);
+    };
+    const auto use_table = [&](const Table& table) {
+        if (table.resize) table.resize(1);
+        use_section(table.section(0));
+    };
+    // One trait stands for all.
+    draft.traits.resize(1);
+    draft.traits[0].trait.name = "TRAIT";
+    draft.traits[0].sets = {};
+    draft.rule.clear();
+    draft.own_bounds = {draft.traits[0].trait.range};
+    draft.campaign.constraints.traits = {{"TRAIT"}};
+    use_section(top_section(draft.campaign));
+    for (const Table& table : campaign_tables(draft)) {
+        use_table(table);
+        for (const Table& child : table.children) use_table(child);
     }
-    return rows;
+    use_section(plant_file_section(draft.campaign.crop.baseline));
+    for (const Table& table : plant_tables(draft)) use_table(table);
 }
 
-std::set<std::string> declared_keys() {
-    std::set<std::string> rows;
-    for (const KeyInfo& key : campaign_keys())
-        rows.insert(fmt::format("{}: | `{}` | {} | {} | {} | {} | {} |",
-                                key.section, key.name, key.type, key.unit,
-                                key.range, key.initial, key.meaning));
-    return rows;
+//! Whether the default of a key is told in words, because it depends on others.
+bool is_in_words(const std::string& initial) {
+    return initial.find("; ") != initial.npos ||
+           initial.find(" if ") != initial.npos ||
+           (std::isalpha(static_cast<unsigned char>(initial.front())) != 0 &&
+            initial != "true" && initial != "false");
 }
 
 //! The sample with all that a climate may have, in place of a day.
@@ -69,16 +80,40 @@ std::string with_climate(const std::string& more) {
 
 }  // namespace
 
-TEST(Documentation, ReadmeHasEveryKeyWithUnitRangeAndDefault) {
-    const std::set<std::string> documented = documented_keys();
-    for (const std::string& key : declared_keys())
-        EXPECT_EQ(documented.count(key), 1u) << "not in the README: " << key;
+TEST(Documentation, DeclaresTheKeysThatAreReadAndNoOthers) {
+    std::vector<std::string> read, declared;
+    for_each_key([&](const std::string& section, const Key& key) {
+        read.push_back(section + '.' + key.name);
+    });
+    for (const KeyInfo& key : campaign_keys())
+        declared.push_back(key.section + '.' + key.name);
+    EXPECT_EQ(read, declared);
 }
 
-TEST(Documentation, ReadmeHasNoKeyThatDoesNotExist) {
-    const std::set<std::string> declared = declared_keys();
-    for (const std::string& key : documented_keys())
-        EXPECT_EQ(declared.count(key), 1u) << "not a key: " << key;
+TEST(Documentation, TellsTheDefaults) {
+    int compared = 0;
+    for_each_key([&](const std::string& section, const Key& key) {
+        const std::string& initial = key_info(section, key.name).initial;
+        const std::string text = toml_text(key);
+        if (key.is_required || is_in_words(initial) || text.empty() ||
+            (text == "[]" && key.count == any_count))
+            return;
+        EXPECT_EQ(text, initial) << section << '.' << key.name;
+        ++compared;
+    });
+    EXPECT_GT(compared, 150);
+}
+
+TEST(Documentation, IsNeededForEachKey) {
+    EXPECT_THROW(key_info("site", "height"), Error);
+    int number = 0;
+    EXPECT_THROW(Section("site", {{"height", &number}}), Error);
+#ifdef IDEOTYPE_CONTRACTS
+    // Latitudes are decimal numbers.
+    EXPECT_THROW(Section("site", {{"latitude", &number}}), ContractError);
+    Section site("site", {});
+    EXPECT_THROW(site["latitude"], ContractError);
+#endif
 }
 
 TEST(Documentation, EveryKeySaysWhatItMeans) {

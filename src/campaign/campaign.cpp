@@ -7,18 +7,18 @@
 
 #include <fmt/format.h>
 
-#include "checks.hpp"
+#include "campaign/checks/checks.hpp"
+#include "campaign/reading/measured_plant.hpp"
+#include "campaign/reading/reader.hpp"
+#include "campaign/reading/weather_reader.hpp"
+#include "campaign/schema/key_factors.hpp"
+#include "campaign/schema/photosynthesis_table.hpp"
+#include "campaign/schema/resolve.hpp"
 #include "draft.hpp"
 #include "ideotype/canopy/quantities.hpp"
 #include "ideotype/core/hash.hpp"
-#include "key_factors.hpp"
-#include "measured_plant.hpp"
-#include "photosynthesis_table.hpp"
 #include "problems.hpp"
-#include "reader.hpp"
-#include "resolve.hpp"
 #include "search/sensitivity_design.hpp"
-#include "weather_reader.hpp"
 
 namespace ideotype {
 

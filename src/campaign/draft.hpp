@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "campaign.hpp"
-#include "photosynthesis_table.hpp"
-#include "water_table.hpp"
+#include "campaign/schema/photosynthesis_table.hpp"
+#include "campaign/schema/water_table.hpp"
 
 namespace ideotype {
 

@@ -8,9 +8,9 @@
 #include <gtest/gtest.h>
 
 #include "campaign/air.hpp"
-#include "campaign/reader.hpp"
-#include "campaign/resolve.hpp"
-#include "campaign/weather_reader.hpp"
+#include "campaign/reading/reader.hpp"
+#include "campaign/reading/weather_reader.hpp"
+#include "campaign/schema/resolve.hpp"
 #include "ideotype/core/error.hpp"
 #include "sample_campaign.hpp"
 #include "temporary_folder.hpp"

@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "campaign/keys.hpp"
-#include "campaign/schema.hpp"
+#include "campaign/schema/keys.hpp"
+#include "campaign/schema/schema.hpp"
 #include "ideotype/core/contract.hpp"
 #include "sample_campaign.hpp"
 

@@ -12,8 +12,8 @@
 #include <fmt/ranges.h>
 
 #include "campaign/campaign.hpp"
-#include "campaign/keys.hpp"
-#include "campaign/known_crops.hpp"
+#include "campaign/reading/known_crops.hpp"
+#include "campaign/schema/keys.hpp"
 #include "cli/formats/output_file.hpp"
 #include "cli/verbs.hpp"
 #include "ideotype/canopy/quantities.hpp"

@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
+#include "campaign/reading/values.hpp"
 #include "schema.hpp"
-#include "values.hpp"
 
 namespace ideotype {
 

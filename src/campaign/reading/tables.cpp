@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "keys.hpp"
+#include "campaign/schema/keys.hpp"
 #include "nodes.hpp"
 #include "values.hpp"
 

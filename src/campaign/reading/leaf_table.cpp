@@ -8,9 +8,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "campaign/schema/schema.hpp"
 #include "ideotype/core/text.hpp"
 #include "leaf_columns.hpp"
-#include "schema.hpp"
 
 namespace ideotype {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "draft.hpp"
-#include "problems.hpp"
+#include "campaign/draft.hpp"
+#include "campaign/problems.hpp"
 
 namespace ideotype {
 

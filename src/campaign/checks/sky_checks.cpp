@@ -4,10 +4,10 @@
 
 #include <fmt/format.h>
 
+#include "campaign/schema/schema.hpp"
 #include "checks.hpp"
 #include "ideotype/climate/light_series.hpp"
 #include "ideotype/core/clock.hpp"
-#include "schema.hpp"
 
 namespace ideotype {
 

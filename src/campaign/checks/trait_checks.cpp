@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "campaign/reading/spelling.hpp"
 #include "checks.hpp"
 #include "ideotype/crop/measures.hpp"
-#include "spelling.hpp"
 
 namespace ideotype {
 

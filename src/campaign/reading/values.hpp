@@ -5,8 +5,8 @@
 
 #include <toml++/toml.h>
 
-#include "problems.hpp"
-#include "schema.hpp"
+#include "campaign/problems.hpp"
+#include "campaign/schema/schema.hpp"
 
 namespace ideotype {
 

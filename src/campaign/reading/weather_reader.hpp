@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "draft.hpp"
-#include "problems.hpp"
+#include "campaign/draft.hpp"
+#include "campaign/problems.hpp"
 #include "reader.hpp"
 
 namespace ideotype {

@@ -7,8 +7,8 @@
 
 #include <toml++/toml.h>
 
-#include "problems.hpp"
-#include "schema.hpp"
+#include "campaign/problems.hpp"
+#include "campaign/schema/schema.hpp"
 
 namespace ideotype {
 

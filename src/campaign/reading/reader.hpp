@@ -6,9 +6,9 @@
 
 #include <toml++/toml.h>
 
-#include "draft.hpp"
-#include "problems.hpp"
-#include "schema.hpp"
+#include "campaign/draft.hpp"
+#include "campaign/problems.hpp"
+#include "campaign/schema/schema.hpp"
 
 namespace ideotype {
 

@@ -3,8 +3,8 @@
 
 #include <string>
 
+#include "campaign/problems.hpp"
 #include "ideotype/crop/plant.hpp"
-#include "problems.hpp"
 
 namespace ideotype {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "water_table.hpp"
 
-#include "checks.hpp"
+#include "campaign/checks/checks.hpp"
 #include "ideotype/canopy/quantities.hpp"
 #include "schema.hpp"
 

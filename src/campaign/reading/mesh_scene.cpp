@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "checks.hpp"
+#include "campaign/checks/checks.hpp"
+#include "campaign/schema/photosynthesis_table.hpp"
 #include "nodes.hpp"
-#include "photosynthesis_table.hpp"
 #include "reader.hpp"
 #include "syntax.hpp"
 #include "tables.hpp"

@@ -6,7 +6,7 @@
 
 #include <toml++/toml.h>
 
-#include "problems.hpp"
+#include "campaign/problems.hpp"
 
 namespace ideotype {
 

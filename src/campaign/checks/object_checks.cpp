@@ -5,11 +5,11 @@
 
 #include <fmt/format.h>
 
+#include "campaign/reading/reader.hpp"
 #include "checks.hpp"
 #include "ideotype/canopy/quantities.hpp"
 #include "ideotype/core/units.hpp"
 #include "ideotype/crop/obj_reader.hpp"
-#include "reader.hpp"
 
 namespace ideotype {
 

@@ -11,9 +11,9 @@
 
 #include <fmt/format.h>
 
+#include "campaign/schema/key_factors.hpp"
+#include "campaign/schema/schema.hpp"
 #include "ideotype/canopy/quantities.hpp"
-#include "key_factors.hpp"
-#include "schema.hpp"
 
 namespace ideotype {
 

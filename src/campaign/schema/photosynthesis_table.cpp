@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "checks.hpp"
+#include "campaign/checks/checks.hpp"
 #include "schema.hpp"
 
 namespace ideotype {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "campaign/problems.hpp"
 #include "ideotype/crop/measures.hpp"
-#include "problems.hpp"
 
 namespace ideotype {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include "checks.hpp"
+#include "campaign/checks/checks.hpp"
 #include "ideotype/canopy/quantities.hpp"
 #include "ideotype/crop/measures.hpp"
 #include "schema.hpp"

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "draft.hpp"
+#include "campaign/draft.hpp"
 
 namespace ideotype {
 

@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-#include "draft.hpp"
+#include "campaign/draft.hpp"
 #include "keys.hpp"
 
 namespace ideotype {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "draft.hpp"
-#include "problems.hpp"
+#include "campaign/draft.hpp"
+#include "campaign/problems.hpp"
 
 namespace ideotype {
 

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "campaign/checks/checks.hpp"
+#include "campaign/reading/files.hpp"
 #include "campaign/reading/measured_plant.hpp"
 #include "campaign/reading/reader.hpp"
 #include "campaign/reading/weather_reader.hpp"
@@ -190,16 +191,6 @@ Campaign parse(const std::string& text, const std::string& file,
     return campaign;
 }
 
-ObjectiveEntry to_aim(const std::string& name, Sense sense,
-                      const std::vector<std::string>& components) {
-    const std::size_t dot = name.find('.');
-    if (dot == std::string::npos) return {name, name, {}, sense};
-    const auto found =
-        std::find(components.begin(), components.end(), name.substr(0, dot));
-    return {name, name.substr(dot + 1),
-            static_cast<std::size_t>(found - components.begin()), sense};
-}
-
 }  // namespace
 
 Campaign read_campaign(const std::string& path,
@@ -275,40 +266,6 @@ SeasonLight read_climate(const std::string& path) {
 void require_breedable(const Campaign& campaign) {
     if (!campaign.outside_bounds.empty())
         throw InputError(campaign.outside_bounds);
-}
-
-std::vector<std::string> component_names(const Campaign& campaign) {
-    std::vector<std::string> names{campaign.crop.baseline.name};
-    for (const ComponentEntry& each : campaign.components)
-        names.push_back(each.name);
-    return names;
-}
-
-std::vector<ObjectiveEntry> objectives_of(const Campaign& campaign) {
-    const std::vector<std::string> components = component_names(campaign);
-    std::vector<ObjectiveEntry> all;
-    for (const std::string& each : campaign.maximised)
-        all.push_back(to_aim(each, Sense::maximise, components));
-    for (const std::string& each : campaign.minimised)
-        all.push_back(to_aim(each, Sense::minimise, components));
-    return all;
-}
-
-std::vector<double> component_weights(const Campaign& campaign) {
-    if (campaign.sole.empty()) return campaign.weights;
-    std::vector<double> weights;
-    for (const double alone : campaign.sole) weights.push_back(1 / alone);
-    return weights;
-}
-
-std::string unit_of(const Campaign& campaign, const std::string& quantity) {
-    const std::vector<ObjectiveEntry> all = objectives_of(campaign);
-    const bool is_ratio = !campaign.sole.empty() &&
-                          std::any_of(all.begin(), all.end(),
-                                      [&](const ObjectiveEntry& objective) {
-                                          return objective.quantity == quantity;
-                                      });
-    return is_ratio ? "1" : unit_of(quantity);
 }
 
 std::string crop_text(const Campaign& campaign, const Plant& baseline,

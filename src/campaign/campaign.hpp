@@ -7,6 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "cases.hpp"
+#include "climates.hpp"
+#include "components.hpp"
+#include "constraints.hpp"
 #include "ideotype/canopy/field.hpp"
 #include "ideotype/climate/light_series.hpp"
 #include "ideotype/climate/sky_sampler.hpp"
@@ -33,84 +37,8 @@ struct Named {
     Value value;
 };
 
-//! The weather of a period from a file.
-struct Climate {
-    std::string file;  //!< as written; "" if each site has one of its own
-    Period period;
-    std::string stamp;  //!< "": that of the format
-    ColumnMap columns;
-    std::optional<double> wind_height;  //!< above the ground [m]
-    std::optional<double> co2;          //!< of the air [umol mol-1]
-    //! The day on which plants emerge that then grow; of year 0: they stand as
-    //! they are.
-    Date emergence{0, 1, 1};
-
-    bool grows() const { return emergence.year > 0; }
-};
-
-//! The weather of a site in a climate, as it was read.
-struct SiteWeather {
-    std::string site, climate;  //!< names
-    std::string sha256;         //!< of the file
-    double utc_offset = 0;      //!< of dates and hours [h]
-    std::vector<Date> dates;
-    std::vector<double> hours;  //!< of each day: the middles of steps [h]
-    //! Date by date and hour by hour: PAR on a horizontal plane [W m-2], and,
-    //! if they are known, temperature [deg C] and relative humidity (0 to 1).
-    std::vector<double> beam, diffuse, temperature, humidity;
-    //! Near infrared on a horizontal plane, in that order [W m-2]; nothing in
-    //! campaigns that do not follow it.
-    std::vector<double> nir_beam, nir_diffuse;
-    //! If the file tells them, in that order: wind [m s-1], pressure [kPa] and
-    //! longwave radiation of the sky [W m-2].
-    std::vector<double> wind, pressure, longwave;
-};
-
 //! A campaign as it is read.
 struct Draft;
-
-//! The traits that may be bred; the others keep the baseline's values.
-using TraitSet = std::vector<std::string>;
-
-//! A limit of the first measure that a trait acts on, in the unit of that
-//! measure. A plant must keep to it however it is bred.
-struct TraitConstraint {
-    std::string trait;
-    double step = 0;          //!< largest between neighbouring leaves; 0: any
-    Range total{0, 1e9};      //!< of all leaves
-    bool is_falling = false;  //!< it must not rise from leaf to leaf upwards
-    //! Leaves alternate between the two sides of one plane, and none is
-    //! further from it [deg]; 0: any.
-    double distichous = 0;
-    Range range{-1e9, 1e9};  //!< of each leaf
-    int highest = 0;  //!< leaves that it limits, from the top down; 0: all
-};
-
-//! Whether it asks for anything.
-bool constrains(const TraitConstraint& limit);
-
-//! All limits that a plant must keep to. A plant that does not is worse than
-//! any that does, and the worse the more it fails: see violation().
-struct Constraints {
-    Range lai{0, 1000};  //!< one-sided [m2 m-2]
-    std::vector<TraitConstraint> traits;
-};
-
-//! Returns how far a plant fails its constraints: the sum of the excesses over
-//! all limits, each relative to its limit; 0 if all are met.
-//! @param traits of the plant's crop
-//! @param lai of the plant in its stand
-double violation(const Constraints& constraints,
-                 const std::vector<Trait>& traits, const Plant& plant,
-                 double lai);
-
-//! The measured lines near which plants of the crop must stay.
-struct Feasibility {
-    std::optional<MeasuredLines> lines;
-    //! Largest distance from the mean of the lines, see LineDistance; what is
-    //! beyond is a violation, relative to it. 0: none.
-    double limit = 0;
-};
 
 //! A numeric key of a campaign that a sensitivity study varies.
 struct KeyFactor {
@@ -148,31 +76,6 @@ struct BandEntry {
 
 //! The band whose error a tolerance bounds.
 enum class BoundedBand { par, nir };
-
-//! The places of the plants of a component in the field.
-struct Standing {
-    std::vector<int> rows{};  //!< of the field, from 0
-    //! Instead of rows: so many of the places of plants that are bred, drawn
-    //! for each field. 0: none.
-    int mixed = 0;
-    int plants = 0;                  //!< in each of its rows; 0: as the field's
-    int later = 0;                   //!< it emerges than the crop [d]
-    std::optional<double> jitter{};  //!< in the place of the field's [deg]
-    //! Variation of its plants, in the place of that of the field.
-    std::optional<PlantVariation> variation{};
-};
-
-//! A kind of plant that stands in the field beside that of the campaign's crop.
-struct ComponentEntry {
-    std::string name;
-    Standing standing;
-    Crop crop;
-    std::vector<Range> bounds;  //!< of trait_numbers(crop)
-    TraitSet free;              //!< its bred traits; none: it stays as it is
-    PlantOptics optics, nir_optics;
-    std::optional<Photosynthesis> photosynthesis{};  //!< if leaves assimilate
-    Stomata stomata{};                               //!< if they exchange water
-};
 
 //! The way in which the values of several scenarios become one objective.
 enum class Across { mean, worst };
@@ -290,60 +193,6 @@ std::string unit_of(const Campaign& campaign, const std::string& quantity);
 //! Whether an objective is of what leaves make of light.
 bool asks_for_assimilation(const Campaign& campaign);
 
-//! A canopy that grows, at one of several moments. It stands for the hours
-//! around that: by thermal time, figures are linear between stages.
-struct Stage {
-    std::uint32_t number = 0;  //!< from 0
-    //! Thermal times of the campaign's crop at this stage, and at those before
-    //! and after it, if there are [deg C d].
-    double at = 0;
-    std::optional<double> before{}, after{};
-    double day = 0;  //!< since emergence
-    //! Thermal time of each component since its own emergence, and at the stage
-    //! before [deg C d]; the campaign's crop is the first.
-    std::vector<double> ages{}, ages_before{};
-    double share = 1;            //!< about the part of the season's carbon
-    std::optional<Date> date{};  //!< whose hours alone it stands for, if given
-};
-
-//! One point of the sweep: a single evolution with its own history.
-struct Case {
-    int index = 0;
-    std::string name;        //!< also the name of its file
-    std::uint64_t seed = 0;  //!< a function of campaign seed and name only
-    Site site;
-    std::string day_name;  //!< or that of its climate
-    DaySpan day;           //!< without a climate
-    std::string spacing_name;
-    Spacing spacing;
-    std::string trait_set_name;
-    TraitSet traits;
-    int replicate = 1;
-    //! The scenarios that each plant is evaluated in, with the random numbers
-    //! of the case; its own site, day and spacing are those of the first.
-    //! Empty: it is the only one.
-    std::vector<Case> scenarios{};
-    //! The case at each stage, where plants grow; scenarios have stages of
-    //! their own.
-    std::vector<Case> stages{};
-    std::optional<Stage> stage{};  //!< if it is one of those
-};
-
-//! The rows of the field, from 0, in which plants are bred.
-std::vector<int> bred_rows(const Campaign& campaign);
-
-//! The number of plants of the field that are bred.
-std::size_t bred_plants(const Campaign& campaign);
-
-//! Whether the entries of an axis are scenarios of one case.
-bool is_over(const Campaign& campaign, const std::string& axis);
-
-//! The scenarios of a case, at least one.
-std::vector<Case> scenarios(const Case& chosen);
-
-//! Each scenario of a case at each of its stages.
-std::vector<Case> evaluated_cases(const Case& chosen);
-
 //! Reads and checks a campaign file and the crop file that it names.
 //! @param settings "table.key=value", in the place of what the file says
 //! @throws InputError with all problems of both files.
@@ -403,47 +252,6 @@ SeasonLight read_climate(const std::string& path);
 //! unless another is chosen, and another baseline.
 std::string crop_text(const Campaign& campaign, const Plant& baseline,
                       std::size_t component = 0);
-
-//! The light of a case, or of the first of its scenarios: of its clear days, or
-//! of its weather.
-LightSeries light_of(const Campaign& campaign, const Case& chosen);
-
-//! All cases in their order: sites, then days or climates, spacings, trait
-//! sets, and replicates fastest; of axes whose entries are scenarios one, which
-//! is called "all". Adding an entry to an axis does not change the
-//! name or seed of any other case.
-std::vector<Case> cases(const Campaign& campaign);
-
-//! The case of this index.
-//! @param path of the campaign, for the message
-//! @throws Error of wrong usage if there is none.
-Case case_at(const Campaign& campaign, int index, const std::string& path);
-
-//! The climate of a case.
-const Climate& climate_of(const Campaign& campaign, const Case& chosen);
-
-//! One plant for each component, that of the campaign's crop first.
-using Plants = std::vector<Plant>;
-
-//! The numbers of the crop's baseline, then those of components that are bred:
-//! as gene_space().
-Genome baseline_genome(const Campaign& campaign);
-
-//! The number of genes of a genome, without keys that are varied.
-std::size_t count_genes(const Campaign& campaign);
-
-//! The plants that a genome makes of the baselines of all components.
-//! @throws Error if it has too few or too many genes
-Plants grow(const Campaign& campaign, const Genome& genome);
-
-//! The genes of a case with their bounds, those of the crop first, then those
-//! of components that are bred, "soybean.petiole_length". Genes outside the
-//! trait set are not free.
-GeneSpace gene_space(const Campaign& campaign, const Case& chosen);
-
-//! Returns the genes of a case and, behind them, the keys that a study or a
-//! search varies. Where traits are not varied, no gene of them is free.
-GeneSpace search_genes(const Campaign& campaign, const Case& chosen);
 
 //! The campaign with those keys set to the last numbers of a genome of these
 //! genes, which are removed.

@@ -26,6 +26,17 @@ bool is_sound(std::size_t trait, const Problems& problems);
 //! Checks which traits are bred, and within which limits.
 void check_breeding(Draft& draft, const Problems& problems);
 
+//! Checks objectives, their scenarios, and how they are searched for.
+//! @param is_study nothing is searched for
+void check_search(const Campaign& campaign, bool is_study,
+                  const Problems& problems);
+
+//! Checks how exactly light is counted.
+//! @param assimilates leaves do
+//! @param problems of the table [light]
+void check_light(const Accuracy& light, bool assimilates,
+                 const Problems& problems);
+
 //! Checks sites, days and the light of their cases.
 void check_sky(const Campaign& campaign, const Problems& problems);
 

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "campaign/reading/reader.hpp"
+#include "campaign/reading/files.hpp"
 #include "checks.hpp"
 #include "ideotype/canopy/quantities.hpp"
 #include "ideotype/core/units.hpp"

@@ -8,6 +8,7 @@
 
 #include "campaign/checks/checks.hpp"
 #include "campaign/schema/photosynthesis_table.hpp"
+#include "files.hpp"
 #include "nodes.hpp"
 #include "reader.hpp"
 #include "syntax.hpp"
@@ -282,7 +283,6 @@ class SceneReader {
 MeshScene read_mesh_scene(const std::string& path) {
     const std::string text = read_text(path);
     Problems problems;
-    problems.open(path);
     MeshScene scene;
     if (const auto top = parse_toml(text, path, problems))
         scene = SceneReader(path, problems).read(*top);

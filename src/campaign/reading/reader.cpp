@@ -3,15 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include "ideotype/core/file.hpp"
-#include "known_crops.hpp"
-#include "leaf_table.hpp"
-#include "measured_plant.hpp"
+#include "files.hpp"
 #include "nodes.hpp"
 #include "settings.hpp"
 #include "syntax.hpp"
@@ -21,32 +16,9 @@ namespace ideotype {
 
 namespace {
 
-namespace fs = std::filesystem;
-
-//! Another file in the folder whose name is nearest, or "".
-std::string nearest_file(const fs::path& missing) {
-    std::vector<std::string> names;
-    std::error_code none;
-    for (const auto& entry :
-         fs::directory_iterator(missing.parent_path(), none))
-        if (entry.path().extension() == ".toml")
-            names.push_back(entry.path().stem().string());
-    // The order of a folder is not defined; that of the advice is.
-    std::sort(names.begin(), names.end());
-    return nearest_name(missing.stem().string(), names);
-}
-
 //! Only plants have leaves; only campaigns have sites.
 bool is_plant(const toml::table& top) {
     return top.contains("leaf") && !top.contains("site");
-}
-
-//! The tables of a file, if it is valid TOML.
-std::optional<toml::table> parse(const std::string& text,
-                                 const std::string& file,
-                                 const Problems& problems) {
-    problems.open(file);
-    return parse_toml(text, file, problems);
 }
 
 std::string month_and_day(const Date& date) {
@@ -72,7 +44,7 @@ class DraftReader {
           source_(source),
           draft_(draft),
           problems_(problems),
-          of_crop_(of_crop),
+          crop_(file, source, draft, problems, of_crop),
           tables_(file, problems) {}
 
     void read(const toml::table& top) {
@@ -80,7 +52,7 @@ class DraftReader {
         // Other tables name traits and organs of the crop.
         draft_.is_crop_known = false;
         if (const auto baseline = top["plant"]["baseline"])
-            read_baseline(*baseline.node());
+            crop_.read_key(*baseline.node(), "plant.baseline");
         prepare(top["plant"]["bounds"].value_or<std::string>(""));
         read_components(top);
         draft_.has_climate = top.contains("climate");
@@ -134,52 +106,6 @@ class DraftReader {
         }
     }
 
-    //! Reads the tables of a crop.
-    //! @param file that they are in
-    void read_plant(const toml::table& table, const std::string& file) {
-        draft_.has_growth = table.contains("growth");
-        // The bounds of the usual traits are not those of others.
-        if (table.contains("trait")) draft_.bounds.clear();
-        Plant& plant = draft_.campaign.crop.baseline;
-        const TableReader tables(file, of_crop_), shared(file, problems_);
-        const std::vector<Table> own = plant_tables(draft_),
-                                 defaults = crop_defaults(draft_);
-        std::vector<Table> all = own;
-        all.insert(all.end(), defaults.begin(), defaults.end());
-        tables.read(table, plant_file_section(plant), all);
-        for (const Table& part : own) tables.read(table, part);
-        // Campaigns have these tables too.
-        for (const Table& part : defaults) shared.read(table, part);
-        for (Leaf& leaf : plant.leaves)
-            if (leaf.insertion_angle == 0 && leaf.curvature == 0)
-                measure_midrib(leaf);
-        stack_internodes(plant);
-        draft_.is_crop_known = true;
-    }
-
-    //! A table of measured leaves. What it does not tell is as in the crop that
-    //! it names, or, if it names none, in the plant that the draft has.
-    void read_measured(const std::string& text, const std::string& file) {
-        problems_.open(file);
-        if (const std::optional<Written> crop = note_of(text, file, "crop")) {
-            draft_.is_crop_known = false;
-            tables_above_.push_back(file);
-            if (const auto known = known_crop(crop->text))
-                read_crop(*known, crop->text);
-            else
-                read_crop_of_table(path_from(file, crop->text), crop->where);
-            tables_above_.pop_back();
-        } else if (!draft_.is_crop_known) {
-            problems_.add(
-                Location{file, 1, 1},
-                "the table names no crop (which tells stalk, organs and "
-                "traits); begin it with a line such as # crop: maize, or "
-                "# crop: FILE.toml");
-        }
-        read_measured_plant(text, file, draft_.is_crop_known,
-                            draft_.campaign.crop.baseline, of_crop_);
-    }
-
   private:
     //! Derives from the crop what the rest of a campaign needs before it is
     //! read.
@@ -205,24 +131,6 @@ class DraftReader {
         draft_.organs = organ_names(plant);
     }
 
-    //! @param key that has the crop, as "plant.baseline"
-    void read_baseline(const toml::node& baseline,
-                       const std::string& key = "plant.baseline") {
-        if (const toml::table* table = baseline.as_table())
-            return read_plant(*table, file_);
-        const bool is_path = baseline.is_string();
-        if (!is_path || source_ == PlantSource::table)
-            return problems_.add(
-                tables_.where(baseline), "{} is {} (expected: {}); write {}",
-                key, kind(baseline),
-                is_path ? "the plant itself" : "path or table",
-                is_path ? fmt::format("it as [{}]", key)
-                        : fmt::format("for example {} = \"crops/mine.toml\"",
-                                      key.substr(key.find('.') + 1)));
-        read_plant_file(path_from(file_, *baseline.value<std::string>()), key,
-                        tables_.where(baseline));
-    }
-
     //! Reads how the plants of a component differ.
     void read_variation(const toml::node& node) {
         const Section section = variation_section(
@@ -243,7 +151,7 @@ class DraftReader {
         draft_.campaign.name = table["name"].value_or<std::string>("");
         draft_.is_crop_known = false;
         if (const toml::node* const crop = table.get("crop"))
-            read_baseline(*crop, "component.crop");
+            crop_.read_key(*crop, "component.crop");
         if (const toml::node* const variation = table.get("variation"))
             read_variation(*variation);
         prepare("");
@@ -266,26 +174,13 @@ class DraftReader {
         }
     }
 
-    //! The text of a file that a key names, unless it cannot be read.
-    std::optional<std::string> text_of(const std::string& file,
-                                       const std::string& named_by,
-                                       const Location& named_at) {
-        FileText read = read_file(file, most_input_bytes);
-        if (read.is_there) return std::move(read.text);
-        const std::string near = nearest_file(file);
-        problems_.add(named_at, "{} (named by {}); {}", read.refusal(file),
-                      named_by,
-                      near.empty() ? "give a path relative to this file"
-                                   : "did you mean '" + near + ".toml'?");
-        return std::nullopt;
-    }
-
     void read_lines(const toml::node& named) {
         const std::string file =
             path_from(file_, named.value_or<std::string>(""));
         const auto text =
-            text_of(file, "feasibility.lines", tables_.where(named));
-        const auto top = text ? parse(*text, file, problems_) : std::nullopt;
+            text_of(file, "feasibility.lines", tables_.where(named), problems_);
+        const auto top =
+            text ? parse_toml(*text, file, problems_) : std::nullopt;
         if (!top) return;
         const TableReader tables(file, problems_.in("feasibility"));
         const std::vector<Table> parts = lines_tables(draft_.lines);
@@ -293,45 +188,12 @@ class DraftReader {
         for (const Table& part : parts) tables.read(*top, part);
     }
 
-    void read_plant_file(const std::string& file, const std::string& named_by,
-                         const Location& named_at) {
-        const auto text = text_of(file, named_by, named_at);
-        if (!text) return;
-        if (is_measured(file))
-            read_measured(*text, file);
-        else
-            read_crop(*text, file);
-    }
-
-    void read_crop_of_table(const std::string& file, const Location& named_at) {
-        std::error_code none;
-        const auto first = std::find_if(
-            tables_above_.begin(), tables_above_.end(),
-            [&](const std::string& above) {
-                return above == file || fs::equivalent(above, file, none);
-            });
-        if (first == tables_above_.end())
-            return read_plant_file(file, "# crop", named_at);
-        // It begins and ends with the file that the message is about.
-        std::rotate(first, tables_above_.end() - 1, tables_above_.end());
-        problems_.add(named_at,
-                      "the table takes its crop from itself ({} -> {}); name a "
-                      "crop such as maize, or a crop file (.toml)",
-                      fmt::join(first, tables_above_.end(), " -> "), *first);
-        std::rotate(first, first + 1, tables_above_.end());
-    }
-
-    void read_crop(const std::string& text, const std::string& file) {
-        if (const auto table = parse(text, file, problems_))
-            read_plant(*table, file);
-    }
-
     const std::string& file_;
     PlantSource source_;
     Draft& draft_;
-    Problems problems_, of_crop_;
+    Problems problems_;
+    CropReader crop_;
     TableReader tables_;
-    std::vector<std::string> tables_above_;  //!< each names the next as crop
 };
 
 //! A study has no optimizer. Histories of version 0.2.0 name it as one.
@@ -354,7 +216,7 @@ void leave_out_study(toml::table& top, const std::string& file,
 void read_draft(const std::string& text, const std::string& file,
                 PlantSource source, const std::vector<std::string>& settings,
                 Draft& draft, const Problems& problems) {
-    auto table = parse(text, file, problems);
+    auto table = parse_toml(text, file, problems);
     if (table) apply_settings(settings, *table, problems);
     if (table && is_plant(*table))
         problems.add(Location{file, 1, 1},
@@ -371,7 +233,6 @@ void read_draft(const std::string& text, const std::string& file,
 
 void read_tables(const std::string& text, const std::string& file,
                  const std::vector<Table>& all, const Problems& problems) {
-    problems.open(file);
     const auto top = parse_toml(text, file, problems);
     if (!top) return;
     const TableReader tables(file, problems);
@@ -388,30 +249,18 @@ void read_tables(const std::string& text, const std::string& file,
 
 bool read_plant_draft(const std::string& text, const std::string& file,
                       Draft& draft, const Problems& problems) {
-    const auto table = parse(text, file, problems);
+    const auto table = parse_toml(text, file, problems);
     if (table && !is_plant(*table)) return false;
     if (table)
-        DraftReader(file, PlantSource::table, draft, problems, problems)
+        CropReader(file, PlantSource::table, draft, problems, problems)
             .read_plant(*table, file);
     return true;
 }
 
 void read_measured_draft(const std::string& text, const std::string& file,
                          Draft& draft, const Problems& problems) {
-    DraftReader(file, PlantSource::file_or_table, draft, problems, problems)
+    CropReader(file, PlantSource::file_or_table, draft, problems, problems)
         .read_measured(text, file);
-}
-
-std::string path_from(const std::string& file, const std::string& path) {
-    return (fs::path(file).parent_path() / path)
-        .lexically_normal()
-        .generic_string();
-}
-
-std::string read_text(const std::string& path) {
-    FileText file = read_file(path, most_input_bytes);
-    if (!file.is_there) throw Error(file.refusal(path));
-    return std::move(file.text);
 }
 
 }  // namespace ideotype

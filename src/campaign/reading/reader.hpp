@@ -1,22 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <optional>
 #include <string>
-
-#include <toml++/toml.h>
+#include <vector>
 
 #include "campaign/draft.hpp"
 #include "campaign/problems.hpp"
 #include "campaign/schema/schema.hpp"
+#include "crop_reader.hpp"
 
 namespace ideotype {
-
-//! The kinds of text that may give the plant.
-enum class PlantSource {
-    file_or_table,  //!< as users write it
-    table,          //!< as in resolved campaigns, which stand alone
-};
 
 //! Reads the text of a campaign, and the crop file that it names, into a
 //! draft: everything but the checks of values against each other.
@@ -38,11 +31,5 @@ void read_measured_draft(const std::string& text, const std::string& file,
 //! Reads the text of a file that has these tables and nothing else.
 void read_tables(const std::string& text, const std::string& file,
                  const std::vector<Table>& all, const Problems& problems);
-
-//! A path that a campaign file names, as seen from here.
-std::string path_from(const std::string& file, const std::string& path);
-
-//! The text of a campaign, crop or plant. @throws Error if it cannot be read.
-std::string read_text(const std::string& path);
 
 }  // namespace ideotype

@@ -98,6 +98,7 @@ std::string problem(const toml::parse_error& error, const std::string& line) {
 std::optional<toml::table> parse_toml(const std::string& text,
                                       const std::string& file,
                                       const Problems& problems) {
+    problems.open(file);
     if (const auto at = find_deep_key(text)) {
         problems.add(
             place(text, *at, file),

@@ -11,100 +11,15 @@
 #include "ideotype/core/clock.hpp"
 #include "nodes.hpp"
 #include "spelling.hpp"
+#include "value_faults.hpp"
 
 namespace ideotype {
 
 namespace {
 
 //! Reads a node into the value that a target points at.
-struct Reader {
+struct Reader : ValueFaults {
     const toml::node& node;
-    const std::string& section;
-    const Key& key;
-    const Problems& problems;
-
-    std::string name() const {
-        return section == "top" ? key.name : section + '.' + key.name;
-    }
-
-    void fail(const std::string& what) const {
-        problems.add(key.name, name() + ' ' + what);
-    }
-
-    //! Returns the text without its quotes as TOML, if that is of the right
-    //! type.
-    std::optional<std::string> without_quotes(const toml::node& found) const {
-        const auto text = found.value<std::string>();
-        if (!text) return std::nullopt;
-        if (std::holds_alternative<Date*>(key.value) ||
-            std::holds_alternative<std::vector<Date>*>(key.value))
-            return meant_date(*text);
-        if (!std::holds_alternative<double*>(key.value)) return std::nullopt;
-        return key.is_clock() ? meant_time(*text) : meant_number(*text);
-    }
-
-    void fail_type(const toml::node& found) const {
-        if (const auto meant = without_quotes(found))
-            return fail(
-                fmt::format("is a text (expected: {}); write {} = {} "
-                            "without quotes",
-                            key.type, key.name, *meant));
-        const std::string example =
-            key.example.empty() ? toml_text(key) : key.example;
-        fail(fmt::format("is {} (expected: {}); write for example {} = {}",
-                         kind(found), key.type, key.name, example));
-    }
-
-    //! Returns the fault of a number, or "".
-    std::string fault(double value) const {
-        const std::string unit = key.unit.empty() ? "" : ' ' + key.unit;
-        if (!std::isfinite(value))
-            return fmt::format(
-                "is {} (not a finite number); give a number{}", value,
-                key.lower == key.upper ? std::string()
-                                       : " in " + range_text(key));
-        if (key.lower == key.upper) return "";
-        if (value < key.lower)
-            return fmt::format("is {}{} (below the range {}); use {}{} or more",
-                               value, unit, range_text(key), key.lower, unit);
-        if (value > key.upper)
-            return fmt::format("is {}{} (above the range {}); use {}{} or less",
-                               value, unit, range_text(key), key.upper, unit);
-        return "";
-    }
-
-    //! Reports a number that is in the range in another unit; other entries of
-    //! a file most likely have that key in the same unit.
-    bool is_mistaken(double value) const {
-        if (!(value > key.upper)) return false;
-        std::vector<std::string> units, values;
-        for (const auto& [unit, in_ours] : key.mistaken) {
-            const double meant = value * in_ours;
-            if (meant < key.lower || meant > key.upper) continue;
-            units.push_back(unit);
-            values.push_back(fmt::format("{:.6g}", meant));
-        }
-        if (units.empty()) return false;
-        const bool is_length = key.unit == "m";
-        problems.add_once(
-            key.name, name(),
-            fmt::format(
-                "{} is {}{}{} (above the range {}, it looks like {}); "
-                "give {}: {}{}",
-                name(), value, key.unit.empty() ? "" : " ", key.unit,
-                range_text(key), fmt::join(units, " or "),
-                is_length ? "metres" : "a fraction", fmt::join(values, " or "),
-                is_length ? ", and check all lengths of this file" : ""));
-        return true;
-    }
-
-    //! Whether a number is in the range; otherwise reports.
-    bool accepts(double value) const {
-        if (is_mistaken(value)) return false;
-        const std::string why = fault(value);
-        if (!why.empty()) fail(why);
-        return why.empty();
-    }
 
     //! A number of either TOML type, in range; otherwise reports.
     std::optional<double> number(const toml::node& found) const {
@@ -357,7 +272,7 @@ struct Reader {
 
 void read_value(const toml::node& node, const std::string& section,
                 const Key& key, const Problems& problems) {
-    std::visit(Reader{node, section, key, problems}, key.value);
+    std::visit(Reader{{section, key, problems}, node}, key.value);
 }
 
 }  // namespace ideotype

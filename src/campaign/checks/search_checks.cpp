@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "checks.hpp"
+#include "ideotype/canopy/quantities.hpp"
+
+namespace ideotype {
+
+namespace {
+
+void check_objectives(const Campaign& campaign, bool is_study,
+                      const Problems& problems) {
+    if (!problems.usable({"objective.maximise", "objective.minimise"})) return;
+    const std::size_t count = objectives_of(campaign).size();
+    for (const std::string& each : campaign.minimised)
+        if (std::ranges::count(campaign.maximised, each) > 0)
+            problems.add("objective.minimise",
+                         "objective.minimise has {} (which is maximised too); "
+                         "remove one of the two",
+                         each);
+    if (campaign.field.boundary == Boundary::isolated)
+        for (const auto& [key, name] : objective_keys(campaign, problems))
+            if (name == extinction)
+                problems.add(key,
+                             "the objective {} needs plants without end (light "
+                             "enters a plot from its sides); use \"fapar\"",
+                             extinction);
+    const std::vector<double>& reference = campaign.search.reference;
+    if (!reference.empty() && reference.size() != count &&
+        problems.usable({"search.reference"}))
+        problems.add("search.reference",
+                     "search.reference has {} numbers (there are {} "
+                     "objectives); give one for each, those that are maximised "
+                     "first",
+                     reference.size(), count);
+    const bool is_pareto = campaign.search.optimizer == OptimizerKind::nsga2;
+    if (count == 0)
+        problems.add("objective.maximise",
+                     "objective.maximise is empty (nothing would be searched "
+                     "for); name a quantity");
+    else if (is_pareto && count == 1)
+        problems.add("search.optimizer",
+                     "search.optimizer is \"nsga2\" (which finds a front of "
+                     "several objectives); name another in objective.minimise, "
+                     "or use \"cma_es\"");
+    else if (!is_pareto && count > 1 && !is_study)
+        problems.add("objective.minimise",
+                     "there are {} objectives (only nsga2 finds a front of "
+                     "several); use one, or search.optimizer = \"nsga2\"",
+                     count);
+}
+
+void check_scenarios(const Campaign& campaign, const Problems& problems) {
+    if (!problems.usable({"objective.over"})) return;
+    const bool has_days = campaign.climates.empty();
+    const std::string wrong = has_days ? "climate" : "day";
+    if (is_over(campaign, wrong))
+        problems.add("objective.over",
+                     "objective.over has \"{}\" (this campaign has [[{}]]); "
+                     "use that, or remove it",
+                     wrong, has_days ? "day" : "climate");
+}
+
+void check_stop(const StopRules& stop, const Problems& problems) {
+    constexpr int fewest = 5;
+    if (stop.no_gain > 0 && stop.no_gain < fewest)
+        problems.add("stop.no_gain",
+                     "stop.no_gain is {} (too few generations for the error of "
+                     "a slope); use {} or more, or 0",
+                     stop.no_gain, fewest);
+}
+
+}  // namespace
+
+void check_search(const Campaign& campaign, bool is_study,
+                  const Problems& problems) {
+    const int population = campaign.search.population;
+    const bool has_population = problems.usable({"search.population"});
+    const auto at_most = [&](const std::string& key, int value, int most) {
+        if (has_population && problems.usable(key) && value > most)
+            problems.add(key,
+                         "{} is {} (the population is {}); use {} or fewer",
+                         key, value, population, most);
+    };
+    check_objectives(campaign, is_study, problems);
+    check_stop(campaign.stop, problems);
+    check_scenarios(campaign, problems);
+    // Each search by CMA-ES ranks four plants or more.
+    const int fewest =
+        campaign.search.optimizer == OptimizerKind::automatic ? 8 : 4;
+    if (uses_cma_es(campaign.search) && has_population && population < fewest)
+        problems.add("search.population",
+                     "search.population is {} (CMA-ES ranks at least {} "
+                     "plants); use {} or more, or leave it out",
+                     population, fewest, fewest);
+    constexpr double most_rows = std::numeric_limits<std::int32_t>::max();
+    const int generations = campaign.stop.generations;
+    if (problems.usable({"search.population", "stop.generations"}) &&
+        1. * population * generations > most_rows)
+        problems.add("stop.generations",
+                     "stop.generations is {} (with a population of {} a "
+                     "history would have more rows than {:.0f}); use {:.0f} or "
+                     "fewer",
+                     generations, population, most_rows,
+                     std::floor(most_rows / population));
+    at_most("search.elites", campaign.search.ga.elites, population - 1);
+    at_most("search.tournament", campaign.search.ga.tournament, population);
+    at_most("final.candidates", campaign.final_rule.candidates, population);
+}
+
+void check_light(const Accuracy& light, bool assimilates,
+                 const Problems& problems) {
+    if (!problems.usable({"tolerance"})) return;
+    const bool has_randomisations = problems.usable({"randomisations"});
+    constexpr int fewest = 8;
+    if (light.tolerance > 0 && has_randomisations &&
+        light.randomisations < fewest)
+        problems.add("randomisations",
+                     "light.randomisations is {} (too few to tell whether a "
+                     "tolerance is met); use {} or more",
+                     light.randomisations, fewest);
+    constexpr int fewest_in_field = 4;
+    if (light.fields == 1 && light.randomisations < fewest_in_field &&
+        assimilates && has_randomisations)
+        problems.add("randomisations",
+                     "light.randomisations is {} (too few for assimilation in "
+                     "one field); use {} or more",
+                     light.randomisations, fewest_in_field);
+    constexpr int fewest_fields = 4;
+    if (!problems.usable({"fields", "randomisations"}) || light.fields == 1)
+        return;
+    if (light.fields < fewest_fields)
+        problems.add("fields",
+                     "light.fields is {} (too few to tell how fields differ); "
+                     "use 1, or {} or more",
+                     light.fields, fewest_fields);
+    else if (light.randomisations % light.fields != 0)
+        problems.add("fields",
+                     "light.fields is {}, among which {} randomisations can't "
+                     "be divided evenly",
+                     light.fields, light.randomisations);
+}
+
+}  // namespace ideotype

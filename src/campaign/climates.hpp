@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ideotype/climate/light_series.hpp"
+#include "ideotype/climate/weather.hpp"
+
+namespace ideotype {
+
+//! The weather of a period from a file.
+struct Climate {
+    std::string file;  //!< as written; "" if each site has one of its own
+    Period period;
+    std::string stamp;  //!< "": that of the format
+    ColumnMap columns;
+    std::optional<double> wind_height;  //!< above the ground [m]
+    std::optional<double> co2;          //!< of the air [umol mol-1]
+    //! The day on which plants emerge that then grow; of year 0: they stand as
+    //! they are.
+    Date emergence{0, 1, 1};
+
+    bool grows() const { return emergence.year > 0; }
+};
+
+//! The weather of a site in a climate, as it was read.
+struct SiteWeather {
+    std::string site, climate;  //!< names
+    std::string sha256;         //!< of the file
+    double utc_offset = 0;      //!< of dates and hours [h]
+    std::vector<Date> dates;
+    std::vector<double> hours;  //!< of each day: the middles of steps [h]
+    //! Date by date and hour by hour: PAR on a horizontal plane [W m-2], and,
+    //! if they are known, temperature [deg C] and relative humidity (0 to 1).
+    std::vector<double> beam, diffuse, temperature, humidity;
+    //! Near infrared on a horizontal plane, in that order [W m-2]; nothing in
+    //! campaigns that do not follow it.
+    std::vector<double> nir_beam, nir_diffuse;
+    //! If the file tells them, in that order: wind [m s-1], pressure [kPa] and
+    //! longwave radiation of the sky [W m-2].
+    std::vector<double> wind, pressure, longwave;
+};
+
+}  // namespace ideotype

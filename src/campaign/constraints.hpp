@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ideotype/core/range.hpp"
+#include "ideotype/crop/crop.hpp"
+#include "ideotype/crop/measured_lines.hpp"
+
+namespace ideotype {
+
+//! The traits that may be bred; the others keep the baseline's values.
+using TraitSet = std::vector<std::string>;
+
+//! A limit of the first measure that a trait acts on, in the unit of that
+//! measure. A plant must keep to it however it is bred.
+struct TraitConstraint {
+    std::string trait;
+    double step = 0;          //!< largest between neighbouring leaves; 0: any
+    Range total{0, 1e9};      //!< of all leaves
+    bool is_falling = false;  //!< it must not rise from leaf to leaf upwards
+    //! Leaves alternate between the two sides of one plane, and none is
+    //! further from it [deg]; 0: any.
+    double distichous = 0;
+    Range range{-1e9, 1e9};  //!< of each leaf
+    int highest = 0;  //!< leaves that it limits, from the top down; 0: all
+};
+
+//! Whether it asks for anything.
+bool constrains(const TraitConstraint& limit);
+
+//! All limits that a plant must keep to. A plant that does not is worse than
+//! any that does, and the worse the more it fails: see violation().
+struct Constraints {
+    Range lai{0, 1000};  //!< one-sided [m2 m-2]
+    std::vector<TraitConstraint> traits;
+};
+
+//! Returns how far a plant fails its constraints: the sum of the excesses over
+//! all limits, each relative to its limit; 0 if all are met.
+//! @param traits of the plant's crop
+//! @param lai of the plant in its stand
+double violation(const Constraints& constraints,
+                 const std::vector<Trait>& traits, const Plant& plant,
+                 double lai);
+
+//! The measured lines near which plants of the crop must stay.
+struct Feasibility {
+    std::optional<MeasuredLines> lines;
+    //! Largest distance from the mean of the lines, see LineDistance; what is
+    //! beyond is a violation, relative to it. 0: none.
+    double limit = 0;
+};
+
+}  // namespace ideotype

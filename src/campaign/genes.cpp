@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "campaign.hpp"
+#include "ideotype/core/error.hpp"
+
+namespace ideotype {
+
+namespace {
+
+//! Appends the genes of a crop.
+//! @param prefix of their names, which tells the component
+void append_genes(GeneSpace& genes, const Crop& crop,
+                  const std::vector<Range>& bounds, const TraitSet& free,
+                  const std::string& prefix) {
+    std::size_t i = 0;
+    for (const TraitNumber& number : trait_numbers(crop)) {
+        const Trait& trait = crop.traits[number.trait];
+        const auto& [lower, upper] = bounds.at(i++);
+        std::string name = trait.name;
+        if (number.leaf > 0)
+            name = fmt::format("leaf{:02}_{}", number.leaf, trait.name);
+        if (number.point > 0)
+            name = fmt::format("{}_{}", trait.name, number.point);
+        const bool is_whole =
+            lower == trait.range.lower && upper == trait.range.upper;
+        const bool is_free =
+            std::find(free.begin(), free.end(), trait.name) != free.end();
+        genes.push_back({prefix + name, trait.unit, lower, upper,
+                         trait.is_circular && is_whole, is_free,
+                         prefix + trait.name, number.leaf});
+    }
+}
+
+}  // namespace
+
+Genome baseline_genome(const Campaign& campaign) {
+    Genome genome = baseline_numbers(campaign.crop);
+    for (const ComponentEntry& each : campaign.components)
+        if (!each.free.empty()) {
+            const Genome own = baseline_numbers(each.crop);
+            genome.insert(genome.end(), own.begin(), own.end());
+        }
+    return genome;
+}
+
+Plants grow(const Campaign& campaign, const Genome& genome) {
+    if (const std::size_t count = count_genes(campaign); genome.size() != count)
+        throw Error(
+            fmt::format("a genome of {} genes is no plant of this "
+                        "campaign (its traits have {} numbers)",
+                        genome.size(), count));
+    auto next = genome.begin();
+    const auto grown = [&](const Crop& crop, std::size_t count) {
+        const auto first = next;
+        next += static_cast<std::ptrdiff_t>(count);
+        return grow(crop, std::vector<double>(first, next));
+    };
+    Plants plants{grown(campaign.crop, campaign.bounds.size())};
+    for (const ComponentEntry& each : campaign.components)
+        plants.push_back(each.free.empty()
+                             ? each.crop.baseline
+                             : grown(each.crop, each.bounds.size()));
+    return plants;
+}
+
+std::size_t count_genes(const Campaign& campaign) {
+    std::size_t count = campaign.bounds.size();
+    for (const ComponentEntry& each : campaign.components)
+        if (!each.free.empty()) count += each.bounds.size();
+    return count;
+}
+
+GeneSpace gene_space(const Campaign& campaign, const Case& chosen) {
+    GeneSpace genes;
+    append_genes(genes, campaign.crop, campaign.bounds, chosen.traits, "");
+    for (const ComponentEntry& each : campaign.components)
+        if (!each.free.empty())
+            append_genes(genes, each.crop, each.bounds, each.free,
+                         each.name + '.');
+    return genes;
+}
+
+GeneSpace search_genes(const Campaign& campaign, const Case& chosen) {
+    GeneSpace genes = gene_space(campaign, chosen);
+    for (Gene& gene : genes)
+        gene.is_free = gene.is_free && campaign.varied.has_traits;
+    for (const auto& [key, range, unit, value] : campaign.varied.keys)
+        genes.push_back(
+            {key, unit, range.lower, range.upper, false, true, key});
+    return genes;
+}
+
+}  // namespace ideotype

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "crop_reader.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "campaign/schema/schema.hpp"
+#include "files.hpp"
+#include "known_crops.hpp"
+#include "leaf_table.hpp"
+#include "measured_plant.hpp"
+#include "nodes.hpp"
+#include "syntax.hpp"
+#include "tables.hpp"
+
+namespace ideotype {
+
+namespace fs = std::filesystem;
+
+void CropReader::read_key(const toml::node& baseline, const std::string& key) {
+    if (const toml::table* table = baseline.as_table())
+        return read_plant(*table, file_);
+    const bool is_path = baseline.is_string();
+    if (!is_path || source_ == PlantSource::table)
+        return problems_.add(
+            location(baseline.source(), file_),
+            "{} is {} (expected: {}); write {}", key, kind(baseline),
+            is_path ? "the plant itself" : "path or table",
+            is_path ? fmt::format("it as [{}]", key)
+                    : fmt::format("for example {} = \"crops/mine.toml\"",
+                                  key.substr(key.find('.') + 1)));
+    read_plant_file(path_from(file_, *baseline.value<std::string>()), key,
+                    location(baseline.source(), file_));
+}
+
+void CropReader::read_plant(const toml::table& table, const std::string& file) {
+    draft_.has_growth = table.contains("growth");
+    // The bounds of the usual traits are not those of others.
+    if (table.contains("trait")) draft_.bounds.clear();
+    Plant& plant = draft_.campaign.crop.baseline;
+    const TableReader tables(file, of_crop_), shared(file, problems_);
+    const std::vector<Table> own = plant_tables(draft_),
+                             defaults = crop_defaults(draft_);
+    std::vector<Table> all = own;
+    all.insert(all.end(), defaults.begin(), defaults.end());
+    tables.read(table, plant_file_section(plant), all);
+    for (const Table& part : own) tables.read(table, part);
+    // Campaigns have these tables too.
+    for (const Table& part : defaults) shared.read(table, part);
+    for (Leaf& leaf : plant.leaves)
+        if (leaf.insertion_angle == 0 && leaf.curvature == 0)
+            measure_midrib(leaf);
+    stack_internodes(plant);
+    draft_.is_crop_known = true;
+}
+
+void CropReader::read_measured(const std::string& text,
+                               const std::string& file) {
+    problems_.open(file);
+    if (const std::optional<Written> crop = note_of(text, file, "crop")) {
+        draft_.is_crop_known = false;
+        tables_above_.push_back(file);
+        if (const auto known = known_crop(crop->text))
+            read_crop(*known, crop->text);
+        else
+            read_crop_of_table(path_from(file, crop->text), crop->where);
+        tables_above_.pop_back();
+    } else if (!draft_.is_crop_known) {
+        problems_.add(Location{file, 1, 1},
+                      "the table names no crop (which tells stalk, organs and "
+                      "traits); begin it with a line such as # crop: maize, or "
+                      "# crop: FILE.toml");
+    }
+    read_measured_plant(text, file, draft_.is_crop_known,
+                        draft_.campaign.crop.baseline, of_crop_);
+}
+
+void CropReader::read_plant_file(const std::string& file,
+                                 const std::string& named_by,
+                                 const Location& named_at) {
+    const auto text = text_of(file, named_by, named_at, problems_);
+    if (!text) return;
+    if (is_measured(file))
+        read_measured(*text, file);
+    else
+        read_crop(*text, file);
+}
+
+void CropReader::read_crop_of_table(const std::string& file,
+                                    const Location& named_at) {
+    std::error_code none;
+    const auto first = std::find_if(
+        tables_above_.begin(), tables_above_.end(),
+        [&](const std::string& above) {
+            return above == file || fs::equivalent(above, file, none);
+        });
+    if (first == tables_above_.end())
+        return read_plant_file(file, "# crop", named_at);
+    // It begins and ends with the file that the message is about.
+    std::rotate(first, tables_above_.end() - 1, tables_above_.end());
+    problems_.add(named_at,
+                  "the table takes its crop from itself ({} -> {}); name a "
+                  "crop such as maize, or a crop file (.toml)",
+                  fmt::join(first, tables_above_.end(), " -> "), *first);
+    std::rotate(first, first + 1, tables_above_.end());
+}
+
+void CropReader::read_crop(const std::string& text, const std::string& file) {
+    if (const auto table = parse_toml(text, file, problems_))
+        read_plant(*table, file);
+}
+
+}  // namespace ideotype

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "files.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <vector>
+
+#include "ideotype/core/file.hpp"
+
+namespace ideotype {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+//! Another file in the folder whose name is nearest, or "".
+std::string nearest_file(const fs::path& missing) {
+    std::vector<std::string> names;
+    std::error_code none;
+    for (const auto& entry :
+         fs::directory_iterator(missing.parent_path(), none))
+        if (entry.path().extension() == ".toml")
+            names.push_back(entry.path().stem().string());
+    // The order of a folder is not defined; that of the advice is.
+    std::sort(names.begin(), names.end());
+    return nearest_name(missing.stem().string(), names);
+}
+
+}  // namespace
+
+std::string path_from(const std::string& file, const std::string& path) {
+    return (fs::path(file).parent_path() / path)
+        .lexically_normal()
+        .generic_string();
+}
+
+std::string read_text(const std::string& path) {
+    FileText file = read_file(path, most_input_bytes);
+    if (!file.is_there) throw Error(file.refusal(path));
+    return std::move(file.text);
+}
+
+std::optional<std::string> text_of(const std::string& file,
+                                   const std::string& named_by,
+                                   const Location& named_at,
+                                   const Problems& problems) {
+    FileText read = read_file(file, most_input_bytes);
+    if (read.is_there) return std::move(read.text);
+    const std::string near = nearest_file(file);
+    problems.add(named_at, "{} (named by {}); {}", read.refusal(file), named_by,
+                 near.empty() ? "give a path relative to this file"
+                              : "did you mean '" + near + ".toml'?");
+    return std::nullopt;
+}
+
+}  // namespace ideotype

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "value_faults.hpp"
+
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "nodes.hpp"
+#include "spelling.hpp"
+
+namespace ideotype {
+
+namespace {
+
+//! Returns the text without its quotes as TOML, if that is of the right
+//! type.
+std::optional<std::string> without_quotes(const toml::node& found,
+                                          const Key& key) {
+    const auto text = found.value<std::string>();
+    if (!text) return std::nullopt;
+    if (std::holds_alternative<Date*>(key.value) ||
+        std::holds_alternative<std::vector<Date>*>(key.value))
+        return meant_date(*text);
+    if (!std::holds_alternative<double*>(key.value)) return std::nullopt;
+    return key.is_clock() ? meant_time(*text) : meant_number(*text);
+}
+
+}  // namespace
+
+std::string ValueFaults::name() const {
+    return section == "top" ? key.name : section + '.' + key.name;
+}
+
+void ValueFaults::fail(const std::string& what) const {
+    problems.add(key.name, name() + ' ' + what);
+}
+
+void ValueFaults::fail_type(const toml::node& found) const {
+    if (const auto meant = without_quotes(found, key))
+        return fail(
+            fmt::format("is a text (expected: {}); write {} = {} "
+                        "without quotes",
+                        key.type, key.name, *meant));
+    const std::string example =
+        key.example.empty() ? toml_text(key) : key.example;
+    fail(fmt::format("is {} (expected: {}); write for example {} = {}",
+                     kind(found), key.type, key.name, example));
+}
+
+//! Returns the fault of a number, or "".
+std::string ValueFaults::fault(double value) const {
+    const std::string unit = key.unit.empty() ? "" : ' ' + key.unit;
+    if (!std::isfinite(value))
+        return fmt::format(
+            "is {} (not a finite number); give a number{}", value,
+            key.lower == key.upper ? std::string() : " in " + range_text(key));
+    if (key.lower == key.upper) return "";
+    if (value < key.lower)
+        return fmt::format("is {}{} (below the range {}); use {}{} or more",
+                           value, unit, range_text(key), key.lower, unit);
+    if (value > key.upper)
+        return fmt::format("is {}{} (above the range {}); use {}{} or less",
+                           value, unit, range_text(key), key.upper, unit);
+    return "";
+}
+
+//! Reports a number that is in the range in another unit; other entries of
+//! a file most likely have that key in the same unit.
+bool ValueFaults::is_mistaken(double value) const {
+    if (!(value > key.upper)) return false;
+    std::vector<std::string> units, values;
+    for (const auto& [unit, in_ours] : key.mistaken) {
+        const double meant = value * in_ours;
+        if (meant < key.lower || meant > key.upper) continue;
+        units.push_back(unit);
+        values.push_back(fmt::format("{:.6g}", meant));
+    }
+    if (units.empty()) return false;
+    const bool is_length = key.unit == "m";
+    problems.add_once(
+        key.name, name(),
+        fmt::format("{} is {}{}{} (above the range {}, it looks like {}); "
+                    "give {}: {}{}",
+                    name(), value, key.unit.empty() ? "" : " ", key.unit,
+                    range_text(key), fmt::join(units, " or "),
+                    is_length ? "metres" : "a fraction",
+                    fmt::join(values, " or "),
+                    is_length ? ", and check all lengths of this file" : ""));
+    return true;
+}
+
+bool ValueFaults::accepts(double value) const {
+    if (is_mistaken(value)) return false;
+    const std::string why = fault(value);
+    if (!why.empty()) fail(why);
+    return why.empty();
+}
+
+}  // namespace ideotype

@@ -9,8 +9,8 @@ from pathlib import Path
 
 TOP = Path(__file__).parents[2]
 BEGINNING = r"(?:Of|The same|That of|Those of|What|Which|How)\b"
-SHELL = ("*.sh", "*.cmake", "*CMakeLists.txt", ".ci/*", "pyproject.toml")
-MARKS = {"//[!/]?<?": ("*.cpp", "*.hpp"), "#:?": ("*.py", *SHELL)}
+SHELL = ("*.sh", "*.cmake", "*CMakeLists.txt", ".ci/*", "*.toml")
+MARKS = {"//[!/]?<?": ("*.cpp", "*.hpp", "*.js"), "#:?": ("*.py", *SHELL)}
 
 
 def offences(text: str, mark: str) -> list[str]:
@@ -18,12 +18,18 @@ def offences(text: str, mark: str) -> list[str]:
     first = rf"^(?:(?! *{mark}).*|.*SPDX.*)\n *{mark} *({BEGINNING}.*)"
     behind = rf"^ *(?!{mark})\S.* {mark} +({BEGINNING}.*)"
     quoted = rf'^ *"""({BEGINNING}.*)'
-    found = re.findall(f"(?m){first}|{behind}|{quoted}", text)
+    top = rf"\A{mark} *({BEGINNING}.*)"
+    found = re.findall(f"(?m){first}|{behind}|{quoted}|{top}", text)
     return ["".join(each) for each in found]
 
 
 def test_comments_begin_with_what_they_are_about() -> None:
-    for text in ("x = 1  # %s y.", "\n\n# %s z is.", '"""%s w is."""'):
+    for text in (
+        "x = 1  # %s y.",
+        "\n\n# %s z is.",
+        "# %s v is.",
+        '"""%s w is."""',
+    ):
         assert offences(text % "How", "#")
     assert not offences("# A list\n# Of y.", "#")
     found = []

@@ -3,7 +3,7 @@
 // keys.
 const SVG = "http://www.w3.org/2000/svg";
 const REACH = 40;  // of a finger [CSS pixels]
-// Of seeds, around the origin.
+// Marks of seeds, around the origin.
 const MARKS = [
   "M-5,0a5,5 0 1,0 10,0a5,5 0 1,0 -10,0z", "M-4.5,-4.5h9v9h-9z",
   "M0,-5.5L5.5,4.5H-5.5z", "M0,5.5L5.5,-4.5H-5.5z",
@@ -204,7 +204,7 @@ function tableOf(header, rows) {
   return table;
 }
 
-// What is known of a member, beside the baseline.
+// Draws tables of what is known of a member, beside the baseline.
 function tablesOf(front, member) {
   const columns = ["baseline", member.title, "higher by [%]"];
   const rows = front.quantities.map((name, i) => [name, ...member.numbers[i]]);

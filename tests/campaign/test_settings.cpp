@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <array>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
@@ -134,6 +136,30 @@ TEST(Settings, KeysThatAreGoneMayBeSwitchedOff) {
                             "use search.streams"),
                   std::string::npos)
             << error.what();
+    }
+}
+
+TEST(Settings, NamesOfEarlierVersionsLeadToThoseOfToday) {
+    const std::string resolved = read_campaign(ames).resolved;
+    const std::vector<std::array<std::string, 3>> renamed{
+        {"[search]", "[evolution]", "did you mean 'search'"},
+        {"\nboundary", "\ncut", "did you mean 'border_rows'"},
+        {"\nbase_diameter", "\ndiameter", "did you mean 'base_diameter'"},
+        {"\nfolding_angle", "\nfold", "did you mean 'folding_angle'"},
+        {"\ncurvature = ", "\ndroop = ", "did you mean 'curvature'"},
+        {"\ninsertion_angle", "\ninclination",
+         "did you mean 'insertion_angle'"}};
+    for (const auto& [is, was, advice] : renamed) {
+        std::string text = resolved;
+        ASSERT_NE(text.find(is), text.npos) << is;
+        text.replace(text.find(is), is.size(), was);
+        try {
+            parse_campaign(text, "older.toml");
+            FAIL() << "accepted " << was;
+        } catch (const InputError& error) {
+            EXPECT_NE(std::string(error.what()).find(advice), std::string::npos)
+                << error.what();
+        }
     }
 }
 

@@ -168,6 +168,28 @@ const std::vector<GoneKey> gone_keys{
     {"stop", "stagnation", "stop.no_gain"},
     {"stop", "target", "stop.evaluations"}};
 
+//! Names of keys and tables in earlier versions, and those that they have now.
+struct FormerName {
+    std::string section, was, is;
+};
+
+const std::vector<FormerName> former_names{
+    {"top", "evolution", "search"},
+    {"field", "cut", "border_rows"},
+    {"stalk", "diameter", "base_diameter"},
+    {"blade", "droop_exponent", "curvature_exponent"},
+    {"blade", "fold", "folding_angle"},
+    {"leaf", "droop", "curvature"},
+    {"leaf", "inclination", "insertion_angle"}};
+
+//! Returns the name that one most likely stands for, or "".
+std::string meant_name(const std::string& section, const std::string& name,
+                       const std::vector<std::string>& known) {
+    for (const FormerName& former : former_names)
+        if (former.section == section && former.was == name) return former.is;
+    return nearest_name(name, known);
+}
+
 }  // namespace
 
 bool TableReader::is_gone(const std::string& section, const toml::key& key,
@@ -202,7 +224,8 @@ std::set<std::string> TableReader::report_unknown(
             is_gone(section.name, key, value))
             continue;
         const bool is_table = value.is_table() || value.is_array_of_tables();
-        const std::string nearest = nearest_name(name, is_table ? known : keys);
+        const std::string nearest =
+            meant_name(section.name, name, is_table ? known : keys);
         misspelt.insert(nearest);
         problems_.add(location(key.source(), file_),
                       "unknown {} '{}' {} (nothing would read it); {}",

@@ -8,10 +8,10 @@
 #include <fmt/format.h>
 
 #include "campaign/checks/checks.hpp"
+#include "campaign/measured/measured_plant.hpp"
+#include "campaign/measured/weather_reader.hpp"
 #include "campaign/reading/files.hpp"
-#include "campaign/reading/measured_plant.hpp"
 #include "campaign/reading/reader.hpp"
-#include "campaign/reading/weather_reader.hpp"
 #include "campaign/schema/key_factors.hpp"
 #include "campaign/schema/photosynthesis_table.hpp"
 #include "campaign/schema/resolve.hpp"

@@ -8,11 +8,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "campaign/measured/leaf_table.hpp"
+#include "campaign/measured/measured_plant.hpp"
 #include "campaign/schema/schema.hpp"
 #include "files.hpp"
 #include "known_crops.hpp"
-#include "leaf_table.hpp"
-#include "measured_plant.hpp"
 #include "nodes.hpp"
 #include "syntax.hpp"
 #include "tables.hpp"

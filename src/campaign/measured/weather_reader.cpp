@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "files.hpp"
+#include "campaign/reading/files.hpp"
 #include "ideotype/climate/weather.hpp"
 #include "ideotype/core/file.hpp"
 #include "ideotype/core/hash.hpp"

@@ -10,10 +10,10 @@
 #include <fmt/format.h>
 #include <glm/trigonometric.hpp>
 
+#include "campaign/reading/nodes.hpp"
 #include "ideotype/crop/measures.hpp"
 #include "leaf_columns.hpp"
 #include "leaf_table.hpp"
-#include "nodes.hpp"
 
 namespace ideotype {
 

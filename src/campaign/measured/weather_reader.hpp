@@ -5,7 +5,7 @@
 
 #include "campaign/draft.hpp"
 #include "campaign/problems.hpp"
-#include "reader.hpp"
+#include "campaign/reading/reader.hpp"
 
 namespace ideotype {
 

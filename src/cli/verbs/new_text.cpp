@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "campaign/keys.hpp"
+#include "campaign/schema/keys.hpp"
 #include "ideotype/climate/light_series.hpp"
 #include "ideotype/core/error.hpp"
 

@@ -143,6 +143,10 @@ Json to_json(const CanopyReport& report, Span span) {
         groups.get_ref<Json::object_t&>().emplace_back(group_name(report, g),
                                                        part(light.groups[g]));
     json["groups"] = std::move(groups);
+    if (report.boundary == Boundary::isolated)
+        json["surface"] =
+            "bounding box of the plot: light enters from all sides, so that "
+            "fractions of what the ground area receives may exceed 1";
     json["balance_error"] = light.balance_error;
     if (span == Span::day) json["clock"] = clock_name(light.utc_offset);
     for (const StepReport& step : light.steps) {

@@ -12,8 +12,6 @@ from live_page import Served, token
 from tornado.httpclient import HTTPClientError, HTTPRequest
 from tornado.websocket import websocket_connect
 
-pytestmark = pytest.mark.long
-
 
 def answer(
     day: Served, path: str, method: str = "GET", **headers: str

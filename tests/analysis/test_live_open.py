@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What live pages open: plants, campaigns, and folders of histories."""
+"""Live pages open plants, campaigns, and folders of histories."""
 
 from __future__ import annotations
 

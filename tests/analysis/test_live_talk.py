@@ -161,6 +161,9 @@ def test_a_plant_that_was_saved_is_opened_again(
     opened = open_place(DAY)
     genome = opened.genome.copy()
     genome[0] = 0.9
+    names = list(Stand(opened.base).genes["name"])
+    # A search turns leaves beyond north.
+    genome[names.index("leaf02_azimuth")] = -20
     link = http.client.HTTPConnection("127.0.0.1", day.port, timeout=60)
     own = f"http://127.0.0.1:{day.port}"
     for form in ("crop", "campaign"):
@@ -177,6 +180,8 @@ def test_a_plant_that_was_saved_is_opened_again(
         path.write_text(text)
         again = open_place(str(path))
         assert again.genome[0] == pytest.approx(0.9)
+        turned = again.base["plant"]["baseline"]["leaf"][1]
+        assert turned["azimuth"] == pytest.approx(340)
         if form == "campaign":
             assert again.conditions.density == pytest.approx(4.0)
     assert tomllib.loads(text)["plant"]["baseline"]["leaf"][0]["length"] == 0.9

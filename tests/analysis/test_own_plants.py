@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from made_campaign import resolved
 from made_history import MadeHistory
 
 import ideotype
@@ -22,7 +23,8 @@ PLANTS = Path(__file__).parents[2] / "campaigns" / "plants"
 @pytest.fixture(scope="module")
 def case(tmp_path_factory: pytest.TempPathFactory) -> Case:
     path = tmp_path_factory.mktemp("own") / "case_r1.h5"
-    made = MadeHistory(path)
+    attributes = {"case": "ames_0807_762x152_all_r1", "site": "ames"}
+    made = MadeHistory(path, attributes=attributes, resolved=resolved())
     made.evolve(1)
     made.finish()
     made.close()

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
@@ -21,7 +22,7 @@ PLANTS = Path(__file__).parents[2] / "campaigns" / "plants"
 
 
 @pytest.fixture(scope="module")
-def case(tmp_path_factory: pytest.TempPathFactory) -> Case:
+def case(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Case]:
     path = tmp_path_factory.mktemp("own") / "case_r1.h5"
     attributes = {"case": "ames_0807_762x152_all_r1", "site": "ames"}
     made = MadeHistory(path, attributes=attributes, resolved=resolved())
@@ -30,9 +31,7 @@ def case(tmp_path_factory: pytest.TempPathFactory) -> Case:
     made.close()
     with open_study(path) as study:
         (found,) = study.cases()
-        found.remember()
-        _ = found.best_history.resolved
-    return found
+        yield found
 
 
 def test_measured_and_digitised_plants_have_their_own_shape(

@@ -67,7 +67,7 @@ class Ended:
 
 @dataclass
 class Verdict:
-    """What came of a fault, and what is wrong with that, if anything."""
+    """The outcome of a fault, and everything that is wrong with it."""
 
     outcome: str
     wrong: list[str] = field(default_factory=list)

@@ -20,7 +20,7 @@ enum class Kind {
     count
 };
 
-//! What is done to a call.
+//! The treatment of a call.
 struct Fault {
     int error = 0;            //!< errno of the call that fails; 0 if it is cut
     bool is_short = false;    //!< it transfers half of its bytes

@@ -164,7 +164,7 @@ class Case:
         return gain_interval(self.gains(), self._sign)
 
     def relative_gain(self) -> Interval:
-        """Returns the same in % of the baseline."""
+        """Returns the mean over seeds of the gain in % of the baseline."""
         self.need_pairs()
         return gain_interval([pair.gain for pair in self.pairs], self._sign)
 

@@ -276,6 +276,10 @@ std::string crop_text(const Campaign& campaign, const Plant& baseline,
                problems);
     Draft& own = component == 0 ? draft : *draft.components.at(component - 1);
     own.campaign.crop.baseline = baseline;
+    // A search turns leaves beyond north, and files may not.
+    for (Leaf& leaf : own.campaign.crop.baseline.leaves)
+        if (leaf.azimuth < 0 || leaf.azimuth > 360)
+            leaf.azimuth -= 360 * std::floor(leaf.azimuth / 360);
     own.campaign.has_nir = draft.campaign.has_nir;
     return resolved_plant_text(own);
 }

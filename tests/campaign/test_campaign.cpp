@@ -123,6 +123,9 @@ TEST(Campaign, PlantsAreWrittenAsTheyAreRead) {
     EXPECT_EQ(crop_text(campaign, again), text);
     EXPECT_EQ(again.leaves[9].width, b73.leaves[9].width);
     EXPECT_EQ(organ_names(again), organ_names(b73));
+    Plant turned = b73;
+    turned.leaves[9].azimuth = b73.leaves[9].azimuth - 720;
+    EXPECT_EQ(crop_text(campaign, turned), text) << "files begin at north";
     std::ofstream(path, std::ios::app) << "\n[[leaf]]\nlength = 0.5\n";
     EXPECT_THROW(read_plant(path), InputError);
     EXPECT_THROW(read_plant(path + "none"), Error);

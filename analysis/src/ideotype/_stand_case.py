@@ -3,12 +3,10 @@
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Sequence
 
 import numpy as np
 import pandas as pd
-import tomli_w
 from numpy.typing import ArrayLike, NDArray
 
 import ideotype._core as _core
@@ -128,17 +126,7 @@ class StandCase:
         """Returns the text of a crop file with this plant as its baseline.
 
         component: place of the plant's component in `components`."""
-        text = self._case.crop_text(self._plants(genome)[0], component)
-        tables = tomllib.loads(text)
-        turned = [
-            leaf
-            for leaf in tables["leaf"]
-            if not 0 <= leaf.get("azimuth", 0) <= 360
-        ]
-        # A search turns leaves beyond north, and files may not.
-        for leaf in turned:
-            leaf["azimuth"] %= 360
-        return tomli_w.dumps(tables) if turned else text
+        return self._case.crop_text(self._plants(genome)[0], component)
 
     def _plants(self, genomes: ArrayLike) -> NDArray[np.float64]:
         """Returns the genomes as [plants, genes]."""

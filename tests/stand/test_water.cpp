@@ -37,7 +37,7 @@ TEST(Water, LeavesOfTheTemperatureOfTheAirAssimilateAsBeforeToTheBit) {
     EXPECT_EQ(with.at("leaf_warming_0"), 0);
 }
 
-//! The ranges of a hot week are those of the field: docs/water.md.
+//! The ranges are those of maize in a hot week in the field.
 TEST(Water, IsWhatMaizeTranspires) {
     const auto found = numbers(week(balance));
     EXPECT_GT(found.at("transpiration_0"), 3);

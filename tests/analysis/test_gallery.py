@@ -61,12 +61,12 @@ def test_the_numbers_of_each_kind_of_mark_are_told(tmp_path: Path) -> None:
     }
     bars = np.array(found["bars"], float)
     assert bars == pytest.approx(
-        np.array([[1, 3, 0.3, 0.1], [2, 4, 0.4, 0.2]])
+        np.array([[1, 3, 0.7, 1.3, 2.9, 3.1], [2, 4, 1.6, 2.4, 3.8, 4.2]])
     )
     assert [row[:2] for row in found["line"]] == [["5", "7"], ["6", "8"]]
     assert found["parts"] == [
-        ["0.25", "ames", "", ""],
-        ["0.5", "oslo", "", ""],
+        ["0.25", "ames", "", "", "", ""],
+        ["0.5", "oslo", "", "", "", ""],
     ]
 
 

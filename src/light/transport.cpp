@@ -8,15 +8,15 @@
 
 #include <fmt/format.h>
 
-#include "beam_costs.hpp"
-#include "directions.hpp"
-#include "first_hits.hpp"
+#include "beams/beam_costs.hpp"
+#include "beams/directions.hpp"
+#include "beams/first_hits.hpp"
 #include "ideotype/core/contract.hpp"
 #include "ideotype/core/error.hpp"
 #include "ideotype/light/sampler.hpp"
-#include "launch.hpp"
+#include "paths/launch.hpp"
+#include "paths/tracer.hpp"
 #include "resolution_of.hpp"
-#include "tracer.hpp"
 
 namespace ideotype {
 

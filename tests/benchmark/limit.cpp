@@ -7,8 +7,8 @@
 
 #include <benchmark/benchmark.h>
 
-#include "embree_handle.hpp"
 #include "stand.hpp"
+#include "surfaces/embree_handle.hpp"
 
 namespace ideotype {
 

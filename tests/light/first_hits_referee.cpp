@@ -7,11 +7,11 @@
 
 #include <glm/geometric.hpp>
 
-#include "beam_lattice.hpp"
-#include "depth_buffer.hpp"
-#include "directions.hpp"
+#include "beams/beam_lattice.hpp"
+#include "beams/depth_buffer.hpp"
+#include "beams/directions.hpp"
 #include "extremes.hpp"
-#include "travel.hpp"
+#include "paths/travel.hpp"
 
 namespace ideotype {
 

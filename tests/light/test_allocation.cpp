@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "allocation.hpp"
+#include "tolerance/allocation.hpp"
 
 namespace ideotype {
 namespace {

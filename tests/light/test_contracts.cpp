@@ -5,13 +5,12 @@
 
 #include <gtest/gtest.h>
 
-#include "allocation.hpp"
-#include "beam_costs.hpp"
-#include "beam_lattice.hpp"
+#include "beams/beam_costs.hpp"
+#include "beams/beam_lattice.hpp"
+#include "beams/depth_buffer.hpp"
+#include "beams/directions.hpp"
+#include "beams/first_hits.hpp"
 #include "contracts.hpp"
-#include "depth_buffer.hpp"
-#include "directions.hpp"
-#include "first_hits.hpp"
 #include "ideotype/core/random.hpp"
 #include "ideotype/light/backward.hpp"
 #include "ideotype/light/leaf_points.hpp"
@@ -19,14 +18,15 @@
 #include "ideotype/light/resolution.hpp"
 #include "ideotype/light/sunlit.hpp"
 #include "ideotype/light/tolerance.hpp"
-#include "launch.hpp"
-#include "ledger.hpp"
 #include "one_band.hpp"
+#include "paths/launch.hpp"
+#include "paths/ledger.hpp"
+#include "paths/tracer.hpp"
+#include "paths/travel.hpp"
 #include "resolution_of.hpp"
-#include "tracer.hpp"
-#include "travel.hpp"
-#include "trial.hpp"
-#include "workload.hpp"
+#include "tolerance/allocation.hpp"
+#include "tolerance/trial.hpp"
+#include "tolerance/workload.hpp"
 
 namespace ideotype {
 

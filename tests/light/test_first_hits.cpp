@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "beam_lattice.hpp"
-#include "directions.hpp"
+#include "beams/beam_lattice.hpp"
+#include "beams/directions.hpp"
 #include "extremes.hpp"
 #include "first_hits_referee.hpp"
 #include "ideotype/light/sunlit.hpp"

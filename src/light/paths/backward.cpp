@@ -6,7 +6,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "directions.hpp"
+#include "beams/directions.hpp"
 #include "ideotype/core/contract.hpp"
 #include "travel.hpp"
 

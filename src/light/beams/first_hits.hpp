@@ -7,7 +7,7 @@
 #include "depth_buffer.hpp"
 #include "ideotype/light/ray_scene.hpp"
 #include "ideotype/light/sampler.hpp"
-#include "launch.hpp"
+#include "paths/launch.hpp"
 
 namespace ideotype {
 

@@ -7,7 +7,7 @@
 
 #include "ideotype/core/contract.hpp"
 #include "order_by_place.hpp"
-#include "travel.hpp"
+#include "paths/travel.hpp"
 
 namespace ideotype {
 

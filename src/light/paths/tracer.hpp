@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "first_hits.hpp"
+#include "beams/first_hits.hpp"
 #include "ideotype/core/random.hpp"
 #include "ideotype/light/illumination.hpp"
 #include "ideotype/light/optics.hpp"

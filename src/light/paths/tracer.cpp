@@ -7,9 +7,9 @@
 
 #include <glm/geometric.hpp>
 
-#include "directions.hpp"
+#include "beams/directions.hpp"
+#include "beams/order_by_place.hpp"
 #include "ideotype/core/contract.hpp"
-#include "order_by_place.hpp"
 #include "travel.hpp"
 
 namespace ideotype {

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "allocation.hpp"
-#include "beam_costs.hpp"
+#include "beams/beam_costs.hpp"
 #include "ideotype/core/contract.hpp"
 #include "ideotype/light/report.hpp"
 #include "trial.hpp"
@@ -56,10 +56,6 @@ constexpr double hits_of_piece = 1.5;
 double caution(int randomisations) {
     IDEOTYPE_EXPECT(randomisations > 1);
     return 1 + 0.8 / (randomisations - 1);
-}
-
-double squared(double x) {
-    return x * x;
 }
 
 //! Finds the workload that a tolerance asks for in one band.
@@ -243,7 +239,7 @@ class Search {
         const double wanted =
             accuracy_.tolerance / caution(trials_) * found_.mean;
         Amounts amounts = allocate(laws, costs(is_drawn),
-                                   squared(wanted) * accuracy_.randomisations);
+                                   wanted * wanted * accuracy_.randomisations);
         // No figure is known more finely than to one path.
         const double coarsest =
             1 / (accuracy_.tolerance * accuracy_.randomisations);

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "first_hits.hpp"
+#include "beams/first_hits.hpp"
 #include "ideotype/light/layers.hpp"
 #include "ideotype/light/tally.hpp"
 

@@ -26,6 +26,9 @@ HistoryHeader read_header(hid_t file);
 void create_file(const std::string& path, const HistoryHeader& header,
                  const FileLock& lock);
 
+//! Returns how the program opens and creates files on the disk.
+Handle access_properties();
+
 //! Opens as the only writer, whatever a killed writer left behind. The caller
 //! holds the FileLock. @throws Error (refused) if it is not a history.
 Handle open_to_write(const std::string& path);

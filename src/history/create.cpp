@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cerrno>
+#include <cstdint>
+#include <fcntl.h>
+#include <filesystem>
+#include <system_error>
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+#include "checksum.hpp"
+#include "columns.hpp"
+#include "generations.hpp"
+#include "ideotype/core/error.hpp"
+#include "journal.hpp"
+#include "layout.hpp"
+#include "open.hpp"
+
+namespace ideotype {
+
+namespace {
+
+constexpr auto smaller_history =
+    "make room, choose another folder with --out, or ask for fewer "
+    "stop.generations";
+
+void write_everything(hid_t file, const HistoryHeader& header) {
+    write_header(file, header);
+    // The large tables come last: their end is what a file that is cut short
+    // loses.
+    Generations::create(file, header);
+    Journal::create(file);
+    Columns::create(
+        file, header.genes, header.final_schema(),
+        {.group = "final",
+         .rows = counted("finalist", "0 is the baseline",
+                         static_cast<std::size_t>(header.finalists)),
+         .has_checksums = true});
+    Columns::create(file, header.genes, header.schema,
+                    {.group = "evaluations",
+                     .rows = counted("row", "generation after generation",
+                                     static_cast<std::size_t>(header.rows())),
+                     .room = Room::as_needed});
+    create_attribute(file, "checksum", header_checksum(file));
+}
+
+void place_objects(hid_t access) {
+    // A kill can cut a write in two where a page ends, but not within a number
+    // at a multiple of its size.
+    checked(H5Pset_alignment(access, 8, 8), "align the datasets");
+    // The descriptions of all data stand at the beginning, so that a file of
+    // which the end is lost can be opened.
+    checked(H5Pset_meta_block_size(access, 1 << 18), "place the descriptions");
+    // References to scales are kept with small data.
+    checked(H5Pset_small_data_block_size(access, 1 << 17),
+            "place the descriptions");
+}
+
+// Creates a history without rows, in memory.
+Handle create_in_memory(const HistoryHeader& header) {
+    initialize_hdf5();
+    const std::string action = "create a file in memory";
+    const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, action);
+    checked(H5Pset_libver_bounds(access, H5F_LIBVER_V110, H5F_LIBVER_V110),
+            action);
+    checked(H5Pset_fapl_core(access, 1 << 20, false), action);
+    place_objects(access);
+    Handle file(H5Fcreate("in memory", H5F_ACC_TRUNC, H5P_DEFAULT, access),
+                H5Fclose, action);
+    write_everything(file, header);
+    return file;
+}
+
+// Returns the size of a file with so many generations, which is made in memory
+// only.
+std::uint64_t bytes_with(HistoryHeader header, int generations) {
+    header.generations = generations;
+    const std::string action = "measure a file";
+    const Handle file = create_in_memory(header);
+    flush(file);
+    return static_cast<std::uint64_t>(
+        checked(H5Fget_file_image(file, nullptr, 0), action));
+}
+
+//! Waits until the disk has an open file. Returns why it has not, or 0.
+int wait_for_disk(int descriptor) {
+    while (fsync(descriptor) != 0)
+        if (errno != EINTR) return errno;
+    return 0;
+}
+
+//! Waits until the disk has a closed file or folder.
+void synchronize_path(const std::filesystem::path& path) {
+    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0)
+        throw Error(path.string() + ": " +
+                    std::generic_category().message(errno));
+    const int failure = wait_for_disk(descriptor);
+    ::close(descriptor);
+    // Some file systems cannot wait for a folder.
+    if (failure == 0 || failure == EINVAL) return;
+    throw Error(
+        fmt::format("{}: cannot be brought to the disk: {}; look at the "
+                    "disk, or choose another folder with --out",
+                    path.string(), std::generic_category().message(failure)));
+}
+
+//! Gives a complete file the name of another, which it replaces if it exists;
+//! at no time is there neither.
+void put_in_place(const std::string& from, const std::string& to) {
+    std::error_code failure;
+    std::filesystem::rename(from, to, failure);
+    if (failure) throw Error(to + ": " + failure.message());
+    synchronize_path(std::filesystem::absolute(to).parent_path());
+}
+
+}  // namespace
+
+std::uint64_t history_bytes(const HistoryHeader& header) {
+    // Every dataset is one block, at a multiple of 8 bytes: 8 more generations
+    // take the same room each time.
+    constexpr int step = 8;
+    if (header.generations <= 2 * step)
+        return bytes_with(header, header.generations);
+    const std::uint64_t small = bytes_with(header, step);
+    const std::uint64_t large = bytes_with(header, 2 * step);
+    const auto more = static_cast<std::uint64_t>(header.generations - step);
+    return small + (large - small) * more / step;
+}
+
+void create_file(const std::string& path, const HistoryHeader& header,
+                 const FileLock& lock) {
+    // Numbers of rows alone can fill a disk before the whole is reserved.
+    constexpr int many = 1'000'000;
+    if (header.rows() > many)
+        require_room(path, history_bytes(header), smaller_history);
+    const Handle access = access_properties();
+    place_objects(access);
+    const std::string unfinished = lock.open_path();
+    Handle file(
+        H5Fcreate(unfinished.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access),
+        H5Fclose, "create the file");
+    write_everything(file, header);
+    reserve_space(file, path, smaller_history);
+    flush(file);
+    file.close("write the file");
+    synchronize_path(unfinished);
+    put_in_place(path + ".new", path);
+    if (!lock.is_of(path))
+        throw Error(path + ": was replaced while it was created; begin again",
+                    ExitCode::refused);
+}
+
+void synchronize(hid_t file) {
+    if (const int failure = wait_for_disk(descriptor_of(file)); failure != 0)
+        throw Hdf5Error("cannot write: " +
+                        std::generic_category().message(failure));
+}
+
+}  // namespace ideotype

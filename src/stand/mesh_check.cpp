@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mesh_check.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "ideotype/core/error.hpp"
+#include "ideotype/crop/obj_reader.hpp"
+
+namespace ideotype {
+
+namespace {
+
+constexpr double most_faces = most_obj_faces;
+
+//! Crops are lower [m].
+constexpr double usual_height = 20;
+
+//! Light may have to cross a periodic cell this often to get through.
+constexpr double most_crossings = 1000;
+
+//! The checks of a mesh that stands so often on some ground.
+class MeshCheck {
+  public:
+    MeshCheck(const Mesh& mesh, double plants, const Cell& cell)
+        : mesh_(mesh), plants_(plants), cell_(cell) {}
+
+    std::vector<std::string> run() const {
+        if (plants_ * static_cast<double>(mesh_.faces.size()) > most_faces)
+            throw Error(
+                fmt::format("a field of {} plants of {} faces is too "
+                            "large (at most {:.0e} faces)",
+                            plants_, mesh_.faces.size(), most_faces));
+        const auto [bottom, top] = heights();
+        std::vector<std::string> warnings;
+        constexpr double below = -1e-3;  // more than rounding
+        if (bottom < below)
+            warnings.push_back(
+                fmt::format("the mesh reaches {:.4g} m below the soil (z = 0), "
+                            "where there is no light; lift it",
+                            -bottom));
+        if (top > usual_height)
+            warnings.push_back(fmt::format(
+                "the mesh is {:.4g} m high (coordinates are taken as metres); "
+                "if they are centimetres, divide them by 100",
+                top));
+        check_area();
+        if (cell_.boundary == Boundary::periodic) {
+            check_images();
+            check_height(top);
+        }
+        return warnings;
+    }
+
+  private:
+    //! Faces much larger than the period have very many images in the cell.
+    void check_images() const {
+        double images = 0;
+        for (const auto& face : mesh_.faces) {
+            const auto count = [&](double glm::dvec3::*axis, double period) {
+                const auto [least, largest] =
+                    std::minmax({mesh_.vertices[face[0]].*axis,
+                                 mesh_.vertices[face[1]].*axis,
+                                 mesh_.vertices[face[2]].*axis,
+                                 mesh_.vertices[face[3]].*axis});
+                return 1 + (largest - least) / period;
+            };
+            images += count(&glm::dvec3::x, cell_.period_x) *
+                      count(&glm::dvec3::y, cell_.period_y);
+        }
+        if (!(plants_ * images <= most_faces))
+            throw Error(fmt::format(
+                "the mesh covers its period of {} x {} m so often that {:.1e} "
+                "faces would be needed (at most {:.0e}); is it in metres?",
+                cell_.period_x, cell_.period_y, plants_ * images, most_faces));
+    }
+
+    //! Heights of the lowest and the highest face, and of the soil [m].
+    Range heights() const {
+        Range all{0, 0};
+        for (const auto& face : mesh_.faces)
+            for (const std::uint32_t vertex : face) {
+                const double z = mesh_.vertices[vertex].z;
+                all = {std::min(all.lower, z), std::max(all.upper, z)};
+            }
+        return all;
+    }
+
+    //! Light would have to fall almost for ever to meet so few faces, or to get
+    //! out of so many.
+    void check_area() const {
+        constexpr double least = 1e-6, most = 1e4;
+        double area = 0;
+        for (const double each : face_areas(mesh_)) area += each;
+        area *= plants_;
+        const bool is_much = area > most * cell_.ground_area;
+        if (is_much || (cell_.boundary == Boundary::periodic &&
+                        area < least * cell_.ground_area))
+            throw Error(fmt::format(
+                "the mesh has {:.2g} m2 over {:.4g} m2 of ground (the {} is "
+                "{:.0e} of it); is it in metres?",
+                area, cell_.ground_area, is_much ? "most" : "least",
+                is_much ? most : least));
+    }
+
+    //! Light would take almost for ever through a tower in a narrow cell.
+    void check_height(double height) const {
+        const double period = std::min(cell_.period_x, cell_.period_y);
+        if (height > most_crossings * period)
+            throw Error(fmt::format(
+                "the mesh is {:.6g} m high over a period of {:.6g} m (the "
+                "limit is {:.0f} times the period); is it in metres?",
+                height, period, most_crossings));
+    }
+
+    const Mesh& mesh_;
+    double plants_;
+    const Cell& cell_;
+};
+
+}  // namespace
+
+std::vector<std::string> check_mesh(const Mesh& mesh, double plants,
+                                    const Cell& cell) {
+    return MeshCheck(mesh, plants, cell).run();
+}
+
+}  // namespace ideotype

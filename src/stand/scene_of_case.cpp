@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+
+#include "campaign/stages.hpp"
+#include "ideotype/core/contract.hpp"
+#include "ideotype/light/tolerance.hpp"
+#include "placed_objects.hpp"
+#include "stand.hpp"
+
+namespace ideotype {
+
+Layers canopy_layers(const Campaign& campaign) {
+    constexpr double thickness = 0.25;
+    return {thickness,
+            static_cast<std::size_t>(std::ceil(campaign.reach / thickness))};
+}
+
+namespace {
+
+//! The place of a component's first material among those of the scene.
+std::uint32_t first_material(std::size_t component) {
+    return static_cast<std::uint32_t>(plant_materials * component);
+}
+
+//! Makes a component one of a mixture that shares its places.
+void mix(Component& component, std::size_t plants) {
+    component.ground_per_plant *= static_cast<double>(component.places.size()) /
+                                  static_cast<double>(plants);
+    component.mixed = plants;
+}
+
+//! Sets where the plants of a component stand, and how they turn.
+void stand_in(Component& component, FieldForm form, const Campaign& campaign,
+              const Standing& standing) {
+    if (standing.plants > 0) {
+        form.spacing.plant *= form.plants;
+        form.plants = standing.plants;
+        form.spacing.plant /= form.plants;
+    }
+    if (standing.jitter) {
+        form.jitter = *standing.jitter;
+        form.variation.across_row.reset();
+    }
+    if (standing.variation) form.variation = *standing.variation;
+    const bool is_mixed = standing.mixed > 0;
+    set_places(component, form, is_mixed ? bred_rows(campaign) : standing.rows);
+    if (is_mixed) mix(component, static_cast<std::size_t>(standing.mixed));
+}
+
+//! Gives lower leaves that a crop file leaves out the rates of its lowest one,
+//! where leaves differ by rank and assimilate.
+//! @param own leaves of the crop file
+void complete_rates(Component& component, std::size_t own) {
+    if (!component.photosynthesis) return;
+    Photosynthesis& photosynthesis = *component.photosynthesis;
+    const std::size_t all = component.plant->leaves.size();
+    const bool is_by_rank = photosynthesis.profile == CapacityProfile::rank;
+    if (own == all || (!is_by_rank && photosynthesis.rates.size() == 1)) return;
+    std::vector<LeafRates>& rates = photosynthesis.rates;
+    if (is_by_rank)
+        rates = rates_of_leaves(photosynthesis, std::vector<double>(own));
+    if (is_by_rank) photosynthesis.profile = CapacityProfile::none;
+    rates.insert(rates.begin(), all - own, LeafRates(rates.front()));
+}
+
+//! Makes a component that of a full-grown plant, or of one at the age that it
+//! has at a stage.
+void set_grown(const Campaign& campaign, const Case& in, std::size_t number,
+               const Plant& plant, Component& component) {
+    if (!in.stage) return set_plant(component, plant, first_material(number));
+    const Growth* const growth = growth_of(campaign, number);
+    const double age = in.stage->ages[number];
+    const double before = in.stage->ages_before[number];
+    set_plant(component, growth ? plant_at(*growth, plant, age) : plant,
+              first_material(number));
+    component.full_grown = plant;
+    const Mesh mesh =
+        build_plant(growth ? complete_plant(*growth, plant) : plant,
+                    component.tessellation);
+    const std::vector<double> areas = face_areas(mesh);
+    const std::vector<LeafDates> dates =
+        growth ? leaf_dates(*growth) : std::vector<LeafDates>{};
+    component.built.assign(growth ? dates.size() : plant.leaves.size(), 0);
+    for (std::size_t f = 0; f < areas.size(); ++f) {
+        const std::size_t leaf = mesh.face_group[f];
+        if (leaf >= component.built.size()) continue;
+        component.built[leaf] +=
+            areas[f] * (growth ? visible_share(dates[leaf], age) -
+                                     visible_share(dates[leaf], before)
+                               : (in.stage->number == 0 ? 1 : 0));
+    }
+}
+
+//! Tells whether figures of single rows are wanted: rows are not alike, and
+//! each has plants of one component.
+bool has_rows_apart(const Campaign& campaign) {
+    const FieldForm& field = campaign.field;
+    return field.boundary == Boundary::periodic && field.rows > 1 &&
+           (!field.row_pattern.empty() || !campaign.components.empty()) &&
+           std::none_of(campaign.components.begin(), campaign.components.end(),
+                        [](const ComponentEntry& each) {
+                            return each.standing.mixed > 0;
+                        });
+}
+
+//! Returns how many dates have suns of their own: stages share them out.
+int sun_dates_of(const Campaign& campaign, const Case& chosen) {
+    return chosen.stage
+               ? (campaign.sun_dates + campaign.stages - 1) / campaign.stages
+               : campaign.sun_dates;
+}
+
+//! Gives a stage its part of the paths, by what it carries: errors of stages
+//! are independent, so that all of them together have the tolerance.
+void take_share(const Stage& stage, Sampling& sampling) {
+    IDEOTYPE_EXPECT(stage.share > 0);
+    constexpr double largest = 0.5;
+    Accuracy& accuracy = sampling.accuracy;
+    accuracy.paths =
+        std::max(static_cast<int>(fewest_paths),
+                 static_cast<int>(std::lround(accuracy.paths * stage.share)));
+    accuracy.tolerance =
+        std::min(largest, accuracy.tolerance / std::sqrt(stage.share));
+    sampling.randomness.first_randomisation +=
+        stage.number * static_cast<std::uint32_t>(accuracy.randomisations);
+}
+
+}  // namespace
+
+Scene scene_of(const Campaign& campaign, const Case& chosen) {
+    FieldForm form = campaign.field;
+    form.spacing = chosen.spacing;
+    Scene scene;
+    scene.cell = cell_of(form);
+    scene.components = {
+        component_of(campaign.crop.baseline, form, campaign.tessellation)};
+    Component& bred = scene.components.front();
+    bred.photosynthesis = campaign.photosynthesis;
+    bred.stomata = campaign.stomata;
+    scene.water = campaign.water;
+    if (chosen.stage) {
+        set_grown(campaign, chosen, 0, campaign.crop.baseline, bred);
+        complete_rates(bred, campaign.crop.baseline.leaves.size());
+    }
+    scene.bands = {
+        {"par",
+         illuminate(light_of(campaign, chosen), campaign.sky_model,
+                    chosen.spacing.row_direction,
+                    has_trackers(campaign) ? Skies::each : Skies::shared,
+                    sun_dates_of(campaign, chosen)),
+         {campaign.optics.materials(), campaign.soil_albedo}}};
+    if (campaign.has_nir) {
+        scene.bands.push_back(
+            {"nir",
+             in_band(scene.light(), &TimeStep::nir),
+             {campaign.nir_optics.materials(), campaign.nir_soil_albedo}});
+        const bool is_nir = campaign.bounded_band == BoundedBand::nir;
+        scene.bands[0].is_bounded = !is_nir;
+        scene.bands[1].is_bounded = is_nir;
+    }
+    if (has_rows_apart(campaign)) scene.cell.row_ground = ground_of_rows(form);
+    if (campaign.components.empty()) {
+        add_objects(scene, campaign, form.spacing);
+        return scene;
+    }
+    set_places(bred, form, bred_rows(campaign));
+    if (bred_plants(campaign) < bred.places.size())
+        mix(bred, bred_plants(campaign));
+    for (const ComponentEntry& each : campaign.components) {
+        Component& component = scene.components.emplace_back();
+        component.name = each.name;
+        component.tessellation = campaign.tessellation;
+        component.photosynthesis = each.photosynthesis;
+        component.stomata = each.stomata;
+        set_grown(campaign, chosen, scene.components.size() - 1,
+                  each.crop.baseline, component);
+        complete_rates(component, each.crop.baseline.leaves.size());
+        stand_in(component, form, campaign, each.standing);
+        for (Band& band : scene.bands)
+            for (const Material& material :
+                 (band.name == "nir" ? each.nir_optics : each.optics)
+                     .materials())
+                band.optics.materials.push_back(material);
+    }
+    add_objects(scene, campaign, form.spacing);
+    return scene;
+}
+
+Details details_of(const Campaign& campaign) {
+    return {.lines = campaign.feasibility.lines};
+}
+
+CanopyRequest request_of(Sampling sampling, const Campaign& campaign,
+                         const Case& in, Scene scene, const Plants& plants) {
+    IDEOTYPE_EXPECT(!plants.empty() &&
+                    plants.size() <= scene.components.size());
+    for (std::size_t i = 0; i < plants.size(); ++i)
+        if (i == 0 || !campaign.components.at(i - 1).free.empty())
+            set_grown(campaign, in, i, plants[i], scene.components.at(i));
+    if (in.stage) take_share(*in.stage, sampling);
+    return {std::move(scene), canopy_layers(campaign), sampling.accuracy,
+            sampling.randomness, details_of(campaign)};
+}
+
+}  // namespace ideotype

@@ -195,8 +195,7 @@ Campaign parse(const std::string& text, const std::string& file,
 
 Campaign read_campaign(const std::string& path,
                        const std::vector<std::string>& settings) {
-    const std::string text = read_text(path);
-    return read_campaign_text(text, path, settings);
+    return read_campaign_text(read_text(path), path, settings);
 }
 
 Campaign read_campaign_text(const std::string& text, const std::string& path,
@@ -235,18 +234,16 @@ Plant read_plant(const std::string& path) {
 }
 
 Photosynthesis read_photosynthesis(const std::string& path) {
-    const std::string text = read_text(path);
     PhotosynthesisTable table = photosynthesis_of_meshes();
     Problems problems;
-    read_tables(text, path, {one_table(photosynthesis_section(table))},
-                problems);
+    read_tables(read_text(path), path,
+                {one_table(photosynthesis_section(table))}, problems);
     check_photosynthesis(table, 0, problems);
     problems.throw_if_any();
     return to_photosynthesis(table);
 }
 
 SeasonLight read_climate(const std::string& path) {
-    const std::string text = read_text(path);
     Draft draft;
     Problems problems;
     Campaign& campaign = draft.campaign;
@@ -254,7 +251,7 @@ SeasonLight read_climate(const std::string& path) {
     campaign.climates.assign(1, {});
     // It has no [optics].
     problems.locate("optics.par_fraction", {path, 1, 1});
-    read_tables(text, path, climate_file_tables(campaign), problems);
+    read_tables(read_text(path), path, climate_file_tables(campaign), problems);
     read_weathers(path, PlantSource::file_or_table, draft, problems);
     problems.throw_if_any();
     Case chosen;

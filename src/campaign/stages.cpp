@@ -2,11 +2,10 @@
 #include "stages.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numeric>
 
 #include <fmt/format.h>
+
+#include "stage_times.hpp"
 
 namespace ideotype {
 
@@ -98,134 +97,6 @@ class Ages {
     std::vector<std::vector<double>> times_;
 };
 
-//! A canopy at an age, roughly: the part of light that green leaves intercept,
-//! and how much of their height and of their angles plants have.
-struct Shape {
-    double interception = 0, height = 0, unfolded = 0;
-};
-
-//! The shapes of the canopy of a crop's baseline over time.
-class Shapes {
-  public:
-    Shapes(const Growth& growth, const Plant& plant,
-           const Tessellation& tessellation, double ground_per_plant)
-        : growth_(growth),
-          dates_(leaf_dates(growth)),
-          heights_(final_collar_heights(growth, plant)),
-          sheath_(plant.sheath.length) {
-        // Areas of the plant's own leaves need not be those of its growth.
-        double all = 0;
-        for (const LeafDates& leaf : dates_) all += leaf.area;
-        const Mesh mesh =
-            build_plant(complete_plant(growth, plant), tessellation);
-        index_ = plant_area(mesh).leaves / all / ground_per_plant;
-    }
-
-    Shape at(double time) const {
-        constexpr double extinction = 0.6;
-        double green = 0, visible = 0, unfolded = 0;
-        for (const LeafDates& leaf : dates_) {
-            const double share = visible_share(leaf, time);
-            green += blade_area(growth_, leaf, time).green;
-            visible += leaf.area * share;
-            unfolded += leaf.area * share * share;
-        }
-        return {1 - std::exp(-extinction * index_ * green),
-                collar_heights(growth_, heights_, sheath_, time).back() /
-                    heights_.back(),
-                visible > 0 ? unfolded / visible : 0};
-    }
-
-    //! When half of the first leaf is out.
-    double first() const {
-        return (dates_.front().tip + dates_.front().collar) / 2;
-    }
-
-  private:
-    const Growth& growth_;
-    std::vector<LeafDates> dates_;
-    std::vector<double> heights_;
-    double sheath_, index_ = 0;
-};
-
-//! Chooses so many of some points, the first and the last among them, so that
-//! straight lines between chosen ones are nearest to the values of all (by
-//! dynamic programming).
-std::vector<std::size_t> best_knots(const std::vector<Shape>& values,
-                                    std::size_t count) {
-    // Heights and angles change carbon less than leaf area does.
-    constexpr double of_form = 0.5;
-    const std::size_t n = values.size();
-    const auto error = [&](std::size_t a, std::size_t b) {
-        double sum = 0;
-        for (std::size_t i = a + 1; i < b; ++i) {
-            const double place =
-                static_cast<double>(i - a) / static_cast<double>(b - a);
-            const auto off = [&](double Shape::*part) {
-                return std::abs(values[i].*part - std::lerp(values[a].*part,
-                                                            values[b].*part,
-                                                            place));
-            };
-            sum += off(&Shape::interception) +
-                   of_form * values[i].interception *
-                       (off(&Shape::height) + off(&Shape::unfolded));
-        }
-        return sum;
-    };
-    constexpr double none = std::numeric_limits<double>::infinity();
-    std::vector<double> best(n, none);
-    best[0] = 0;
-    std::vector<std::vector<std::size_t>> from;
-    for (std::size_t k = 1; k < count; ++k) {
-        std::vector<double> next(n, none);
-        from.emplace_back(n);
-        for (std::size_t b = k; b < n; ++b)
-            for (std::size_t a = k - 1; a < b; ++a)
-                if (const double sum = best[a] + error(a, b); sum < next[b]) {
-                    next[b] = sum;
-                    from.back()[b] = a;
-                }
-        best = std::move(next);
-    }
-    std::vector<std::size_t> knots{n - 1};
-    while (!from.empty()) {
-        knots.insert(knots.begin(), from.back()[knots.front()]);
-        from.pop_back();
-    }
-    return knots;
-}
-
-//! The thermal times of stages until some time. A single one is in the middle
-//! of the time with the most leaves.
-std::vector<double> stage_times(const Shapes& shapes, double last, int count) {
-    constexpr std::size_t steps = 80;
-    std::vector<double> times;
-    std::vector<Shape> values;
-    for (std::size_t i = 0; i <= steps; ++i) {
-        times.push_back(
-            std::lerp(shapes.first(), last, static_cast<double>(i) / steps));
-        values.push_back(shapes.at(times.back()));
-    }
-    if (count == 1) {
-        double most = 0;
-        for (const Shape& each : values)
-            most = std::max(most, each.interception * (1 - 1e-9));
-        const auto is_most = [&](const Shape& x) {
-            return x.interception >= most;
-        };
-        const auto low = std::find_if(values.begin(), values.end(), is_most);
-        const auto high = std::find_if(values.rbegin(), values.rend(), is_most);
-        return {(times[static_cast<std::size_t>(low - values.begin())] +
-                 times[static_cast<std::size_t>(values.rend() - high) - 1]) /
-                2};
-    }
-    std::vector<double> chosen;
-    for (const std::size_t knot :
-         best_knots(values, static_cast<std::size_t>(count)))
-        chosen.push_back(times[knot]);
-    return chosen;
-}
-
 //! The part of the time around a thermal time that a stage stands for.
 double weight(const Stage& stage, double time) {
     if (time < stage.at)
@@ -258,29 +129,28 @@ void add_stages(const Campaign& campaign, Case& one) {
     if (!campaign.crop.growth || campaign.climates.empty() ||
         !climate_of(campaign, one).grows())
         return;
-    const Growth& growth = *campaign.crop.growth;
     const LightSeries series = light_of(campaign, one);
     const Season season = season_of(campaign, one, series);
-    const Shapes shapes(growth, campaign.crop.baseline, campaign.tessellation,
-                        one.spacing.row * one.spacing.plant);
-    const std::vector<double> at =
-        stage_times(shapes, season.times[season.end - 1], campaign.stages);
+    const std::vector<StageTime> times =
+        stage_times(campaign, one.spacing.row * one.spacing.plant,
+                    season.times[season.end - 1]);
     const Ages ages(campaign, one, season, series);
     const Case whole = one;
     double sum = 0;
-    for (std::size_t k = 0; k < at.size(); ++k) {
-        Stage stage{static_cast<std::uint32_t>(k), at[k]};
-        if (k > 0) stage.before = at[k - 1];
-        if (k + 1 < at.size()) stage.after = at[k + 1];
+    for (std::size_t k = 0; k < times.size(); ++k) {
+        const auto [at, interception] = times[k];
+        Stage stage{static_cast<std::uint32_t>(k), at};
+        if (k > 0) stage.before = times[k - 1].at;
+        if (k + 1 < times.size()) stage.after = times[k + 1].at;
         const auto step = static_cast<std::size_t>(
             std::lower_bound(season.times.begin(),
                              season.times.begin() +
                                  static_cast<std::ptrdiff_t>(season.end - 1),
-                             at[k]) -
+                             at) -
             season.times.begin());
         stage.day = static_cast<double>(step - season.begin) *
                     series.steps[step].seconds / 86400;
-        stage.ages = ages.at(step, at[k]);
+        stage.ages = ages.at(step, at);
         stage.ages_before =
             k > 0 ? one.stages[k - 1].stage->ages : ages.before();
         stage.share = 0;
@@ -288,7 +158,7 @@ void add_stages(const Campaign& campaign, Case& one) {
             stage.share +=
                 weight(stage, season.times[i]) *
                 (series.steps[i].par.beam + series.steps[i].par.diffuse);
-        stage.share *= shapes.at(at[k]).interception;
+        stage.share *= interception;
         sum += stage.share;
         one.stages.push_back(whole);
         one.stages.back().stage = std::move(stage);

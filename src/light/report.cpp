@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <numeric>
 
 #include "ideotype/core/contract.hpp"
 
@@ -258,46 +257,6 @@ Estimate absorbed_by_leaves(const std::vector<Tally>& tallies) {
     const Resolution resolution = resolution_of(tallies);
     return over(tallies, resolution, resolution.leaves,
                 [](const Tally& t) { return t.leaves(); });
-}
-
-SunlitReport report(const SunlitFractions& sunlit,
-                    const SeriesIllumination& illumination) {
-    const LightSeries& series = illumination.series;
-    IDEOTYPE_EXPECT(sunlit.steps.size() == illumination.light.sources.size());
-    // Returns a weighted mean over steps by randomisation, which is certain
-    // without any sun.
-    const auto mean = [&](const std::vector<std::size_t>& steps,
-                          const auto& weight,
-                          std::vector<double>& randomisations) {
-        randomisations.assign(sunlit.fractions.size(), 0);
-        bool has_sun = false;
-        double least = 0;
-        for (const std::size_t i : steps) {
-            if (illumination.beam_of[i] < 0) continue;
-            has_sun = true;
-            const auto beam = static_cast<std::size_t>(illumination.beam_of[i]);
-            const double part = weight(series.steps[i]);
-            least = std::max(least, part * sunlit.steps[beam]);
-            for (std::size_t r = 0; r < randomisations.size(); ++r)
-                randomisations[r] += part * sunlit.fractions[r][beam];
-        }
-        return has_sun ? at_least(
-                             estimate(randomisations),
-                             least / static_cast<double>(randomisations.size()))
-                       : Estimate{};
-    };
-    SunlitReport result;
-    std::vector<double> of_hour;
-    for (const std::vector<std::size_t>& steps : series.steps_of_hours())
-        result.hours.push_back(mean(
-            steps, [&](const TimeStep&) { return 1. / series.days; }, of_hour));
-    const double lit = series.lit_seconds();
-    std::vector<std::size_t> all(series.steps.size());
-    std::iota(all.begin(), all.end(), std::size_t{0});
-    result.mean = mean(
-        all, [&](const TimeStep& step) { return step.seconds / lit; },
-        result.mean_by_randomisation);
-    return result;
 }
 
 }  // namespace ideotype

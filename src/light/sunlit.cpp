@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <glm/geometric.hpp>
 
 #include "ideotype/core/contract.hpp"
 #include "ideotype/light/backward.hpp"
 #include "ideotype/light/leaf_points.hpp"
+#include "ideotype/light/report.hpp"
 #include "ideotype/light/sampler.hpp"
 
 namespace ideotype {
@@ -103,6 +105,46 @@ double beam_cosine(const RayScene& scene, std::uint32_t triangle,
     IDEOTYPE_EXPECT(triangle < scene.surfaces().normals.size());
     return std::abs(glm::dot(scene.surfaces().normals[triangle], direction) /
                     direction.z);
+}
+
+SunlitReport report(const SunlitFractions& sunlit,
+                    const SeriesIllumination& illumination) {
+    const LightSeries& series = illumination.series;
+    IDEOTYPE_EXPECT(sunlit.steps.size() == illumination.light.sources.size());
+    // Returns a weighted mean over steps by randomisation, which is certain
+    // without any sun.
+    const auto mean = [&](const std::vector<std::size_t>& steps,
+                          const auto& weight,
+                          std::vector<double>& randomisations) {
+        randomisations.assign(sunlit.fractions.size(), 0);
+        bool has_sun = false;
+        double least = 0;
+        for (const std::size_t i : steps) {
+            if (illumination.beam_of[i] < 0) continue;
+            has_sun = true;
+            const auto beam = static_cast<std::size_t>(illumination.beam_of[i]);
+            const double part = weight(series.steps[i]);
+            least = std::max(least, part * sunlit.steps[beam]);
+            for (std::size_t r = 0; r < randomisations.size(); ++r)
+                randomisations[r] += part * sunlit.fractions[r][beam];
+        }
+        return has_sun ? at_least(
+                             estimate(randomisations),
+                             least / static_cast<double>(randomisations.size()))
+                       : Estimate{};
+    };
+    SunlitReport result;
+    std::vector<double> of_hour;
+    for (const std::vector<std::size_t>& steps : series.steps_of_hours())
+        result.hours.push_back(mean(
+            steps, [&](const TimeStep&) { return 1. / series.days; }, of_hour));
+    const double lit = series.lit_seconds();
+    std::vector<std::size_t> all(series.steps.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    result.mean = mean(
+        all, [&](const TimeStep& step) { return step.seconds / lit; },
+        result.mean_by_randomisation);
+    return result;
 }
 
 }  // namespace ideotype

@@ -2,14 +2,10 @@
 #include "ideotype/light/tolerance.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
-#include "allocation.hpp"
-#include "beams/beam_costs.hpp"
 #include "ideotype/core/contract.hpp"
 #include "ideotype/light/report.hpp"
-#include "trial.hpp"
+#include "work_costs.hpp"
 #include "workload.hpp"
 
 namespace ideotype {
@@ -35,28 +31,10 @@ constexpr double longest_step = 8;
 //! the variance.
 constexpr std::size_t trial_suns = 4;
 
-//! The first hits of a sun from which on a lattice beats independent rays; a
-//! guess, which a trial replaces.
-constexpr double even_for_lattices = 30;
-
 //! The factors by which variances count more if leaves are to be known piece by
 //! piece, for what they make of their light: that of diffuse light, most of
 //! which falls on shaded leaves, is worth more. See tests/benchmark/README.md.
 constexpr ByOrigin<double> worth_to_leaves{1.2, 2, 2};
-
-//! The fewest hits of diffuse light per piece, in all randomisations together:
-//! with fewer the scatter of products would exceed that of the light itself.
-constexpr double hits_of_piece = 1.5;
-
-//! Returns the factor by which errors of trials are multiplied. A trial that
-//! underestimates the error leads to too few paths. The expected error stays
-//! within the tolerance if all estimates are multiplied by the mean of sqrt(v /
-//! X), X from a chi-square distribution with v degrees of freedom: 1 + 3 / (4
-//! v) and a little.
-double caution(int randomisations) {
-    IDEOTYPE_EXPECT(randomisations > 1);
-    return 1 + 0.8 / (randomisations - 1);
-}
 
 //! Finds the workload that a tolerance asks for in one band.
 class Search {
@@ -93,10 +71,10 @@ class Search {
                 work = work_of(amounts, light_);
                 continue;
             }
-            Amounts enough = cheapest(found_.laws, is_drawn, least);
-            if (!is_drawn && pays_to_draw(enough, least)) {
+            Amounts enough = costs_.cheapest(found_.laws, is_drawn, least);
+            if (!is_drawn && costs_.pays_to_draw(enough, least)) {
                 is_drawn = true;
-                enough = cheapest(guess(), true, least);
+                enough = costs_.cheapest(costs_.guess(), true, least);
                 amounts = drawn_trial(enough);
             } else if (is_drawn &&
                        enough[LightOrigin::beams] <=
@@ -105,7 +83,8 @@ class Search {
                 return work_of(is_capped_ ? capped(enough) : enough, light_);
             } else {
                 const Amounts next = scaled(enough, 1 / step());
-                if (cost(next, is_drawn) <= cost(amounts, is_drawn) ||
+                if (costs_.cost(next, is_drawn) <=
+                        costs_.cost(amounts, is_drawn) ||
                     is_beyond(next)) {
                     is_capped_ = is_beyond(enough);
                     return work_of(is_capped_ ? capped(enough) : enough,
@@ -151,18 +130,14 @@ class Search {
         return static_cast<std::uint32_t>(accuracy_.paths);
     }
 
-    static double first_hits(const Amounts& amounts) {
-        return amounts[LightOrigin::beams] + amounts[LightOrigin::skies];
-    }
-
     bool is_beyond(const Amounts& amounts) const {
-        return first_hits(amounts) > most();
+        return first_hits_of(amounts) > most();
     }
 
     //! Returns amounts with the most first hits. Scattered light keeps its
     //! paths, which are bounded as well: few of them would carry too much each.
     Amounts capped(const Amounts& amounts) const {
-        Amounts most_amounts = scaled(amounts, most() / first_hits(amounts));
+        Amounts most_amounts = scaled(amounts, most() / first_hits_of(amounts));
         most_amounts[LightOrigin::scattered] =
             std::min<double>(amounts[LightOrigin::scattered], most());
         return most_amounts;
@@ -183,101 +158,6 @@ class Search {
         }
     }
 
-    //! Returns the time of one more unit of each amount, in every randomisation
-    //! of the result [us].
-    ByOrigin<double> costs(bool is_drawn) const {
-        ByOrigin<double> all{Costs::ray, Costs::ray,
-                             Costs::ray * found_.rays_per_unit};
-        if (is_drawn) all[LightOrigin::beams] = Costs::point;
-        for (double& cost : all) cost *= accuracy_.randomisations;
-        return all;
-    }
-
-    //! Returns the time of the result [us].
-    double cost(const Amounts& amounts, bool is_drawn) const {
-        const ByOrigin<double> each = costs(is_drawn);
-        double sum = 0;
-        for (std::size_t o = 0; o < origins; ++o)
-            if (!is_drawn || o != LightOrigin::beams)
-                sum += each[o] * amounts[o];
-        if (!is_drawn) return sum;
-        const Workload work = work_of(amounts, light_);
-        for (std::size_t s = 0; s < light_.sources.size(); ++s)
-            if (light_.sources[s].direction)
-                sum += cost_of_drawing(
-                    subject_.scene, *light_.sources[s].direction,
-                    work.first_hits[s], accuracy_.randomisations);
-        return sum;
-    }
-
-    //! Returns the laws that drawing the beams would have.
-    ByOrigin<Law> guess() const {
-        ByOrigin<Law> laws = found_.laws;
-        Law& law = laws[LightOrigin::beams];
-        const double even =
-            even_for_lattices *
-            static_cast<double>(std::count_if(
-                light_.sources.begin(), light_.sources.end(),
-                [](const Source& s) { return s.direction.has_value(); }));
-        law = {even, law.at(even), power_of_lattices};
-        return laws;
-    }
-
-    bool pays_to_draw(const Amounts& by_rays, const Amounts& least) const {
-        if (subject_.scene.boundary() != Boundary::periodic ||
-            found_.laws[LightOrigin::beams].variance == 0)
-            return false;
-        // The trial of drawn beams costs something too.
-        constexpr double with_trial = 1.3;
-        return cost(cheapest(guess(), true, least), true) * with_trial <
-               cost(by_rays, false);
-    }
-
-    //! Returns the cheapest amounts that meet the tolerance.
-    Amounts cheapest(const ByOrigin<Law>& laws, bool is_drawn,
-                     const Amounts& least) const {
-        const double wanted =
-            accuracy_.tolerance / caution(trials_) * found_.mean;
-        Amounts amounts = allocate(laws, costs(is_drawn),
-                                   wanted * wanted * accuracy_.randomisations);
-        // No figure is known more finely than to one path.
-        const double coarsest =
-            1 / (accuracy_.tolerance * accuracy_.randomisations);
-        const double part = coarsest / first_hits(least);
-        for (const LightOrigin origin :
-             {LightOrigin::beams, LightOrigin::skies})
-            amounts[origin] = std::max(amounts[origin], part * least[origin]);
-        amounts[LightOrigin::scattered] =
-            std::max(amounts[LightOrigin::scattered], coarsest);
-        for (std::size_t o = 0; o < origins; ++o)
-            amounts[o] = std::max(amounts[o], least[o]);
-        if (has_pieces_) {
-            const double more = for_pieces(amounts);
-            amounts[LightOrigin::skies] *= more;
-            amounts[LightOrigin::scattered] *= more;
-        }
-        return amounts;
-    }
-
-    //! Returns the factor by which light that is no beam has to be increased to
-    //! meet enough pieces, within reason: there may be next to none, or very
-    //! many pieces.
-    double for_pieces(const Amounts& amounts) const {
-        constexpr double most_times = 16;
-        const double skies = amounts[LightOrigin::skies];
-        const double hits =
-            accuracy_.randomisations *
-            (skies + found_.rays_per_unit * amounts[LightOrigin::scattered]);
-        if (!(hits > 0)) return 1;
-        double times = std::min(
-            hits_of_piece * static_cast<double>(subject_.groups.size()) / hits,
-            most_times);
-        if (skies > 0)
-            times =
-                std::min(times, (most() - amounts[LightOrigin::beams]) / skies);
-        return std::max(times, 1.);
-    }
-
     Subject subject_;
     bool has_pieces_;
     const Illumination& light_;
@@ -289,6 +169,7 @@ class Search {
     bool is_capped_ = false;
 
     Findings found_;  //!< findings of the last trial
+    WorkCosts costs_{subject_, has_pieces_, accuracy_, trials_, found_};
 };
 
 //! Combines the workloads of bands, of which some are bounded.

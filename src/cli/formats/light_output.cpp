@@ -117,55 +117,6 @@ Json assimilation_json(const CanopyReport& report, Span span) {
     return json;
 }
 
-}  // namespace
-
-Json to_json(const CanopyReport& report, Span span) {
-    const DayReport& light = report.par().light;
-    const auto part = [&](Estimate x) {
-        return to_json(fraction_of(x, light.day.incident));
-    };
-    Json json{{"lai", report.lai}, {"ground_area_m2", report.ground_area}};
-    json.update(
-        to_json(light.day, report, span == Span::day ? "J m-2 day-1" : "1"));
-    json["leaf_by_face"] = {{"upper", part(light.adaxial)},
-                            {"lower", part(light.abaxial)}};
-    json["leaf_by_layer"] = Json::array();
-    for (std::size_t l = 0; l < light.layers.size(); ++l) {
-        const double lower = report.layers.thickness * static_cast<double>(l);
-        json["leaf_by_layer"].push_back(
-            {{"from_m", lower},
-             {"to_m", lower + report.layers.thickness},
-             {"leaf", part(light.layers[l])}});
-    }
-    // Names differ; to look each up among the others takes too long.
-    Json groups = Json::object();
-    for (std::size_t g = 0; g < report.groups.size(); ++g)
-        groups.get_ref<Json::object_t&>().emplace_back(group_name(report, g),
-                                                       part(light.groups[g]));
-    json["groups"] = std::move(groups);
-    if (report.boundary == Boundary::isolated)
-        json["surface"] =
-            "bounding box of the plot: light enters from all sides, so that "
-            "fractions of what the ground area receives may exceed 1";
-    json["balance_error"] = light.balance_error;
-    if (span == Span::day) json["clock"] = clock_name(light.utc_offset);
-    for (const StepReport& step : light.steps) {
-        Json hour{{"hour", step.hour}};
-        hour.update(to_json(step.budget, report, "W m-2"));
-        if (has_sun(step)) hour["sunlit_leaf_area"] = to_json(*step.sunlit);
-        if (span == Span::day)
-            json["hours"].push_back(hour);
-        else if (has_sun(step))
-            json["sunlit_leaf_area"] = hour["sunlit_leaf_area"];
-    }
-    json["quantities"] = quantities_json(report, span);
-    if (report.assimilation)
-        json["assimilation"] = assimilation_json(report, span);
-    return json;
-}
-
-namespace {
-
 //! A number of each band, which `take` finds, as a fraction of its light.
 template <class Take>
 Json by_band(const CanopyReport& report, const Take& take) {
@@ -197,39 +148,6 @@ Json components_json(const CanopyReport& report, Span span) {
     }
     return json;
 }
-
-}  // namespace
-
-Json scene_json(const CanopyReport& report, Span span) {
-    Json json;
-    json["bands"] = Json::array();
-    for (const BandReport& band : report.bands)
-        json["bands"].push_back(
-            {{"name", band.name},
-             {"incident", band.light.day.incident},
-             {"incident_unit", span == Span::day ? "J m-2 day-1" : "1"},
-             {"balance_error", band.light.balance_error}});
-    json["unit"] = "fraction of incident";
-    json["components"] = components_json(report, span);
-    // Names differ; to look each up among the others takes too long.
-    Json groups = Json::object();
-    for (std::size_t g = 0; g < report.groups.size(); ++g)
-        groups.get_ref<Json::object_t&>().emplace_back(
-            report.groups[g].name, by_band(report, [&](const BandReport& band) {
-                return band.light.groups[g];
-            }));
-    json["groups"] = std::move(groups);
-    json["soil"] = by_band(
-        report, [](const BandReport& band) { return band.light.day.soil; });
-    json["reflected"] = by_band(report, [](const BandReport& band) {
-        return band.light.day.reflected;
-    });
-    json["lai"] = report.lai;
-    json["ground_area_m2"] = report.ground_area;
-    return json;
-}
-
-namespace {
 
 //! A component or row with figures per area of some ground.
 struct Part {
@@ -281,6 +199,80 @@ Json to_json(const Part& part) {
 }
 
 }  // namespace
+
+Json to_json(const CanopyReport& report, Span span) {
+    const DayReport& light = report.par().light;
+    const auto part = [&](Estimate x) {
+        return to_json(fraction_of(x, light.day.incident));
+    };
+    Json json{{"lai", report.lai}, {"ground_area_m2", report.ground_area}};
+    json.update(
+        to_json(light.day, report, span == Span::day ? "J m-2 day-1" : "1"));
+    json["leaf_by_face"] = {{"upper", part(light.adaxial)},
+                            {"lower", part(light.abaxial)}};
+    json["leaf_by_layer"] = Json::array();
+    for (std::size_t l = 0; l < light.layers.size(); ++l) {
+        const double lower = report.layers.thickness * static_cast<double>(l);
+        json["leaf_by_layer"].push_back(
+            {{"from_m", lower},
+             {"to_m", lower + report.layers.thickness},
+             {"leaf", part(light.layers[l])}});
+    }
+    // Names differ; to look each up among the others takes too long.
+    Json groups = Json::object();
+    for (std::size_t g = 0; g < report.groups.size(); ++g)
+        groups.get_ref<Json::object_t&>().emplace_back(group_name(report, g),
+                                                       part(light.groups[g]));
+    json["groups"] = std::move(groups);
+    if (report.boundary == Boundary::isolated)
+        json["surface"] =
+            "bounding box of the plot: light enters from all sides, so that "
+            "fractions of what the ground area receives may exceed 1";
+    json["balance_error"] = light.balance_error;
+    if (span == Span::day) json["clock"] = clock_name(light.utc_offset);
+    for (const StepReport& step : light.steps) {
+        Json hour{{"hour", step.hour}};
+        hour.update(to_json(step.budget, report, "W m-2"));
+        if (has_sun(step)) hour["sunlit_leaf_area"] = to_json(*step.sunlit);
+        if (span == Span::day)
+            json["hours"].push_back(hour);
+        else if (has_sun(step))
+            json["sunlit_leaf_area"] = hour["sunlit_leaf_area"];
+    }
+    json["quantities"] = quantities_json(report, span);
+    if (report.assimilation)
+        json["assimilation"] = assimilation_json(report, span);
+    return json;
+}
+
+Json scene_json(const CanopyReport& report, Span span) {
+    Json json;
+    json["bands"] = Json::array();
+    for (const BandReport& band : report.bands)
+        json["bands"].push_back(
+            {{"name", band.name},
+             {"incident", band.light.day.incident},
+             {"incident_unit", span == Span::day ? "J m-2 day-1" : "1"},
+             {"balance_error", band.light.balance_error}});
+    json["unit"] = "fraction of incident";
+    json["components"] = components_json(report, span);
+    // Names differ; to look each up among the others takes too long.
+    Json groups = Json::object();
+    for (std::size_t g = 0; g < report.groups.size(); ++g)
+        groups.get_ref<Json::object_t&>().emplace_back(
+            report.groups[g].name, by_band(report, [&](const BandReport& band) {
+                return band.light.groups[g];
+            }));
+    json["groups"] = std::move(groups);
+    json["soil"] = by_band(
+        report, [](const BandReport& band) { return band.light.day.soil; });
+    json["reflected"] = by_band(report, [](const BandReport& band) {
+        return band.light.day.reflected;
+    });
+    json["lai"] = report.lai;
+    json["ground_area_m2"] = report.ground_area;
+    return json;
+}
 
 Json parts_json(const CanopyReport& report) {
     Json json = Json::object();

@@ -98,16 +98,20 @@ TakeNumbers by_component_and_band(const Take& take) {
     };
 }
 
-//! Takes a part of the incident light of each band.
-TakeNumbers fraction_by_band(Estimate BudgetEstimate::*part) {
-    return [part](const CanopyReport& report) {
-        Values values;
-        for (const BandReport& band : report.bands) {
-            const BudgetEstimate& day = band.light.day;
-            values.push_back(fraction_of(day.*part, day.incident));
-        }
-        return values;
-    };
+//! Declares a part of the incident light of each band.
+Declaration fraction_by_band(const char* name, const char* description,
+                             Estimate BudgetEstimate::*part) {
+    return {{name, "1", description, {"band"}},
+            [part](const CanopyReport& report) {
+                Values values;
+                for (const BandReport& band : report.bands) {
+                    const BudgetEstimate& day = band.light.day;
+                    values.push_back(fraction_of(day.*part, day.incident));
+                }
+                return values;
+            },
+            false,
+            has_bands};
 }
 
 //! Returns the gross assimilation of each component, lowered by a loss.
@@ -126,12 +130,6 @@ std::vector<Randomised> assimilation_by_component(const CanopyReport& report,
         parts.push_back(std::move(part));
     }
     return parts;
-}
-
-TakeProfile assimilation(Loss loss) {
-    return [loss](const CanopyReport& report) {
-        return assimilation_by_component(report, loss);
-    };
 }
 
 //! Returns how much more the mean plant of the first component has than that of
@@ -164,8 +162,16 @@ bool are_two(const Scope& scope) {
     return scope.components == 2;
 }
 
-bool have_assimilation(const Scope& scope) {
-    return has_components(scope) && scope.assimilates;
+//! Declares the gross assimilation of each component, lowered by a loss.
+Declaration assimilation(const char* name, const char* description, Loss loss) {
+    return {{name, rate, description, {"component"}},
+            [loss](const CanopyReport& report) {
+                return assimilation_by_component(report, loss);
+            },
+            false,
+            [](const Scope& scope) {
+                return has_components(scope) && scope.assimilates;
+            }};
 }
 
 }  // namespace
@@ -249,20 +255,13 @@ std::vector<Declaration> part_quantities() {
          }),
          false,
          has_parts},
-        {{"soil_fraction_by_band",
-          "1",
-          "light that the soil absorbs over incident light",
-          {"band"}},
-         fraction_by_band(&BudgetEstimate::soil),
-         false,
-         has_bands},
-        {{"reflected_fraction_by_band",
-          "1",
-          "light that is sent back to the sky over incident light",
-          {"band"}},
-         fraction_by_band(&BudgetEstimate::reflected),
-         false,
-         has_bands},
+        fraction_by_band("soil_fraction_by_band",
+                         "light that the soil absorbs over incident light",
+                         &BudgetEstimate::soil),
+        fraction_by_band(
+            "reflected_fraction_by_band",
+            "light that is sent back to the sky over incident light",
+            &BudgetEstimate::reflected),
         {{"lai_by_component",
           "m2 m-2",
           "one-sided leaf area per ground area",
@@ -276,29 +275,16 @@ std::vector<Declaration> part_quantities() {
          },
          false,
          has_components},
-        {{"gross_assimilation_by_component",
-          rate,
-          "CO2 that leaves take up per ground area",
-          {"component"}},
-         assimilation(no_loss),
-         false,
-         have_assimilation},
-        {{"net_assimilation_by_component",
-          rate,
-          "gross assimilation less the respiration of leaves while there is "
-          "light",
-          {"component"}},
-         assimilation(loss_in_light),
-         false,
-         have_assimilation},
-        {{"carbon_balance_by_component",
-          rate,
-          "gross assimilation less the respiration of leaves by day and night "
-          "and the carbon that builds them",
-          {"component"}},
-         assimilation(loss_of_carbon),
-         false,
-         have_assimilation},
+        assimilation("gross_assimilation_by_component",
+                     "CO2 that leaves take up per ground area", no_loss),
+        assimilation("net_assimilation_by_component",
+                     "gross assimilation less the respiration of leaves while "
+                     "there is light",
+                     loss_in_light),
+        assimilation("carbon_balance_by_component",
+                     "gross assimilation less the respiration of leaves by day "
+                     "and night and the carbon that builds them",
+                     loss_of_carbon),
         {{"invasion", "1",
           "excess of the mean plant of the first component over that of the "
           "second, relative to the latter: of net assimilation, or of absorbed "

@@ -56,8 +56,7 @@ _READING = (
 )
 
 _FEW = 3
-"""The number of cases up to which each has its figures without being asked
-for."""
+"""The most cases that each have figures of their own unasked."""
 
 
 @dataclass(frozen=True)
@@ -181,10 +180,9 @@ def _answer(study: Study, cases: Sequence[Case]) -> Section:
     section = Section("The answer")
     for error in study.damaged:
         section.note(f"A history is left out. {error}.")
-    if any(case.pairs for case in cases):
+    if known := [case for case in cases if case.pairs]:
         section.blocks.append(answer(cases))
         section.note(_READING)
-        known = [case for case in cases if case.pairs]
         best = max(known, key=lambda case: case.relative_gain().mean)
         if len(known) > 1:
             section.note(
@@ -210,8 +208,7 @@ def _gains(cases: Sequence[Case], cross: Cross | None) -> Section:
         "Parts of the incident PAR.",
         partial(draw_energy, cases),
     )
-    section.blocks += tables.gains(cases, cross)[:1]
-    section.blocks += scenarios(cases)
+    section.blocks += [*tables.gains(cases, cross)[:1], *scenarios(cases)]
     return section
 
 
@@ -231,7 +228,6 @@ def _places(cases: Sequence[Case], cross: Cross | None) -> Section:
     section = Section("Places")
     if len(cases) < 2 and cross is None:
         return section
-    cells = "Numbers are %."
     section.draw(
         "latitudes",
         "What does latitude do to light and gain?",
@@ -247,7 +243,7 @@ def _places(cases: Sequence[Case], cross: Cross | None) -> Section:
     section.draw(
         "gain_map",
         "Where does breeding gain most?",
-        f"Gain over the baseline. {cells}",
+        "Gain over the baseline. Numbers are %.",
         partial(draw_gain_map, cases),
     )
     if sets := two_sets(cases):
@@ -256,7 +252,7 @@ def _places(cases: Sequence[Case], cross: Cross | None) -> Section:
             f"Where is the best plant of {sets[0]} better than that of "
             f"{sets[1]}?",
             "There is no difference on the line. Both are taken as independent. "
-            + cells,
+            "Numbers are %.",
             partial(draw_set_map, cases, sets),
         )
     if cross is None:

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr std::int32_t no_worker = -1;
-constexpr std::size_t message_size = 160;
+constexpr std::size_t failure_size = 160;
 
 }  // namespace
 
@@ -76,7 +76,7 @@ void Columns::create(hid_t file, const GeneSpace& genes,
         add("seconds", H5T_IEEE_F64LE, "wall time of the evaluation", &nan,
             "s");
         add("worker", H5T_STD_I32LE, "rank that evaluated", &no_worker);
-        add("message", string_type(message_size), "why it failed", nullptr, "");
+        add("message", string_type(failure_size), "why it failed", nullptr, "");
         if (form.has_checksums)
             add("checksum", string_type(checksum_size), "SHA-256 of the row",
                 nullptr, "");

@@ -12,11 +12,11 @@
 #include <sys/mman.h>
 #include <sys/stat.h>
 
+#include "disk/open.hpp"
 #include "ideotype/core/contract.hpp"
 #include "ideotype/core/error.hpp"
 #include "ideotype/core/text.hpp"
 #include "layout.hpp"
-#include "open.hpp"
 
 namespace ideotype {
 

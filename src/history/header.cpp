@@ -4,9 +4,9 @@
 
 #include "columns.hpp"
 #include "dataset.hpp"
+#include "disk/open.hpp"
 #include "ideotype/core/contract.hpp"
 #include "layout.hpp"
-#include "open.hpp"
 
 namespace ideotype {
 

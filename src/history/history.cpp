@@ -6,10 +6,10 @@
 
 #include <fmt/format.h>
 
+#include "disk/open.hpp"
 #include "history_file.hpp"
 #include "ideotype/core/contract.hpp"
 #include "layout.hpp"
-#include "open.hpp"
 
 namespace ideotype {
 

@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 
 #include "checksum.hpp"
+#include "disk/open.hpp"
 #include "ideotype/core/contract.hpp"
-#include "open.hpp"
 
 namespace ideotype {
 

@@ -13,12 +13,12 @@
 
 #include "checksum.hpp"
 #include "columns.hpp"
-#include "file_lock.hpp"
+#include "disk/file_lock.hpp"
+#include "disk/open.hpp"
 #include "generations.hpp"
 #include "history.hpp"
 #include "ideotype/core/error.hpp"
 #include "journal.hpp"
-#include "open.hpp"
 
 namespace ideotype {
 

@@ -4,11 +4,11 @@
 
 #include <fmt/format.h>
 
+#include "disk/open.hpp"
 #include "history.hpp"
 #include "history_file.hpp"
 #include "ideotype/core/contract.hpp"
 #include "layout.hpp"
-#include "open.hpp"
 
 namespace ideotype {
 

@@ -8,11 +8,11 @@
 #include "columns.hpp"
 #include "contracts.hpp"
 #include "dataset.hpp"
+#include "disk/open.hpp"
 #include "generations.hpp"
 #include "history_file.hpp"
 #include "journal.hpp"
 #include "layout.hpp"
-#include "open.hpp"
 #include "sample_history.hpp"
 
 namespace ideotype {

@@ -13,7 +13,7 @@
 #include <sys/stat.h>
 #include <sys/syscall.h>
 
-#include "file_lock.hpp"
+#include "disk/file_lock.hpp"
 #include "ideotype/core/error.hpp"
 #include "sample_history.hpp"
 

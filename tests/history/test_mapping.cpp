@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "dataset.hpp"
+#include "disk/open.hpp"
 #include "ideotype/core/error.hpp"
-#include "open.hpp"
 #include "sample_history.hpp"
 
 namespace ideotype {

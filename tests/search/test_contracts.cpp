@@ -8,7 +8,7 @@
 #include "contracts.hpp"
 #include "individual.hpp"
 #include "search/breeder.hpp"
-#include "search/dd_cma.hpp"
+#include "search/cma_es/dd_cma.hpp"
 #include "search/optimizer.hpp"
 #include "search/order.hpp"
 #include "search/outcome.hpp"

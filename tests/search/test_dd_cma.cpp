@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "search/dd_cma.hpp"
+#include "search/cma_es/dd_cma.hpp"
 
 namespace ideotype {
 namespace {

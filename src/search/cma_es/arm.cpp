@@ -6,7 +6,7 @@
 
 #include "ideotype/core/contract.hpp"
 #include "ideotype/core/random.hpp"
-#include "order.hpp"
+#include "search/order.hpp"
 
 namespace ideotype {
 

@@ -14,7 +14,7 @@
 #include <fmt/format.h>
 #include <sys/stat.h>
 
-#include "history.hpp"
+#include "history/history.hpp"
 #include "ideotype/core/contract.hpp"
 #include "ideotype/core/error.hpp"
 #include "ideotype/core/file.hpp"

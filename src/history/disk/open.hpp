@@ -5,8 +5,8 @@
 #include <string>
 
 #include "file_lock.hpp"
-#include "handle.hpp"
-#include "history.hpp"
+#include "history/handle.hpp"
+#include "history/history.hpp"
 
 namespace ideotype {
 

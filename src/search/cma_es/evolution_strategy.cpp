@@ -3,8 +3,8 @@
 
 #include "arm.hpp"
 #include "ideotype/core/contract.hpp"
-#include "optimizer.hpp"
-#include "order.hpp"
+#include "search/optimizer.hpp"
+#include "search/order.hpp"
 
 namespace ideotype {
 

@@ -8,12 +8,12 @@
 
 #include <fmt/format.h>
 
-#include "checksum.hpp"
-#include "columns.hpp"
-#include "generations.hpp"
+#include "history/checksum.hpp"
+#include "history/columns.hpp"
+#include "history/generations.hpp"
+#include "history/journal.hpp"
+#include "history/layout.hpp"
 #include "ideotype/core/error.hpp"
-#include "journal.hpp"
-#include "layout.hpp"
 #include "open.hpp"
 
 namespace ideotype {

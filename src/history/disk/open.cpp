@@ -13,10 +13,10 @@
 #include <fmt/format.h>
 #include <sys/stat.h>
 
-#include "checksum.hpp"
+#include "history/checksum.hpp"
+#include "history/journal.hpp"
+#include "history/layout.hpp"
 #include "ideotype/core/error.hpp"
-#include "journal.hpp"
-#include "layout.hpp"
 
 namespace ideotype {
 

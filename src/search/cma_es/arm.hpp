@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "dd_cma.hpp"
-#include "population.hpp"
-#include "unbounded_genes.hpp"
+#include "search/population.hpp"
+#include "search/unbounded_genes.hpp"
 
 namespace ideotype {
 

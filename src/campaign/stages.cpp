@@ -179,8 +179,10 @@ Stage stage_on(const Campaign& campaign, const Case& one,
     const auto begin = series.steps.begin();
     std::size_t step = 0;
     if (date) {
-        const auto [first, last] =
-            std::ranges::equal_range(series.steps, *date, {}, &TimeStep::date);
+        const auto first =
+            std::ranges::lower_bound(series.steps, *date, {}, &TimeStep::date);
+        const auto last =
+            std::ranges::upper_bound(series.steps, *date, {}, &TimeStep::date);
         step = static_cast<std::size_t>(first + (last - first) / 2 - begin);
     } else {
         step = static_cast<std::size_t>(

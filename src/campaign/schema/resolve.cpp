@@ -17,12 +17,12 @@ bool is_empty(const Key& key) {
             using Value = std::remove_cvref_t<decltype(value)>;
             if constexpr (std::is_same_v<Value, std::monostate>)
                 return true;
-            else if constexpr (std::is_same_v<Value, std::vector<std::string>*>)
-                return false;
-            else if constexpr (requires { value->empty(); })
-                return value->empty() && !key.is_required;
             else if constexpr (requires { value->has_value(); })
                 return !value->has_value();
+            else if constexpr (!std::is_same_v<Value,
+                                               std::vector<std::string>*> &&
+                               requires { value->empty(); })
+                return value->empty() && !key.is_required;
             else
                 return false;
         },

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "ideotype/core/error.hpp"
+#include "ideotype/core/range.hpp"
 #include "ideotype/crop/obj_reader.hpp"
 
 namespace ideotype {

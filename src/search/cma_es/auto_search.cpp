@@ -5,6 +5,7 @@
 
 #include "arm.hpp"
 #include "ideotype/core/contract.hpp"
+#include "ideotype/core/random.hpp"
 #include "search/optimizer.hpp"
 #include "search/order.hpp"
 

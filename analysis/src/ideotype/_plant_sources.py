@@ -53,8 +53,12 @@ def read_plant(
     return blades
 
 
-def has_midribs(path: Path) -> bool:
-    """Tells a table of points along midribs from one of whole leaves."""
+def is_digitised(path: Path) -> bool:
+    """Tells what read_plant() reads from other files of plants; of two kinds
+    of CSV files that are points along midribs, and not whole leaves."""
+    suffix = path.suffix.lower()
+    if suffix != ".csv" or not path.is_file():
+        return suffix in {".obj", ".ply", ".dat", ".txt"}
     with path.open(encoding="utf-8", errors="replace") as file:
         lines = (line for line in file if not line.startswith("#"))
         head = next(lines, "").lower().split(",")

@@ -7,6 +7,7 @@ from __future__ import annotations
 import argparse
 import datetime
 import json
+import re
 import sys
 import tomllib
 from collections.abc import Sequence
@@ -108,6 +109,19 @@ def crop_of(
     }
     if organs:
         found["organ"] = organs
+    return found
+
+
+def readable_crop(
+    blades: Sequence[Blade], crop: dict[str, Any], title: str
+) -> dict[str, Any]:
+    """Returns what crop_of() makes of these leaves by angles, as campaigns can
+    read it: its name has what a title has of letters and digits."""
+    name = re.sub(r"[^A-Za-z0-9-]+", "_", title).strip("_-")[:64]
+    found = crop_of(blades, crop, name or "plant", "angles")
+    # A lowest leaf may be digitised a millimetre below the ground.
+    for leaf in found["leaf"]:
+        leaf["insertion_height"] = max(leaf["insertion_height"], 0)
     return found
 
 

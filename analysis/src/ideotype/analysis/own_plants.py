@@ -25,7 +25,6 @@ if TYPE_CHECKING:
     from .._compared import Plant
 
 _BY_LEAF = "absorbed_by_leaf"
-_DIGITISED = {".obj", ".ply", ".dat", ".txt"}
 
 
 @dataclass(frozen=True)
@@ -90,20 +89,13 @@ def _profile(values: Sequence[Estimate]) -> Profile | None:
 def _read(path: Path, stand: ideotype.Stand) -> Plant:
     # These need the compiled module, without which all else can be drawn.
     from .._compared import Plant
-    from .._plant_sources import has_midribs, read_plant
-    from ..fit import crop_of
+    from .._plant_sources import is_digitised, read_plant
+    from ..fit import readable_crop
 
-    suffix = path.suffix.lower()
-    is_digitised = suffix in _DIGITISED or (
-        suffix == ".csv" and path.is_file() and has_midribs(path)
-    )
-    if not is_digitised:
+    if not is_digitised(path):
         return Plant.read(path, stand._case)
     like = tomllib.loads(stand.crop_file(stand.baseline))
-    crop = crop_of(read_plant(path), like, path.stem, "angles")
-    # A lowest leaf may be digitised a millimetre below the ground.
-    for leaf in crop["leaf"]:
-        leaf["insertion_height"] = max(leaf.get("insertion_height", 0), 0)
+    crop = readable_crop(read_plant(path), like, path.stem)
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder) / f"{path.stem}.toml"
         file.write_text(tomli_w.dumps(crop), encoding="utf-8")

@@ -4,7 +4,6 @@ measured, or one that was bred."""
 
 from __future__ import annotations
 
-import re
 import tomllib
 from dataclasses import dataclass
 from importlib.resources import as_file, files
@@ -15,14 +14,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .._errors import Error
-from .._plant_sources import has_midribs
+from .._plant_sources import is_digitised
 from .._stand import Stand
 from .conditions import Conditions, Tables, one_case
 
 CROPS = ("maize", "sorghum", "soybean", "cowpea")
 """The crops that come with the package."""
-
-_MESHES = {".obj", ".ply", ".dat", ".txt"}
 
 
 @dataclass(frozen=True)
@@ -72,7 +69,7 @@ def open_place(
         )
     if suffix == ".h5":
         return _of_history(path)
-    if suffix in _MESHES or (suffix == ".csv" and has_midribs(path)):
+    if is_digitised(path):
         return _of_measured(path, plant, crop)
     if suffix == ".csv":
         told = "Its leaves were measured."
@@ -165,7 +162,7 @@ def _of_history(path: Path) -> Opened:
 
 def _of_measured(path: Path, plant: str | None, crop: str) -> Opened:
     from .._plant_sources import read_plant
-    from ..fit import agreement, crop_of, mesh_of
+    from ..fit import agreement, mesh_of, readable_crop
 
     source = Path(_known(crop) if crop in CROPS else crop)
     blades = read_plant(path, plant)
@@ -175,11 +172,7 @@ def _of_measured(path: Path, plant: str | None, crop: str) -> Opened:
         raise Error(f"{source}: {error}") from None
     if not like.get("leaf") or "stalk" not in like:
         raise Error(f"{source}: no crop file with [[leaf]] and [stalk]")
-    name = re.sub(r"[^A-Za-z0-9-]+", "_", path.stem).strip("_-")[:64]
-    found = crop_of(blades, like, name or "plant", "angles")
-    # A lowest leaf may be digitised a millimetre below the ground.
-    for leaf in found["leaf"]:
-        leaf["insertion_height"] = max(leaf.get("insertion_height", 0), 0)
+    found = readable_crop(blades, like, path.stem)
     off = agreement(blades, found, mesh_of(found, source.parent))
     told = (
         f"It was measured: {len(blades)} leaves of {path.name}, whose midribs "

@@ -30,6 +30,8 @@ from statistics import fmean
 from typing import Any
 
 import numpy as np
+from erect_tops import ROW, TOP_LEAVES
+from erect_tops import bred as bred_with_top
 from growing import HYBRID, of_full_canopy, tables
 from measured_seasons import compare_seasons
 from shared import (
@@ -54,10 +56,7 @@ from shared import (
 from ideotype import Stand
 from ideotype.analysis.style import new_figure
 
-ROW = 0.762
 DENSITIES = (3.0, 5.0, 8.0)
-TOPS = {"flat": [45.0, 90.0], "erect": [0.0, 25.0]}
-TOP_LEAVES = 4
 WAYS = ("growth", "full canopy")
 
 
@@ -108,17 +107,20 @@ def of_a_top(
     limit = float(full.evaluate(full.baseline, ["lai"]).lai[0])
     stand = Stand(both[way], folder=CAMPAIGNS)
     quantity = "lai_by_stage" if way == WAYS[0] else "lai"
+    shaped = {
+        **both[way],
+        "name": f"tops_{density:g}_{way.split()[0]}".replace(".", "p"),
+        "constraints": {"lai": [0.0, round(limit, 4)]},
+    }
     gains, areas = [], []
     for seed in range(1, options.seeds + 1):
-        plants = []
-        for top, angles in TOPS.items():
-            limits = {
-                "lai": [0.0, round(limit, 4)],
-                "insertion_angle": {"range": angles, "highest": TOP_LEAVES},
-            }
-            name = f"{top}_{density:g}_{way.split()[0]}".replace(".", "p")
-            shaped = {**both[way], "constraints": limits}
-            plants.append(bred(shaped, name, seed, options))
+        say(f"{shaped['name']}, seed {seed}")
+        plants = [
+            bred_with_top(
+                shaped, top, seed, options.generations, options.folder
+            )
+            for top in ("flat", "erect")
+        ]
         gains.append(gain(*light(stand, np.array(plants)).tolist()))
         for plant in plants:
             found = stand.evaluate(plant, [quantity])

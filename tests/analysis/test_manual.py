@@ -27,6 +27,7 @@ REASONS = (
     "takes long",
     "needs a cluster",
     "needs another system",
+    "it serves until it is stopped",
 )
 """The reasons why a block may not be run: `<!-- not run: REASON -->` stands
 before it."""
@@ -172,9 +173,9 @@ def test_no_block_escapes(page: Path) -> None:
     )
 
 
-def test_links_of_every_text_lead_somewhere() -> None:
-    """The links are those of the repository's Markdown; docs/build looks at
-    anchors of pages."""
+def test_links_of_every_text_lead_somewhere(manual: Path) -> None:
+    """The links are those of the repository's Markdown, also to pages that the
+    manual makes; docs/build looks at anchors of pages."""
     listed = subprocess.run(
         ["git", "ls-files", "-z", "*.md"],
         cwd=TOP, capture_output=True, text=True, check=True,
@@ -241,6 +242,9 @@ def test_a_python_that_lacks_the_manual_s_needs_is_told(
 
 def test_every_picture_is_small_and_has_its_script() -> None:
     drawn = (DOCS / "draw.py").read_text()
-    for picture in (DOCS / "figures").glob("*"):
+    pages = (DOCS / "draw_pages.py").read_text()
+    for picture in (DOCS / "figures").glob("*.*"):
         assert picture.stat().st_size <= 150_000, picture
-        assert f'"{picture.stem}"' in drawn, picture
+        assert f'"{picture.stem}"' in drawn or f'"{picture.name}"' in pages, (
+            picture
+        )

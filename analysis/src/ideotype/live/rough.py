@@ -2,10 +2,10 @@
 """Quick first answers of the live page, where one evaluation takes longer than
 a slider should wait.
 
-A coarse stand has fewer pieces of each leaf and longer steps of weather. Its
-values are wrong by some per cent, but by nearly the same part for one plant as
-for another. So the first answer is what is known of an anchor, times the ratio
-of both in coarse stands."""
+A coarse stand has fewer pieces of each leaf, longer steps of weather, and fewer
+ages of plants that grow. Its values are wrong by some per cent, but by nearly
+the same part for one plant as for another. So the first answer is what is known
+of an anchor, times the ratio of both in coarse stands."""
 
 from __future__ import annotations
 
@@ -16,12 +16,16 @@ import numpy as np
 
 from .conditions import Tables
 from .numbers import Array, Layout, told
+from .shapes import grows
 
 if TYPE_CHECKING:
     from .bench import Place
 
 _CELLS = 6
 """The number of pieces along a leaf."""
+
+_GROWING_CELLS, _STAGES = 4, 5
+"""The numbers of pieces along a leaf and of ages of plants that grow."""
 
 _STEPS = 8
 """The number of steps of weather in a day."""
@@ -34,12 +38,17 @@ def coarse(tables: Tables) -> Tables | None:
         k for k in tables if tables[k]
     }:
         return None
-    plant = tables["plant"]
-    cells = min(_CELLS, plant["cells_along"])
+    plant, light, cells = tables["plant"], tables["light"], _CELLS
+    if grows(tables):
+        cells, light = (
+            _GROWING_CELLS,
+            light | {"stages": min(_STAGES, light.get("stages", _STAGES))},
+        )
     weather = [_thinned(each) for each in tables.get("weather", [])]
     return {
         **tables,
-        "plant": plant | {"cells_along": cells},
+        "plant": plant | {"cells_along": min(cells, plant["cells_along"])},
+        "light": light,
         **({"weather": weather} if weather else {}),
     }
 

@@ -102,7 +102,7 @@ void gross(const LeafResponse& response, std::span<const double> absorbed,
 void expand(const LeafResponse& response, std::span<const double> absorbed,
             double* assimilation, double* slope, double* curvature) {
     std::visit(
-        [&](const auto& each) {
+        [=](auto each) {  // a copy, which the results cannot overwrite
             for (std::size_t i = 0; i < absorbed.size(); ++i) {
                 const Expansion at = each.expand(absorbed[i]);
                 assimilation[i] = at.value;

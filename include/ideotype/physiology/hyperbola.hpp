@@ -40,7 +40,8 @@ inline Expansion expand_smooth_minimum(double curvature, double a, double b) {
     const double root = discriminant_root(curvature, a, b);
     const double x = 2 * a * b / std::max(a + b + root, least);
     const double per_root = 1 / std::max(root, 1e-12 * (a + b) + least);
-    const double slope = std::clamp((b - x) * per_root, 0., 1.);
+    // std::clamp() would be a branch, and loops no vectors.
+    const double slope = std::min(std::max((b - x) * per_root, 0.), 1.);
     return {x, slope, -2 * slope * (1 - curvature * slope) * per_root};
 }
 

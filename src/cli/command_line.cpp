@@ -53,12 +53,13 @@ Error unknown_word(const CLI::App& verb) {
             for (const std::string& option : each->get_lnames())
                 names.push_back("--" + option);
     const std::string name = found->substr(0, found->find('='));
-    if (name == "--ranks")
+    names.push_back("--ranks");
+    const std::string nearest = nearest_name(name, names);
+    if (nearest == "--ranks")
         return Error(
             "--ranks is gone: all cores of this machine are used without it, N "
             "of them with --threads N",
             ExitCode::usage);
-    const std::string nearest = nearest_name(name, names);
     return Error(
         fmt::format("{}: there is no option {}; {}", verb.get_name(), name,
                     nearest.empty() ? how : "did you mean " + nearest + "?"),

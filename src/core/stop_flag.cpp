@@ -61,9 +61,14 @@ void StopFlag::request() {
 
 void StopFlag::request_after(double seconds) {
     IDEOTYPE_EXPECT(seconds >= 0);
-    end_ = std::chrono::steady_clock::now() +
-           std::chrono::duration_cast<std::chrono::steady_clock::duration>(
-               std::chrono::duration<double>(seconds));
+    using std::chrono::steady_clock;
+    const steady_clock::time_point now = steady_clock::now();
+    const std::chrono::duration<double> wait(seconds);
+    constexpr auto never = steady_clock::time_point::max();
+    // The clock cannot tell times that are centuries away.
+    end_ = wait < (never - now) / 2
+               ? now + std::chrono::duration_cast<steady_clock::duration>(wait)
+               : never;
 }
 
 int StopFlag::signal() const {

@@ -53,6 +53,7 @@ std::pair<double, double> cross(const Gene& gene, double a, double b, double u,
 //! @param u uniform in [0, 1)
 double mutate(const Gene& gene, double value, double u, double index) {
     const double range = gene.upper - gene.lower;
+    if (range == 0) return value;
     const double power = index + 1;
     const auto missing = [&](double room) {
         // A circle has no end, so no step is cut off.

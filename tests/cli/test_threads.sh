@@ -39,6 +39,8 @@ expect 2 taskset -c 0 "$ideotype" run campaigns/short.toml --out no --threads no
 says "'none' is no number of threads; give 1 to 4096, or auto, which is 1 here"
 expect 2 "$ideotype" run campaigns/short.toml --out no --ranks auto
 says "^ideotype: --ranks is gone: .*--threads N$"
+expect 2 "$ideotype" run campaigns/short.toml --out no --rank 3
+says "^ideotype: --ranks is gone"
 expect 4 "$ideotype" run campaigns/short.toml --out whole --threads 3
 says "exists already"
 [ ! -e no ] || fail "something was begun: $(ls -R no)"

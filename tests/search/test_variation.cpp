@@ -196,6 +196,14 @@ TEST(Crossover, SpreadsAsPublishedOnTheCircle) {
               critical);
 }
 
+TEST(Mutation, LeavesAGeneWithoutARangeAsItIs) {
+    const Gene fixed{"fixed", "m", 0.5, 0.5, false, true};
+    GaSettings ga;
+    ga.mutations_per_child = 1;
+    for (const Candidate& each : children(fixed, ga, {0.5, 0.5}))
+        ASSERT_EQ(each.genome[0], 0.5);
+}
+
 //! Steps of mutation over the gene's range.
 std::vector<double> mutated(const Gene& gene, double index, double parent) {
     GaSettings ga;

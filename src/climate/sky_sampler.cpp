@@ -162,7 +162,8 @@ class SkySampler::ClearSky {
 SkySampler::SkySampler(const SkyRadiance& sky) : radiance_(sky) {
     if (sky.model != SkyModel::clear) return;
     if (!(sky.sun.zenith >= 0 && sky.sun.zenith <= 90))
-        throw Error("a clear sky needs a sun above the horizon");
+        throw Error(
+            "a clear sky needs a sun above the horizon; choose another time");
     clear_ = std::make_shared<ClearSky>(sky.sun);
 }
 

@@ -42,8 +42,6 @@ class SkySampler {
     //! @throws Error if the sky is clear and its sun below the horizon.
     explicit SkySampler(const SkyRadiance& sky);
 
-    const SkyRadiance& radiance() const { return radiance_; }
-
     //! A direction of travel (unit length, z up, never upwards) from two
     //! numbers uniform in [0, 1).
     glm::dvec3 sample(double u, double v) const;

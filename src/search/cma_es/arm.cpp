@@ -57,6 +57,12 @@ double mean_of(const double* values, std::size_t count) {
     return sum / static_cast<double>(count);
 }
 
+Candidate plant_at(const VectorXd& point, const UnboundedGenes& coordinates,
+                   const Genome& baseline) {
+    return {coordinates.genome({point.begin(), point.end()}, baseline),
+            Origin::sample};
+}
+
 Arm::Arm(const UnboundedGenes& coordinates, const Genome& start, double step,
          std::size_t population)
     : population_(population),

@@ -53,6 +53,10 @@ class Arm {
     std::vector<double> course_;
 };
 
+//! Returns the plant at a point of these coordinates.
+Candidate plant_at(const Eigen::VectorXd& point,
+                   const UnboundedGenes& coordinates, const Genome& baseline);
+
 //! Returns the mean of some numbers.
 double mean_of(const double* values, std::size_t count);
 

@@ -48,7 +48,8 @@ class AutoSearch : public GenerationalOptimizer {
         auto arm = arms_.begin();
         for (; slot - first >= arm->population(); ++arm)
             first += static_cast<std::uint32_t>(arm->population());
-        return sample(arm->point(seed_, generation(), first, slot - first));
+        return plant_at(arm->point(seed_, generation(), first, slot - first),
+                        coordinates_, space_.baseline);
     }
 
     //! Returns the plants at the means of arms and of earlier cycles, those of
@@ -79,7 +80,10 @@ class AutoSearch : public GenerationalOptimizer {
         double value = 0;
     };
     Champion champion_of(const Arm& arm) const {
-        return {sample(arm.distribution().mean()).genome, arm.course().back()};
+        return {
+            plant_at(arm.distribution().mean(), coordinates_, space_.baseline)
+                .genome,
+            arm.course().back()};
     }
 
     //! The largest standard deviations, relative to the range of a gene, at
@@ -169,11 +173,6 @@ class AutoSearch : public GenerationalOptimizer {
         champion_ = champions_.back().genome;
         arms_.clear();
         population_ += population_ / 2;
-    }
-
-    Candidate sample(const Eigen::VectorXd& x) const {
-        return {coordinates_.genome({x.begin(), x.end()}, space_.baseline),
-                Origin::sample};
     }
 
     SearchSettings settings_;

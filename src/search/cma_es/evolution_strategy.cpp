@@ -24,14 +24,16 @@ class CmaEs : public GenerationalOptimizer {
     std::size_t next_size() const override { return arm_.population(); }
 
     Candidate candidate(std::uint32_t slot) override {
-        return sample(arm_.point(seed_, generation(), 0, slot));
+        return plant_at(arm_.point(seed_, generation(), 0, slot), coordinates_,
+                        space_.baseline);
     }
 
     //! Returns the plant at the mean of the distribution, then the best of the
     //! last generation.
     std::vector<Candidate> best(std::size_t count) const override {
         IDEOTYPE_EXPECT(count > 0);
-        std::vector<Candidate> candidates{sample(arm_.distribution().mean())};
+        std::vector<Candidate> candidates{plant_at(
+            arm_.distribution().mean(), coordinates_, space_.baseline)};
         for (const Candidate& each :
              best_of(last_, count - 1, space_.senses, parents_row()))
             candidates.push_back(each);
@@ -42,11 +44,6 @@ class CmaEs : public GenerationalOptimizer {
     void take(Population evaluated) override {
         arm_.learn(evaluated, space_.senses, seed_, generation(), 0);
         last_ = std::move(evaluated);
-    }
-
-    Candidate sample(const Eigen::VectorXd& x) const {
-        return {coordinates_.genome({x.begin(), x.end()}, space_.baseline),
-                Origin::sample};
     }
 
     SearchSpace space_;

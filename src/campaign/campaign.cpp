@@ -166,7 +166,7 @@ void try_ends(Draft& draft, const Problems& problems) {
                 check_again(varied);
             } catch (const InputError& error) {
                 problems.in(table).in("keys", i).add(
-                    "range", "{}.keys: with {} of {}, {}", table, end,
+                    "range", "{}.keys: if {} is {}, then {}", table, end,
                     factors[i].key, error.problems().front().what);
                 break;
             }

@@ -181,7 +181,7 @@ LightSeries light_of(const Campaign& campaign, const Case& chosen) {
             return chosen.stage ? at_stage(campaign, chosen, std::move(series))
                                 : series;
         }
-    throw Error("there is no weather of case " + chosen.name);
+    throw Error("the campaign has no weather for case " + chosen.name);
 }
 
 Case case_at(const Campaign& campaign, int index, const std::string& path) {

@@ -170,8 +170,9 @@ Stage stage_on(const Campaign& campaign, const Case& one,
                const std::variant<Date, double>& when) {
     if (one.stages.empty())
         throw Error(
-            "plants of this campaign do not grow (climate.emergence), so that "
-            "they have one age alone; leave it out",
+            "plants of this campaign do not grow (there is no "
+            "climate.emergence), so that they have one age only; leave the age "
+            "out",
             ExitCode::usage);
     const LightSeries series = light_of(campaign, one);
     const Season season = season_of(campaign, one, series);

@@ -108,8 +108,11 @@ class Reporter {
         report.parts = parts_of(tallies);
         if (has_faces) report.faces = per_area(report.light.groups);
         if (!(report.light.balance_error < balance_tolerance))
-            throw Error(fmt::format("the energy balance is off by {:.3g}",
-                                    report.light.balance_error));
+            throw Error(
+                fmt::format("the light that an evaluation counted differs from "
+                            "its sources by a part of {:.3g}, more than "
+                            "rounding makes; please report this",
+                            report.light.balance_error));
     }
 
     static void report_rows(BandReport& report,

@@ -77,8 +77,8 @@ Mesh panel_mesh(const PanelRows& panels, const Cell& cell, double row_direction,
     if (!layout || !divides(panels.pitch, layout->across) ||
         !divides(step, layout->along))
         throw Error(
-            fmt::format("rows of {} do not repeat with the cell of "
-                        "{} x {} m",
+            fmt::format("the rows of {} do not repeat with the cell of {} x {} "
+                        "m; choose a spacing of rows that divides the cell",
                         panels.name, cell.period_x, cell.period_y));
     const double length = is_endless ? step : panels.module_length;
     // Whole quarters of a turn leave no rounding.

@@ -40,7 +40,9 @@ std::vector<std::vector<Estimate>> light_on_sensors(
     const Cell& cell = scene.cell;
     const int fields = request.accuracy.randomisations;
     if (cell.rows.empty() || fields < 2)
-        throw Error("sensors stand in two fields or more of plants in rows");
+        throw Error(
+            "sensors need plants in rows and two fields or more (from "
+            "which their errors follow); ask for two randomisations or more");
     const SeriesIllumination& light = scene.light();
     const std::size_t steps = light.series.steps.size();
     // [sensor, instant, field]

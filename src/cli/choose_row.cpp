@@ -30,7 +30,8 @@ Row best_row(const History& history, Task& task) {
     }
     const auto summaries = history.summaries();
     if (summaries.empty())
-        throw Error("no generation of this history is complete yet");
+        throw Error(
+            "no generation of this history is complete yet; try again later");
     task.generation = static_cast<std::uint32_t>(summaries.size() - 1);
     task.slot = summaries.back().best_slot;
     return history.row(task.generation, task.slot);
@@ -39,8 +40,10 @@ Row best_row(const History& history, Task& task) {
 Row row_of(const History& history, const RowChoice& choice, Task& task) {
     if (choice.is_best) return best_row(history, task);
     if (!choice.generation || !choice.slot)
-        throw Error("say which plant: --best, or --generation G --slot S",
-                    ExitCode::usage);
+        throw Error(
+            "no plant of the history is chosen; give --best, or --generation G "
+            "--slot S",
+            ExitCode::usage);
     const HistoryHeader& header = history.header();
     const auto most = static_cast<std::uint32_t>(header.generations);
     if (*choice.generation >= most)

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "options.hpp"
-#include "run/way_on.hpp"
+#include "run/job/way_on.hpp"
 #include "stand/mesh_options.hpp"
 #include "verbs.hpp"
 

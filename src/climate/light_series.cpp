@@ -26,8 +26,8 @@ int step_count(const DaySpan& span) {
     const double whole = std::round(steps);
     if (!(whole >= 1) || !(std::abs(steps - whole) <= 1e-6))
         throw Error(
-            "the time steps of a day do not fit between its start and end "
-            "(the step must divide the time between them)");
+            "the time steps of a day do not fit between its start and end; "
+            "choose a step that divides the time between them");
     return static_cast<int>(whole);
 }
 

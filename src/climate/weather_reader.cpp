@@ -24,7 +24,8 @@ std::vector<WeatherStep> all_steps(const WeatherTable& table,
     const auto steps = (table.end - middle) / table.step;
     if (steps > 10 * static_cast<std::ptrdiff_t>(rows.size()) + 1000)
         findings.stop(rows.front().line, 1,
-                      "the file has {} of the {} time steps of the period",
+                      "the file has only {} of the {} time steps of the "
+                      "period; check its dates",
                       rows.size(), steps);
     std::vector<WeatherStep> series;
     std::size_t next = 0;
@@ -33,7 +34,8 @@ std::vector<WeatherStep> all_steps(const WeatherTable& table,
         while (next < rows.size() && rows[next].middle < middle)
             findings.add(
                 rows[next++].line, 1,
-                "the time is not whole steps of {} s after those before it",
+                "the time is not a whole number of steps of {} s after the row "
+                "before; correct it, or leave the row out",
                 table.step.count());
         if (next < rows.size() && rows[next].middle == middle) {
             series.push_back(rows[next++]);
@@ -69,10 +71,12 @@ void interpolate(std::vector<WeatherStep>& series,
         const auto end = std::find_if(begin, series.end(), known);
         if (begin == end) break;
         if ((end - begin) * step > 6h)
-            findings.add(begin->line, 1,
+            findings.add(
+                begin->line, 1,
 
-                         "the {} is not known for {} hours", name,
-                         duration_cast<hours>((end - begin) * step).count());
+                "the {} is not known for {} hours (gaps of up to 6 hours are "
+                "filled); fill the gap, or choose another period",
+                name, duration_cast<hours>((end - begin) * step).count());
         const auto count = static_cast<double>(end - begin + 1);
         const auto before = begin == series.begin() ? end : begin - 1;
         const auto after = end == series.end() ? before : end;

@@ -114,7 +114,7 @@ std::vector<Source> sources_of(WeatherTable& table, double par_fraction,
             return found.push_back(source);
         }
         findings.add(static_cast<int>(table.header_line), 1,
-                     "\"{}\" is no unit of the column \"{}\"; there are {}",
+                     "\"{}\" is no unit for the column \"{}\"; use one of {}",
                      column->unit, column->name, names);
     };
     Source light{0, {}, &Values::global, -20, 2000, "W m-2"};
@@ -138,8 +138,8 @@ std::vector<Source> sources_of(WeatherTable& table, double par_fraction,
         {0, {}, &Values::longwave, 50, 700, "W m-2"});
     if (!columns.global && !(columns.beam_normal && columns.diffuse))
         findings.add(static_cast<int>(table.header_line), 1,
-                     "no column tells the light; there must be the global "
-                     "light, or the beam and the diffuse");
+                     "no column tells the light; name that of global light, or "
+                     "those of beam and diffuse light");
     findings.stop_if_any();
     return found;
 }
@@ -154,7 +154,10 @@ std::optional<double> value_of(const CsvField& field, const Source& source,
         return std::nullopt;
     const std::optional<double> number = number_of(field.text);
     if (!number || std::isinf(*number)) {
-        findings.add(line, field.column, "\"{}\" is not a number", field.text);
+        findings.add(
+            line, field.column,
+            "\"{}\" is not a number; correct it, or leave the entry empty",
+            field.text);
         return std::nullopt;
     }
     if (std::isnan(*number) || number == missing ||

@@ -15,7 +15,8 @@ namespace {
 
 void require(int result) {
     if (result != 1)
-        throw Error("SHA-256 is not available in the OpenSSL library");
+        throw Error(
+            "the OpenSSL library has no SHA-256; install one that has it");
 }
 
 }  // namespace

@@ -15,7 +15,9 @@ namespace {
 
 MeasureInfo measure_of(Plant& plant, const std::string& name) {
     const std::optional<MeasureInfo> found = find_measure(plant, name);
-    if (!found) throw Error(fmt::format("plants have no measure {}", name));
+    if (!found)
+        throw Error(
+            fmt::format("plants have no measure that is called {}", name));
     return *found;
 }
 

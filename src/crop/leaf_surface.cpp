@@ -140,12 +140,14 @@ void LeafSurface::advance(glm::dvec2& end, double from, double to,
 LeafSurface::LeafSurface(const Leaf& leaf, const Blade& blade, double distance)
     : leaf_(leaf), blade_(blade), base_(0, distance, leaf.insertion_height) {
     if (blade.width_controls.size() != controls_along)
-        throw Error("a blade needs six width controls");
+        throw Error("a blade has other than six width controls; give six");
     glm::dvec2 end{distance, leaf.insertion_height};
     if (!leaf.midrib.empty()) {
         digitised_ = angles_of(leaf.midrib);
         if (digitised_.empty())
-            throw Error("a midrib needs two points that differ");
+            throw Error(
+                "a midrib has no two points that differ; give points from the "
+                "base to the tip");
         for (std::size_t i = 0; i < midrib_.size(); ++i) {
             midrib_[i] = end;
             const auto steps = static_cast<double>(midrib_.size() - 1);

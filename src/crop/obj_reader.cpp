@@ -93,8 +93,9 @@ class ObjBuilder {
             throw InputError(
                 {{{file_},
                   polygons_.empty()
-                      ? "there are no faces (lines that begin with f)"
-                      : "no face has an area"}});
+                      ? "there are no faces (lines that begin with f); add some"
+                      : "no face has an area (the corners of each are on a "
+                        "line); export the mesh again"}});
         warn(without_area_, "faces without area are left out");
         warn(crossing_,
              "polygons cross themselves; parts of them may count twice");
@@ -134,7 +135,9 @@ class ObjBuilder {
         for (int i = 0; i < count; ++i) {
             const long long index = corners[i].vertex_index;
             if (index == 0)
-                fail(polygon.line, "a corner is vertex 0 (the first is 1)");
+                fail(polygon.line,
+                     "a corner is vertex 0 (vertices are counted from 1); "
+                     "correct it");
             // Below zero means backwards from the last vertex so far.
             const auto vertices =
                 static_cast<long long>(result_.mesh.vertices.size());
@@ -166,9 +169,9 @@ class ObjBuilder {
             if (corner < 0 || corner >= count)
                 fail(polygon.line,
                      corner < 0
-                         ? "a corner lies before the first vertex"
+                         ? "a corner lies before the first vertex; correct it"
                          : fmt::format("a corner is vertex {}, but there are "
-                                       "only {}",
+                                       "only {}; correct it",
                                        corner + 1, count));
             corners.push_back(static_cast<std::uint32_t>(corner));
         }

@@ -107,13 +107,14 @@ class Checker {
     void check_vertex(int line, const std::vector<Word>& words) const {
         if (words.size() < 4)
             fail(line, words.front(),
-                 "a vertex has fewer than three coordinates");
+                 "a vertex has fewer than three coordinates; give x, y and z");
         for (std::size_t i = 1; i <= 3; ++i) check_number(line, words[i]);
     }
 
     void check_face(int line, const std::vector<Word>& words) const {
         if (words.size() < 4)
-            fail(line, words.front(), "a face has fewer than three corners");
+            fail(line, words.front(),
+                 "a face has fewer than three corners; give three or more");
         for (std::size_t i = 1; i < words.size(); ++i)
             check_index(line, words[i]);
     }
@@ -141,9 +142,13 @@ class Checker {
             std::from_chars(text.data(), text.data() + text.size(), value);
         if (error == std::errc::invalid_argument ||
             end != text.data() + text.size())
-            fail(line, word, quoted(word.text) + " is not a number");
+            fail(
+                line, word,
+                quoted(word.text) +
+                    " is not a number; write coordinates with a decimal point");
         if (error != std::errc{} || !std::isfinite(value))
-            fail(line, word, quoted(word.text) + " is not a finite coordinate");
+            fail(line, word,
+                 quoted(word.text) + " is not a finite coordinate; correct it");
     }
 
     //! "vertex", "vertex/texture", "vertex//normal" ...
@@ -154,7 +159,8 @@ class Checker {
             std::from_chars(text.data(), text.data() + text.size(), index);
         if (error != std::errc{} || end != text.data() + text.size())
             fail(line, word,
-                 quoted(word.text) + " is not the number of a vertex");
+                 quoted(word.text) +
+                     " is not the number of a vertex; write a whole number");
     }
 
     const std::string& file_;

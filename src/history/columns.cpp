@@ -68,15 +68,20 @@ void Columns::create(hid_t file, const GeneSpace& genes,
         {"gene"});
     add("origin", origin_type(), "where the genome came from");
     const std::int64_t none = no_parent;
-    add("parents", H5T_STD_I64LE, "rows of /evaluations, -1: none", &none, "1",
+    add("parents", H5T_STD_I64LE,
+        "rows of both parents in /evaluations, -1 for none", &none, "1",
         {"parent"});
     std::size_t count = 0;
     const auto add_book = [&] {
-        add("attempt", H5T_STD_U32LE, "from 1; 0: copied from an equal genome");
+        add("attempt", H5T_STD_U32LE,
+            "number of the attempt, from 1, or 0 if copied from an equal "
+            "genome");
         add("seconds", H5T_IEEE_F64LE, "wall time of the evaluation", &nan,
             "s");
-        add("worker", H5T_STD_I32LE, "rank that evaluated", &no_worker);
-        add("message", string_type(failure_size), "why it failed", nullptr, "");
+        add("worker", H5T_STD_I32LE, "rank that evaluated the plant",
+            &no_worker);
+        add("message", string_type(failure_size), "why the evaluation failed",
+            nullptr, "");
         if (form.has_checksums)
             add("checksum", string_type(checksum_size), "SHA-256 of the row",
                 nullptr, "");

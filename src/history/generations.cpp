@@ -32,34 +32,40 @@ constexpr std::size_t front_columns = 2;
 constexpr std::array number_columns{
     SummaryColumn<double>{"best", nullptr, "first objective of the best row",
                           &GenerationSummary::best},
-    SummaryColumn<double>{"best_standard_error", nullptr, "of the best row",
-                          &GenerationSummary::best_standard_error},
+    SummaryColumn<double>{
+        "best_standard_error", nullptr,
+        "standard error of the first objective of the best row",
+        &GenerationSummary::best_standard_error},
     SummaryColumn<double>{"mean", nullptr,
-                          "of rows that keep the constraints once any does",
+                          "mean of the first objective over rows that keep the "
+                          "constraints, or over all rows while none does",
                           &GenerationSummary::mean},
-    SummaryColumn<double>{"spread", nullptr, "standard deviation of the same",
+    SummaryColumn<double>{"spread", nullptr,
+                          "standard deviation of the first objective over the "
+                          "rows that mean counts",
                           &GenerationSummary::spread},
     SummaryColumn<double>{"diversity", "1",
                           "mean over free genes of standard deviation over "
                           "range",
                           &GenerationSummary::diversity},
     SummaryColumn<double>{"wall_time", "s",
-                          "since the case began, all sessions",
+                          "time since the case began, summed over sessions",
                           &GenerationSummary::wall_time},
     SummaryColumn<double>{"hypervolume", product,
-                          "better than the reference and no better than the "
-                          "front",
+                          "volume of objectives that is better than the "
+                          "reference and that a row of the front reaches",
                           &GenerationSummary::hypervolume},
-    SummaryColumn<double>{"hypervolume_standard_error", product,
-                          "of a jackknife over randomisations",
-                          &GenerationSummary::hypervolume_standard_error}};
+    SummaryColumn<double>{
+        "hypervolume_standard_error", product,
+        "standard error of hypervolume, by a jackknife over randomisations",
+        &GenerationSummary::hypervolume_standard_error}};
 
 constexpr std::array count_columns{
-    SummaryColumn<std::uint32_t>{"failures", "1", "failed rows",
+    SummaryColumn<std::uint32_t>{"failures", "1", "number of rows that failed",
                                  &GenerationSummary::failures},
-    SummaryColumn<std::uint32_t>{"evaluations", "1",
-                                 "rows evaluated, not copied",
-                                 &GenerationSummary::evaluations}};
+    SummaryColumn<std::uint32_t>{
+        "evaluations", "1", "number of rows that were evaluated and not copied",
+        &GenerationSummary::evaluations}};
 
 std::string path(const std::string& name) {
     return group_name + "/" + name;
@@ -95,10 +101,12 @@ void Generations::create(hid_t file, const HistoryHeader& header) {
                                .empty = empty});
     };
     const std::int64_t none = -1;
-    add("committed", bool_type(), "1", "the generation is complete");
-    add("first_row", H5T_STD_I64LE, "1", "of /evaluations");
-    add("count", H5T_STD_U32LE, "1", "rows of the generation");
-    add("best_row", H5T_STD_I64LE, "1", "of /evaluations", &none);
+    add("committed", bool_type(), "1", "whether the generation is complete");
+    add("first_row", H5T_STD_I64LE, "1",
+        "first row of the generation in /evaluations");
+    add("count", H5T_STD_U32LE, "1", "number of rows of the generation");
+    add("best_row", H5T_STD_I64LE, "1",
+        "best row of the generation in /evaluations", &none);
     const auto& objectives = header.schema.objectives;
     const std::size_t count =
         number_columns.size() - (objectives.size() > 1 ? 0 : front_columns);

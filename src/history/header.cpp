@@ -50,10 +50,11 @@ void write_genes(hid_t file, const GeneSpace& genes) {
         H5T_STD_I32LE, &Gene::leaf, std::int32_t{});
     add("lower", "lower bound", own, H5T_IEEE_F64LE, &Gene::lower, double{});
     add("upper", "upper bound", own, H5T_IEEE_F64LE, &Gene::upper, double{});
-    add("is_circular", "lower and upper are the same point", "1", bool_type(),
-        &Gene::is_circular, std::int8_t{});
-    add("is_free", "bred; others keep the baseline's value", "1", bool_type(),
-        &Gene::is_free, std::int8_t{});
+    add("is_circular", "whether the lower and upper bound are the same point",
+        "1", bool_type(), &Gene::is_circular, std::int8_t{});
+    add("is_free",
+        "whether the gene is bred; others keep the value of the baseline", "1",
+        bool_type(), &Gene::is_free, std::int8_t{});
 }
 
 std::vector<std::string> read_texts(hid_t file, const std::string& name) {

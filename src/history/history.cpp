@@ -51,7 +51,7 @@ void History::begin_session(const SessionRecord& session) {
         file_->journal.add(session);
         if (!file_->lock->is_exclusive())
             file_->journal.add(
-                "this file system has no locks: see that no other host "
+                "this file system has no locks: make sure that no other host "
                 "resumes this case at the same time");
         flush(file_->id);
     });
@@ -190,14 +190,17 @@ std::vector<GenerationSummary> History::summaries() const {
 
 void History::propose_final(const std::vector<Candidate>& candidates) {
     if (candidates.size() > file_->finals.rows())
-        file_->fail(fmt::format("{} finalists, but room for {}",
+        file_->fail(fmt::format("there are {} finalists, but room for {} only",
                                 candidates.size(), file_->finals.rows()));
     file_->require_genes(candidates);
     const std::size_t known = finalists().size();
     if (candidates.size() < known)
-        file_->fail(fmt::format("{} finalists, but there were {} before",
-                                candidates.size(), known),
-                    ExitCode::refused);
+        file_->fail(
+            fmt::format(
+                "there are {} finalists, but there were {} before; resume with "
+                "the program and campaign that began the case",
+                candidates.size(), known),
+            ExitCode::refused);
     file_->propose(file_->finals, "finalist", 0, 0, candidates);
 }
 

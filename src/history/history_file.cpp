@@ -68,7 +68,7 @@ History::File::File(std::string name, std::optional<FileLock> held,
 
 Span History::File::span(std::uint32_t generation) const {
     if (generation >= generations.most())
-        fail(fmt::format("there is no generation {}", generation));
+        fail(fmt::format("this history has no generation {}", generation));
     if (!lock) return read([&] { return generations.span(generation); });
     return generation < spans.size() ? spans[generation] : Span{};
 }
@@ -76,8 +76,8 @@ Span History::File::span(std::uint32_t generation) const {
 hsize_t History::File::row(std::uint32_t generation, std::uint32_t slot) const {
     const Span rows = span(generation);
     if (slot >= rows.count)
-        fail(
-            fmt::format("there is no generation {} slot {}", generation, slot));
+        fail(fmt::format("this history has no generation {} slot {}",
+                         generation, slot));
     return rows.first + slot;
 }
 
@@ -150,8 +150,8 @@ void History::File::record(Columns& columns, const std::string& label,
 void History::File::require_whole() const {
     if (mapping && !mapping->is_whole())
         fail(
-            "this file was cut short while it was written (nothing more can "
-            "be saved in it); begin again in another folder with --out",
+            "this file was cut short while it was written (and nothing more "
+            "can be saved in it); begin again in another folder with --out",
             ExitCode::refused);
 }
 
@@ -160,8 +160,8 @@ void History::File::require_in_place() const {
     if (!is_at(path, descriptor_of(id)))
         fail(
             "this file was deleted, moved or replaced while it was written "
-            "(nothing more can be saved in it); put it back if it was moved, "
-            "then go on with --resume",
+            "(and nothing more can be saved in it); put it back if it was "
+            "moved, then go on with --resume",
             ExitCode::refused);
 }
 

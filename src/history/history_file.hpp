@@ -62,8 +62,9 @@ struct History::File {
 
     template <class Action>
     void write(Action action) {
-        if (!lock) fail("opened to read only");
-        if (is_broken) fail("an earlier write failed");
+        if (!lock) fail("this history was opened to be read only");
+        if (is_broken)
+            fail("this history cannot go on, since an earlier write failed");
         require_in_place();
         // After a failed write HDF5 takes more data and stores zeros.
         is_broken = true;

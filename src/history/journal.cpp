@@ -25,13 +25,16 @@ struct SessionColumn {
 };
 
 constexpr std::array session_columns{
-    SessionColumn{"started", 32, "UTC", &SessionRecord::started},
-    SessionColumn{"host", 64, "of rank 0", &SessionRecord::host},
-    SessionColumn{"command", longest_command, "as it was started",
-                  &SessionRecord::command},
-    SessionColumn{"program", 64, "name and version", &SessionRecord::program},
-    SessionColumn{"compiler", 64, "of the program", &SessionRecord::compiler},
-    SessionColumn{"libraries", 256, "name and version of each",
+    SessionColumn{"started", 32, "time of the start in UTC",
+                  &SessionRecord::started},
+    SessionColumn{"host", 64, "host of rank 0", &SessionRecord::host},
+    SessionColumn{"command", longest_command,
+                  "command that started the program", &SessionRecord::command},
+    SessionColumn{"program", 64, "name and version of the program",
+                  &SessionRecord::program},
+    SessionColumn{"compiler", 64, "compiler that built the program",
+                  &SessionRecord::compiler},
+    SessionColumn{"libraries", 256, "name and version of each library",
                   &SessionRecord::libraries}};
 
 // Returns how many rows are used: the first that is empty is not.
@@ -47,15 +50,15 @@ void Journal::create(hid_t file) {
     const Handle state = create_group(file, "state");
     create_dataset(state, {.name = "finished",
                            .type = bool_type(),
-                           .meaning = "the case is over"});
+                           .meaning = "whether the case is over"});
     create_dataset(state, {.name = "reason",
                            .type = string_type(reason_size),
                            .unit = "",
-                           .meaning = "why it is over"});
+                           .meaning = "why the case is over"});
     create_dataset(state, {.name = "wall_time",
                            .type = H5T_IEEE_F64LE,
                            .unit = "s",
-                           .meaning = "of all sessions"});
+                           .meaning = "time that all sessions took"});
     const auto add = [&](hid_t group, const std::string& axis,
                          const std::string& name, hid_t type,
                          const std::string& unit, const std::string& meaning) {
@@ -72,11 +75,12 @@ void Journal::create(hid_t file) {
     for (const SessionColumn& each : session_columns)
         add(sessions, "session", each.name, string_type(each.size), "",
             each.meaning);
-    add(sessions, "session", "ranks", H5T_STD_I32LE, "1", "of MPI");
+    add(sessions, "session", "ranks", H5T_STD_I32LE, "1",
+        "number of ranks of MPI");
     const Handle messages = create_group(file, "messages");
     create_axis(messages, counted("message", "oldest first", most_messages));
     add(messages, "message", "text", string_type(message_size), "",
-        "what the user should know");
+        "a message that the user should know");
 }
 
 Journal::Journal(hid_t file)

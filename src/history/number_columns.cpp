@@ -68,18 +68,20 @@ std::vector<DatasetForm> number_forms(const OutcomeSchema& schema,
                                  axes.end());
     };
     const std::string unit = "/objectives/unit";
-    add("objectives", {"objective"}, unit, "what is searched for");
+    add("objectives", {"objective"}, unit, "values of the objectives");
     add("objectives_standard_error", {"objective"}, unit,
-        "of the mean over randomisations");
+        "standard error of the mean over randomisations");
     add("objectives_by_randomisation", {"objective", "randomisation"}, unit,
-        "independent randomisations, common to rows that are compared");
+        "objectives in independent randomisations, which rows that are "
+        "compared share");
     add("violation", {}, "1",
-        "how far constraints are failed, relative to their limits");
+        "sum of the amounts by which constraints are not met, relative to "
+        "their limits");
     for (const Quantity& each : schema.measured.quantities) {
         add(each.name, each.axes, each.unit, each.meaning);
         if (each.certainty == Certainty::estimated)
             add(each.name + error_suffix, each.axes, each.unit,
-                "standard error: " + each.meaning);
+                "standard error of: " + each.meaning);
     }
     return forms;
 }

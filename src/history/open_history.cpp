@@ -16,8 +16,10 @@ History History::create(const std::string& path, const HistoryHeader& header) {
     FileLock lock = FileLock::of_new(path);
     if (history_exists(path)) {
         const FileLock held(path);  // or another program begins it right now
-        throw Error(path + ": exists already; add --resume to go on with it",
-                    ExitCode::refused);
+        throw Error(
+            path +
+                ": this history exists already; add --resume to go on with it",
+            ExitCode::refused);
     }
     return with_name_of(path, [&] {
         create_file(path, header, lock);

@@ -60,9 +60,10 @@ std::vector<LeafRates> rates_of_leaves(
     const std::vector<LeafRates>& given = photosynthesis.rates;
     const std::size_t leaves = leaf_area_index.size();
     if (given.size() != 1 && given.size() != leaves)
-        throw Error(fmt::format(
-            "photosynthesis has rates of {} leaves, the plant has {}",
-            given.size(), leaves));
+        throw Error(
+            fmt::format("photosynthesis has rates for {} leaves, but the plant "
+                        "has {}; give one for each leaf",
+                        given.size(), leaves));
     const std::vector<double> factors =
         capacities(photosynthesis, leaf_area_index);
     std::vector<LeafRates> result;

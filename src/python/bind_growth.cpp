@@ -19,8 +19,9 @@ struct GrowingCrop {
     explicit GrowingCrop(const std::string& path) : crop(read_crop(path)) {
         if (!crop.growth)
             throw Error(path +
-                        ": has no [growth] (how its plants grow and age); add "
-                        "the table, an empty one has a hybrid of maize");
+                        ": this crop has no [growth] (how its plants grow and "
+                        "age); add the table, which describes a hybrid of "
+                        "maize if it is empty");
         leaves = leaf_dates(*crop.growth);
     }
 

@@ -8,9 +8,9 @@
 #include "ideotype/core/host.hpp"
 #include "ideotype/core/version.hpp"
 #include "ideotype/light/device.hpp"
-#include "machines.hpp"
 #include "parallel/session.hpp"
 #include "progress.hpp"
+#include "run/job/machines.hpp"
 #include "stand/stand.hpp"
 
 namespace ideotype {

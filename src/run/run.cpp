@@ -8,14 +8,14 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "disk.hpp"
 #include "evaluator.hpp"
-#include "machines.hpp"
-#include "masters.hpp"
 #include "provenance.hpp"
+#include "run/job/disk.hpp"
+#include "run/job/machines.hpp"
+#include "run/job/masters.hpp"
+#include "run/job/way_on.hpp"
 #include "summary.hpp"
 #include "sweep.hpp"
-#include "way_on.hpp"
 
 namespace ideotype {
 
@@ -40,25 +40,28 @@ std::optional<std::string> isa_of_histories(const RunOptions& options,
         const std::string path = path_of(options.out, campaign, each);
         if (!history_exists(path)) continue;
         if (!options.is_resumed)
-            throw Error(fmt::format("{}: exists already and a run never "
-                                    "overwrites; add --resume to go on with "
-                                    "it, or choose another folder with --out",
-                                    path),
-                        ExitCode::refused);
+            throw Error(
+                fmt::format("{}: this history exists already, and a run never "
+                            "overwrites; add --resume to go on with it, or "
+                            "choose another folder with --out",
+                            path),
+                ExitCode::refused);
         const HistoryHeader header = History::header_of(path);
         require_resumable(header, campaign, each, path);
         const std::string& isa = header.text.at("isa");
         if (options.isa && isa != *options.isa)
-            throw Error(fmt::format("{}: was begun with instruction set {}, "
-                                    "not {}; leave --isa out",
-                                    path, isa, *options.isa),
-                        ExitCode::refused);
+            throw Error(
+                fmt::format("{}: this history was begun with instruction set "
+                            "{}, not {}; leave --isa out",
+                            path, isa, *options.isa),
+                ExitCode::refused);
         if (common && isa != *common)
-            throw Error(fmt::format("{}: was begun with instruction set {}, "
-                                    "other cases with {}; resume them one by "
-                                    "one with --case",
-                                    path, isa, *common),
-                        ExitCode::refused);
+            throw Error(
+                fmt::format(
+                    "{}: this history was begun with instruction set {}, other "
+                    "cases with {}; resume them one by one with --case",
+                    path, isa, *common),
+                ExitCode::refused);
         common = isa;
     }
     return common;
@@ -145,8 +148,8 @@ Genome best_of_history(const GeneSpace& genes, Genome start,
     const std::size_t best = best_finalist(history, finalists);
     if (best == 0)
         throw Error(path +
-                    ": has no plant that was evaluated again; let its "
-                    "run end, or begin with a plant file");
+                    ": this history has no plant that was evaluated again; let "
+                    "its run end, or begin with a plant file");
     const Genome& found = finalists[best].candidate.genome;
     for (std::size_t i = 0; i < genes.size(); ++i)
         for (std::size_t j = 0; j < header.genes.size(); ++j)
@@ -168,11 +171,11 @@ std::string start_setting(const Campaign& campaign, const std::string& path) {
         Crop crop = campaign.crop;
         crop.baseline = read_plant(path);
         if (crop.baseline.leaves.size() != campaign.crop.baseline.leaves.size())
-            throw Error(fmt::format(
-                "{}: has {} leaves (the campaign's baseline has {}); begin "
-                "with another plant",
-                path, crop.baseline.leaves.size(),
-                campaign.crop.baseline.leaves.size()));
+            throw Error(
+                fmt::format("{}: this plant has {} leaves (the campaign's "
+                            "baseline has {}); begin with another plant",
+                            path, crop.baseline.leaves.size(),
+                            campaign.crop.baseline.leaves.size()));
         std::ranges::copy(baseline_numbers(crop), start.begin());
     }
     return fmt::format("search.start=[{}]", fmt::join(start, ", "));

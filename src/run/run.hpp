@@ -9,9 +9,9 @@
 #include "ideotype/core/error.hpp"
 #include "ideotype/core/stop_flag.hpp"
 #include "log.hpp"
-#include "machines.hpp"
 #include "parallel/dispatcher.hpp"
 #include "parallel/session.hpp"
+#include "run/job/machines.hpp"
 
 namespace ideotype {
 

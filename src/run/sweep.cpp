@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "masters.hpp"
 #include "provenance.hpp"
-#include "way_on.hpp"
+#include "run/job/masters.hpp"
+#include "run/job/way_on.hpp"
 
 namespace ideotype {
 
@@ -169,10 +169,9 @@ History Sweep::open_history(const Case& chosen) const {
     std::error_code failure;
     fs::create_directories(folder, failure);
     if (failure)
-        throw Error(
-            fmt::format("{}: cannot create this folder: {}; choose "
-                        "another with --out",
-                        folder.string(), failure.message()));
+        throw Error(fmt::format(
+            "{}: this folder cannot be created: {}; choose another with --out",
+            folder.string(), failure.message()));
     return History::create(path, header_of(campaign_, chosen, isa_));
 }
 
@@ -183,11 +182,12 @@ History Sweep::resume_history(const Case& chosen,
     require_resumable(history.header(), campaign_, chosen, path);
     const std::string& isa = history.header().text.at("isa");
     if (isa != isa_)
-        throw Error(fmt::format("{}: was begun with instruction set {}, but "
-                                "this job works with {}; resume it by itself "
-                                "with --case {}",
-                                path, isa, isa_, chosen.index),
-                    ExitCode::refused);
+        throw Error(
+            fmt::format(
+                "{}: this history was begun with instruction set {}, but this "
+                "job works with {}; resume it by itself with --case {}",
+                path, isa, isa_, chosen.index),
+            ExitCode::refused);
     return history;
 }
 

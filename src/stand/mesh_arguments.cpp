@@ -23,7 +23,8 @@ Date to_date(const std::string& text) {
     if (text.size() != 10 ||
         std::sscanf(text.c_str(), "%4d-%2d-%2d%c", &date.year, &date.month,
                     &date.day, &rest) != 3)
-        throw CLI::ValidationError("--date", text + " is not YYYY-MM-DD");
+        throw CLI::ValidationError(
+            "--date", text + " is no date; write it as YYYY-MM-DD");
     return date;
 }
 

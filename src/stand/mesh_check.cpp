@@ -29,10 +29,10 @@ class MeshCheck {
 
     std::vector<std::string> run() const {
         if (plants_ * static_cast<double>(mesh_.faces.size()) > most_faces)
-            throw Error(
-                fmt::format("a field of {} plants of {} faces is too "
-                            "large (at most {:.0e} faces)",
-                            plants_, mesh_.faces.size(), most_faces));
+            throw Error(fmt::format(
+                "a field of {} plants of {} faces is too large (the limit is "
+                "{:.0e} faces); take fewer plants, or a coarser mesh",
+                plants_, mesh_.faces.size(), most_faces));
         const auto [bottom, top] = heights();
         std::vector<std::string> warnings;
         constexpr double below = -1e-3;  // more than rounding
@@ -73,7 +73,8 @@ class MeshCheck {
         if (!(plants_ * images <= most_faces))
             throw Error(fmt::format(
                 "the mesh covers its period of {} x {} m so often that {:.1e} "
-                "faces would be needed (at most {:.0e}); is it in metres?",
+                "faces would be needed (the limit is {:.0e}); check that it is "
+                "in metres",
                 cell_.period_x, cell_.period_y, plants_ * images, most_faces));
     }
 
@@ -100,7 +101,7 @@ class MeshCheck {
                         area < least * cell_.ground_area))
             throw Error(fmt::format(
                 "the mesh has {:.2g} m2 over {:.4g} m2 of ground (the {} is "
-                "{:.0e} of it); is it in metres?",
+                "{:.0e} of it); check that it is in metres",
                 area, cell_.ground_area, is_much ? "most" : "least",
                 is_much ? most : least));
     }
@@ -111,7 +112,7 @@ class MeshCheck {
         if (height > most_crossings * period)
             throw Error(fmt::format(
                 "the mesh is {:.6g} m high over a period of {:.6g} m (the "
-                "limit is {:.0f} times the period); is it in metres?",
+                "limit is {:.0f} times the period); check that it is in metres",
                 height, period, most_crossings));
     }
 

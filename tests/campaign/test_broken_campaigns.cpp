@@ -224,7 +224,7 @@ TEST(BrokenCampaign, FieldsDivideTheRandomisations) {
                   .find("light.fields is 3 (too few"),
               std::string::npos);
     EXPECT_NE(problem_of(sample_text("", "[light]\nfields = 5\n"))
-                  .find("light.fields is 5, among which 16"),
+                  .find("light.fields is 5 (the 16"),
               std::string::npos);
 }
 

@@ -50,9 +50,11 @@ TEST(Components, LeaveACampaignWithoutThemAsItWas) {
 TEST(Components, NeedRowsAndNamesOfTheirOwn) {
     const std::string taken =
         sorghum + "rows = [2]\n" + sorghum + "rows = [2]\n";
-    EXPECT_NE(problems_of(taken).find("which another has"), std::string::npos);
+    EXPECT_NE(problems_of(taken).find("which another component has"),
+              std::string::npos);
     EXPECT_NE(problems_of(taken).find("already used"), std::string::npos);
-    EXPECT_NE(problems_of(sorghum + "rows = [1.5]\n").find("which is no row"),
+    EXPECT_NE(problems_of(sorghum + "rows = [1.5]\n")
+                  .find("which the field does not have"),
               std::string::npos);
     EXPECT_NE(problems_of(sorghum + "rows = [1, 2, 3, 4, 5, 6]\n")
                   .find("leaves no place"),
@@ -93,7 +95,7 @@ TEST(Components, CountInObjectivesByTheirWeights) {
           std::pair{rows + net + "weights = [0, 0]\n", "are all 0"},
           std::pair{rows + "[objective]\nmaximise = \"fapar\"\n"
                            "weights = [1, 1]\n",
-                    "fapar is no sum over components"},
+                    "fapar is no sum over components, which could be weighted"},
           std::pair{std::string("[objective]\nmaximise = \"invasion\"\n"),
                     "compares two components, and there are 1"}})
         EXPECT_NE(problems_of(text).find(problem), std::string::npos) << text;
@@ -137,7 +139,7 @@ TEST(Components, MayBeBredWithinBoundsOfTheirOwn) {
           std::pair{bred + "[objective]\n"
                            "maximise = \"sorghum.net_assimilation\"\n"
                            "weights = [1, 1]\n",
-                    "is that of one component"}})
+                    "is a quantity of one component"}})
         EXPECT_NE(problems_of(more).find(problem), std::string::npos)
             << more << problems_of(more);
 }
@@ -175,7 +177,8 @@ TEST(Components, HaveALandEquivalentRatioByWhatTheyHaveAlone) {
                     "ask for one objective"},
           std::pair{rows + "[objective]\nmaximise = \"fapar\"\n"
                            "sole = [1, 1]\n",
-                    "fapar is no sum over components; remove objective.sole"}})
+                    "fapar is no sum over components, which could be weighted; "
+                    "remove objective.sole"}})
         EXPECT_NE(problems_of(text).find(problem), std::string::npos) << text;
 }
 

@@ -169,7 +169,8 @@ TEST_F(MeasuredPlants, AllProblemsAreToldInOnePass) {
         "the unit and the convention of the column\n"
         "field.csv:3:1: leaf 2 is missing (leaves are counted from the lowest, "
         "1); add it or count anew\n"
-        "field.csv:3:8: insertion_angle_deg is \"x\" (no number); write one "
+        "field.csv:3:8: insertion_angle_deg is \"x\" (which is no number); "
+        "write one "
         "with a decimal point, or leave the column out\n"
         "field.csv:4:1: there are 5 entries (the table has 6 columns); give "
         "each column one");
@@ -178,7 +179,8 @@ TEST_F(MeasuredPlants, AllProblemsAreToldInOnePass) {
               0u);
     EXPECT_NE(problems_of("").find("there are no leaves"), std::string::npos);
     EXPECT_EQ(problems_of("leaf,length_cm\n1,20\n1,30\n"),
-              "field.csv:3:1: leaf 1 is there twice; each leaf has one line");
+              "field.csv:3:1: leaf 1 is given twice (each leaf has one line); "
+              "remove one of the lines");
 }
 
 TEST_F(MeasuredPlants, LeavesAreCheckedAsThoseOfCropFiles) {
@@ -193,11 +195,11 @@ TEST_F(MeasuredPlants, LeavesAreCheckedAsThoseOfCropFiles) {
 TEST_F(MeasuredPlants, OfOtherNumbersOfLeavesAllMeasuresAreNeeded) {
     const std::string problems =
         problems_of("length_cm,width_cm,azimuth_deg\n30,4,90\n");
-    for (const std::string measure :
-         {"insertion_angle (the 2 leaves of the crop cannot stand for 1 "
-          "measured ones); add insertion_angle_deg",
-          "curvature", "insertion_height"})
-        EXPECT_NE(problems.find("field.csv:1:1: there is no column of the " +
+    for (const std::string measure : {"insertion_angle of leaves (the 2 leaves "
+                                      "of the crop cannot stand for 1 "
+                                      "measured ones); add insertion_angle_deg",
+                                      "curvature", "insertion_height"})
+        EXPECT_NE(problems.find("field.csv:1:1: there is no column for the " +
                                 measure),
                   std::string::npos)
             << problems;

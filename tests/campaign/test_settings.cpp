@@ -67,9 +67,10 @@ TEST(Settings, AreCheckedLikeTheFileAllInOnePass) {
              {"--set search.optimizer=randum: search.optimizer is \"randum\" "
               "(not one of its values); did you mean 'random'?",
               "--set site.latitud=3: unknown key 'latitud'",
-              "--set seed: not a key and its value",
+              "--set seed: this is not a key with its value",
               "--set seed=\"a: seed is a text (expected: ",
-              "--set a.b.c.d.e.f.g.h.i.j.k=1: not a key and its value"})
+              "--set a.b.c.d.e.f.g.h.i.j.k=1: this is not a key with its "
+              "value"})
             EXPECT_NE(all.find(each), std::string::npos) << each << "\n" << all;
     }
 }

@@ -68,7 +68,7 @@ for words in "--generations --to exports/rows.csv" "--best --to exports/plant.vt
     "--best --to exports/plant.obj"; do
     # shellcheck disable=SC2086
     expect 1 small "$ideotype" export "$(history_of exported disk)" $words
-    says "exports/.*: cannot be written: File too large"
+    says "exports/.*: this file cannot be written: File too large"
     [ -z "$(ls exports)" ] || fail "something is left: $(ls exports)"
 done
 

@@ -270,7 +270,7 @@ TEST(MeshScene, AllProblemsOfAFileAreToldInOnePass) {
         const std::string all = error.what();
         for (const char* part :
              {"unknown key 'albedo'", "soil_albedo.par is 2",
-              "soil_albedo.red is of no band", "more than all",
+              "soil_albedo.red names no band", "more than all",
               "material.groups is an integer", "has no par", "has no nir",
               "material.nir is a list", "a component has no name",
               "unknown key 'colour'", "unknown key 'amaxx'"})

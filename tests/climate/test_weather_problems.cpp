@@ -93,10 +93,11 @@ TEST(WeatherProblems, OrderAndDuplicatesAreErrors) {
                     made.rows.insert(made.rows.begin() + 41, made.rows[40]);
                 }),
                 HasSubstr("made.csv:43:1: the same time as on line 42"));
-    EXPECT_THAT(problem([](MadeCsv& made) {
-                    made.rows.insert(made.rows.begin() + 41, made.row(40, .75));
-                }),
-                HasSubstr("made.csv:43:1: the time is not whole steps"));
+    EXPECT_THAT(
+        problem([](MadeCsv& made) {
+            made.rows.insert(made.rows.begin() + 41, made.row(40, .75));
+        }),
+        HasSubstr("made.csv:43:1: the time is not a whole number of steps"));
 }
 
 TEST(WeatherProblems, NegativeLightIsCountedOrAnError) {
@@ -148,7 +149,8 @@ TEST(WeatherProblems, PartsThatContradictEachOtherAreCounted) {
 
 TEST(WeatherProblems, NumbersAreRead) {
     EXPECT_THAT(problem([](MadeCsv& made) { set_light(made, 5, "x1"); }),
-                HasSubstr("made.csv:7:18: \"x1\" is not a number"));
+                HasSubstr("made.csv:7:18: \"x1\" is not a number; write "
+                          "coordinates with a decimal point"));
     EXPECT_THAT(problem([](MadeCsv& made) { set_light(made, 5, "5000"); }),
                 HasSubstr("check the unit"));
     EXPECT_THAT(problem([](MadeCsv& made) { made.rows[5] = "2011-02-30"; }),
@@ -181,8 +183,8 @@ TEST(WeatherProblems, ColumnsAndUnitsAreNamed) {
     request = made_request();
     request.columns.global->unit = "W/ft2";
     EXPECT_THAT(error_of(MadeCsv().text(), request),
-                HasSubstr("\"W/ft2\" is no unit of the column \"ghi\"; there "
-                          "are W/m2, kW/m2, Wh/m2"));
+                HasSubstr("\"W/ft2\" is no unit for the column \"ghi\"; use "
+                          "one of W/m2, kW/m2, Wh/m2"));
     request.columns.time = {"when"};
     EXPECT_THAT(error_of(MadeCsv().text(), request),
                 HasSubstr("no line has a column \"when\""));
@@ -217,7 +219,7 @@ TEST(WeatherProblems, WindPressureAndLongwaveHaveUnits) {
               std::string::npos);
     request.columns.pressure->unit = "hPa";
     request.columns.longwave->unit = "umol/m2/s";
-    EXPECT_NE(error_of(csv.text(), request).find("is no unit of the column"),
+    EXPECT_NE(error_of(csv.text(), request).find("is no unit for the column"),
               std::string::npos);
 }
 

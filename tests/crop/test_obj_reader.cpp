@@ -169,33 +169,44 @@ TEST(ObjReader, LinesNotUnderstoodAreCounted) {
 TEST(ObjReader, BrokenFilesAreErrorsWithTheirPlace) {
     const std::string v = square;
     EXPECT_EQ(error_of(""),
-              "a.obj: there are no faces (lines that begin with f)");
+              "a.obj: there are no faces (lines that begin with f); add some");
     EXPECT_EQ(error_of(v),
-              "a.obj: there are no faces (lines that begin with f)");
-    EXPECT_EQ(error_of(v + "f 1 1 1\n"), "a.obj: no face has an area");
+              "a.obj: there are no faces (lines that begin with f); add some");
+    EXPECT_EQ(error_of(v + "f 1 1 1\n"),
+              "a.obj: no face has an area (the corners of each are on a line); "
+              "export the mesh again");
     EXPECT_EQ(error_of("v 0 nan 0\n"),
-              "a.obj:1:5: 'nan' is not a finite coordinate");
+              "a.obj:1:5: 'nan' is not a finite coordinate; correct it");
     EXPECT_EQ(error_of("v 0 0 -inf\n"),
-              "a.obj:1:7: '-inf' is not a finite coordinate");
+              "a.obj:1:7: '-inf' is not a finite coordinate; correct it");
     EXPECT_EQ(error_of("v 1e999 0 0\n"),
-              "a.obj:1:3: '1e999' is not a finite coordinate");
+              "a.obj:1:3: '1e999' is not a finite coordinate; correct it");
     EXPECT_EQ(error_of("v 0 0 0\nv 1,5 0 0\n"),
-              "a.obj:2:3: '1,5' is not a number");
-    EXPECT_EQ(error_of("v 0 +-1 0\n"), "a.obj:1:5: '+-1' is not a number");
+              "a.obj:2:3: '1,5' is not a number; write coordinates with a "
+              "decimal point");
+    EXPECT_EQ(error_of("v 0 +-1 0\n"),
+              "a.obj:1:5: '+-1' is not a number; write coordinates with a "
+              "decimal point");
     EXPECT_EQ(error_of("v 0 0\n"),
-              "a.obj:1:1: a vertex has fewer than three coordinates");
-    EXPECT_EQ(error_of(v + "f 1 2\n"),
-              "a.obj:5:1: a face has fewer than three corners");
-    EXPECT_EQ(error_of(v + "f 1 2 a\n"),
-              "a.obj:5:7: 'a' is not the number of a vertex");
+              "a.obj:1:1: a vertex has fewer than three coordinates; give x, y "
+              "and z");
+    EXPECT_EQ(
+        error_of(v + "f 1 2\n"),
+        "a.obj:5:1: a face has fewer than three corners; give three or more");
+    EXPECT_EQ(
+        error_of(v + "f 1 2 a\n"),
+        "a.obj:5:7: 'a' is not the number of a vertex; write a whole number");
     EXPECT_EQ(error_of(v + "f 1 2 99999999999\n"),
-              "a.obj:5:7: '99999999999' is not the number of a vertex");
+              "a.obj:5:7: '99999999999' is not the number of a vertex; write a "
+              "whole number");
     EXPECT_EQ(error_of(v + "f 1 2 0\n"),
-              "a.obj:5:1: a corner is vertex 0 (the first is 1)");
-    EXPECT_EQ(error_of(v + "\nf 1 2 5\n"),
-              "a.obj:6:1: a corner is vertex 5, but there are only 4");
+              "a.obj:5:1: a corner is vertex 0 (vertices are counted from 1); "
+              "correct it");
+    EXPECT_EQ(
+        error_of(v + "\nf 1 2 5\n"),
+        "a.obj:6:1: a corner is vertex 5, but there are only 4; correct it");
     EXPECT_EQ(error_of(v + "f 1 2 -5\n"),
-              "a.obj:5:1: a corner lies before the first vertex");
+              "a.obj:5:1: a corner lies before the first vertex; correct it");
     EXPECT_EQ(error_of("v 2e6 0 0\n"),
               "a.obj:1:1: the coordinate 2e+06 is not within 1e+06 m of the "
               "origin (the unit is the metre); scale the mesh");

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "ideotype/core/error.hpp"
-#include "run/machines.hpp"
+#include "run/job/machines.hpp"
 
 namespace ideotype {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "run/masters.hpp"
+#include "run/job/masters.hpp"
 
 namespace ideotype {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include "run/way_on.hpp"
+#include "run/job/way_on.hpp"
 
 namespace ideotype {
 namespace {

@@ -19,7 +19,7 @@
 #include "ideotype/core/stop_flag.hpp"
 #include "options.hpp"
 #include "run/evolve_case.hpp"
-#include "run/masters.hpp"
+#include "run/job/masters.hpp"
 #include "run/provenance.hpp"
 
 namespace ideotype {

@@ -140,7 +140,7 @@ def parts(line: Floats) -> Floats:
     sizes = np.linalg.norm(np.diff(line, axis=0), axis=1)
     length = np.concatenate([[0.0], np.cumsum(sizes)])
     if length[-1] == 0:
-        raise Error("a midrib needs two points that differ")
+        raise Error("a midrib has no two points that differ; give points from the base to the tip")
     return length / length[-1]
 
 

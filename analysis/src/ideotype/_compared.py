@@ -50,7 +50,7 @@ class Plant:
             best = history.best()
             if best is None:
                 raise Error(
-                    f"{path}: no generation of this history is complete yet"
+                    f"{path}: no generation of this history is complete yet; try again later"
                 )
             stand = Stand.from_history(
                 path, best.row.genome[0], same_isa=False

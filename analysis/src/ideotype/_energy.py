@@ -91,11 +91,11 @@ def leaf_energy_balance(
     given = dict(inputs)
     nested = given.pop("parameters", {})
     if not isinstance(nested, Mapping):
-        raise Error("parameters is no dict of names and numbers")
+        raise Error("parameters is no dictionary; give names and numbers")
     given |= nested
     model = given.pop("model", "collatz")
     if not isinstance(model, str) or model not in _RATES:
-        raise Error(f"model is {model!r}; there are {', '.join(_RATES)}")
+        raise Error(f"model is {model!r}; use one of {', '.join(_RATES)}")
     _check_names(given, model)
     which = _choices(given.pop("stomata", "medlyn"))
     stomata = _STOMATA | {
@@ -158,7 +158,7 @@ def _choices(given: Any) -> NDArray[np.float64]:
     found = np.asarray(given)
     for each in found.ravel().tolist():
         if each not in names:
-            raise Error(f"stomata is {each!r}; there are {', '.join(names)}")
+            raise Error(f"stomata is {each!r}; use one of {', '.join(names)}")
     return np.asarray(found == names[1], float)
 
 

@@ -43,7 +43,7 @@ def read_midribs(
             plant = names[0]
         if plant not in names:
             raise Error(
-                f"{path}: name one of its plants by --plant: {', '.join(names)}"
+                f"{path}: this file has several plants; name one by --plant: {', '.join(names)}"
             )
         table = table[table["plant"].astype(str) == plant]
     found = {
@@ -59,7 +59,7 @@ def read_midribs(
             )
     if "leaf" not in table:
         raise Error(
-            f"{path}:1: there is no column leaf, the rank of each point"
+            f"{path}:1: there is no column leaf; add it with the rank of the leaf of each point"
         )
     points = np.zeros((len(table), 3))
     told = None
@@ -81,7 +81,7 @@ def read_midribs(
         if len(line) > 1 and np.ptp(line, axis=0).max() > 0:
             lines.setdefault(int(rows["leaf"].iloc[0]), []).append(line)
     if not lines:
-        raise Error(f"{path}: no leaf has two points that differ")
+        raise Error(f"{path}: no leaf has two points that differ; give points from base to tip")
     factor = metres(
         told or unit,
         [

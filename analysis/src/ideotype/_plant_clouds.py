@@ -43,7 +43,7 @@ def _parts_of(path: Path) -> dict[str, tuple[Floats, float]]:
     if not len(colours) and getattr(whole, "visual", None) is not None:
         colours = np.asarray(whole.visual.vertex_colors)
     if len(colours) != len(whole.vertices) or not len(colours):
-        raise Error(f"{path}: its vertices have no colours, which tell leaves")
+        raise Error(f"{path}: its vertices have no colours, which tell leaves apart; give each leaf a colour")
     kinds, of = np.unique(colours[:, :3], axis=0, return_inverse=True)
     found = {}
     for i, colour in enumerate(kinds):

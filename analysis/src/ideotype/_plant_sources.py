@@ -43,11 +43,11 @@ def read_plant(
         blades = read_clouds(path, unit, ground)
     else:
         raise Error(
-            f"{path}: give a CSV file of midribs, a DAT file of NURBS surfaces, "
+            f"{path}: the format is unknown; give a CSV file of midribs, a DAT file of NURBS surfaces, "
             "or an OBJ or PLY file"
         )
     if not blades:
-        raise Error(f"{path}: no leaf is in it")
+        raise Error(f"{path}: there is no leaf in this file; choose another")
     if suffix != ".csv":
         blades.sort(key=lambda blade: blade.midrib[0, 2])
     return blades

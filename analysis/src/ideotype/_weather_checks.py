@@ -23,7 +23,7 @@ def place_of(
     if None in given:
         if told is None:
             raise Error(
-                f"{options.files[0]}: does not tell where it was "
+                f"{options.files[0]}: this file does not tell where it was "
                 "measured; give --latitude and --longitude"
             )
         return told
@@ -93,7 +93,7 @@ def check_clock(
     if np.nanmax(fits) < 0.5:
         raise Error(
             "the light hardly follows the sun (a correlation of "
-            f"{np.nanmax(fits):.2f}); is it damaged?"
+            f"{np.nanmax(fits):.2f}); check its times and columns"
         )
     is_long = frame.index[-1] - frame.index[0] > pd.Timedelta("9D")
     if abs(best) >= (0.75 if is_long else 2):

@@ -124,7 +124,7 @@ def _pvgis(path: Path) -> Readings:
         )
         if slope and float(slope[1] or slope[2]) != 0:
             raise Error(
-                f"{path}: this is light on a tilted plane; download it with "
+                f"{path}: this file has light on a tilted plane; download it with "
                 "slope 0"
             )
         parts = [

@@ -115,7 +115,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     try:
         if options.csv and options.csv.exists():
             raise FileExistsError(
-                f"{options.csv}: exists already and is not overwritten"
+                f"{options.csv}: this file exists already and is not overwritten; name another"
             )
         return _compare(options)
     except InputError as error:

@@ -294,12 +294,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
             raise Error(f"{options.crop}: {error}") from None
         if not crop.get("leaf") or "stalk" not in crop:
             raise Error(
-                f"{options.crop}: no crop file, which has [[leaf]] and [stalk]"
+                f"{options.crop}: this is no crop file (it lacks [[leaf]] or [stalk]); name one"
             )
         if any("petiole_length" in leaf for leaf in crop["leaf"]):
             raise Error(
-                f"{options.crop}: its leaves have petioles (only leaves of "
-                "one blade at the stalk can be fitted)"
+                f"{options.crop}: its leaves have petioles (only leaves of one blade at the stalk can be fitted); choose another crop"
             )
         name = options.name or options.to.stem
         crop = crop_of(blades, crop, name, options.form)

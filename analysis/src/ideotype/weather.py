@@ -178,7 +178,7 @@ def _joined(
         whole[[name for name in _LIGHT if name in whole]].notna().any(axis=1)
     )
     if not light.any():
-        raise Error("no file tells the light, global or beam and diffuse")
+        raise Error("no file tells the light; give one with global light, or with beam and diffuse light")
     return whole[light.idxmax() : light[::-1].idxmax()], steps[0]
 
 
@@ -202,7 +202,7 @@ def _with_years(frame: pd.DataFrame, first: Any, until: Any) -> pd.DataFrame:
     first = first or pd.Timestamp(index[0].year, 1, 1)
     until = until or pd.Timestamp(first.year, 12, 31)
     if until - first >= pd.Timedelta("366D"):
-        raise Error("the period is longer than the typical year of the file")
+        raise Error("the period is longer than the typical year of the file; choose one of up to 365 days")
     parts = []
     for year in range(first.year, until.year + 1):
         date = pd.DataFrame(

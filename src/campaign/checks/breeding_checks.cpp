@@ -51,13 +51,14 @@ void check_constraints(const Draft& draft, const Problems& problems) {
         const std::string& measure = trait.measures.front();
         if (!measure.starts_with("leaf."))
             own.add("step",
-                    "constraints.{} is there (the trait acts on {}, which the "
-                    "plant has once); narrow its bounds instead",
+                    "constraints.{} compares leaves (its trait acts on {}, "
+                    "which the plant has once); remove it, and narrow the "
+                    "bounds of the trait",
                     trait.name, measure);
         else if (limit.distichous > 0 && measure != "leaf.azimuth")
             own.add("distichous",
-                    "constraints.{}.distichous is {} (the trait acts on {}); "
-                    "only azimuths have a plane",
+                    "constraints.{}.distichous is {} (its trait acts on {}, "
+                    "and only azimuths have a plane); remove it",
                     trait.name, limit.distichous, measure);
     }
 }

@@ -32,8 +32,8 @@ void check_surface(const std::string& name, const Lambertian& surface,
     // Decimal fractions such as 0.7 + 0.3 may exceed 1 by rounding.
     if (surface.reflectance + surface.transmittance <= 1 + 1e-12) return;
     problems.add(transmittance,
-                 "{} is {} (more than all light with a reflectance of {}); use "
-                 "{:.6g} or less",
+                 "{} is {} (with the reflectance of {} that is more than all "
+                 "light); use {:.6g} or less",
                  transmittance, surface.transmittance, surface.reflectance,
                  1 - surface.reflectance);
 }
@@ -108,8 +108,8 @@ void check_case_names(const Campaign& campaign, const Problems& problems) {
             "site", static_cast<std::size_t>(named - campaign.sites.begin()));
         if (own.usable({"name"}))
             own.add("name",
-                    "site.name is \"{}\" (with the names of the other axes two "
-                    "cases are called {}); rename one of the entries",
+                    "site.name is \"{}\" (two cases would be called {}, by the "
+                    "names of all axes); rename one of the entries",
                     named->name, chosen.name);
         return;
     }

@@ -18,7 +18,7 @@ void check_name(const Draft& component, std::map<std::string, int>& names,
     const std::string& name = component.campaign.name;
     if (problems.usable({"name"}) && ++names[lower_case(name)] > 1)
         problems.add("name",
-                     "component.name is \"{}\" (already used, perhaps by the "
+                     "component.name is \"{}\" (already used, perhaps for the "
                      "plant that is bred); give each a name of its own",
                      name);
 }
@@ -35,9 +35,11 @@ void check_rows(const Draft& component, std::vector<bool>& taken,
             taken[place] = true;
         else
             problems.add("rows",
-                         "component.rows has {} ({}); the field has rows 1 to "
-                         "{}, each for one component",
-                         row, is_row ? "which another has" : "which is no row",
+                         "component.rows has {} ({}); use rows from 1 to {}, "
+                         "each for one component",
+                         row,
+                         is_row ? "which another component has"
+                                : "which the field does not have",
                          taken.size());
     }
 }
@@ -111,11 +113,11 @@ void check_list(const std::vector<double>& list, const std::string& key,
                 std::size_t components, const Problems& problems) {
     if (list.empty()) return;
     if (components == 1)
-        problems.add(key,
-                     "objective.{} tell components apart, and there is none "
-                     "but the plants that are bred; remove them, or add a "
-                     "[[component]]",
-                     key);
+        problems.add(
+            key,
+            "objective.{} is given (it tells components apart, and all plants "
+            "are those that are bred); remove it, or add a [[component]]",
+            key);
     else if (list.size() != components)
         problems.add(key,
                      "objective.{} has {} numbers, but there are {} components "
@@ -131,16 +133,16 @@ void check_sole(const Campaign& campaign, std::size_t components,
     check_list(campaign.sole_errors, "sole_errors", components, problems);
     if (!has_sole && !campaign.sole_errors.empty())
         problems.add("sole_errors",
-                     "objective.sole_errors are those of objective.sole, which "
-                     "is not given; give it, or remove them");
+                     "objective.sole_errors is given (they are the errors of "
+                     "objective.sole, which is not); give both, or neither");
     if (has_sole && !campaign.weights.empty())
         problems.add("sole",
                      "objective.sole and objective.weights both tell what "
                      "components count; remove one of them");
     if (has_sole && campaign.maximised.size() + campaign.minimised.size() != 1)
         problems.add("sole",
-                     "objective.sole has what crops have of one quantity; ask "
-                     "for one objective");
+                     "objective.sole is given (each crop grown alone has one "
+                     "number there, for one objective); ask for one objective");
 }
 
 //! Tells weights that do not fit components, and objectives that have no parts.
@@ -172,8 +174,8 @@ void check_weights(const Draft& draft, const Problems& problems) {
                     "of {}",
                     name,
                     name.find('.') == std::string::npos
-                        ? "no sum over components"
-                        : "that of one component",
+                        ? "no sum over components, which could be weighted"
+                        : "a quantity of one component",
                     list, fmt::join(sums, ", "));
     }
 }

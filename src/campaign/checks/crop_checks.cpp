@@ -96,8 +96,8 @@ void check_growth(const Draft& draft, const Problems& problems) {
                                       std::pair("slowest", growth.slowest)})
         if (problems.usable({name}) && share * growth.leaves <= 1)
             problems.add(name,
-                         "growth.{} is {} (of {} leaves, below the second "
-                         "one); use more than {:.3g}",
+                         "growth.{} is {} (a rank below the second of {} "
+                         "leaves); use more than {:.3g}",
                          name, share, growth.leaves, 1. / growth.leaves);
 }
 

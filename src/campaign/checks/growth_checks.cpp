@@ -29,8 +29,8 @@ void check_emergence(const Draft& draft, const Named<Climate>& named,
                         to_string(from), to_string(to)));
     if (draft.is_crop_known && !draft.has_growth)
         return add(
-            "(the crop file tells no growth); add [growth] to it, an empty one "
-            "has a hybrid of maize");
+            "(the crop file does not tell how plants grow); add [growth] to "
+            "it, which describes a hybrid of maize if it is empty");
     for (const SiteWeather& weather : draft.campaign.weathers) {
         if (weather.climate != named.name || !problems.empty()) continue;
         if (weather.temperature.empty())
@@ -54,7 +54,7 @@ void check_emergence(const Draft& draft, const Named<Climate>& named,
                 "emergence",
                 fmt::format("plants of climate \"{}\" are not mature at the "
                             "end of the period, with {:.0f} of {:.0f} deg C d; "
-                            "take a longer one, if the weather file has it",
+                            "take a longer period, if the weather file has one",
                             named.name, sum, maturity_time(draft.growth)));
     }
 }
@@ -66,9 +66,9 @@ void check_leaves(const Draft& crop, const Problems& problems) {
     if (crop.is_crop_known && crop.has_growth &&
         (plant.blade.leaflets > 1 || has_petioles(plant)))
         problems.add("growth.leaves",
-                     "growth.leaves are those of grasses, whose blades come "
-                     "out tip first (this plant has petioles or leaflets); "
-                     "leave out climate.emergence, or [growth] of this crop");
+                     "growth.leaves describes grasses, whose blades come out "
+                     "tip first (this plant has petioles or leaflets); leave "
+                     "out climate.emergence, or [growth] of this crop");
 }
 
 }  // namespace
@@ -83,8 +83,8 @@ void check_growing(const Draft& draft, const Problems& problems) {
             check_emergence(draft, climates[i], own);
         else if (grows)
             own.add("name",
-                    "climate \"{}\" has no emergence (plants grow in "
-                    "another); give one to each",
+                    "climate \"{}\" has no emergence (plants grow in another "
+                    "climate); give emergence to each",
                     climates[i].name);
     }
     if (grows) check_leaves(draft, problems.in("plant.baseline"));
@@ -94,15 +94,15 @@ void check_growing(const Draft& draft, const Problems& problems) {
         if (grows) check_leaves(each, own.in("crop"));
         if (each.standing.later > 0 && (!grows || !each.has_growth))
             own.add("later",
-                    "component.later is for plants that grow; remove it, or "
-                    "give [growth] to its crop file and emergence to each "
-                    "[[climate]]");
+                    "component.later is given (only plants that grow can be "
+                    "later); remove it, or give [growth] to its crop file and "
+                    "emergence to each [[climate]]");
     }
     if (grows) return;
     for (const auto& [key, name] : objective_keys(draft.campaign, problems))
         if (problems.usable(key) && is_of_growth(name))
             problems.add(key,
-                         "the objective {} is of plants that grow; add "
+                         "the objective {} needs plants that grow; add "
                          "emergence to [[climate]]",
                          name);
 }

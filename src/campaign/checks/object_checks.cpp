@@ -103,8 +103,8 @@ void check_optics(const std::string& table, const std::string& prefix,
     if (problems.usable(prefix + "reflectance") &&
         problems.usable(transmittance) && optics.scattered() > most)
         problems.add(transmittance,
-                     "a {} reflects and transmits {} of the light (of what it "
-                     "does not absorb nothing is known); use {} or less",
+                     "a {} reflects and transmits {} of the light (each "
+                     "surface absorbs some); use {} or less",
                      table, optics.scattered(), most);
 }
 
@@ -115,10 +115,11 @@ void check_modules(const PanelRows& rows, const Problems& problems) {
     const double steepest = rows.tracks ? rows.max_angle : rows.tilt;
     const double lowest = rows.width / 2 * std::sin(steepest * degree);
     if (rows.height < lowest)
-        problems.add("height",
-                     "panel.height is {} (of the middle of modules, whose "
-                     "lower edge would be in the soil); use {:.6g} or more",
-                     rows.height, lowest);
+        problems.add(
+            "height",
+            "panel.height is {} (the height of the middle of the modules, "
+            "whose lower edge would be in the soil); use {:.6g} or more",
+            rows.height, lowest);
     if (problems.usable({"gap", "module_length"}) && rows.gap > 0 &&
         rows.module_length == 0)
         problems.add("gap",
@@ -202,8 +203,8 @@ void check_objects(const Draft& draft, const Problems& problems) {
         if (problems.usable({"field.boundary"}) && own.usable({"name"}) &&
             campaign.field.boundary == Boundary::isolated)
             own.add("name",
-                    "{} \"{}\" repeats with the field, and field.boundary is "
-                    "\"isolated\"; use \"periodic\"",
+                    "{} \"{}\" repeats with the field (and field.boundary is "
+                    "\"isolated\"); use \"periodic\"",
                     table, name);
     };
     for (std::size_t i = 0; i < campaign.panels.size(); ++i) {

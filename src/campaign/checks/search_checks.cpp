@@ -138,10 +138,11 @@ void check_light(const Accuracy& light, bool assimilates,
                      "use 1, or {} or more",
                      light.fields, fewest_fields);
     else if (light.randomisations % light.fields != 0)
-        problems.add("fields",
-                     "light.fields is {}, among which {} randomisations can't "
-                     "be divided evenly",
-                     light.fields, light.randomisations);
+        problems.add(
+            "fields",
+            "light.fields is {} (the {} randomisations cannot be divided "
+            "evenly among them); use a divisor of light.randomisations",
+            light.fields, light.randomisations);
 }
 
 }  // namespace ideotype

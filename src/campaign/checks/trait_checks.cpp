@@ -28,11 +28,11 @@ class TraitCheck {
                           static_cast<int>(!entry_.scales.empty()) +
                           static_cast<int>(!entry_.shifts.empty());
         if (lists != 1)
-            return problems_.add("name",
-                                 "trait {} has {} of the lists sets, scales "
-                                 "and shifts (a trait does one of them); give "
-                                 "one",
-                                 trait_.name, lists == 0 ? "none" : "several");
+            return problems_.add(
+                "name",
+                "trait {} has {} of the lists sets, scales and shifts (each "
+                "trait has one of them); give one",
+                trait_.name, lists == 0 ? "none" : "several");
         if (trait_.effect == TraitEffect::sets &&
             (list_.size() > 1 || trait_.numbers == TraitNumbers::profile))
             return fail(list_.size() > 1
@@ -64,7 +64,7 @@ class TraitCheck {
         if (is_per_plant && measure->is_of_leaves &&
             trait_.effect == TraitEffect::sets)
             return fail(
-                fmt::format("sets {} (of which each leaf has its own); scale "
+                fmt::format("sets {} (each leaf has a value of its own); scale "
                             "or shift it, or write per = \"leaf\"",
                             name));
         const std::vector<Leaf>& leaves = plant_.leaves;
@@ -78,15 +78,15 @@ class TraitCheck {
             trait_.effect == TraitEffect::scales ? "1" : measure->unit;
         if (problems_.usable({"unit"}) && trait_.unit != unit)
             problems_.add("unit",
-                          "trait {} has the unit \"{}\" (what it does to {} "
-                          "has \"{}\"); write unit = \"{}\"",
+                          "trait {} has the unit \"{}\" (its numbers for {} "
+                          "have \"{}\"); write unit = \"{}\"",
                           trait_.name, trait_.unit, name, unit, unit);
         const auto& [least, most] = measure->limits;
         if (trait_.effect == TraitEffect::sets &&
             (trait_.range.lower < least || trait_.range.upper > most))
             problems_.add("range",
-                          "trait {} has the range {} .. {} (of {} it is at "
-                          "most {} .. {}); narrow it",
+                          "trait {} has the range {} .. {} (the widest range "
+                          "for {} is {} .. {}); narrow it",
                           trait_.name, trait_.range.lower, trait_.range.upper,
                           name, least, most);
     }
@@ -110,10 +110,11 @@ class TraitCheck {
                           trait_.name, lower, upper);
         if (trait_.is_circular &&
             (trait_.unit != "deg" || upper - lower != circle))
-            problems_.add("circular",
-                          "trait {} is circular (its range is {} .. {} {}); a "
-                          "circle has 360 deg",
-                          trait_.name, lower, upper, trait_.unit);
+            problems_.add(
+                "circular",
+                "trait {} is circular (its range of {} .. {} {} is no whole "
+                "circle); give it 360 deg, or remove circular",
+                trait_.name, lower, upper, trait_.unit);
     }
 
     const TraitEntry& entry_;

@@ -152,10 +152,11 @@ class LeafReader {
         LeafRow& row = table_.rows.back();
         const std::optional<double> number = number_of(field.text);
         if (!number || !std::isfinite(*number))
-            return add(place,
-                       fmt::format("{} is \"{}\" (no number); write one with a "
-                                   "decimal point, or leave the column out",
-                                   column.name, field.text));
+            return add(
+                place,
+                fmt::format("{} is \"{}\" (which is no number); write one with "
+                            "a decimal point, or leave the column out",
+                            column.name, field.text));
         if (!column.kind) return read_rank(*number, place);
         const LeafColumn& kind = *column.kind;
         const Measure<Leaf>& measure = leaf_measures[index_of(kind.value)];
@@ -208,8 +209,8 @@ class LeafReader {
             return add(
                 table_.rows[i].where,
                 table_.rows[i].rank < expected
-                    ? fmt::format("leaf {} is there twice; each leaf has "
-                                  "one line",
+                    ? fmt::format("leaf {} is given twice (each leaf has one "
+                                  "line); remove one of the lines",
                                   table_.rows[i].rank)
                     : fmt::format("leaf {} is missing (leaves are "
                                   "counted from the lowest, 1); add it "

@@ -33,11 +33,12 @@ void require_columns(const LeafTable& table, std::size_t leaves_of_crop,
     for (std::size_t m = 0; m < needed_leaf_measures; ++m) {
         const auto& [name, unit, limits, value, meaning] = leaf_measures[m];
         if (table.has[m]) continue;
-        problems.add(table.header,
-                     "there is no column of the {} (the {} leaves of the crop "
-                     "cannot stand for {} measured ones); add {}_{}",
-                     name, leaves_of_crop, table.rows.size(), name,
-                     std::string_view(unit) == "m" ? "cm" : unit);
+        problems.add(
+            table.header,
+            "there is no column for the {} of leaves (the {} leaves of the "
+            "crop cannot stand for {} measured ones); add {}_{}",
+            name, leaves_of_crop, table.rows.size(), name,
+            std::string_view(unit) == "m" ? "cm" : unit);
     }
 }
 

@@ -92,8 +92,8 @@ void check_weather(const SiteWeather& weather, const Problems& problems) {
                            const std::string& expected) {
         if (problems.usable(name) && !is_fine)
             problems.add(name,
-                         "weather.{} has {} values (expected: {}); take what "
-                         "the program has written",
+                         "weather.{} has {} values (expected: {}); use the "
+                         "text that the program has written, unchanged",
                          name, values.size(), expected);
     };
     check("hours", hours,

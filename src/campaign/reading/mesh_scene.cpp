@@ -192,9 +192,8 @@ class SceneReader {
         if (!node) {
             if (scene_.bands.size() > 1)
                 add(Location{file_, 1, 1},
-                    fmt::format("there is no soil_albedo (which differs from "
-                                "band to band); add soil_albedo = {{ {} = 0.1 "
-                                "}}",
+                    fmt::format("there is no soil_albedo (the soil reflects in "
+                                "each band); add soil_albedo = {{ {} = 0.1 }}",
                                 fmt::join(scene_.bands, " = 0.1, ")));
             return;
         }
@@ -208,7 +207,7 @@ class SceneReader {
             if (std::find(scene_.bands.begin(), scene_.bands.end(),
                           key.str()) == scene_.bands.end())
                 add(location(key.source(), file_),
-                    fmt::format("soil_albedo.{} is of no band (the materials "
+                    fmt::format("soil_albedo.{} names no band (the materials "
                                 "have {}); remove it",
                                 key.str(), fmt::join(scene_.bands, ", ")));
         for (std::size_t b = 0; b < scene_.bands.size(); ++b) {
@@ -216,8 +215,8 @@ class SceneReader {
             if (const toml::node* each = by_band->get(band))
                 scene_.soil_albedo[b] = read_part(*each, "soil_albedo." + band);
             else
-                add(*node, fmt::format("soil_albedo has no {0} (the materials "
-                                       "have); add {0} = 0.1",
+                add(*node, fmt::format("soil_albedo has no {0} (a band of the "
+                                       "materials); add {0} = 0.1",
                                        band));
         }
     }

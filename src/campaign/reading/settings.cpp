@@ -77,7 +77,7 @@ class Merger {
         is_refused_ = true;
         problems_.add(Location{name_},
                       fmt::format("there are {} tables [[{}]] (it is not clear "
-                                  "which is meant); change the file",
+                                  "which one is meant); change the file",
                                   list->size(), name));
         return nullptr;
     }
@@ -99,8 +99,8 @@ void apply_settings(const std::vector<std::string>& settings,
         else
             problems.add(
                 Location{name},
-                "not a key and its value (as in a campaign file); write "
-                "for example --set search.optimizer=random");
+                "this is not a key with its value (as a campaign file has "
+                "them); write for example --set search.optimizer=random");
     }
 }
 

@@ -59,9 +59,9 @@ void check_feasibility(Draft& draft, const Problems& root) {
             find_measure(draft.campaign.crop.baseline, trait.measure);
         if (!measure)
             own.add("measure",
-                    "feasibility.trait: the plant has no {} (which was "
-                    "measured of the lines); remove it, or take a crop that "
-                    "has it",
+                    "feasibility.trait names {} (which was measured on the "
+                    "lines, but this plant does not have it); remove it, or "
+                    "take a crop that has it",
                     trait.measure);
         else if (measure->is_of_leaves != names_leaf(trait.leaf))
             own.add("leaf",
@@ -87,20 +87,21 @@ void check_feasibility(Draft& draft, const Problems& root) {
                      known.correlations.size(), count, pairs);
     else if (!are_correlations(known))
         problems.add("correlations",
-                     "feasibility.correlations are those of no numbers (their "
-                     "matrix is not positive definite); check them, or leave "
-                     "out a trait that follows from others");
+                     "feasibility.correlations are impossible (their matrix is "
+                     "not positive definite); check them, or leave out a trait "
+                     "that follows from others");
     else if (problems.empty() && count > 0)
         draft.campaign.feasibility.lines = known;
     if (count == 0 && draft.campaign.feasibility.limit > 0)
-        problems.add("limit",
-                     "feasibility.limit has no lines (a distance needs them); "
-                     "add lines = \"FILE.toml\"");
+        problems.add(
+            "limit",
+            "feasibility.limit is given (it bounds the distance from measured "
+            "lines, and there are none); add lines = \"FILE.toml\"");
     for (const ObjectiveEntry& objective : objectives_of(draft.campaign))
         if (is_of_lines(objective.quantity) && count == 0)
             root.add("objective.maximise",
-                     "objective: {} is a distance from measured lines (which "
-                     "there are not); add [feasibility] with lines = "
+                     "the objective {} is a distance from measured lines (this "
+                     "campaign has none); add [feasibility] with lines = "
                      "\"FILE.toml\"",
                      objective.name);
 }

@@ -112,8 +112,9 @@ bool is_in_range(const KeyFactor& factor, const NamedKey& found,
 void check_key(const std::string& table, KeyFactor& factor,
                const std::vector<NamedKey>& keys, const Problems& problems) {
     const auto found = std::ranges::find(keys, factor.key, &NamedKey::name);
-    const std::string what =
-        found == keys.end() ? "(there is no such number)" : fault(*found);
+    const std::string what = found == keys.end()
+                                 ? "(which is no numeric key of this campaign)"
+                                 : fault(*found);
     if (!what.empty())
         return problems.add("key", "{}.keys has \"{}\" {}; {}", table,
                             factor.key, what, advice(factor.key, keys));
@@ -141,8 +142,9 @@ void check_keys(const std::string& table, std::vector<KeyFactor>& factors,
         if (seen.insert(factor.key).second)
             check_key(table, factor, keys, own);
         else
-            own.add("key", "{}.keys has \"{}\" twice; remove one", table,
-                    factor.key);
+            own.add("key",
+                    "{}.keys has \"{}\" twice (once is enough); remove one",
+                    table, factor.key);
     }
 }
 
@@ -154,7 +156,8 @@ void check_sensitivity(Draft& draft, const Problems& problems) {
     const int levels = draft.design.levels;
     if (own.usable({"levels"}) && levels % 2 != 0)
         own.add("levels",
-                "sensitivity.levels is {} (steps are half of them); use {}",
+                "sensitivity.levels is {} (a step of the design is half of all "
+                "levels); use {}",
                 levels, levels + 1);
     if (own.usable({"traits"}) && !varied.has_traits && varied.keys.empty() &&
         draft.is_study)

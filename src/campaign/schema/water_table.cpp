@@ -38,10 +38,10 @@ void check_water(const Draft& draft, const Problems& problems) {
     if (!draft.has_water) {
         for (const auto& [key, name] : objective_keys(draft.campaign, problems))
             if (is_of_water(name))
-                problems.add(key,
-                             "the objective {} is of leaves that transpire; "
-                             "add [water]",
-                             name);
+                problems.add(
+                    key,
+                    "the objective {} needs leaves that transpire; add [water]",
+                    name);
         return;
     }
     const auto check = [](const Draft& kind, const Problems& own,

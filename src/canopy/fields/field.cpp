@@ -152,7 +152,9 @@ std::vector<Mesh> draw_plants(const Component& component, const Mesh& line,
             one = scaled(std::move(one), variation.late_size);
         plants[p] = build_plant(one, component.tessellation);
         if (plants[p].faces.size() != line.faces.size())
-            throw Error("a plant has other faces than its line");
+            throw Error(
+                "the plants of a field have different numbers of faces, but "
+                "all have to be built from plants with the same leaves");
         plants[p].face_group = line.face_group;
     }
     return plants;

@@ -49,10 +49,10 @@ Cell cell_of(const FieldForm& form) {
     if (form.border_rows == 0) return cell;
     if (form.rows <= 2 * form.border_rows ||
         form.plants <= 2 * form.border_rows)
-        throw Error(
-            fmt::format("nothing is left of a plot of {} x {} plants "
-                        "with {} cut away on each side",
-                        form.rows, form.plants, form.border_rows));
+        throw Error(fmt::format(
+            "a plot of {} x {} plants has no plant left if {} are cut away on "
+            "each side; cut fewer, or take a larger plot",
+            form.rows, form.plants, form.border_rows));
     const double x = form.border_rows * form.spacing.row;
     const double y = form.border_rows * form.spacing.plant;
     cell.kept = {x, y, cell.period_x - 2 * x, cell.period_y - 2 * y};

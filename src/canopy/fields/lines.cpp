@@ -46,8 +46,8 @@ Bands bands_of(const Scene& scene) {
                      [](const Band& band) { return band.name == nir; });
     if (found == bands.end())
         throw Error(
-            "leaves have a temperature of their own, but the scene has "
-            "no band \"nir\"; add it");
+            "leaves have a temperature of their own, but the scene has no near "
+            "infrared; add a band \"nir\"");
     found->is_by_piece = true;
     Band sky{longwave, scene.light(), {}, false, true};
     sky.optics.materials.resize(bands.front().optics.materials.size());

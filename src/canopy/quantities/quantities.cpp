@@ -167,7 +167,8 @@ Randomised measure_objective(const std::string& name,
     if (const auto* number =
             found ? std::get_if<TakeNumber>(&found->take) : nullptr)
         if (auto randomised = (*number)(report)) return *randomised;
-    throw Error("this canopy has no single number " + name);
+    throw Error("this canopy has no quantity without axes that is called " +
+                name);
 }
 
 std::vector<Randomised> measure_profile(const std::string& name,
@@ -175,7 +176,9 @@ std::vector<Randomised> measure_profile(const std::string& name,
     const Declaration* found = find(name, scope_of(report));
     const auto* profile =
         found ? std::get_if<TakeProfile>(&found->take) : nullptr;
-    if (!profile) throw Error("this canopy has no profile " + name);
+    if (!profile)
+        throw Error(
+            "this canopy has no quantity with one axis that is called " + name);
     return (*profile)(report);
 }
 

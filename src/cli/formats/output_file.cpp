@@ -58,7 +58,7 @@ void OutputFile::flush() {
 }
 
 void OutputFile::fail() const {
-    throw Error(fmt::format("{}: cannot be written: {}", path_,
+    throw Error(fmt::format("{}: this file cannot be written: {}", path_,
                             std::generic_category().message(errno)));
 }
 

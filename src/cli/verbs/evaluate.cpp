@@ -221,8 +221,8 @@ ExitCode repeat_row(const ChosenRow& which, const EvaluateOptions& options) {
 ExitCode evaluate(const EvaluateOptions& options) {
     if (is_history(options.path) && !options.settings.empty())
         throw Error(
-            "evaluate: --set is for campaigns; a row of a history is "
-            "evaluated as it was",
+            "evaluate: --set changes campaigns only (a row of a history is "
+            "evaluated as it was); leave it out",
             ExitCode::usage);
     return is_history(options.path)
                ? repeat_row(choose_row(options.path, options.row), options)

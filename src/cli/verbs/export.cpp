@@ -211,17 +211,17 @@ ExitCode export_plant(const ExportOptions& options) {
     const auto extension = std::filesystem::path(options.to).extension();
     if (extension != ".csv" && extension != ".obj" && extension != ".vtp" &&
         extension != ".toml")
-        throw Error(fmt::format("{}: unknown format; use a name that ends in "
-                                ".obj, .vtp, .csv or .toml",
+        throw Error(fmt::format("{}: the format is unknown; use a name that "
+                                "ends in .obj, .vtp, .csv or .toml",
                                 options.to),
                     ExitCode::usage);
     if (!options.at.empty()) {
         if (extension == ".csv" || extension == ".toml")
-            throw Error(fmt::format("--at: {} files tell full-grown plants; "
-                                    "write a .obj or .vtp file, or leave --at "
-                                    "out",
-                                    extension.string()),
-                        ExitCode::usage);
+            throw Error(
+                fmt::format("--at: {} files describe full-grown plants only; "
+                            "write a .obj or .vtp file, or leave --at out",
+                            extension.string()),
+                ExitCode::usage);
         row.chosen = as_it_stood(campaign, chosen, options.at);
         title += fmt::format(", {} ({:.0f} deg C d)",
                              to_string(*row.chosen.stage->date),

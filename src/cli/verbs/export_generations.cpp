@@ -93,13 +93,17 @@ void write_rows(OutputFile& out, std::uint64_t first, std::uint32_t generation,
 
 ExitCode export_generations(const ExportOptions& options) {
     if (std::filesystem::path(options.to).extension() != ".csv")
-        throw Error(options.to + ": generations are written as .csv",
+        throw Error(options.to +
+                        ": generations are written as CSV; use a name that "
+                        "ends in .csv",
                     ExitCode::usage);
     require_new(options.to);
     const History history = History::salvage(options.path);
     const std::uint32_t count = history.next_generation();
     if (count == 0)
-        throw Error(options.path + ": no complete generation can be read");
+        throw Error(
+            options.path +
+            ": no complete generation can be read; there is nothing to export");
     OutputFile out(options.to);
     write_head(out, history.header());
     const auto columns = columns_of(history.header().schema.measured);

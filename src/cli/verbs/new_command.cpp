@@ -130,8 +130,10 @@ std::string ask(const Question& question) {
                    initial.empty() ? "" : " (" + initial + ")");
         std::fflush(stdout);
         if (!std::getline(std::cin, answer))
-            refuse(fmt::format("new: the input ended before {} was told",
-                               question.option));
+            refuse(
+                fmt::format("new: the input ended before {} was given; answer "
+                            "it, or give it as an option",
+                            question.option));
         if (answer.empty()) answer = initial;
         try {
             check(question, answer);

@@ -11,7 +11,7 @@
 #include "genome_request.hpp"
 #include "ideotype/core/routine.hpp"
 #include "parallel/dispatcher.hpp"
-#include "run/machines.hpp"
+#include "run/job/machines.hpp"
 #include "run/progress.hpp"
 #include "run/run.hpp"
 #include "stand/stand.hpp"
@@ -42,7 +42,9 @@ double take_last(Genome& genome) {
 
 SamplingRequest take_sampling(const Task& task, Genome& genome) {
     if (genome.size() < extra)
-        throw Error("too few numbers; all ranks must run the same ideotype");
+        throw Error(
+            "another rank sent too few numbers; all ranks must run the same "
+            "ideotype");
     SamplingRequest sampling{task.generation, task.is_final};
     const double lower = take_last(genome), upper = take_last(genome);
     const double tolerance = take_last(genome);
@@ -175,8 +177,9 @@ class Service : public Director {
         Json id;
         try {
             if (line.is_cut)
-                throw Error(fmt::format("this line is longer than {} bytes",
-                                        LineReader::longest));
+                throw Error(fmt::format(
+                    "this line is longer than {} bytes; send shorter ones",
+                    LineReader::longest));
             const Json json = parse_line(line.text);
             id = id_of(json);
             GenomeRequest request = read_request(json, served_);

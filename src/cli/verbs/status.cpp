@@ -12,9 +12,9 @@
 #include "cli/verbs.hpp"
 #include "history/history.hpp"
 #include "ideotype/core/text.hpp"
+#include "run/job/way_on.hpp"
 #include "run/progress.hpp"
 #include "run/summary.hpp"
-#include "run/way_on.hpp"
 
 namespace ideotype {
 

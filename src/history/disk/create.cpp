@@ -100,8 +100,8 @@ void synchronize_path(const std::filesystem::path& path) {
     // Some file systems cannot wait for a folder.
     if (failure == 0 || failure == EINVAL) return;
     throw Error(
-        fmt::format("{}: cannot be brought to the disk: {}; look at the "
-                    "disk, or choose another folder with --out",
+        fmt::format("{}: this file cannot be brought to the disk: {}; check "
+                    "the disk, or choose another folder with --out",
                     path.string(), std::generic_category().message(failure)));
 }
 
@@ -147,13 +147,14 @@ void create_file(const std::string& path, const HistoryHeader& header,
     synchronize_path(unfinished);
     put_in_place(path + ".new", path);
     if (!lock.is_of(path))
-        throw Error(path + ": was replaced while it was created; begin again",
-                    ExitCode::refused);
+        throw Error(
+            path + ": this file was replaced while it was created; begin again",
+            ExitCode::refused);
 }
 
 void synchronize(hid_t file) {
     if (const int failure = wait_for_disk(descriptor_of(file)); failure != 0)
-        throw Hdf5Error("cannot write: " +
+        throw Hdf5Error("the history cannot be written: " +
                         std::generic_category().message(failure));
 }
 

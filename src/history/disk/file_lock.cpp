@@ -84,15 +84,16 @@ Attempt try_lock(int descriptor) {
 [[noreturn]] void fail_to_open(const std::string& path, bool is_new) {
     const int reason = errno;
     if (is_new && reason != ELOOP)
-        throw Error(fmt::format(
-            "{}: cannot create files in this folder: {}; make it writable or "
-            "choose another with --out",
-            fs::absolute(path).parent_path().string(),
-            std::generic_category().message(reason)));
-    throw Error(fmt::format("{}: cannot be opened to write: {}; make it a "
-                            "writable file or choose another folder with --out",
-                            path, std::generic_category().message(reason)),
-                is_new ? ExitCode::refused : ExitCode::runtime);
+        throw Error(
+            fmt::format("{}: no file can be created in this folder: {}; make "
+                        "it writable or choose another with --out",
+                        fs::absolute(path).parent_path().string(),
+                        std::generic_category().message(reason)));
+    throw Error(
+        fmt::format("{}: this file cannot be opened to write: {}; make it a "
+                    "writable file or choose another folder with --out",
+                    path, std::generic_category().message(reason)),
+        is_new ? ExitCode::refused : ExitCode::runtime);
 }
 
 //! Returns whether a file is a regular one with no other name, so that nothing
@@ -111,15 +112,16 @@ bool history_exists(const std::string& path) {
         const int reason = errno;
         if (reason == ENOENT || reason == ENOTDIR) return false;
         throw Error(fmt::format(
-            "{}: cannot be opened ({}); {}", path,
+            "{}: this file cannot be opened ({}); {}", path,
             std::generic_category().message(reason),
             reason == ELOOP ? "its symbolic links lead in a circle: remove them"
                             : "choose a path that can be read"));
     }
     if (S_ISREG(status.st_mode)) return true;
-    throw Error(fmt::format("{}: not a history of ideotype ({}); name a file",
-                            path, kind_of(status)),
-                ExitCode::refused);
+    throw Error(
+        fmt::format("{}: this is not a history of ideotype ({}); name a file",
+                    path, kind_of(status)),
+        ExitCode::refused);
 }
 
 bool is_at(const std::string& path, int descriptor) {
@@ -163,8 +165,8 @@ FileLock::FileLock(const std::string& file, std::string path, int flags)
         if (is_new_ && !is_plain(descriptor_)) {
             close(descriptor_);
             throw Error(path_ +
-                            ": is no plain file with one name; remove it or "
-                            "choose another folder with --out",
+                            ": this is no plain file with one name; remove it "
+                            "or choose another folder with --out",
                         ExitCode::refused);
         }
         const Attempt attempt = try_lock(descriptor_);
@@ -180,8 +182,8 @@ FileLock::FileLock(const std::string& file, std::string path, int flags)
             const std::string who = holder(file, descriptor_);
             close(descriptor_);
             throw InUseError(
-                fmt::format("{}: in use by {}; only one program can write a "
-                            "history at a time",
+                fmt::format("{}: this history is in use by {}; only one "
+                            "program can write a history at a time",
                             file, who));
         }
         // The file may have been renamed or replaced between our open and our

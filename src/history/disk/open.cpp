@@ -53,7 +53,7 @@ Length length_of(const std::string& path) {
     ::close(descriptor);
     if (size < 0 || !is_known) throw Error(path + ": " + system_reason());
     if (std::memcmp(block.data(), start.data(), start.size()) != 0)
-        refuse(path, "not a history of ideotype");
+        refuse(path, "this is not a history of ideotype");
     const unsigned char version = block[start.size()];
     const std::size_t end_of_file_at = version == 0   ? 40
                                        : version == 1 ? 44
@@ -86,7 +86,7 @@ Handle open_without_lock(const std::string& path, hid_t access) {
 
 std::string version_of(const std::string& path, hid_t file) {
     if (text_attribute(file, "format") != format_name)
-        refuse(path, "not a history of ideotype");
+        refuse(path, "this is not a history of ideotype");
     return text_attribute(file, "format_version");
 }
 
@@ -102,8 +102,9 @@ bool is_compressed(hid_t file) {
 [[noreturn]] void refuse_version(const std::string& path,
                                  const std::string& version,
                                  const std::string& known) {
-    refuse(path, fmt::format("format version {}, but this program {}",
-                             version.empty() ? "unknown" : version, known));
+    refuse(path, fmt::format(
+                     "this history has format version {}, but this program {}",
+                     version.empty() ? "unknown" : version, known));
 }
 
 void require_readable(const std::string& path, hid_t file) {
@@ -137,9 +138,10 @@ Handle access_properties() {
 
 Handle open_to_write(const std::string& path) {
     if (refuse_truncated(path).superblock < 3)
-        refuse(path,
-               "h5repack has rewritten it so that it cannot be resumed; "
-               "repack it again with the option -L");
+        refuse(
+            path,
+            "h5repack has rewritten this history so that it cannot be resumed; "
+            "repack it again with the option -L");
     const Handle access = access_properties();
     // A killed writer left a mark that it has the file open; h5clear forgets it
     // in the same way.
@@ -154,7 +156,8 @@ Handle open_to_write(const std::string& path) {
                        std::string("resumes only ") + format_version);
     if (is_compressed(file) && !Journal(file).finished())
         refuse(path,
-               "h5repack has rewritten it before it was finished; go on with "
+               "h5repack has rewritten this history before it was finished; go "
+               "on with "
                "the file that it was made of");
     // A copy may have lost what was reserved for the original.
     reserve_space(file, path, "make room and resume again");

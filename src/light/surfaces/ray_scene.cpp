@@ -50,13 +50,15 @@ Shifts shifts_into(const Interval& extent, double period) {
 void check_vertices(const Mesh& mesh) {
     for (const glm::dvec3& v : mesh.vertices)
         if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z))
-            throw Error("a vertex of the canopy is not finite");
+            throw Error(
+                "a vertex of the canopy is not finite; correct its "
+                "coordinates");
         else if (std::abs(v.x) > farthest || std::abs(v.y) > farthest ||
                  std::abs(v.z) > farthest)
-            throw Error(
-                fmt::format("a vertex of the canopy is at {:.3g} {:.3g} {:.3g} "
-                            "m, more than {:.0e} m away; the unit is metres",
-                            v.x, v.y, v.z, farthest));
+            throw Error(fmt::format(
+                "a vertex of the canopy is at {:.3g} {:.3g} {:.3g} m, more "
+                "than {:.0e} m away; give coordinates in metres",
+                v.x, v.y, v.z, farthest));
 }
 
 double wrapped_into(double x, double period) {
@@ -97,8 +99,9 @@ RayScene::RayScene(const Device& device, const Mesh& mesh, double period_x,
       period_y_(period_y) {
     if (!(period_x > 0) || !(period_y > 0) || !std::isfinite(period_x) ||
         !std::isfinite(period_y))
-        throw Error(fmt::format("the period {} x {} m is not positive",
-                                period_x, period_y));
+        throw Error(
+            fmt::format("the period is {} x {} m; give two distances above 0",
+                        period_x, period_y));
     IDEOTYPE_EXPECT(mesh.face_group.size() == mesh.faces.size());
     check_vertices(mesh);
     const std::vector<double> areas = face_areas(mesh);
@@ -128,8 +131,8 @@ RayScene::RayScene(const Device& device, const Mesh& mesh, double period_x,
 RayScene RayScene::isolated(const Device& device, const Mesh& mesh,
                             double ground_area) {
     if (!(ground_area > 0) || !std::isfinite(ground_area))
-        throw Error(
-            fmt::format("the ground area {} m2 is not positive", ground_area));
+        throw Error(fmt::format("the ground area is {} m2; give one above 0",
+                                ground_area));
     IDEOTYPE_EXPECT(mesh.face_group.size() == mesh.faces.size());
     check_vertices(mesh);
     RayScene scene;
@@ -238,10 +241,11 @@ void RayScene::add_images(const std::array<std::uint32_t, 4>& face,
     if (static_cast<double>(standing_.face.size()) +
             along_x.count() * along_y.count() >
         static_cast<double>(most_faces))
-        throw Error(fmt::format(
-            "the canopy has more than {} faces in a period of {} x {} m (large "
-            "faces count once for each period that they touch)",
-            most_faces, period_x_, period_y_));
+        throw Error(
+            fmt::format("the canopy has more than {} faces in a period of {} x "
+                        "{} m (large faces count once for each period that "
+                        "they touch); give a smaller or coarser mesh",
+                        most_faces, period_x_, period_y_));
     for (long i = along_x.first; i <= along_x.last; ++i)
         for (long j = along_y.first; j <= along_y.last; ++j)
             add_image(part, {static_cast<double>(i) * period_x_,

@@ -87,11 +87,10 @@ def write_crate(
     for history in study:
         if not history.state().finished:
             raise HistoryError(
-                f"{history.path}: {history.state()}; a crate has finished "
-                "histories only"
+                f"{history.path}: {history.state()}; a crate takes finished histories only"
             )
         if folder.resolve() not in history.path.resolve().parents:
-            raise HistoryError(f"{history.path}: is not in {folder}")
+            raise HistoryError(f"{history.path}: this history is not in {folder}; move it there, or name another folder")
     every = list(_entities(study, folder, _people(authors, organisation)))
     names = sorted({str(h.attributes["campaign"]) for h in study})
     root = {
@@ -198,7 +197,7 @@ def _person(author: str, number: int) -> _Entity:
         return {"@id": f"#author-{number}", "@type": "Person", "name": name}
     if not (found := _ORCID.fullmatch(identity)):
         raise HistoryError(
-            f"'{identity}' is no ORCID (expected: 0000-0002-1825-0097)"
+            f"'{identity}' is no ORCID; write it as 0000-0002-1825-0097"
         )
     url = f"https://orcid.org/{found[1]}"
     return {"@id": url, "@type": "Person", "name": name}

@@ -91,12 +91,12 @@ def read_cross(path: str | Path) -> Cross:
         cross = _from_csv(path) if path.suffix == ".csv" else _from_json(path)
     except (KeyError, ValueError, TypeError) as error:
         raise HistoryError(
-            f"{path}: not a cross-evaluation ({error!r}); it should be JSON "
+            f"{path}: this is no cross-evaluation ({error!r}); it should be JSON "
             "with plants, cases, mean and standard_error, or CSV with a "
             "column for each"
         ) from error
     if not cross.plants or not cross.cases:
-        raise HistoryError(f"{path}: no plant or no case in it")
+        raise HistoryError(f"{path}: this file has no plant or no case; write it again with ideotype compare")
     return cross
 
 

@@ -89,9 +89,9 @@ def open_file(path: str | Path) -> h5py.File:
     Raises FileNotFoundError or PermissionError, HistoryError."""
     path = Path(path)
     if not path.exists():
-        raise FileNotFoundError(f"{path}: no such file")
+        raise FileNotFoundError(f"{path}: there is no such file")
     if not path.is_file():
-        raise NotAHistory(f"{path}: not a file")
+        raise NotAHistory(f"{path}: this is not a file; name a history (.h5)")
     _check_length(path)
     try:
         file = h5py.File(_Unmarked(path), "r")
@@ -194,10 +194,10 @@ def _superblock(path: Path) -> _Superblock:
     with path.open("rb") as file:
         block = _Superblock(file.read(_SUPERBLOCK_SIZE))
         if block.data[:8] != _SIGNATURE:
-            raise NotAHistory(f"{path}: not an HDF5 file")
+            raise NotAHistory(f"{path}: this is not an HDF5 file")
         if len(block.data) < _SUPERBLOCK_SIZE:
             raise NotAHistory(
-                f"{path}: cut short, only {len(block.data)} bytes left"
+                f"{path}: this history was cut short, only {len(block.data)} bytes are left"
             )
         # A writer that sets or takes away its mark may be in the middle of
         # that.
@@ -219,7 +219,7 @@ def _check_length(path: Path) -> None:
     missing = _superblock(path).length - path.stat().st_size
     if missing > 0:
         raise NotAHistory(
-            f"{path}: cut short, {missing} bytes are missing; copy it again "
+            f"{path}: this history was cut short, {missing} bytes are missing; copy it again "
             "(`ideotype status` tells what is left)"
         )
 
@@ -232,7 +232,7 @@ def _check_format(file: h5py.File, path: Path) -> None:
         raise NotAHistory(f"{path}: damaged ({error})") from error
     if found != FORMAT:
         raise NotAHistory(
-            f"{path}: an HDF5 file, but not a history "
+            f"{path}: this is an HDF5 file, but not a history "
             f'(no attribute format = "{FORMAT}")'
         )
     major = version.split(".")[0]

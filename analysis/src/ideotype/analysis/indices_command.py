@@ -51,8 +51,7 @@ def _told(history: History, options: argparse.Namespace) -> str:
                 "the sensitivity study is not finished yet; go on with "
                 "ideotype sensitivity CAMPAIGN --resume"
                 if history.is_sensitivity
-                else "is of no sensitivity study; ideotype sensitivity "
-                "CAMPAIGN writes one"
+                else "this is no history of a sensitivity study; write one with ideotype sensitivity CAMPAIGN"
             )
         )
     case = str(history.attributes["case"])

@@ -37,7 +37,7 @@ def open_study(*places: Place, skip_damaged: bool = False) -> Study:
 def find_histories(*places: Place) -> list[Path]:
     """Returns the files that places stand for. Raises as open_study."""
     if not places:
-        raise HistoryError("no file, folder or pattern is given")
+        raise HistoryError("no history is given; name files, folders or patterns")
     found: dict[Path, Path] = {}
     for place in places:
         for path in _histories_of(place):
@@ -51,7 +51,7 @@ def _histories_of(place: Place) -> list[Path]:
         files = sorted(path.rglob("*.h5"), key=lambda x: natural(str(x)))
         if not files:
             raise HistoryError(
-                f"{path}: no history (.h5) in this folder; give the one that "
+                f"{path}: there is no history (.h5) in this folder; give the one that "
                 "`ideotype run --out` wrote to"
             )
         return files
@@ -61,7 +61,7 @@ def _histories_of(place: Place) -> list[Path]:
             raise HistoryError(f"{place}: no file matches this pattern")
         return [file for match in matches for file in _histories_of(match)]
     if not path.exists():
-        raise FileNotFoundError(f"{path}: no such file")
+        raise FileNotFoundError(f"{path}: there is no such file")
     return [path]
 
 

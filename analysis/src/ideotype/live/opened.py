@@ -82,7 +82,7 @@ def open_place(
     try:
         content = tomllib.loads(path.read_text(encoding="utf-8"))
     except ValueError as error:
-        raise Error(f"{place}: no TOML ({error})") from None
+        raise Error(f"{place}: this is no TOML ({error})") from None
     if "leaf" in content and "plant" not in content:
         told = "It is the plant of a crop file."
         return _of_crop(str(path.resolve()), path.stem, told)
@@ -171,7 +171,7 @@ def _of_measured(path: Path, plant: str | None, crop: str) -> Opened:
     except (OSError, ValueError) as error:
         raise Error(f"{source}: {error}") from None
     if not like.get("leaf") or "stalk" not in like:
-        raise Error(f"{source}: no crop file with [[leaf]] and [stalk]")
+        raise Error(f"{source}: this is no crop file (it lacks [[leaf]] or [stalk]); name one")
     found = readable_crop(blades, like, path.stem)
     off = agreement(blades, found, mesh_of(found, source.parent))
     told = (

@@ -38,7 +38,7 @@ class _Talk(Socket):
         try:
             told = json.loads(message)
             if not isinstance(told, dict):
-                raise Error("a message is no object")
+                raise Error("a message is no object; load the page again")
             self.session.hear(told)
         except (Error, ValueError) as error:
             self._tell({"kind": "problem", "text": str(error)})

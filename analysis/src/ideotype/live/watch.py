@@ -60,7 +60,7 @@ class Watcher:
         for path in self._folder.histories():
             if str(path.relative_to(self._folder.path)) == name:
                 return json.dumps(plants_of(path))
-        raise Error("there is no such history")
+        raise Error("there is no such history in this folder; load the page again")
 
     def close(self) -> None:
         """Ends when what is under way is read."""

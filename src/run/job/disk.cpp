@@ -12,8 +12,8 @@
 #include <fmt/format.h>
 
 #include "ideotype/core/error.hpp"
-#include "provenance.hpp"
-#include "run.hpp"
+#include "run/provenance.hpp"
+#include "run/run.hpp"
 
 namespace ideotype {
 
@@ -22,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 //! The longest that is ever added to the name of a history.
-constexpr std::string_view longest_suffix = ".packed";
+constexpr std::string_view longest_suffix = ".new";
 
 //! The folder, or the nearest above it that is there.
 fs::path existing(const fs::path& folder) {

@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Arc
 
 from ideotype._geometry import Mesh
-from ideotype.analysis.style import new_figure
+from ideotype.analysis.figures.style import new_figure
 
 
 def azimuth(shapes: Shapes) -> Figure:

@@ -18,7 +18,7 @@ from shared import ANYWHERE
 
 from ideotype import Stand
 from ideotype._geometry import Mesh
-from ideotype.analysis.style import new_figure
+from ideotype.analysis.figures.style import new_figure
 
 DOCS = Path(__file__).resolve().parent
 

@@ -28,7 +28,7 @@ from shared import FIELD_PLANTS, Numbers, best, guard, read_campaign
 
 from ideotype import Stand, mesh
 from ideotype._geometry import Mesh
-from ideotype.analysis.field import (
+from ideotype.analysis.figures.field import (
     Field,
     add_key,
     at_eye_height,
@@ -37,7 +37,7 @@ from ideotype.analysis.field import (
     lit,
     show,
 )
-from ideotype.analysis.style import RC, new_figure, unit_label
+from ideotype.analysis.figures.style import RC, new_figure, unit_label
 
 IN_MIDRIBS = {"insertion_angle", "curvature", "azimuth", "roll", "twist"}
 """Numbers of the variation that are left out where leaves were measured one by

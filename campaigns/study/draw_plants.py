@@ -21,7 +21,7 @@ from shared import ANYWHERE, best, guard
 
 from ideotype import Stand
 from ideotype._geometry import Mesh
-from ideotype.analysis.style import new_figure
+from ideotype.analysis.figures.style import new_figure
 
 COLORS = {"leaf": "#4E9A3A", "sheath": "#A3B57E", "stalk": "#A98F62"}
 TURN = np.deg2rad(30)

@@ -40,8 +40,8 @@ from shared import (
 )  # fmt: skip
 
 from ideotype import Error, Stand, open_history
+from ideotype.analysis.figures.style import BASELINE, BEST, QUIET, new_figure
 from ideotype.analysis.front import non_dominated
-from ideotype.analysis.style import BASELINE, BEST, QUIET, new_figure
 
 SHOWN = 8
 DRAWN = 5

@@ -30,7 +30,7 @@ from draw_plants import draw
 from shared import CAMPAIGNS, gain, guard, light, print_table, sign_change
 
 from ideotype import Crop, Stand
-from ideotype.analysis.style import new_figure
+from ideotype.analysis.figures.style import new_figure
 
 HYBRID = CAMPAIGNS / "crops" / "maize_hybrid.toml"
 STAGES = (4, 6, 8, 10, 14, 20)

@@ -43,7 +43,7 @@ from shared import (
 )  # fmt: skip
 
 from ideotype import Stand
-from ideotype.analysis.style import (
+from ideotype.analysis.figures.style import (
     BEST,
     MEAN,
     RC,

@@ -34,7 +34,7 @@ from shared import (
 )  # fmt: skip
 
 from ideotype import Error, Stand, open_history
-from ideotype.analysis.style import BASELINE, BEST, MEAN, new_figure
+from ideotype.analysis.figures.style import BASELINE, BEST, MEAN, new_figure
 
 PURDUE_HEIGHT = 6.1
 """Height of modules that track in the trial [m]."""

@@ -60,7 +60,7 @@ from shared import (
 )  # fmt: skip
 
 from ideotype import Stand
-from ideotype.analysis.style import new_figure, series
+from ideotype.analysis.figures.style import new_figure, series
 
 TITLES_OF_SEARCHES = {
     "random": "random search",

@@ -37,7 +37,7 @@ from shared import (
 )
 
 from ideotype._geometry import Mesh
-from ideotype.analysis.style import RC, new_figure
+from ideotype.analysis.figures.style import RC, new_figure
 
 MEASURED = Path(__file__).parent / "measured"
 V02 = CAMPAIGNS / "plants" / "maize_v02.toml"

@@ -36,7 +36,7 @@ from shared import (
 )  # fmt: skip
 
 from ideotype import Stand
-from ideotype.analysis.style import new_figure
+from ideotype.analysis.figures.style import new_figure
 
 LINES: dict[str, dict[str, float]] = {
     "alike": {},

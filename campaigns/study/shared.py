@@ -25,8 +25,8 @@ from numpy.typing import NDArray
 
 import ideotype
 from ideotype import Stand
-from ideotype.analysis.estimate import Estimate as Figure
-from ideotype.analysis.estimate import relative_gain
+from ideotype.analysis.reading.estimate import Estimate as Figure
+from ideotype.analysis.reading.estimate import relative_gain
 
 CAMPAIGNS = Path(__file__).parents[1]
 MAIZE = CAMPAIGNS / "crops" / "maize.toml"

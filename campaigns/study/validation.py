@@ -76,7 +76,7 @@ from shared import (
     told,
 )  # fmt: skip
 
-from ideotype.analysis.style import new_figure
+from ideotype.analysis.figures.style import new_figure
 
 
 def of_fields(

@@ -74,12 +74,10 @@ void Columns::create(hid_t file, const GeneSpace& genes,
     std::size_t count = 0;
     const auto add_book = [&] {
         add("attempt", H5T_STD_U32LE,
-            "number of the attempt, from 1, or 0 if copied from an equal "
-            "genome");
+            "number of the attempt from 1, or 0 for the copy of a row");
         add("seconds", H5T_IEEE_F64LE, "wall time of the evaluation", &nan,
             "s");
-        add("worker", H5T_STD_I32LE, "rank that evaluated the plant",
-            &no_worker);
+        add("worker", H5T_STD_I32LE, "rank that evaluated", &no_worker);
         add("message", string_type(failure_size), "why the evaluation failed",
             nullptr, "");
         if (form.has_checksums)

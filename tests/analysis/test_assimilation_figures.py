@@ -15,14 +15,14 @@ from test_figures import bars, horizontal_bars, labels
 
 from ideotype.analysis import HistoryError, open_study
 from ideotype.analysis.case import Case
-from ideotype.analysis.estimate import NORMAL
-from ideotype.analysis.profiles import (
+from ideotype.analysis.figures.profiles import (
     draw_days,
     draw_hours,
     draw_leaves,
     draw_sunlit,
 )
-from ideotype.analysis.shares import draw_assimilation
+from ideotype.analysis.figures.shares import draw_assimilation
+from ideotype.analysis.reading.estimate import NORMAL
 
 DAYS = [f"2011-07-{day}" for day in range(28, 32)] + ["2011-08-01"]
 """The days from a Thursday to a Monday."""

@@ -13,11 +13,11 @@ from made_layout import seal
 from made_numbers import final_absorbed
 
 from ideotype.analysis import HistoryError
-from ideotype.analysis.comparison import ELITE, draw_energy
-from ideotype.analysis.coordinates import short_names
-from ideotype.analysis.cross import Cross, draw_cross
-from ideotype.analysis.estimate import NORMAL
-from ideotype.analysis.places import draw_latitudes, draw_spacings
+from ideotype.analysis.figures.comparison import ELITE, draw_energy
+from ideotype.analysis.figures.cross import Cross, draw_cross
+from ideotype.analysis.figures.places import draw_latitudes, draw_spacings
+from ideotype.analysis.reading.coordinates import short_names
+from ideotype.analysis.reading.estimate import NORMAL
 from ideotype.analysis.study import open_study
 from ideotype.analysis.tables import gains
 

@@ -12,7 +12,7 @@ import pytest
 from made_layout import seal
 from matplotlib.figure import Figure
 
-from ideotype.analysis.azimuths import draw_azimuths
+from ideotype.analysis.figures.azimuths import draw_azimuths
 from ideotype.analysis.stand import places, row_direction
 from ideotype.analysis.study import open_study
 

@@ -11,14 +11,14 @@ import pytest
 from real_program import output_of, run_crop
 
 from ideotype.analysis import HistoryError
-from ideotype.analysis.azimuths import azimuths
 from ideotype.analysis.case import Case
-from ideotype.analysis.genes import curve
-from ideotype.analysis.shape import (
+from ideotype.analysis.figures.azimuths import azimuths
+from ideotype.analysis.figures.shape import (
     draw_plant_traits,
     draw_profiles,
     draw_traits,
 )
+from ideotype.analysis.reading.genes import curve
 from ideotype.analysis.study import open_study
 
 FREE = ["azimuth_deviation", "leaf_plane", "height", "length_profile"]

@@ -18,7 +18,7 @@ from test_commands import report, summary
 
 import ideotype
 from ideotype.analysis import HistoryError, open_history, open_study
-from ideotype.analysis.file import lookup3
+from ideotype.analysis.reading.file import lookup3
 
 SAMPLE = Path(__file__).parents[1] / "data" / "history" / "format_2_0.h5"
 METADATA = (11, 45, 100, 400)

@@ -18,7 +18,7 @@ import pytest
 from real_program import start
 
 from ideotype.analysis import HistoryError, Rows, open_history
-from ideotype.analysis.scene import build_plants
+from ideotype.analysis.figures.scene import build_plants
 from ideotype.analysis.study import open_study
 
 PROMISED = {

@@ -19,7 +19,7 @@ from real_program import CAMPAIGNS, executable, output_of, write_campaign
 
 from ideotype import fidelity
 from ideotype._survey import OWN, Draw, Setting, Survey, ladder, pareto, result
-from ideotype.analysis.fidelity import draw_fidelity
+from ideotype.analysis.figures.fidelity import draw_fidelity
 
 KEYS = [
     {"key": "plant.cells", "value": 12, "values": [4, 8, 16]},

@@ -14,7 +14,7 @@ from matplotlib.figure import Figure
 
 from ideotype._geometry import Mesh
 from ideotype.analysis import HistoryError, open_study
-from ideotype.analysis.field import (
+from ideotype.analysis.figures.field import (
     EYE,
     View,
     at_eye_height,
@@ -24,7 +24,7 @@ from ideotype.analysis.field import (
     plant_field,
     show,
 )
-from ideotype.analysis.scene import build_plants
+from ideotype.analysis.figures.scene import build_plants
 
 MAST = Mesh(
     np.array(

@@ -23,18 +23,18 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from ideotype.analysis import HistoryError
-from ideotype.analysis.azimuths import draw_azimuths
-from ideotype.analysis.convergence import draw_convergence
-from ideotype.analysis.estimate import NORMAL
-from ideotype.analysis.profiles import (
+from ideotype.analysis.figures.azimuths import draw_azimuths
+from ideotype.analysis.figures.convergence import draw_convergence
+from ideotype.analysis.figures.profiles import (
     draw_hours,
     draw_layers,
     draw_leaves,
 )
-from ideotype.analysis.shape import draw_traits
-from ideotype.analysis.shares import draw_parts
+from ideotype.analysis.figures.shape import draw_traits
+from ideotype.analysis.figures.shares import draw_parts
+from ideotype.analysis.figures.style import RC, answer_of, unit_label
+from ideotype.analysis.reading.estimate import NORMAL
 from ideotype.analysis.study import open_study
-from ideotype.analysis.style import RC, answer_of, unit_label
 
 
 def bars(axes: Axes, label: str) -> tuple[np.ndarray, np.ndarray]:

@@ -27,12 +27,15 @@ from real_program import CAMPAIGNS
 
 import ideotype
 from ideotype.analysis import open_history, open_study
-from ideotype.analysis.case_figures import figures_of
+from ideotype.analysis.figures.case_figures import figures_of
+from ideotype.analysis.figures.front_figures import (
+    draw_front,
+    draw_hypervolume,
+)
+from ideotype.analysis.figures.front_plants import draw_front_plants
+from ideotype.analysis.figures.scene import build_plants, scene_of
+from ideotype.analysis.figures.style import BEST, answer_of
 from ideotype.analysis.front import non_dominated
-from ideotype.analysis.front_figures import draw_front, draw_hypervolume
-from ideotype.analysis.front_plants import draw_front_plants
-from ideotype.analysis.scene import build_plants, scene_of
-from ideotype.analysis.style import BEST, answer_of
 
 
 @pytest.fixture

@@ -27,8 +27,8 @@ import ideotype
 from ideotype.analysis import open_history, open_study
 from ideotype.analysis.blocks import Section, Viewer
 from ideotype.analysis.commands import report
+from ideotype.analysis.figures.scene import build_plants, scene_of
 from ideotype.analysis.page import render
-from ideotype.analysis.scene import build_plants, scene_of
 
 
 @pytest.fixture

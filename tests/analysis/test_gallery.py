@@ -13,9 +13,9 @@ from matplotlib.figure import Figure
 from ideotype._progress import bar
 from ideotype.analysis import HistoryError
 from ideotype.analysis.blocks import Drawing, Picture, Section
-from ideotype.analysis.figure_numbers import HEADER, write_numbers
-from ideotype.analysis.gallery import draw, draw_all
-from ideotype.analysis.style import answer
+from ideotype.analysis.figures.figure_numbers import HEADER, write_numbers
+from ideotype.analysis.figures.gallery import draw, draw_all
+from ideotype.analysis.figures.style import answer
 
 
 def test_a_figure_is_a_vector_file_that_is_the_same_again(

@@ -6,7 +6,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from ideotype.analysis.genes import Genes
+from ideotype.analysis.reading.genes import Genes
 
 TRAITS = ["fold", "droop", "fold", "droop", "height", *["size_profile"] * 3]
 

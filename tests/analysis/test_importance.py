@@ -9,14 +9,14 @@ import numpy as np
 import pytest
 
 import ideotype
-from ideotype.analysis.estimate import Estimate
-from ideotype.analysis.importance import (
+from ideotype.analysis.figures.importance import (
     Change,
     answer_of,
     changes_of,
     draw_importance,
 )
-from ideotype.analysis.season_figures import chosen_stages, weekly
+from ideotype.analysis.figures.season_figures import chosen_stages, weekly
+from ideotype.analysis.reading.estimate import Estimate
 
 
 def test_changes_are_paired_and_of_one_trait(own: Path) -> None:

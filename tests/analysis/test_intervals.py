@@ -11,9 +11,9 @@ from made_history import MadeHistory
 
 from ideotype.analysis import Estimate
 from ideotype.analysis.answer import answer
-from ideotype.analysis.comparison import draw_energy, draw_gains
-from ideotype.analysis.convergence import draw_convergence
-from ideotype.analysis.estimate import NORMAL
+from ideotype.analysis.figures.comparison import draw_energy, draw_gains
+from ideotype.analysis.figures.convergence import draw_convergence
+from ideotype.analysis.figures.places import draw_latitudes
 from ideotype.analysis.interval import (
     BEYOND,
     ONE_SEED,
@@ -21,7 +21,7 @@ from ideotype.analysis.interval import (
     gain_interval,
     interval,
 )
-from ideotype.analysis.places import draw_latitudes
+from ideotype.analysis.reading.estimate import NORMAL
 from ideotype.analysis.study import open_study
 from ideotype.analysis.tables import SCREEN, gains, markdown, on_a_screen
 

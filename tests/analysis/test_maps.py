@@ -9,12 +9,12 @@ from made_history import MadeHistory
 from made_numbers import BASELINE, final_absorbed
 
 from ideotype.analysis import HistoryError, Study, open_study
-from ideotype.analysis.gain_maps import (
+from ideotype.analysis.figures.gain_maps import (
     draw_gain_map,
     draw_set_map,
     two_sets,
 )
-from ideotype.analysis.style import answer_of
+from ideotype.analysis.figures.style import answer_of
 
 LATITUDES, PLANTS = (10.0, 50.0), (0.1, 0.2)
 SETS = ("erect", "flat")

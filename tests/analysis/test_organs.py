@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from ideotype.analysis.commands import report
-from ideotype.analysis.comparison import draw_energy, shares
+from ideotype.analysis.figures.comparison import draw_energy, shares
 from ideotype.analysis.light_tables import organs
 from ideotype.analysis.study import open_study
 

@@ -14,8 +14,8 @@ from made_history import MadeHistory
 
 import ideotype
 from ideotype.analysis.case import Case
-from ideotype.analysis.own_plants import own_plants
-from ideotype.analysis.scene import build_plants, scene_of
+from ideotype.analysis.figures.scene import build_plants, scene_of
+from ideotype.analysis.reading.own_plants import own_plants
 from ideotype.analysis.study import open_study
 
 PLANTS = Path(__file__).parents[2] / "campaigns" / "plants"

@@ -16,7 +16,7 @@ from test_export import FACES
 
 from ideotype.analysis import open_history
 from ideotype.analysis.commands import report
-from ideotype.analysis.cross import read_cross
+from ideotype.analysis.figures.cross import read_cross
 
 
 @pytest.fixture(scope="module")

@@ -21,8 +21,8 @@ from made_report import CASES, DRAWN, ELITE, OWN, Made
 import ideotype
 from ideotype.analysis import HistoryError
 from ideotype.analysis.commands import report
-from ideotype.analysis.cross import read_cross
-from ideotype.analysis.estimate import NORMAL
+from ideotype.analysis.figures.cross import read_cross
+from ideotype.analysis.reading.estimate import NORMAL
 from ideotype.analysis.study import open_study
 from ideotype.analysis.tables import gains
 

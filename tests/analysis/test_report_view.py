@@ -11,7 +11,7 @@ import pytest
 from browser import run_in_browser
 from made_report import CASES, DRAWN, OWN, Made
 
-from ideotype.analysis.scene import build_plants
+from ideotype.analysis.figures.scene import build_plants
 from ideotype.analysis.study import open_study
 
 

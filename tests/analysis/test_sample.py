@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from ideotype.analysis import History, open_history, open_study
-from ideotype.analysis.scene import build_plants
+from ideotype.analysis.figures.scene import build_plants
 
 SAMPLE = Path(__file__).parents[1] / "data" / "history" / "format_2_0.h5"
 

@@ -16,9 +16,9 @@ from real_program import output_of, write_campaign
 
 import ideotype
 from ideotype.analysis import Case, HistoryError, open_study
-from ideotype.analysis.places import draw_latitudes, draw_spacings
+from ideotype.analysis.figures.places import draw_latitudes, draw_spacings
+from ideotype.analysis.figures.scene import build_plants, scene_of
 from ideotype.analysis.scenario_table import scenarios
-from ideotype.analysis.scene import build_plants, scene_of
 from ideotype.analysis.stand import places
 
 _MORE = """

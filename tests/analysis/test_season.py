@@ -17,9 +17,9 @@ from test_figures import bars
 
 import ideotype
 from ideotype.analysis import open_arrays, open_history, open_study
-from ideotype.analysis.profiles import draw_days, draw_hours
-from ideotype.analysis.shares import draw_parts
-from ideotype.analysis.style import answer_of
+from ideotype.analysis.figures.profiles import draw_days, draw_hours
+from ideotype.analysis.figures.shares import draw_parts
+from ideotype.analysis.figures.style import answer_of
 
 _CLIMATE = Path(__file__).parents[1] / "data" / "campaign" / "july.toml"
 _WEATHER = "weather/bondville_2011_0721_0920.csv"

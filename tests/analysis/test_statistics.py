@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 from ideotype.analysis import Estimate
-from ideotype.analysis.estimate import difference, relative_gain
-from ideotype.analysis.shape import circular_mean_and_deviation
+from ideotype.analysis.figures.shape import circular_mean_and_deviation
+from ideotype.analysis.reading.estimate import difference, relative_gain
 
 
 def test_angles_are_averaged_on_the_circle() -> None:

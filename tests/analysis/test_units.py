@@ -10,15 +10,15 @@ import pytest
 from matplotlib.figure import Figure
 
 from ideotype.analysis.case import Case
-from ideotype.analysis.convergence import draw_convergence
-from ideotype.analysis.profiles import (
+from ideotype.analysis.figures.convergence import draw_convergence
+from ideotype.analysis.figures.profiles import (
     draw_hours,
     draw_layers,
     draw_leaves,
 )
-from ideotype.analysis.shares import draw_parts
+from ideotype.analysis.figures.shares import draw_parts
+from ideotype.analysis.figures.style import axis_label
 from ideotype.analysis.study import open_study
-from ideotype.analysis.style import axis_label
 
 
 def test_axes_tell_ground_from_leaf() -> None:

@@ -13,8 +13,8 @@ from browser import run_in_browser
 from phone import WIDTH, phone_with
 
 from ideotype.analysis.blocks import Picture, Section, Viewer
+from ideotype.analysis.figures.scene import packed
 from ideotype.analysis.page import render
-from ideotype.analysis.scene import packed
 
 TURN = 0.6
 """The turn of the view at its start, about the vertical."""

@@ -50,7 +50,7 @@ from flipped_bits import OPEN, flip, marked, metadata
 
 import ideotype
 from ideotype.analysis import HistoryError, open_history, open_study
-from ideotype.analysis.provenance import provenance
+from ideotype.analysis.reading.provenance import provenance
 from ideotype.analysis.tables import gains
 
 LIMIT = 60  # The longest time that a reader may take [s].

@@ -216,7 +216,8 @@ def _polygons(
         place = int(np.flatnonzero(wrong)[0])
         face = int(np.searchsorted(np.cumsum(counts), place, side="right"))
         raise Error(
-            f"faces[{face}] has the corner {corners[place]:.15g}; name vertices from 0 to "
+            f"faces[{face}] has the corner {corners[place]:.15g}; name "
+            "vertices from 0 to "
             f"{vertices - 1}"
         )
     return whole.astype(np.uint32), counts

@@ -44,7 +44,8 @@ class Search:
         bounds = np.array([real(lower, "lower"), real(upper, "upper")])
         if bounds.ndim != 2 or not np.all(bounds[0] < bounds[1]):
             raise Error(
-                "lower and upper: each lower bound must be below its upper bound"
+                "lower and upper: each lower bound must be below its upper "
+                "bound"
             )
         count = bounds.shape[1]
         middle = bounds.mean(axis=0) if start is None else real(start, "start")
@@ -95,7 +96,8 @@ class Search:
         )
         if len(told) != count or failed.shape != (count,):
             raise Error(
-                f"values: {count} points were asked for, but {len(told)} are given; give one value for each"
+                f"values: {count} points were asked for, but {len(told)} are "
+                "given; give one value for each"
             )
         self._search.tell(told.tolist(), failed.tolist())
 

@@ -20,7 +20,7 @@ import ideotype._core as _core
 from ._arrays import real
 from ._evaluated import dataset_of
 from ._settings import Settings, words_of
-from ._stand_views import StandViews, processors
+from ._views.stand_views import StandViews, processors
 
 
 class Stand(StandViews):

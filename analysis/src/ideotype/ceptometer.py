@@ -136,7 +136,7 @@ def agreement(found: pd.DataFrame) -> dict[str, float]:
 
 def draw(found: pd.DataFrame, path: Path) -> None:
     """Draws ours over measured, coloured by height."""
-    from .analysis.style import new_figure
+    from .analysis.figures.style import new_figure
 
     figure = new_figure(6, 5)
     axes = figure.add_subplot()

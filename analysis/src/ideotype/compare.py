@@ -13,11 +13,11 @@ from typing import Any
 
 import ideotype._core as _core
 
-from ._compared import Comparison, Plant, Quantity, compare_plants
-from ._compared_text import page_of
 from ._errors import Error, InputError, printable_lines
 from ._progress import Progress
-from .analysis.file import HistoryError
+from ._views.compared import Comparison, Plant, Quantity, compare_plants
+from ._views.compared_text import page_of
+from .analysis.reading.file import HistoryError
 
 
 def cases_of(
@@ -115,7 +115,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     try:
         if options.csv and options.csv.exists():
             raise FileExistsError(
-                f"{options.csv}: this file exists already and is not overwritten; name another"
+                f"{options.csv}: this file exists already and is not "
+                "overwritten; name another"
             )
         return _compare(options)
     except InputError as error:

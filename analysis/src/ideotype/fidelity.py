@@ -215,7 +215,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         if options.json:
             options.json.write_text(json.dumps(found, indent=1) + "\n")
         if options.figure:
-            from .analysis.fidelity import draw_fidelity
+            from .analysis.figures.fidelity import draw_fidelity
 
             draw_fidelity(found).savefig(options.figure)
     except KeyboardInterrupt:

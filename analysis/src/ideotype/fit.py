@@ -9,20 +9,18 @@ import datetime
 import json
 import re
 import sys
-import tomllib
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-import pandas as pd
 import tomli_w
-from scipy.spatial import cKDTree
 
-from ._blades import Blade, Floats, parts
 from ._errors import Error, printable_lines
 from ._geometry import Mesh
-from ._plant_sources import read_plant
+from ._scans.agreement import agreement
+from ._scans.blades import Blade
+from ._scans.plant_sources import read_crop, read_plant
 from ._stand import Stand
 
 _STEPS = 10
@@ -166,92 +164,6 @@ def mesh_of(crop: dict[str, Any], folder: Path) -> Mesh:
     return stand.mesh(stand.baseline)
 
 
-def agreement(
-    blades: Sequence[Blade], crop: dict[str, Any], mesh: Mesh
-) -> pd.DataFrame:
-    """Returns how well each leaf of a crop meets what was measured of it: the
-    root mean square distances of the midrib and of the measured points of the
-    blade [mm], that of the midrib's angle [deg], lengths [m] and areas
-    [m2]."""
-    rows = []
-    for i, (blade, leaf) in enumerate(zip(blades, crop["leaf"], strict=True)):
-        group = f"leaf{i + 1:02d}"
-        area = mesh.area(group)
-        ours = _midrib(mesh, group)
-        # A leaf is drawn from the surface of the stalk. Where the row is that
-        # of the crop, a leaf without azimuth points as the crop's does.
-        measured = _turned(blade, leaf["azimuth"], ours[0])
-        at = np.linspace(0, 1, 41)
-        apart = _resampled(ours, at) - _resampled(measured(blade.midrib), at)
-        turn = _directions(ours, at) * _directions(measured(blade.midrib), at)
-        row = {
-            "leaf": i + 1,
-            "source": blade.name,
-            "midrib_rms_mm": 1000 * np.sqrt((apart**2).sum(1).mean()),
-            "angle_rms_deg": np.degrees(
-                np.sqrt((np.arccos(np.clip(turn.sum(1), -1, 1)) ** 2).mean())
-            ),
-            "surface_rms_mm": np.nan,
-            "out_of_plane_mm": 1000 * blade.out_of_plane,
-            "length_m": leaf["length"],
-            "width_m": leaf["width"],
-            "area_m2": area,
-            "measured_area_m2": np.nan,
-        }
-        if blade.points is not None:
-            near, _ = cKDTree(_dense(mesh, group)).query(
-                measured(blade.points)
-            )
-            row["surface_rms_mm"] = 1000 * np.sqrt((near**2).mean())
-            row["measured_area_m2"] = blade.area
-        rows.append(row)
-    return pd.DataFrame(rows)
-
-
-def _resampled(line: Floats, at: Floats) -> Floats:
-    """Returns points of a line at these parts of its length."""
-    return np.column_stack([np.interp(at, parts(line), x) for x in line.T])
-
-
-def _directions(line: Floats, at: Floats) -> Floats:
-    """Returns unit vectors along a line, by differences between these
-    parts."""
-    steps = np.diff(_resampled(line, at), axis=0)
-    return steps / np.linalg.norm(steps, axis=1)[:, None]
-
-
-def _turned(blade: Blade, azimuth: float, base: Floats) -> Any:
-    """Moves points of a blade to where the crop file has its base and turns
-    them about the vertical to the azimuth that it has there."""
-    turn = np.radians(blade.azimuth - azimuth)
-    rotation = np.array(
-        [
-            [np.cos(turn), -np.sin(turn), 0],
-            [np.sin(turn), np.cos(turn), 0],
-            [0, 0, 1],
-        ]
-    )
-    return lambda points: (points - blade.midrib[0]) @ rotation.T + base
-
-
-def _midrib(mesh: Mesh, group: str) -> Floats:
-    """Returns the midrib of a leaf of the program: its faces lie in pairs,
-    left and right of it, from base to tip."""
-    left = mesh.corners[[name == group for name in mesh.groups]][::2]
-    return np.vstack([left[:, 1], left[-1:, 2]])
-
-
-def _dense(mesh: Mesh, group: str, steps: int = 24) -> Floats:
-    """Returns points on the faces of a leaf, some 2 mm apart."""
-    a, b, c, d = (
-        mesh.corners[[name == group for name in mesh.groups]]
-    ).transpose(1, 0, 2)[:, :, None, None]
-    u, v = np.meshgrid(*2 * [np.linspace(0, 1, steps)])
-    u, v = u[None, :, :, None], v[None, :, :, None]
-    points = (1 - u) * ((1 - v) * a + v * d) + u * ((1 - v) * b + v * c)
-    return points.reshape(-1, 3)
-
-
 def main(arguments: Sequence[str] | None = None) -> int:
     """Fits, writes, prints and returns the exit code: 0, 2 for a wrong command
     line, 3 for an input that cannot be read."""
@@ -288,18 +200,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
             options.unit,
             options.ground,
         )
-        try:
-            crop = tomllib.loads(options.crop.read_text())
-        except (OSError, ValueError) as error:
-            raise Error(f"{options.crop}: {error}") from None
-        if not crop.get("leaf") or "stalk" not in crop:
-            raise Error(
-                f"{options.crop}: this is no crop file (it lacks [[leaf]] or [stalk]); name one"
-            )
-        if any("petiole_length" in leaf for leaf in crop["leaf"]):
-            raise Error(
-                f"{options.crop}: its leaves have petioles (only leaves of one blade at the stalk can be fitted); choose another crop"
-            )
+        crop = read_crop(options.crop)
         name = options.name or options.to.stem
         crop = crop_of(blades, crop, name, options.form)
         found = agreement(blades, crop, mesh_of(crop, options.crop.parent))

@@ -14,9 +14,9 @@ from typing import Any
 import pandas as pd
 
 from ._errors import Error, printable_lines
-from ._weather_checks import check_clock, mend, place_of
-from ._weather_formats import FORMATS, read
-from ._weather_tables import COLUMNS, Readings
+from ._meteo.checks import check_clock, mend, place_of
+from ._meteo.formats import FORMATS, read
+from ._meteo.tables import COLUMNS, Readings
 
 _HOUR = pd.Timedelta("1h")
 _LIGHT = ["global", "beam_normal", "diffuse"]
@@ -178,7 +178,10 @@ def _joined(
         whole[[name for name in _LIGHT if name in whole]].notna().any(axis=1)
     )
     if not light.any():
-        raise Error("no file tells the light; give one with global light, or with beam and diffuse light")
+        raise Error(
+            "no file tells the light; give one with global light, or with "
+            "beam and diffuse light"
+        )
     return whole[light.idxmax() : light[::-1].idxmax()], steps[0]
 
 
@@ -202,7 +205,10 @@ def _with_years(frame: pd.DataFrame, first: Any, until: Any) -> pd.DataFrame:
     first = first or pd.Timestamp(index[0].year, 1, 1)
     until = until or pd.Timestamp(first.year, 12, 31)
     if until - first >= pd.Timedelta("366D"):
-        raise Error("the period is longer than the typical year of the file; choose one of up to 365 days")
+        raise Error(
+            "the period is longer than the typical year of the file; choose "
+            "one of up to 365 days"
+        )
     parts = []
     for year in range(first.year, until.year + 1):
         date = pd.DataFrame(

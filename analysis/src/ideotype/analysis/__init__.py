@@ -2,16 +2,16 @@
 """Reads the histories of ideotype; FORMAT.md says what they hold."""
 
 from .case import Case
-from .estimate import Estimate
-from .file import HistoryError, NotAHistory, UnsupportedVersion
 from .front import Front
-from .history import History, open_history
 from .indices import Indices
 from .interval import Interval
-from .labelled import open_arrays
 from .pair import Pair
-from .quantity import Objective, Profile, Quantity
-from .rows import Evaluation, Rows
+from .reading.estimate import Estimate
+from .reading.file import HistoryError, NotAHistory, UnsupportedVersion
+from .reading.history import History, open_history
+from .reading.labelled import open_arrays
+from .reading.quantity import Objective, Profile, Quantity
+from .reading.rows import Evaluation, Rows
 from .study import Study, open_study
 
 __all__ = [

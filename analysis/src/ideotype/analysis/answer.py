@@ -11,12 +11,12 @@ import numpy as np
 from .._errors import Error
 from .blocks import Answer, Block, Note, Table
 from .case import Case
-from .comparison import known_cases
-from .coordinates import short_names
-from .file import HistoryError
+from .figures.comparison import known_cases
+from .figures.style import unit_label, words
 from .interval import ENOUGH, ONE_SEED
+from .reading.coordinates import short_names
+from .reading.file import HistoryError
 from .results import evaluations_of
-from .style import unit_label, words
 
 _COSTS = ("leaf_nitrogen", "nitrogen", "water_use")
 """Quantities besides leaf area that tell what a plant costs, where campaigns

@@ -10,13 +10,13 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from .estimate import Estimate
-from .file import HistoryError
 from .front import Front
-from .history import History
 from .interval import Interval, gain_interval, interval, over_searches
 from .pair import Pair
-from .rows import Evaluation, Rows, join
+from .reading.estimate import Estimate
+from .reading.file import HistoryError
+from .reading.history import History
+from .reading.rows import Evaluation, Rows, join
 
 _SMALL = 1e-12
 _BY_ORGAN = "absorbed_by_organ"

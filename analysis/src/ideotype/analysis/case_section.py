@@ -14,13 +14,13 @@ import ideotype
 from .._errors import Error
 from .blocks import Note, Section
 from .case import Case
-from .case_figures import figures_of
-from .field import draw_field
-from .file import HistoryError
-from .front_plants import draw_front_plants
-from .importance import changes_of, draw_importance
-from .scene import Plants, build_plants
-from .season_figures import DAY, chosen_stages, draw_stages, stages
+from .figures.case_figures import figures_of
+from .figures.field import draw_field
+from .figures.front_plants import draw_front_plants
+from .figures.importance import changes_of, draw_importance
+from .figures.scene import Plants, build_plants
+from .figures.season_figures import DAY, chosen_stages, draw_stages, stages
+from .reading.file import HistoryError
 
 _FIELD = (
     "At eye height, 1.6 m, and from above. Leaves have the colour of the PAR "

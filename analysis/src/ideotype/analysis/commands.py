@@ -12,7 +12,7 @@ from pathlib import Path
 
 from .._errors import printable_lines
 from .._progress import Progress
-from .file import HistoryError
+from .reading.file import HistoryError
 from .study import Study, open_study
 
 _EXIT_CODES = (
@@ -152,7 +152,7 @@ def _summarize(options: argparse.Namespace, study: Study) -> None:
 def _report(options: argparse.Namespace, study: Study) -> None:
     # The import stands here, so that wrong command lines need not wait for the
     # plotting library.
-    from .cross import read_cross
+    from .figures.cross import read_cross
     from .report import write_report
 
     # Processes use all cores; more threads in each process would slow the

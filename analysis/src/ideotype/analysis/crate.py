@@ -9,7 +9,7 @@ import argparse
 import hashlib
 import json
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
@@ -19,9 +19,9 @@ import tomli_w
 
 from .case import Case
 from .commands import guarded
-from .estimate import NORMAL
-from .file import HistoryError
-from .history import History
+from .reading.estimate import NORMAL
+from .reading.file import HistoryError
+from .reading.history import History
 from .study import Study
 
 METADATA = "ro-crate-metadata.json"
@@ -52,10 +52,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         "--license", required=True, metavar="SPDX",
         help="licence of the results by its SPDX name, such as CC-BY-4.0",
     )  # fmt: skip
-    add(
-        "--organisation", metavar="NAME[, URL]",
-        help="where the authors work",
-    )  # fmt: skip
+    add("--organisation", metavar="NAME[, URL]", help="where the authors work")
     add("--title", help="name of the crate (default: that of the campaigns)")
 
     def write(options: argparse.Namespace, study: Study) -> None:
@@ -87,20 +84,23 @@ def write_crate(
     for history in study:
         if not history.state().finished:
             raise HistoryError(
-                f"{history.path}: {history.state()}; a crate takes finished histories only"
+                f"{history.path}: {history.state()}; a crate takes finished "
+                "histories only"
             )
         if folder.resolve() not in history.path.resolve().parents:
-            raise HistoryError(f"{history.path}: this history is not in {folder}; move it there, or name another folder")
+            raise HistoryError(
+                f"{history.path}: this history is not in {folder}; move it "
+                "there, or name another folder"
+            )
     every = list(_entities(study, folder, _people(authors, organisation)))
-    names = sorted({str(h.attributes["campaign"]) for h in study})
+    bred = ", ".join(sorted({str(h.attributes["campaign"]) for h in study}))
     root = {
         "@id": "./",
         "@type": "Dataset",
-        "name": title or f"Ideotypes of {', '.join(names)}",
+        "name": title or f"Ideotypes of {bred}",
         "description": (
-            f"Plants that the program ideotype has bred for "
-            f"{', '.join(names)}, with all evaluations; number of searches: "
-            f"{len(study)}."
+            f"Plants that the program ideotype has bred for {bred}, with all "
+            f"evaluations; number of searches: {len(study)}."
         ),
         "datePublished": datetime.now(UTC).date().isoformat(),
         "license": _of(license_url := f"https://spdx.org/licenses/{license}"),
@@ -142,8 +142,8 @@ def _of(name: str) -> _Entity:
 def _all_of(
     every: Sequence[_Entity], kind: str = ""
 ) -> _Entity | list[_Entity]:
-    """Returns references to all entities, or to those of a type; of one alone
-    it is no list."""
+    """Returns references to all entities or to those of a type, as a list
+    unless there is one."""
     found = [_of(e["@id"]) for e in every if kind in ("", e["@type"])]
     return found[0] if len(found) == 1 else found
 
@@ -153,13 +153,12 @@ def _entities(
 ) -> Iterator[_Entity]:
     """Returns all that the root of a crate refers to, each once."""
     found = {each["@id"]: each for each in makers}
-    people = [each for each in makers if each["@type"] == "Person"]
     for case in study.cases():
         for history in case.histories:
             inputs = list(_inputs(history, folder))
             program = _program(history)
             result = _history(case, history, folder)
-            made = _action(history, inputs, program, result, people)
+            made = _action(history, inputs, program, result, makers)
             for each in (*inputs, program, result, made):
                 found[each["@id"]] = each
     for page, kind, about in (
@@ -225,7 +224,6 @@ def _program(history: History) -> _Entity:
 def _inputs(history: History, folder: Path) -> Iterator[_Entity]:
     """Writes what a history was begun with, and describes each file."""
     campaign = str(history.attributes["campaign"])
-    resolved: Mapping[str, Any] = history.resolved
     texts = {
         "": (history.campaign(), "The campaign as its author wrote it."),
         "_resolved": (
@@ -233,10 +231,10 @@ def _inputs(history: History, folder: Path) -> Iterator[_Entity]:
             "The campaign with every default, crop and weather.",
         ),
     }
-    if crop := resolved.get("plant", {}).get("baseline"):
+    if crop := history.resolved.get("plant", {}).get("baseline"):
         told = "The crop and the plant that the search begins with."
         texts["_crop"] = tomli_w.dumps(crop), told
-    if weather := resolved.get("weather"):
+    if weather := history.resolved.get("weather"):
         told = "The weather in steps, as evaluations take it."
         texts["_weather"] = tomli_w.dumps({"weather": weather}), told
     for part, (text, about) in texts.items():
@@ -284,7 +282,7 @@ def _action(
     inputs: Sequence[_Entity],
     program: _Entity,
     result: _Entity,
-    people: Sequence[_Entity],
+    makers: Sequence[_Entity],
 ) -> _Entity:
     """Describes how a history came to be."""
     sessions = history.sessions()
@@ -296,7 +294,7 @@ def _action(
         "instrument": _of(program["@id"]),
         "object": _all_of(inputs),
         "result": _of(result["@id"]),
-        "agent": _all_of(people),
+        "agent": _all_of(makers, "Person"),
         "startTime": sessions[0].started,
         "actionStatus": "http://schema.org/CompletedActionStatus",
     }

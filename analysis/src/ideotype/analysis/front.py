@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from .._arrays import real
 from .pair import Pair
-from .rows import Evaluation, Rows
+from .reading.rows import Evaluation, Rows
 
 
 def non_dominated(

@@ -13,10 +13,10 @@ import pandas
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from . import style
 from .case import Case
-from .file import HistoryError
-from .history import History
+from .figures import style
+from .reading.file import HistoryError
+from .reading.history import History
 
 _SOBOL = ("first", "total")
 _MORRIS = ("mu_star", "sigma")

@@ -12,9 +12,9 @@ from typing import Any
 import numpy as np
 
 from .._errors import did_you_mean, printable_lines
-from .file import HistoryError
-from .history import History, open_history
 from .indices import NORMAL, Indices, indices_of
+from .reading.file import HistoryError
+from .reading.history import History, open_history
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -51,7 +51,9 @@ def _told(history: History, options: argparse.Namespace) -> str:
                 "the sensitivity study is not finished yet; go on with "
                 "ideotype sensitivity CAMPAIGN --resume"
                 if history.is_sensitivity
-                else "this is no history of a sensitivity study; write one with ideotype sensitivity CAMPAIGN"
+                else "this is no history of a sensitivity study; write one "
+                "with "
+                "ideotype sensitivity CAMPAIGN"
             )
         )
     case = str(history.attributes["case"])

@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from .estimate import NORMAL, Estimate, with_interval
+from .reading.estimate import NORMAL, Estimate, with_interval
 
 SEARCH_SCATTER = 0.2
 """The standard deviation of the gains of searches with other seeds over their

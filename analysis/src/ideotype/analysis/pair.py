@@ -7,8 +7,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from .estimate import Estimate, difference, relative_gain
-from .rows import Evaluation
+from .reading.estimate import Estimate, difference, relative_gain
+from .reading.rows import Evaluation
 
 
 @dataclass(frozen=True)

@@ -14,19 +14,19 @@ from .answer import answer, leaf_table
 from .blocks import Section, Viewer
 from .case import Case
 from .case_section import plants_of, section_of
-from .comparison import draw_energy, draw_gains, intervals_of
-from .cross import Cross, draw_cross
-from .file import HistoryError
-from .gain_maps import draw_gain_map, draw_set_map, two_sets
-from .gallery import draw_all
+from .figures.comparison import draw_energy, draw_gains, intervals_of
+from .figures.cross import Cross, draw_cross
+from .figures.gain_maps import draw_gain_map, draw_set_map, two_sets
+from .figures.gallery import draw_all
+from .figures.places import draw_latitudes, draw_spacings
+from .figures.scene import Plants, scene_of
 from .indices import draw_indices
 from .light_tables import balance, organs
 from .page import render
-from .places import draw_latitudes, draw_spacings
-from .provenance import provenance
+from .reading.file import HistoryError
+from .reading.provenance import provenance
 from .results import results_of
 from .scenario_table import scenarios
-from .scene import Plants, scene_of
 from .study import Study
 from .workers import workers
 

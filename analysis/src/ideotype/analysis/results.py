@@ -8,9 +8,9 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
 from .case import Case
-from .file import HistoryError
-from .history import History
 from .interval import Interval, interval
+from .reading.file import HistoryError
+from .reading.history import History
 
 if TYPE_CHECKING:
     import pandas

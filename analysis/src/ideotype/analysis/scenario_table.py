@@ -7,10 +7,10 @@ from collections.abc import Sequence
 
 from .blocks import Table
 from .case import Case
-from .estimate import Estimate, relative_gain
+from .figures.style import axis_label
 from .interval import over_searches
 from .pair import Pair
-from .style import axis_label
+from .reading.estimate import Estimate, relative_gain
 from .tables import bare, held
 
 

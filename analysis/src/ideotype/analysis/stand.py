@@ -8,9 +8,9 @@ from numpy.typing import NDArray
 
 from .._geometry import Mesh
 from .case import Case
-from .file import HistoryError
-from .own_plants import OwnPlant
-from .rows import Evaluation
+from .reading.file import HistoryError
+from .reading.own_plants import OwnPlant
+from .reading.rows import Evaluation
 
 
 def row_direction(case: Case) -> float | None:

@@ -13,9 +13,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Self
 
 from .case import Case
-from .coordinates import natural
-from .file import HistoryError
-from .history import History, open_history
+from .reading.coordinates import natural
+from .reading.file import HistoryError
+from .reading.history import History, open_history
 
 if TYPE_CHECKING:
     import pandas
@@ -37,7 +37,9 @@ def open_study(*places: Place, skip_damaged: bool = False) -> Study:
 def find_histories(*places: Place) -> list[Path]:
     """Returns the files that places stand for. Raises as open_study."""
     if not places:
-        raise HistoryError("no history is given; name files, folders or patterns")
+        raise HistoryError(
+            "no history is given; name files, folders or patterns"
+        )
     found: dict[Path, Path] = {}
     for place in places:
         for path in _histories_of(place):
@@ -51,7 +53,8 @@ def _histories_of(place: Place) -> list[Path]:
         files = sorted(path.rglob("*.h5"), key=lambda x: natural(str(x)))
         if not files:
             raise HistoryError(
-                f"{path}: there is no history (.h5) in this folder; give the one that "
+                f"{path}: there is no history (.h5) in this folder; give the "
+                "one that "
                 "`ideotype run --out` wrote to"
             )
         return files
@@ -140,7 +143,7 @@ class Study:
     def frame(self) -> pandas.DataFrame:
         """Returns all complete evaluations of all histories, one a row; the
         unit of a column is .attrs["units"][column]."""
-        from .frame import frame_of
+        from .reading.frame import frame_of
 
         return frame_of(self._histories)
 

@@ -7,11 +7,11 @@ from collections.abc import Callable, Iterator, Sequence
 
 from .blocks import Block, Note, Table
 from .case import Case
-from .comparison import ELITE, intervals_of
-from .cross import Cross
-from .file import HistoryError
+from .figures.comparison import ELITE, intervals_of
+from .figures.cross import Cross
+from .figures.style import unit_label
 from .interval import BEYOND, SEARCH_SCATTER, Interval
-from .style import unit_label
+from .reading.file import HistoryError
 
 _MOST = 6
 """The number of cases that a remark names."""

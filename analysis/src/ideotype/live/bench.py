@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from .._errors import Error
 from .._stand import Stand
-from .._stand_views import processors
+from .._views.stand_views import processors
 from .conditions import Conditions, Tables, tables_under
 from .numbers import Array, Layout, Samples
 from .opened import Opened

@@ -86,7 +86,10 @@ class Conditions:
             if kind is float and type(value) is int:
                 value = float(value)
             if type(value) is not kind or not _is_possible(field.name, value):
-                raise Error(f"{field.name} is {value!r:.40}, which is impossible; send a value of its range")
+                raise Error(
+                    f"{field.name} is {value!r:.40}, which is impossible; "
+                    "send a value of its range"
+                )
             found[field.name] = value
         return replace(self, **found)
 

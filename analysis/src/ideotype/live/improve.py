@@ -39,7 +39,10 @@ class Improvement:
         self._bench, self._shown, self._goal = bench, shown, goal
         self._free = np.flatnonzero(bench.opened.free)
         if not len(self._free):
-            raise Error("the campaign breeds no trait of this plant; choose another component")
+            raise Error(
+                "the campaign breeds no trait of this plant; choose another "
+                "component"
+            )
         place = bench.place(bench.own)
         genes = place.stand.genes.iloc[self._free]
         start = shown.genome[self._free]
@@ -64,7 +67,10 @@ class Improvement:
         stand = self._bench.careful(self._shown.conditions)
         layout = Layout(stand)
         if self._goal not in layout.places:
-            raise Error(f"there is no number that is called {self._goal!r:.40}; choose one of the list")
+            raise Error(
+                f"there is no number that is called {self._goal!r:.40}; "
+                "choose one of the list"
+            )
 
         def value(genome: Genome, seed: int) -> tuple[float, float]:
             if self._is_dropped:

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .._errors import Error
-from .._plant_sources import is_digitised
+from .._scans.plant_sources import is_digitised
 from .._stand import Stand
 from .conditions import Conditions, Tables, one_case
 
@@ -161,17 +161,13 @@ def _of_history(path: Path) -> Opened:
 
 
 def _of_measured(path: Path, plant: str | None, crop: str) -> Opened:
-    from .._plant_sources import read_plant
-    from ..fit import agreement, mesh_of, readable_crop
+    from .._scans.agreement import agreement
+    from .._scans.plant_sources import read_crop, read_plant
+    from ..fit import mesh_of, readable_crop
 
     source = Path(_known(crop) if crop in CROPS else crop)
     blades = read_plant(path, plant)
-    try:
-        like = tomllib.loads(source.read_text(encoding="utf-8"))
-    except (OSError, ValueError) as error:
-        raise Error(f"{source}: {error}") from None
-    if not like.get("leaf") or "stalk" not in like:
-        raise Error(f"{source}: this is no crop file (it lacks [[leaf]] or [stalk]); name one")
+    like = read_crop(source)
     found = readable_crop(blades, like, path.stem)
     off = agreement(blades, found, mesh_of(found, source.parent))
     told = (

@@ -8,8 +8,8 @@ from typing import Any
 
 from .._errors import Error
 from .._stand import Stand
-from ..analysis.history import open_history
-from ..analysis.scene import packed, shape_of
+from ..analysis.figures.scene import packed, shape_of
+from ..analysis.reading.history import open_history
 from ..analysis.stand import leaf_light
 
 

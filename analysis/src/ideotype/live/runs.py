@@ -10,9 +10,9 @@ from typing import Any
 import numpy as np
 
 from .._errors import Error
-from ..analysis.file import HistoryError, Writer
-from ..analysis.history import History, open_history
-from ..analysis.rows import Evaluation, Status
+from ..analysis.reading.file import HistoryError, Writer
+from ..analysis.reading.history import History, open_history
+from ..analysis.reading.rows import Evaluation, Status
 
 RECENT = 5
 """The number of generations whose rate is the present one."""

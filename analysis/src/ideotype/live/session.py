@@ -92,7 +92,9 @@ class Session:
             self._improvement = Improvement(self._bench, shown, goal)
             self._start(self._improve(number, self._improvement))
         else:
-            raise Error(f"a message cannot be {kind!r:.40}; load the page again")
+            raise Error(
+                f"a message cannot be {kind!r:.40}; load the page again"
+            )
 
     def shown(self, message: dict[str, Any]) -> Shown:
         """Returns what a message shows. Raises Error if it is impossible."""
@@ -101,7 +103,10 @@ class Session:
         component = message.get("component", 0)
         count = len(bench.place(bench.own).stand.components)
         if not isinstance(conditions, dict) or component not in range(count):
-            raise Error("a message has conditions or a component that do not exist; load the page again")
+            raise Error(
+                "a message has conditions or a component that do not exist; "
+                "load the page again"
+            )
         genome = self._genome(message.get("genome"))
         reference = message.get("reference")
         return Shown(
@@ -116,9 +121,15 @@ class Session:
     def _genome(self, numbers: Any) -> Genome:
         found = real(numbers, "genome")
         if found.shape != self._bench.opened.genome.shape:
-            raise Error("the genome in a message is none of this plant; load the page again")
+            raise Error(
+                "the genome in a message is none of this plant; load the "
+                "page again"
+            )
         if not np.all(np.abs(found) < 1e4):
-            raise Error("the genome in a message has impossible numbers; load the page again")
+            raise Error(
+                "the genome in a message has impossible numbers; load the "
+                "page again"
+            )
         return found
 
     def close(self) -> None:

@@ -16,7 +16,7 @@ import ideotype._core as _core
 
 from .._geometry import Mesh
 from .._stand import Stand
-from ..analysis.scene import packed, shape_of
+from ..analysis.figures.scene import packed, shape_of
 from .conditions import Conditions, Tables
 
 

@@ -17,7 +17,7 @@ from typing import Any
 from tornado.web import HTTPError
 
 from .._errors import Error
-from ..analysis.file import HistoryError
+from ..analysis.reading.file import HistoryError
 from .runs import Folder
 from .server import Guarded, add_options, answer, application, serve
 
@@ -60,7 +60,9 @@ class Watcher:
         for path in self._folder.histories():
             if str(path.relative_to(self._folder.path)) == name:
                 return json.dumps(plants_of(path))
-        raise Error("there is no such history in this folder; load the page again")
+        raise Error(
+            "there is no such history in this folder; load the page again"
+        )
 
     def close(self) -> None:
         """Ends when what is under way is read."""

@@ -1,0 +1,296 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Plants of any shape in the same light, and how each differs from the
+first."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+import pandas as pd
+from numpy.typing import NDArray
+
+import ideotype._core as _core
+
+from .._errors import Error
+from ..analysis.reading.estimate import Estimate, difference, relative_gain
+
+Key = tuple[str, int]
+"""A number of a plant: the name of a quantity, and its place along its axis, 0
+if it has none. Leaves are counted from the highest, which is 0."""
+
+
+@dataclass(frozen=True)
+class Plant:
+    """A plant, or the plants of several components, with a name."""
+
+    name: str
+    core: _core.Plants
+
+    @classmethod
+    def read(
+        cls, path: str | os.PathLike[str], under: _core.CaseStand
+    ) -> Plant:
+        """Reads a crop file, the crop of a campaign, measured leaves (.csv) or
+        the best plant of a history (.h5).
+
+        Raises InputError or HistoryError if it cannot be read."""
+        path = os.fspath(path)
+        if not path.endswith(".h5"):
+            core = _core.read_plants(under, path)
+            return cls(core.name, core)
+        from .._stand import Stand
+        from ..analysis import open_history
+
+        with open_history(path) as history:
+            best = history.best()
+            if best is None:
+                raise Error(
+                    f"{path}: no generation of this history is complete yet; "
+                    "try again later"
+                )
+            stand = Stand.from_history(
+                path, best.row.genome[0], same_isa=False
+            )
+            campaign = history.attributes["campaign"]
+        genome = np.ascontiguousarray(best.row.genome[0])
+        core = _core.grown_plants(stand._case, genome)
+        return cls(f"{campaign}/{stand.name}", core)
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """A quantity without axes, or along the leaves or layers of height."""
+
+    name: str
+    unit: str
+    axis: str = ""
+    coordinates: tuple[float, ...] = (0,)
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """Plants in the light of one or more cases. All plants of a case have the
+    same fields and random numbers, so that errors of differences are those of
+    pairs; all errors here are standard errors."""
+
+    plants: tuple[str, ...]
+    cases: tuple[str, ...]
+    quantities: tuple[Quantity, ...]
+    """The quantities, the objectives first. Coordinates are ranks from the
+    lowest leaf of the plant with most leaves, or heights [m]."""
+    objectives: tuple[str, ...]
+    """The names of the objectives."""
+    leaves: tuple[int, ...]
+    """The number of leaves of each plant."""
+    numbers: dict[tuple[int, int], dict[Key, Estimate]] = field(repr=False)
+    """The numbers of each plant in each case, with their randomisations."""
+
+    @property
+    def objective(self) -> Quantity:
+        """The first objective."""
+        return self.quantities[0]
+
+    def value(self, plant: int, case: int, key: Key) -> Estimate | None:
+        """Returns a number of a plant; None if it has no such leaf."""
+        return self.numbers[plant, case].get(key)
+
+    def difference(self, plant: int, case: int, key: Key) -> Estimate | None:
+        """Returns by how much it exceeds that of the first plant."""
+        return self._paired(difference, plant, case, key)
+
+    def gain(self, plant: int, case: int, key: Key) -> Estimate | None:
+        """Returns the difference relative to the first plant [%]; None if
+        that has 0."""
+        first = self.value(0, case, key)
+        if first is None or first.mean == 0:
+            return None
+        return self._paired(relative_gain, plant, case, key)
+
+    def _paired(
+        self, of_both: Any, plant: int, case: int, key: Key
+    ) -> Estimate | None:
+        both = self.value(plant, case, key), self.value(0, case, key)
+        return None if None in both else of_both(*both)
+
+    @property
+    def table(self) -> pd.DataFrame:
+        """A row for each plant, case and number: plant, case, quantity, unit,
+        leaf (rank from the lowest of its plant), leaf_from_top (1 is the
+        highest), layer_m, mean, standard_error, and the difference from the
+        first plant with its paired error, also in per cent."""
+        return pd.DataFrame(
+            [
+                self._line(p, c, quantity, place)
+                for p in range(len(self.plants))
+                for c in range(len(self.cases))
+                for quantity in self.quantities
+                for place in self._places(p, quantity)
+            ]
+        ).astype({"leaf": "Int64", "leaf_from_top": "Int64"})
+
+    def _places(self, plant: int, quantity: Quantity) -> Sequence[int]:
+        """Returns the places that a plant has, the lowest leaf first."""
+        if quantity.axis == "leaf":
+            return range(self.leaves[plant])[::-1]
+        return range(len(quantity.coordinates))
+
+    def _line(
+        self, plant: int, case: int, quantity: Quantity, place: int
+    ) -> dict[str, Any]:
+        key = quantity.name, place
+        is_leaf, is_layer = (quantity.axis == x for x in ("leaf", "layer"))
+        line: dict[str, Any] = {
+            "plant": self.plants[plant],
+            "case": self.cases[case],
+            "quantity": quantity.name,
+            "unit": quantity.unit,
+            "leaf": self.leaves[plant] - place if is_leaf else None,
+            "leaf_from_top": place + 1 if is_leaf else None,
+            "layer_m": quantity.coordinates[place] if is_layer else None,
+        }
+        for name, found in (
+            ("", self.value(plant, case, key)),
+            ("difference", self.difference(plant, case, key)),
+            ("percent", self.gain(plant, case, key)),
+        ):
+            line[name or "mean"] = found.mean if found else None
+            error = f"{name}_standard_error".lstrip("_")
+            line[error] = found.standard_error if found else None
+        return line
+
+    def __str__(self) -> str:
+        from .compared_text import page_of
+
+        return page_of(self)
+
+    def __repr__(self) -> str:
+        return str(self)
+
+    def _repr_html_(self) -> str:
+        from .compared_text import html_of
+
+        return html_of(self)
+
+
+def compare_plants(
+    plants: Sequence[Plant],
+    stands: Sequence[tuple[str, _core.CaseStand, int | None]],
+    *,
+    final: bool = True,
+    seed: int | None = None,
+    tolerance: float | None = None,
+    threads: int = 1,
+    tell: Any = lambda done, count: None,
+) -> Comparison:
+    """Evaluates plants in stands of cases, each with its name and, if one of
+    its scenarios is meant, the place of that. `tell` gets how many of how many
+    evaluations are done.
+
+    Raises Error if a plant cannot be evaluated."""
+    reach = max(plant.core.reach for plant in plants)
+    leaves = [len(plant.core.leaves(0)[0][2]) for plant in plants]
+    tasks = [(p, c) for c in range(len(stands)) for p in range(len(plants))]
+    numbers: dict[tuple[int, int], dict[Key, Estimate]] = {}
+    told: list[tuple[tuple[Quantity, ...], tuple[str, ...]]] = []
+    longest = int(np.argmax(leaves))
+
+    def one(task: tuple[int, int]) -> None:
+        p, c = task
+        name, under, scenario = stands[c]
+        try:
+            stand = _core.PlantStand(under, plants[p].core, reach, scenario)
+            found = stand.evaluate(0, final, seed, tolerance)
+        except Error as error:
+            raise Error(f"{plants[p].name} in {name}: {error}") from error
+        numbers[task] = _numbers_of(stand, found)
+        if p == longest and c == 0:
+            objectives = tuple(name for name, *_ in stand.objectives)
+            told.append((_quantities_of(stand), objectives))
+        tell(len(numbers), len(tasks))
+
+    with ThreadPoolExecutor(max(1, min(threads, len(tasks)))) as pool:
+        try:
+            list(pool.map(one, tasks))
+        except BaseException:
+            pool.shutdown(cancel_futures=True)
+            raise
+    return Comparison(
+        tuple(_told_apart([plant.name for plant in plants])),
+        tuple(name for name, *_ in stands),
+        *told[0],
+        tuple(leaves),
+        numbers,
+    )
+
+
+def _told_apart(names: Sequence[str]) -> list[str]:
+    """Gives names that are there already a number."""
+    times: dict[str, int] = {}
+    found = []
+    for name in names:
+        times[name] = times.get(name, 0) + 1
+        again = f" ({times[name]})" if times[name] > 1 else ""
+        found.append(name + again)
+    return found
+
+
+def _quantities_of(stand: _core.PlantStand) -> tuple[Quantity, ...]:
+    """Returns the quantities that are compared, the objectives first."""
+    objectives = [Quantity(name, unit) for name, unit, _ in stand.objectives]
+    names = {each.name for each in objectives}
+    coordinates = {axis: tuple(at) for axis, _, _, at in stand.axes}
+    numbers, profiles = [], []
+    for name, unit, _, axes, _ in stand.quantities:
+        if not axes and name not in names:
+            numbers.append(Quantity(name, unit))
+        elif axes in (["leaf"], ["layer"]) and _are_numbers(
+            coordinates[axes[0]]
+        ):
+            profiles.append(
+                Quantity(name, unit, axes[0], coordinates[axes[0]])
+            )
+    return (*objectives, *numbers, *profiles)
+
+
+def _are_numbers(labels: Sequence[Any]) -> bool:
+    """Returns whether an axis has numbers: leaves of several components have
+    names."""
+    return not any(isinstance(label, str) for label in labels)
+
+
+def _numbers_of(
+    stand: _core.PlantStand, found: tuple[Any, ...]
+) -> dict[Key, Estimate]:
+    """Returns all numbers that are compared, with what randomisations say."""
+    objectives, draws, every, by_randomisation = found
+    sizes = {axis: len(at) for axis, _, _, at in stand.axes}
+    numbers: dict[Key, Estimate] = {}
+    begin = 0
+    for name, unit, _, axes, _ in stand.quantities:
+        size = int(np.prod([sizes[axis] for axis in axes]))
+        own = slice(begin, begin + size)
+        begin += size
+        if axes not in ([], ["leaf"], ["layer"]):
+            continue
+        for place, (mean, error), values in zip(
+            range(size), every[own], by_randomisation[:, own].T
+        ):
+            at = size - 1 - place if axes == ["leaf"] else place
+            numbers[name, at] = _estimate(mean, error, unit, values)
+    for (name, unit, _), (mean, error), values in zip(
+        stand.objectives, objectives, draws
+    ):
+        numbers[name, 0] = _estimate(mean, error, unit, values)
+    return numbers
+
+
+def _estimate(
+    mean: float, error: float, unit: str, draws: NDArray[np.float64]
+) -> Estimate:
+    known = draws if np.isfinite(draws).all() else np.empty(0)
+    return Estimate(float(mean), float(error), unit, known)

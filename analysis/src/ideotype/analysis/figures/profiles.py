@@ -1,0 +1,256 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Draws where and when the leaves absorb and assimilate: by hour, day, leaf
+rank and height; and how much of them the sun shines on."""
+
+from __future__ import annotations
+
+from typing import Any, cast
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+
+from ..case import Case
+from ..reading.file import HistoryError
+from ..reading.quantity import Axis, Profile
+from . import style
+from .style import answer, axis_label, half_width
+
+_SUNLIT = "sunlit_lai_by_hour"
+BY_HOUR = "assimilation_by_hour"
+BY_LEAF = {"gross": "assimilation_by_leaf", "net": "net_assimilation_by_leaf"}
+_ELSEWHERE = (_SUNLIT, BY_HOUR, *BY_LEAF.values())
+"""Quantities that have figures of their own."""
+
+PLANTS: dict[str, dict[str, Any]] = {
+    "baseline": {
+        "color": style.BASELINE,
+        "marker": "D",
+        "linestyle": "--",
+        "label": "baseline",
+    },
+    "best": {
+        "color": style.BEST,
+        "marker": "o",
+        "label": "best",
+    },
+}
+_SIZE = {"markersize": 4}
+
+
+def draw_hours(case: Case) -> Figure:
+    """Draws PAR absorbed by leaves at each hour, and best minus baseline. The
+    error of the difference takes both as independent. Parts of the light have
+    a panel each if the history tells them apart."""
+    figure = _draw_courses(case, "hour")
+    name = _names(case, "hour", "hour")[0]
+    hour, more = _most_different(case, name)
+    answer(
+        figure,
+        f"The leaves of the best plant differ most from the baseline's at "
+        f"{_clock(hour)}, when they absorb {more}.",
+    )
+    return figure
+
+
+def draw_days(case: Case) -> Figure:
+    """Draws what is known by day of a season, as draw_hours() does by hour.
+
+    Raises HistoryError if there is nothing by day."""
+    figure = _draw_courses(case, "day")
+    name = _names(case, "day", "day")[0]
+    was, now = case.baseline.profile(name), case.best.profile(name)
+    better = int(np.count_nonzero(now.values > was.values))
+    answer(
+        figure,
+        f"The best plant has more {title_of(name)} on {better} of "
+        f"{len(now.values)} days.",
+    )
+    return figure
+
+
+def _most_different(case: Case, name: str) -> tuple[Any, str]:
+    """Returns the label at which baseline and best differ most, and by how
+    much."""
+    was, now = case.baseline.profile(name), case.best.profile(name)
+    by = now.values - was.values
+    at = int(np.argmax(np.abs(by)))
+    unit = style.unit_label(now.unit)
+    sense = "more" if by[at] > 0 else "less"
+    return now.labels[at], f"{abs(by[at]):.3g} {unit} {sense}"
+
+
+def _clock(hour: float) -> str:
+    minutes = round(60 * float(hour))
+    return f"{minutes // 60}:{minutes % 60:02}"
+
+
+def _draw_courses(case: Case, axis: str) -> Figure:
+    names = _names(case, axis, axis)
+    figure = style.new_figure(style.WIDTH, 4.4 * len(names))
+    grid = figure.subplots(
+        2 * len(names), 1, height_ratios=(2, 1) * len(names)
+    )
+    for (upper, lower), name in zip(grid.reshape(-1, 2), names):
+        baseline, best = case.baseline.profile(name), case.best.profile(name)
+        draw_course(upper, case, name)
+        lower.axhline(0, color=style.QUIET, linewidth=1)
+        lower.errorbar(
+            _instants(best),
+            best.values - baseline.values,
+            half_width(np.hypot(best.standard_error, baseline.standard_error)),
+            **PLANTS["best"] | _SIZE | {"label": None},
+        )
+        upper.set_ylabel(_two_lines(axis_label(title_of(name), best.unit)))
+        lower.set_ylabel("best −\nbaseline")
+        lower.set_xlabel(upper.get_xlabel())
+        upper.set_xlabel("")
+        labels = [label.get_text() for label in upper.get_xticklabels()]
+        lower.set_xticks(upper.get_xticks(), labels)
+        lower.set_xlim(upper.get_xlim())
+        upper.set_xticklabels([])
+        upper.legend()
+    return figure
+
+
+def draw_sunlit(case: Case) -> Figure:
+    """Draws sunlit over all leaf area by hour [%], for baseline and best.
+
+    Raises HistoryError if the history does not tell it."""
+    case.need_pairs()
+    figure, (axes,) = new_panels(1, 3.2)
+    draw_course(axes, case, _SUNLIT, over="lai", factor=100)
+    axes.set_ylabel("sunlit part of the leaf area [%]")
+    axes.legend()
+    was, now = (
+        100 * plant.profile(_SUNLIT).values.max() / plant.estimate("lai").mean
+        for plant in (case.baseline, case.best)
+    )
+    answer(
+        figure,
+        f"At most {now:.0f} % of the leaf area of the best plant is sunlit, "
+        f"and {was:.0f} % of the baseline's.",
+    )
+    return figure
+
+
+def draw_course(
+    axes: Axes, case: Case, name: str, over: str = "", factor: float = 1
+) -> None:
+    """Draws both plants by day, or by whole hours, as many as there is room for, and
+    their clock; over another quantity if that is wanted."""
+    for who, looks in PLANTS.items():
+        plant = getattr(case, who)
+        found = plant.profile(name)
+        scale = factor / plant.estimate(over).mean if over else factor
+        axes.errorbar(
+            _instants(found),
+            scale * found.values,
+            half_width(scale * found.standard_error),
+            **looks | _SIZE,
+        )
+    axes.set_ylim(bottom=0)
+    if found.labels.dtype.kind == "U":
+        days = _instants(found)[:: -(-len(found.labels) // 4)]
+        axes.set_xticks(days, [f"{day:%-d %b}" for day in days.tolist()])
+        return
+    axes.set_xlabel(f"{found.meaning} [h]")
+    first, last = np.floor(found.labels.min()), np.ceil(found.labels.max())
+    step = max(1, round((last - first) / 8))
+    axes.set_xticks(np.arange(first, last + 1, step))
+
+
+def _instants(found: Profile) -> NDArray:
+    """Returns the labels as hours, or as dates."""
+    is_date = found.labels.dtype.kind == "U"
+    return found.labels.astype("datetime64[D]") if is_date else found.labels
+
+
+def draw_leaves(case: Case) -> Figure:
+    """Draws what is known by leaf rank, such as absorbed PAR: baseline and
+    best with standard errors, a panel each."""
+    names = _names(case, "leaf", "leaf rank")
+    figure, panels = _draw_along(case, names)
+    leaf = cast(Axis, case.best.row.with_axis("leaf")[0].axis)
+    for axes in panels:
+        axes.set_yticks(leaf.labels)
+        axes.set_ylabel("leaf rank (1 = lowest)")
+    shares = []
+    for plant in (case.best, case.baseline):
+        values = plant.profile(names[0]).values
+        upper = values[len(values) // 2 :].sum()
+        shares.append(f"{100 * upper / values.sum():.0f} %")
+    answer(
+        figure,
+        f"The upper half of the leaves absorbs {shares[0]} of the light of "
+        f"the best plant's leaves, and {shares[1]} of the baseline's.",
+    )
+    return figure
+
+
+def draw_layers(case: Case) -> Figure:
+    """Draws what is known by height above the soil, as by leaf rank; points
+    are at the middle of their layers."""
+    names = _names(case, "layer", "height layer")
+    figure, panels = _draw_along(case, names)
+    for axes in panels:
+        axes.set_ylim(bottom=0)
+        axes.set_ylabel("height above the soil [m]")
+    heights = []
+    for plant in (case.best, case.baseline):
+        found = plant.profile(names[0])
+        weights = found.values / found.values.sum()
+        heights.append(f"{float(weights @ found.labels):.2f} m")
+    answer(
+        figure,
+        f"Light is absorbed {heights[0]} above the soil on average by the best "
+        f"plant, and {heights[1]} by the baseline.",
+    )
+    return figure
+
+
+def _draw_along(case: Case, names: list[str]) -> tuple[Figure, NDArray]:
+    """Draws labels upwards and values to the right."""
+    figure, panels = new_panels(len(names))
+    for axes, name in zip(panels, names):
+        for who, looks in PLANTS.items():
+            found = getattr(case, who).profile(name)
+            draw_profile(axes, found, **looks)
+        axes.set_xlabel(axis_label(title_of(name), found.unit))
+        axes.set_xlim(left=min(0, axes.get_xlim()[0]))
+    panels[0].legend()
+    return figure, panels
+
+
+def _names(case: Case, axis: str, what: str) -> list[str]:
+    case.need_pairs()
+    names = [
+        q.name
+        for q in case.best.row.with_axis(axis)
+        if q.name not in _ELSEWHERE
+    ]
+    if not names:
+        raise HistoryError(f"the history has no figures by {what}")
+    return names
+
+
+def new_panels(count: int, height: float = 3.4) -> tuple[Figure, NDArray]:
+    figure = style.new_figure(style.WIDTH, height * count)
+    return figure, figure.subplots(count, 1, squeeze=False)[:, 0]
+
+
+def draw_profile(axes: Axes, found: Profile, **looks: Any) -> None:
+    axes.errorbar(
+        found.values, found.labels, xerr=half_width(found.standard_error),
+        **_SIZE | looks,
+    )  # fmt: skip
+
+
+def title_of(name: str) -> str:
+    what = style.words(name).split(" by ")[0]
+    return "absorbed PAR" if what == "absorbed" else what
+
+
+def _two_lines(label: str) -> str:
+    return label.replace(" [", "\n[", 1)

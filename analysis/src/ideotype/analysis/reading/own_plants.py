@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Plants of one's own, evaluated as the finalists of a case are."""
+
+from __future__ import annotations
+
+import tempfile
+import tomllib
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+import tomli_w
+
+import ideotype
+
+from ..._geometry import Mesh
+from ..case import Case
+from .estimate import Estimate
+from .file import HistoryError
+from .quantity import Profile
+
+if TYPE_CHECKING:
+    from ..._views.compared import Plant
+
+_BY_LEAF = "absorbed_by_leaf"
+
+
+@dataclass(frozen=True)
+class OwnPlant:
+    """A plant that no search has bred, in the light of a case."""
+
+    name: str
+    mesh: Mesh
+    objective: Estimate
+    _by_leaf: Profile | None
+
+    def profile(self, name: str) -> Profile:
+        """Returns what its leaves absorb.
+
+        Raises HistoryError for any other quantity, and where leaves are not
+        told apart."""
+        if name != _BY_LEAF or self._by_leaf is None:
+            raise HistoryError(f"{self.name} has no {name}")
+        return self._by_leaf
+
+
+def own_plants(case: Case, paths: Sequence[Path]) -> Iterator[OwnPlant]:
+    """Returns plants of crop files, measured leaves (.csv), digitised plants
+    (.obj, .ply, .dat, or .csv of midribs) and histories (their best plant), in
+    the fields and the light in which the finalists of a case were evaluated.
+    Of digitised plants it is the crop that `ideotype fit` makes of them.
+
+    Raises Error if one cannot be read or evaluated."""
+    if not paths:
+        return
+    from ..._views.compared import compare_plants
+
+    stand = ideotype.Stand.from_history(case.best_history.path, same_isa=False)
+    plants = [_read(path, stand) for path in paths]
+    found = compare_plants(plants, [(stand.name, stand._case, None)])
+    for k, (name, plant) in enumerate(zip(found.plants, plants)):
+        values = [
+            found.value(k, 0, (_BY_LEAF, place))
+            for place in reversed(range(found.leaves[k]))
+        ]
+        objective = found.value(k, 0, (found.objective.name, 0))
+        assert objective is not None
+        yield OwnPlant(
+            name,
+            Mesh.of(*plant.core.mesh(stand._case, 0)),
+            objective,
+            _profile([each for each in values if each]),
+        )
+
+
+def _profile(values: Sequence[Estimate]) -> Profile | None:
+    if not values:
+        return None
+    means, errors = (
+        np.array([getattr(each, what) for each in values])
+        for what in ("mean", "standard_error")
+    )
+    ranks = np.arange(1, len(values) + 1)
+    return Profile(ranks, values[0].unit, means, errors)
+
+
+def _read(path: Path, stand: ideotype.Stand) -> Plant:
+    # These need the compiled module, without which all else can be drawn.
+    from ..._scans.plant_sources import is_digitised, read_plant
+    from ..._views.compared import Plant
+    from ...fit import readable_crop
+
+    if not is_digitised(path):
+        return Plant.read(path, stand._case)
+    like = tomllib.loads(stand.crop_file(stand.baseline))
+    crop = readable_crop(read_plant(path), like, path.stem)
+    with tempfile.TemporaryDirectory() as folder:
+        file = Path(folder) / f"{path.stem}.toml"
+        file.write_text(tomli_w.dumps(crop), encoding="utf-8")
+        return Plant.read(file, stand._case)

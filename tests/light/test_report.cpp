@@ -60,11 +60,15 @@ TEST_F(MadeUpDay, GivesEachInstantItsBeamAndItsShareOfTheSky) {
     EXPECT_NEAR(r.steps[1].budget.leaves.mean, 305e3 * 150 / 630e3, 1e-9);
 }
 
+constexpr glm::dvec3 down{0, 0, -1};
+
 TEST_F(MadeUpDay, HasOneSkyForAllInstantsWhenOvercast) {
     light = illuminate(day, SkyModel::overcast, 0);
     ASSERT_EQ(light.light.sources.size(), 2u);
     EXPECT_EQ(light.sky_of, (std::vector<int>{1, 1}));
-    EXPECT_EQ(light.light.sources[1].sky.radiance().model, SkyModel::overcast);
+    const SkySampler overcast({SkyModel::overcast, {}});
+    EXPECT_EQ(light.light.sources[1].sky.relative_brightness(down),
+              overcast.relative_brightness(down));
 }
 
 TEST_F(MadeUpDay, HasAClearSkyForEachInstantThatFollowsTheSun) {
@@ -75,9 +79,12 @@ TEST_F(MadeUpDay, HasAClearSkyForEachInstantThatFollowsTheSun) {
     EXPECT_EQ(light.sky_of, (std::vector<int>{2, 3, -1}));
     const Source& sky = light.light.sources[3];
     EXPECT_DOUBLE_EQ(sky.energy, 540e3);
-    EXPECT_EQ(sky.sky.radiance().model, SkyModel::clear);
-    EXPECT_EQ(sky.sky.radiance().sun.zenith, 40);
-    EXPECT_EQ(sky.sky.radiance().sun.azimuth, 50);
+    const glm::dvec3 aslant{.6, 0, -.8};
+    const SkySampler clear({SkyModel::clear, {40, 50}});
+    EXPECT_EQ(sky.sky.relative_brightness(down),
+              clear.relative_brightness(down));
+    EXPECT_EQ(sky.sky.relative_brightness(aslant),
+              clear.relative_brightness(aslant));
     EXPECT_DOUBLE_EQ(light.light.energy(), day.incident());
 
     // Each instant has the light of its own sources only.

@@ -149,8 +149,8 @@ TEST(WeatherProblems, PartsThatContradictEachOtherAreCounted) {
 
 TEST(WeatherProblems, NumbersAreRead) {
     EXPECT_THAT(problem([](MadeCsv& made) { set_light(made, 5, "x1"); }),
-                HasSubstr("made.csv:7:18: \"x1\" is not a number; write "
-                          "coordinates with a decimal point"));
+                HasSubstr("made.csv:7:18: \"x1\" is not a number; correct "
+                          "it"));
     EXPECT_THAT(problem([](MadeCsv& made) { set_light(made, 5, "5000"); }),
                 HasSubstr("check the unit"));
     EXPECT_THAT(problem([](MadeCsv& made) { made.rows[5] = "2011-02-30"; }),
@@ -162,7 +162,7 @@ TEST(WeatherProblems, NumbersAreRead) {
     EXPECT_THAT(problem([](MadeCsv& made) {
                     made.rows.push_back("9999-07-02 12:30,0,20,60");
                 }),
-                HasSubstr("the file has 289 of the"));
+                HasSubstr("the file has only 289 of the"));
     // Only the first twenty of many are told.
     EXPECT_THAT(problem([](MadeCsv& made) {
                     for (int i = 0; i < 50; ++i) set_light(made, i, "x");

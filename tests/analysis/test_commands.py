@@ -59,8 +59,8 @@ def test_gains_are_a_table_with_a_line_for_each_case(sweep: Path) -> None:
 def test_unusable_files_exit_with_1_and_a_reason(tmp_path: Path) -> None:
     (tmp_path / "text.h5").write_text("no")
     for path, reason in (
-        (tmp_path / "none.h5", "no such file"),
-        (tmp_path / "text.h5", "not an HDF5 file"),
+        (tmp_path / "none.h5", "there is no such file"),
+        (tmp_path / "text.h5", "this is not an HDF5 file"),
     ):
         for command in (summary, report):
             done = command(path)
@@ -114,7 +114,7 @@ def test_texts_of_a_history_control_no_terminal(tmp_path: Path) -> None:
     assert "a\\x1b[2Jb" in done.stdout and "\x1b" not in done.stdout
     path.write_bytes(b"")
     done = summary(path)
-    assert "foreign\\x1b[1A.h5: not an HDF5 file" in done.stderr
+    assert "foreign\\x1b[1A.h5: this is not an HDF5 file" in done.stderr
 
 
 def test_a_closed_pipe_is_quiet(finished: Path) -> None:

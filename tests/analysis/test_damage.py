@@ -118,7 +118,7 @@ def test_all_of_a_file_is_tried(folder: Path) -> None:
     assert first.startswith(
         f"{folder}/a.h5: evaluations/absorbed_by_leaf can't be"
     )
-    assert second == f"{folder}/c.h5: no such file"
+    assert second == f"{folder}/c.h5: there is no such file"
     with pytest.raises(
         HistoryError, match="a.h5: evaluations/absorbed_by_leaf"
     ):

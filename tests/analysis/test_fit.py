@@ -280,12 +280,12 @@ def test_what_is_wrong_is_told(
         table, capsys
     )
     table.write_text("plant,leaf,x_m,z_m\na,1,0,0\nb,1,0,0\n")
-    assert "name one of its plants by --plant: a, b" in refused(table, capsys)
+    assert "name one by --plant: a, b" in refused(table, capsys)
     surfaces = tmp_path / "x.dat"
     surfaces.write_text("3\n2 3\n3 6\n0 0 0 1 1 1\n0 0 0 0 1 1 1 1\n1 2 3 1\n")
     assert "x.dat:1: the surface that begins here" in refused(surfaces, capsys)
     surfaces.write_text("nothing\n")
-    assert "x.dat: no leaf is in it" in refused(surfaces, capsys)
+    assert "x.dat: there is no leaf in this file" in refused(surfaces, capsys)
     mesh = tmp_path / "x.obj"
     mesh.write_text("v 0 0 zero\n")
     assert "x.obj: " in refused(mesh, capsys)

@@ -138,7 +138,9 @@ def test_reading_a_closed_file_lets_a_writer_open_it(drained: Path) -> None:
 
 
 def test_a_missing_file_is_named(tmp_path: Path) -> None:
-    with pytest.raises(FileNotFoundError, match=r"none\.h5: no such file"):
+    with pytest.raises(
+        FileNotFoundError, match=r"none\.h5: there is no such file"
+    ):
         open_history(tmp_path / "none.h5")
 
 

@@ -246,7 +246,9 @@ def test_a_cross_evaluation_is_json_or_csv(
             elite = [found.relative_gain(c, "elite") for c in study.cases()]
         assert elite[0] is not None and elite[1] is None
     table.write_text("plant,case\nelite,ames\n")
-    with pytest.raises(HistoryError, match="cross.csv: not a cross-evalua"):
+    with pytest.raises(
+        HistoryError, match="cross.csv: this is no cross-evalua"
+    ):
         read_cross(table)
 
 

@@ -67,5 +67,5 @@ def test_what_is_wrong_is_told(options, told: str) -> None:
 
 def test_as_many_values_as_points_are_needed() -> None:
     search = searched(1)
-    with pytest.raises(ideotype.Error, match="asked for, 1 are told"):
+    with pytest.raises(ideotype.Error, match="asked for, but 1 are given"):
         search.tell([1])

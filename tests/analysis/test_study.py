@@ -38,13 +38,17 @@ def test_what_cannot_be_opened_is_named_with_a_remedy(
         open_study(tmp_path)
     with pytest.raises(HistoryError, match=r"none\*\.h5: no file matches"):
         open_study(tmp_path / "none*.h5")
-    with pytest.raises(FileNotFoundError, match="none.h5: no such file"):
+    with pytest.raises(
+        FileNotFoundError, match="none.h5: there is no such file"
+    ):
         open_study(tmp_path / "none.h5")
     good = min(sweep.iterdir())
     shutil.copy(good, tmp_path / "good.h5")
     data = good.read_bytes()
     (tmp_path / "short.h5").write_bytes(data[: len(data) // 2])
-    with pytest.raises(HistoryError, match=r"short\.h5: cut short"):
+    with pytest.raises(
+        HistoryError, match=r"short\.h5: this history was cut short"
+    ):
         open_study(tmp_path)
 
 

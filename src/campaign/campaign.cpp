@@ -166,7 +166,7 @@ void try_ends(Draft& draft, const Problems& problems) {
                 check_again(varied);
             } catch (const InputError& error) {
                 problems.in(table).in("keys", i).add(
-                    "range", "{}.keys: if {} is {}, then {}", table, end,
+                    "range", "{0}.keys: if {2} is {1}, then {3}", table, end,
                     factors[i].key, error.problems().front().what);
                 break;
             }

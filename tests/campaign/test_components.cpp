@@ -90,8 +90,8 @@ TEST(Components, CountInObjectivesByTheirWeights) {
               campaign.resolved);
     for (const auto& [text, problem] :
          {std::pair{rows + net + "weights = [1]\n", "there are 2 components"},
-          std::pair{net + "weights = [1, 1]\n", "tell components apart"},
-          std::pair{net + "weights = [2]\n", "tell components apart"},
+          std::pair{net + "weights = [1, 1]\n", "it tells components apart"},
+          std::pair{net + "weights = [2]\n", "it tells components apart"},
           std::pair{rows + net + "weights = [0, 0]\n", "are all 0"},
           std::pair{rows + "[objective]\nmaximise = \"fapar\"\n"
                            "weights = [1, 1]\n",
@@ -169,8 +169,9 @@ TEST(Components, HaveALandEquivalentRatioByWhatTheyHaveAlone) {
               campaign.resolved);
     for (const auto& [text, problem] :
          {std::pair{rows + net + "sole = [1]\n", "there are 2 components"},
-          std::pair{net + "sole = [1]\n", "tell components apart"},
-          std::pair{rows + net + "sole_errors = [1, 1]\n", "is not given"},
+          std::pair{net + "sole = [1]\n", "it tells components apart"},
+          std::pair{rows + net + "sole_errors = [1, 1]\n",
+                    "give both, or neither"},
           std::pair{rows + net + "sole = [1, 1]\nweights = [1, 1]\n",
                     "remove one of them"},
           std::pair{rows + net + "minimise = \"lai\"\nsole = [1, 1]\n",

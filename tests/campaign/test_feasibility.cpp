@@ -63,7 +63,7 @@ TEST(Feasibility, WhatIsWrongWithLinesIsTold) {
             problem_of(sample_text("", lines(part, wrong)));
         EXPECT_NE(told.find(words), told.npos) << told;
     };
-    tells("stalk.height", "stalk.hight", "the plant has no stalk.hight");
+    tells("stalk.height", "stalk.hight", "feasibility.trait names stalk.hight");
     tells("leaf = \"top\"\n", "", "leaf.length is a measure of leaves");
     tells("leaf = \"top\"", "leaf = \"fourth\"", "write for example leaf");
     tells("[0.76, 1.5]", "[0.76]", "there are 2 traits");
@@ -71,7 +71,7 @@ TEST(Feasibility, WhatIsWrongWithLinesIsTold) {
     tells("[0.5]", "[1]", "not positive definite");
     const std::string limit =
         problem_of(sample_text("", "[feasibility]\nlimit = 2\n"));
-    EXPECT_NE(limit.find("has no lines"), limit.npos) << limit;
+    EXPECT_NE(limit.find("and there are none"), limit.npos) << limit;
     const std::string objective = problem_of(
         sample_text("", "[objective]\nminimise = \"distance_from_lines\"\n"));
     EXPECT_NE(objective.find("add [feasibility]"), objective.npos) << objective;

@@ -187,10 +187,11 @@ TEST(Settings, EndsOfRangesFitTheRestOfTheCampaign) {
         FAIL();
     } catch (const InputError& error) {
         ASSERT_EQ(error.problems().size(), 1U);
-        EXPECT_NE(error.problems()[0].what.find(
-                      "sensitivity.keys: with 0.6 of optics.leaf_reflectance, "
-                      "optics.leaf_transmittance is 0.5"),
-                  std::string::npos)
+        EXPECT_NE(
+            error.problems()[0].what.find(
+                "sensitivity.keys: if optics.leaf_reflectance is 0.6, then "
+                "optics.leaf_transmittance is 0.5"),
+            std::string::npos)
             << error.what();
     }
 }

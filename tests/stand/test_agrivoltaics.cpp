@@ -285,7 +285,7 @@ TEST(Agrivoltaics, HeightAndPitchMayBeGenesBesideThoseOfThePlant) {
     EXPECT_THAT(error_of({own,
                           "search.keys=[{key=\"panel.height\", "
                           "range=[0.1, 5]}]"}),
-                HasSubstr("search.keys: with 0.1 of panel.height"));
+                HasSubstr("search.keys: if panel.height is 0.1"));
 }
 
 TEST(Agrivoltaics, ASettingTakesPanelsAway) {

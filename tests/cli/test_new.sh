@@ -153,4 +153,4 @@ expect 0 script -qec "'$ideotype' new rest.toml ${place[*]} ${field[*]} \
     --plant maize" /dev/null <<<""
 grep -q "Latitude" out.log && fail "what was given is asked for"
 expect 2 script -qec "'$ideotype' new ended.toml" /dev/null </dev/null
-says "the input ended before --latitude was told"
+says "the input ended before --latitude was given"

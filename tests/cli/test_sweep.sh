@@ -81,7 +81,7 @@ mpirun -n 5 "$ideotype" run campaigns/cut.toml --out busy --resume \
     >busy.log 2>&1 || code=$?
 kill -CONT $holder
 [ $code -eq 0 ] || fail "a case of another job is no failure: $code $(cat busy.log)"
-grep -q "ames_0807_762x152_all_r2  passed over: $in_use: in use by process $holder " \
+grep -q "ames_0807_762x152_all_r2  passed over: $in_use: this history is in use by process $holder " \
     busy.log || fail "$(cat busy.log)"
 grep -q "other programs work on 1 of 3 cases: ames_0807_762x152_all_r2" busy.log ||
     fail "$(cat busy.log)"

@@ -177,7 +177,7 @@ struct ObjectiveEntry {
 //! 9.3, ..."; "" for others.
 std::string doubt_of_lai(double lai);
 
-//! The names of all components, that of the crop's plant first.
+//! Returns the names of all components, that of the crop's plant first.
 std::vector<std::string> component_names(const Campaign& campaign);
 
 //! Returns the objectives of a campaign, at least one.
@@ -187,10 +187,10 @@ std::vector<ObjectiveEntry> objectives_of(const Campaign& campaign);
 //! plants together.
 std::vector<double> component_weights(const Campaign& campaign);
 
-//! The unit of a quantity, or of the ratio that it is as an objective.
+//! Returns the unit of a quantity, or of the ratio that it is as an objective.
 std::string unit_of(const Campaign& campaign, const std::string& quantity);
 
-//! Whether an objective is of what leaves make of light.
+//! Returns whether an objective is of what leaves make of light.
 bool asks_for_assimilation(const Campaign& campaign);
 
 //! Reads and checks a campaign file and the crop file that it names.
@@ -226,7 +226,7 @@ void require_breedable(const Campaign& campaign);
 //! @throws Error if a file cannot be read.
 Crop read_crop(const std::string& path, const Plant* other = nullptr);
 
-//! The baseline of read_crop().
+//! Returns the baseline of read_crop().
 Plant read_plant(const std::string& path);
 
 //! Reads the [photosynthesis] table of a file, which has nothing else in it.
@@ -248,13 +248,13 @@ struct SeasonLight {
 //! @throws Error if the file cannot be read.
 SeasonLight read_climate(const std::string& path);
 
-//! The text of a crop file with the traits of a component, the campaign's crop
-//! unless another is chosen, and another baseline.
+//! Returns the text of a crop file with the traits of a component, the
+//! campaign's crop unless another is chosen, and another baseline.
 std::string crop_text(const Campaign& campaign, const Plant& baseline,
                       std::size_t component = 0);
 
-//! The campaign with those keys set to the last numbers of a genome of these
-//! genes, which are removed.
+//! Returns the campaign with those keys set to the last numbers of a genome of
+//! these genes, which are removed.
 //! @throws InputError if they contradict the rest of the campaign.
 Campaign at_keys(const Campaign& campaign, Genome& genome);
 

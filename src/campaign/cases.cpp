@@ -28,7 +28,7 @@ std::string case_name(const std::string& site, const std::string& day,
     return name;
 }
 
-//! Adds it to the case that it is a scenario of.
+//! Adds a scenario to the case that it belongs to.
 void add_scenario(const Campaign& campaign, const Case& scenario,
                   std::vector<Case>& all) {
     Case one = scenario;

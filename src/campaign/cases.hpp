@@ -57,56 +57,56 @@ struct Case {
     std::optional<Stage> stage{};  //!< if it is one of those
 };
 
-//! The rows of the field, from 0, in which plants are bred.
+//! Returns the rows of the field, from 0, in which plants are bred.
 std::vector<int> bred_rows(const Campaign& campaign);
 
-//! The number of plants of the field that are bred.
+//! Returns the number of plants of the field that are bred.
 std::size_t bred_plants(const Campaign& campaign);
 
-//! Whether the entries of an axis are scenarios of one case.
+//! Returns whether the entries of an axis are scenarios of one case.
 bool is_over(const Campaign& campaign, const std::string& axis);
 
-//! The scenarios of a case, at least one.
+//! Returns the scenarios of a case, at least one.
 std::vector<Case> scenarios(const Case& chosen);
 
 //! Each scenario of a case at each of its stages.
 std::vector<Case> evaluated_cases(const Case& chosen);
 
-//! The light of a case, or of the first of its scenarios: of its clear days, or
-//! of its weather.
+//! Returns the light of a case, or of the first of its scenarios: of its clear
+//! days, or of its weather.
 LightSeries light_of(const Campaign& campaign, const Case& chosen);
 
-//! All cases in their order: sites, then days or climates, spacings, trait
-//! sets, and replicates fastest; of axes whose entries are scenarios one, which
-//! is called "all". Adding an entry to an axis does not change the
-//! name or seed of any other case.
+//! Returns all cases in their order: sites, then days or climates, spacings,
+//! trait sets, and replicates fastest; of axes whose entries are scenarios one,
+//! which is called "all". Adding an entry to an axis does not change the name
+//! or seed of any other case.
 std::vector<Case> cases(const Campaign& campaign);
 
-//! The case of this index.
+//! Returns the case of this index.
 //! @param path of the campaign, for the message
 //! @throws Error of wrong usage if there is none.
 Case case_at(const Campaign& campaign, int index, const std::string& path);
 
-//! The climate of a case.
+//! Returns the climate of a case.
 const Climate& climate_of(const Campaign& campaign, const Case& chosen);
 
 //! One plant for each component, that of the campaign's crop first.
 using Plants = std::vector<Plant>;
 
-//! The numbers of the crop's baseline, then those of components that are bred:
-//! as gene_space().
+//! Returns the numbers of the crop's baseline, then those of components that
+//! are bred: as gene_space().
 Genome baseline_genome(const Campaign& campaign);
 
-//! The number of genes of a genome, without keys that are varied.
+//! Returns the number of genes of a genome, without keys that are varied.
 std::size_t count_genes(const Campaign& campaign);
 
-//! The plants that a genome makes of the baselines of all components.
+//! Returns the plants that a genome makes of the baselines of all components.
 //! @throws Error if it has too few or too many genes
 Plants grow(const Campaign& campaign, const Genome& genome);
 
-//! The genes of a case with their bounds, those of the crop first, then those
-//! of components that are bred, "soybean.petiole_length". Genes outside the
-//! trait set are not free.
+//! Returns the genes of a case with their bounds, those of the crop first, then
+//! those of components that are bred, "soybean.petiole_length". Genes outside
+//! the trait set are not free.
 GeneSpace gene_space(const Campaign& campaign, const Case& chosen);
 
 //! Returns the genes of a case and, behind them, the keys that a study or a

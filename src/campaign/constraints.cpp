@@ -49,9 +49,9 @@ double rise(const std::vector<double>& leaves, const Range& limits) {
     return sum;
 }
 
-//! The plane from which the largest deviation of leaves that alternate between
-//! its two sides is least: the middle of the smallest arc that holds them all
-//! once every other leaf is turned by half a circle.
+//! Returns the plane from which the largest deviation of leaves that alternate
+//! between its two sides is least: the middle of the smallest arc that holds
+//! them all once every other leaf is turned by half a circle.
 double plane(std::vector<double> leaves) {
     for (std::size_t i = 0; i < leaves.size(); ++i) {
         leaves[i] =

@@ -28,7 +28,7 @@ struct TraitConstraint {
     int highest = 0;  //!< leaves that it limits, from the top down; 0: all
 };
 
-//! Whether it asks for anything.
+//! Returns whether it asks for anything.
 bool constrains(const TraitConstraint& limit);
 
 //! All limits that a plant must keep to. A plant that does not is worse than

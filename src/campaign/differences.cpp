@@ -32,7 +32,8 @@ Names names_of(const Case& chosen) {
     return names;
 }
 
-//! Whether a case is made of the entry of a list of tables with these keys.
+//! Returns whether a case is made of the entry of a list of tables with these
+//! keys.
 bool is_part(const std::string& list, const Entries& keys, const Names& names) {
     const auto matches = [&](const std::string& axis, const char* key) {
         return std::ranges::any_of(keys, [&](const auto& entry) {

@@ -58,7 +58,7 @@ struct Draft {
     Variation varied;                 //!< by studies
     std::vector<KeyFactor> searched;  //!< keys that searches vary
 
-    //! The keys that are varied, by a study or a search.
+    //! Returns the keys that are varied, by a study or a search.
     std::vector<KeyFactor>& factors() {
         return is_study ? varied.keys : searched;
     }
@@ -71,10 +71,10 @@ struct Draft {
     bool has_variation = false;
 };
 
-//! The names that campaigns may choose bounds by.
+//! Returns the names that campaigns may choose bounds by.
 std::vector<std::string> rule_names(const Draft& draft);
 
-//! Whether campaigns without trait sets breed the trait.
+//! Returns whether campaigns without trait sets breed the trait.
 bool is_bred(const Draft& draft, const Trait& trait, const std::string& rule);
 
 //! Returns the measures that the trait acts on: the list that has any.
@@ -87,7 +87,7 @@ Trait complete(const TraitEntry& entry);
 //! Returns the crop of a draft with its traits and its growth.
 Crop crop_of(const Draft& draft);
 
-//! The bounds of one number of a trait.
+//! Returns the bounds of one number of a trait.
 //! @param baseline its value in the baseline
 Range bounds_of(const Draft& draft, std::size_t trait, double baseline);
 

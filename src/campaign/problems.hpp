@@ -38,11 +38,11 @@ class Problems {
     //! Makes a value unusable for checks against other values.
     void spoil(const std::string& key) const;
 
-    //! Whether checks may rely on these values.
+    //! Returns whether checks may rely on these values.
     bool usable(std::initializer_list<const char*> keys) const;
     bool usable(const std::string& key) const;
 
-    //! Whether nothing is wrong so far.
+    //! Returns whether nothing is wrong so far.
     bool empty() const;
 
     void add(const Location& where, const std::string& what) const;

@@ -11,7 +11,7 @@ namespace ideotype {
 
 namespace {
 
-//! The thermal time in the middle of each hour of a series since plants
+//! Returns the thermal time in the middle of each hour of a series since plants
 //! emerged; negative before.
 std::vector<double> thermal_times(const Growth& growth, const Date& emergence,
                                   int later, const LightSeries& series) {
@@ -97,7 +97,7 @@ class Ages {
     std::vector<std::vector<double>> times_;
 };
 
-//! The part of the time around a thermal time that a stage stands for.
+//! Returns the part of the time around a thermal time that a stage stands for.
 double weight(const Stage& stage, double time) {
     if (time < stage.at)
         return stage.before ? std::max(0., (time - *stage.before) /

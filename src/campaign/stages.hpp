@@ -25,8 +25,8 @@ Stage stage_on(const Campaign& campaign, const Case& one,
 LightSeries at_stage(const Campaign& campaign, const Case& chosen,
                      LightSeries series);
 
-//! The growth of a component, that of the campaign's crop first; null if it
-//! does not grow.
+//! Returns the growth of a component, that of the campaign's crop first; null
+//! if it does not grow.
 const Growth* growth_of(const Campaign& campaign, std::size_t component);
 
 }  // namespace ideotype

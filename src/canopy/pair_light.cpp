@@ -188,7 +188,7 @@ std::vector<Moments> PairLight::weights_of_pieces(
             of_pieces[v].add(weights[places_.of[v]], 1 / places_.per_index[v]);
     for (const Hit& hit : hits_) {
         Moments of_bin = bins_[hit.bin].weights;
-        // Its products with light count by randomisation.
+        // Products of weights and light count by randomisation.
         of_bin.sun *= n_ / (n_ - 2);
         of_bin.sky *= n_ / (n_ - 2);
         of_pieces[hit.piece].add(of_bin, hit.energy / n_);

@@ -12,7 +12,7 @@ namespace ideotype {
 
 namespace {
 
-//! The case of a campaign that a history belongs to.
+//! Returns the case of a campaign that a history belongs to.
 Case case_of(const History& history, const Campaign& campaign) {
     const std::string& name = history.header().text.at("case");
     for (const Case& c : cases(campaign))

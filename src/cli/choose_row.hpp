@@ -18,7 +18,7 @@ struct ChosenRow {
     std::string isa;       //!< instruction set
 };
 
-//! The best finalist, the best of the last generation if there are no
+//! Returns the best finalist, the best of the last generation if there are no
 //! finalists yet, or the row of a generation and slot.
 //! @param path of a history
 //! @throws Error (usage) if the choice is incomplete or out of range.

@@ -54,8 +54,8 @@ constexpr std::array python_verbs{
                "a page about running campaigns, which follows their files"},
 };
 
-//! Its arguments are what to say if the package is missing, and the words. No
-//! file in the current folder may stand in the place of a module.
+//! The program that answers a verb in Python. Its arguments are a message for a
+//! missing package, and the words. No file of this folder replaces a module.
 constexpr const char* answer_code = R"py(import sys
 sys.path[:] = filter(None, sys.path)
 try:

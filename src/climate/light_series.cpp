@@ -40,8 +40,8 @@ class Elevation {
         return 90 - sun_position(site_, date_, hour).zenith;
     }
 
-    //! The hour of the largest value between two hours, which rises before it
-    //! and falls after it.
+    //! Returns the hour of the largest value between two hours, which rises
+    //! before it and falls after it.
     double highest(double first, double last) const {
         while (last - first > precision) {
             const double third = (last - first) / 3;
@@ -53,8 +53,8 @@ class Elevation {
         return (first + last) / 2;
     }
 
-    //! The hour when the sun is at the horizon, if it is above at one of two
-    //! hours and below at the other.
+    //! Returns the hour when the sun is at the horizon, if it is above at one
+    //! of two hours and below at the other.
     std::optional<double> crossing(double low, double high) const {
         if (at(low) >= 0 || at(high) < 0) return std::nullopt;
         while (std::abs(high - low) > precision) {

@@ -50,7 +50,7 @@ class PiecewiseDensity {
                                     0.467913934572691047, 0.467913934572691047,
                                     0.360761573048138608, 0.171324492379170345};
 
-    //! The point of a panel at x in [-1, 1].
+    //! Returns the point of a panel at x in [-1, 1].
     static double place(std::size_t panel, double x) {
         return (static_cast<double>(panel) + (1 + x) / 2) / panels;
     }

@@ -30,7 +30,7 @@ double gradation(double cos_zenith) {
     return cos_zenith > 0 ? 1 - std::exp(-0.32 / cos_zenith) : 1;
 }
 
-//! A direction of travel from a place at an angle from the zenith.
+//! Returns a direction of travel from a place at an angle from the zenith.
 glm::dvec3 travel_from(double cos_zenith, double sin_zenith, double azimuth) {
     return {sin_zenith * std::cos(azimuth), -sin_zenith * std::sin(azimuth),
             -cos_zenith};

@@ -31,7 +31,7 @@ ClockTime later(ClockTime time, double hours) {
 
 namespace {
 
-//! The first instant of a date; nothing if there is no such date.
+//! Returns the first instant of a date; nothing if there is no such date.
 std::optional<ClockTime> midnight(int year, int month, int day) {
     if (month < 1 || month > 12 || day < 1 || day > 31) return std::nullopt;
     const Date date{year, month, day};
@@ -83,7 +83,7 @@ std::optional<double> parse_clock(std::string_view text) {
     return hours;
 }
 
-//! The hours of an offset from UTC, such as -06:00, +0530 or Z.
+//! Returns the hours of an offset from UTC, such as -06:00, +0530 or Z.
 std::optional<double> parse_offset(std::string_view text) {
     if (text == "Z" || text == "z") return 0;
     if (text.size() < 2) return std::nullopt;

@@ -26,16 +26,16 @@ struct WrittenTime {
     std::optional<double> utc_offset;  //!< [h]
 };
 
-//! The first instant of a date.
+//! Returns the first instant of a date.
 ClockTime midnight(const Date& date);
 
-//! The date at an instant.
+//! Returns the date at an instant.
 Date date_at(ClockTime time);
 
 //! Hours since midnight.
 double hour_at(ClockTime time);
 
-//! The instant so many hours later, to the nearest second.
+//! Returns the instant so many hours later, to the nearest second.
 ClockTime later(ClockTime time, double hours);
 
 //! Reads the columns of a time: one, a date, T or a blank, a clock time, and
@@ -156,8 +156,8 @@ struct WeatherTable {
     //! last rows.
     ClockTime begin{}, end{};
 
-    //! The index of the column of this name; adds a problem if there is not
-    //! one.
+    //! Returns the index of the column of this name; adds a problem if there is
+    //! not one.
     std::optional<std::size_t> index_of(const std::string& name,
                                         Findings& findings) const;
 };

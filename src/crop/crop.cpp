@@ -38,7 +38,7 @@ void act(TraitEffect effect, double number, const MeasureInfo& measure,
         value = std::clamp(value, measure.limits.lower, measure.limits.upper);
 }
 
-//! A trait's number for each leaf of a plant.
+//! Returns a trait's number for each leaf of a plant.
 double number_at(const Trait& trait, const std::vector<double>& numbers,
                  std::size_t leaf, std::size_t leaves) {
     switch (trait.numbers) {

@@ -88,7 +88,7 @@ std::vector<glm::dvec2> angles_of(const std::vector<glm::dvec2>& points) {
     return angles;
 }
 
-//! A vector turned about an axis of unit length (Rodrigues' formula).
+//! Returns a vector turned about an axis of unit length (Rodrigues' formula).
 glm::dvec3 turned(const glm::dvec3& v, const glm::dvec3& axis, double angle) {
     const double sine = std::sin(angle), cosine = std::cos(angle);
     return cosine * v + sine * glm::cross(axis, v) +

@@ -22,8 +22,8 @@ struct BladeCells {
     int along, beside;
 };
 
-//! The faces of a leaflet are nearly square, so that the light on one of them
-//! is as even as so many can make it.
+//! Returns the numbers of faces of a blade. Those of a leaflet are nearly
+//! square, so that the light on one is as even as so many can make it.
 BladeCells cells_of(const Blade& blade, int along) {
     return blade.leaflets == 1 ? BladeCells{along, 1}
                                : BladeCells{std::max(4, 2 * along / 3), 2};
@@ -34,7 +34,7 @@ struct BladePart {
     double from = 0, to = 1;
 };
 
-//! The faces of a blade that are for its green part, of those along it.
+//! Returns the faces of a blade that are for its green part, of those along it.
 int green_cells(const Leaf& leaf, int along) {
     if (!(leaf.dead > 0)) return along;
     const double green = 1 - leaf.hidden - leaf.dead;

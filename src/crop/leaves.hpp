@@ -7,14 +7,16 @@
 
 namespace ideotype {
 
-//! A vector turned about the stalk: an azimuth of 0 points along the row (+y),
-//! 90 across it (+x).
+//! Returns a vector turned about the stalk: an azimuth of 0 points along the
+//! row (+y), 90 across it (+x).
 glm::dvec3 about_stalk(const glm::dvec3& v, double azimuth);
 
-//! The end of a leaf's petiole, out from the axis of the stalk and up [m].
+//! Returns the end of a leaf's petiole, out from the axis of the stalk and up
+//! [m].
 glm::dvec2 petiole_end(const Plant& plant, const Leaf& leaf);
 
-//! The end of a leaf's rachis, where its middle leaflet begins, likewise.
+//! Returns the end of a leaf's rachis, where its middle leaflet begins,
+//! likewise.
 glm::dvec2 rachis_end(const Plant& plant, const Leaf& leaf);
 
 //! Adds the leaflets of a leaf to a group of a mesh, but for what is hidden or

@@ -66,7 +66,7 @@ class ObjBuilder {
         result_.mesh.vertices.reserve(statements.vertex_lines.size());
     }
 
-    //! The library calls these with this builder as `self`.
+    //! Returns what the library calls, with this builder as `self`.
     static tinyobj::callback_t callbacks() {
         tinyobj::callback_t calls;
         calls.vertex_cb = [](void* self, double x, double y, double z, double) {

@@ -10,13 +10,13 @@ namespace {
 
 constexpr double most_deviations = 3;
 
-//! A number of a Laplace distribution whose standard deviation is 1.
+//! Returns a number of a Laplace distribution whose standard deviation is 1.
 double laplace(RandomStream& random) {
     const double x = random.uniform(-1, 1);
     return std::copysign(std::log1p(-std::abs(x)) / std::sqrt(2.0), x);
 }
 
-//! The standard deviation of a leaf, of so many.
+//! Returns the standard deviation of a leaf, of so many.
 double of_leaf(const LeafSpread& spread, std::size_t leaf, std::size_t leaves) {
     return spread[leaf * spread.size() / leaves];
 }

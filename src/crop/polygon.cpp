@@ -153,7 +153,7 @@ void remove_repeated(Corners& corners) {
         corners.pop_back();
 }
 
-//! All triangles between one corner and the edges.
+//! Returns all triangles between one corner and the edges.
 SplitPolygon fan(const Corners& corners, PolygonKind kind) {
     SplitPolygon result{kind, {}};
     for (std::size_t i = 1; i + 1 < corners.size(); ++i)

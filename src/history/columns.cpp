@@ -210,7 +210,7 @@ std::vector<Row> Columns::read(hsize_t first, hsize_t count) const {
 Population Columns::population(hsize_t first, hsize_t count) const {
     const auto status = statuses(first, count);
     auto candidate = candidates(first, count);
-    // These are the first of number_forms().
+    // Objectives are the first of number_forms().
     const std::size_t width = numbers_[0].width();
     const auto means = numbers_[0].read<double>(first, count);
     const auto errors = numbers_[1].read<double>(first, count);

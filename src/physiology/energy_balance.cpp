@@ -30,7 +30,8 @@ class Behind {
           air_(air),
           absorbed_(absorbed) {}
 
-    //! The balance of CO2: one, since more assimilation leaves less within.
+    //! Returns the balance of CO2: one, since more assimilation leaves less
+    //! within.
     LeafBalance at(double openness) const {
         const double gs = conductance(openness);
         const double resistance = resistance_of(gs);

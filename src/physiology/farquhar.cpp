@@ -15,12 +15,12 @@ double arrhenius(double c, double energy, double temperature) {
     return std::exp(c - energy / (gas_constant * (temperature + kelvin)));
 }
 
-//! A rate over that at 25 deg C.
+//! Returns a rate over that at 25 deg C.
 double rise(double energy, double temperature) {
     return arrhenius(0, energy, temperature) / arrhenius(0, energy, 25);
 }
 
-//! The use of triose phosphate over that at 25 deg C.
+//! Returns the use of triose phosphate over that at 25 deg C.
 double triose_use(double temperature) {
     const auto fall = [](double t) {
         return 1 + arrhenius(0.65 / gas_constant, 201.8, t);

@@ -99,8 +99,8 @@ class LeafEnergy {
         return 1e3 * latent / latent_heat_;
     }
 
-    //! The temperature with shut stomata, which no leaf exceeds: there is one,
-    //! as radiation, heat and dew all fall with temperature.
+    //! Returns the temperature with shut stomata, which no leaf exceeds: there
+    //! is one, as radiation, heat and dew all fall with temperature.
     double warmest() const {
         const double t = around_.temperature, alone = radiative();
         return root(
@@ -110,9 +110,9 @@ class LeafEnergy {
             std::min(t, alone), std::max(t, alone), 1e-12);
     }
 
-    //! A temperature that no leaf falls below without dew: below the smaller of
-    //! that of a wet surface without radiation, whatever the wind, and that of
-    //! radiation alone, heat and radiation both warm any leaf.
+    //! Returns a temperature that no leaf falls below without dew: below the
+    //! smaller of that of a wet surface without radiation, whatever the wind,
+    //! and that of radiation alone, heat and radiation both warm any leaf.
     double coolest() const {
         const auto cooling = [&](double x) {
             return 2 * air_heat_capacity * (x - around_.temperature) +
@@ -122,8 +122,8 @@ class LeafEnergy {
                         radiative());
     }
 
-    //! The openness of stomata that closes the balance; up to 2, where even
-    //! stomata without resistance evaporate too little.
+    //! Returns the openness of stomata that closes the balance; up to 2, where
+    //! even stomata without resistance evaporate too little.
     double openness(double t) const {
         const double most = latent(t, boundary(t));
         const double need = net_radiation(t) - sensible(t);

@@ -191,7 +191,8 @@ class Sweeps {
                 energy_.vapour() >= least_humidity * saturated_);
     }
 
-    //! A slope of the residual that neglects how stomata follow temperature.
+    //! Returns a slope of the residual that neglects how stomata follow
+    //! temperature.
     double slope_of_residual() const {
         const double k = t_ + kelvin;
         const double total = saturated_ <= energy_.vapour()

@@ -11,10 +11,10 @@ struct Point {
     double x, value;
 };
 
-//! The place where a function turns from negative to not negative, between such
-//! points, to a tolerance: interpolate, truncate, project (Oliveira and
-//! Takahashi 2021, doi:10.1145/3423597), which never takes more than one step
-//! more than bisection.
+//! Returns the place where a function turns from negative to not negative,
+//! between such points, to a tolerance: interpolate, truncate, project
+//! (Oliveira and Takahashi 2021, doi:10.1145/3423597), which never takes more
+//! than one step more than bisection.
 template <class Function>
 double root(const Function& f, Point low, Point high, double tolerance) {
     const double range = high.x - low.x;

@@ -24,7 +24,7 @@ using Input = nanobind::ndarray<const Number, nanobind::ndim<dimensions>,
 template <class Number>
 using Output = nanobind::ndarray<nanobind::numpy, Number>;
 
-//! An array of numpy that owns a copy of numbers.
+//! Returns an array of numpy that owns a copy of numbers.
 template <class Number>
 Output<Number> to_array(const std::vector<Number>& numbers,
                         std::initializer_list<std::size_t> shape) {
@@ -36,7 +36,7 @@ Output<Number> to_array(const std::vector<Number>& numbers,
     return Output<Number>(data, shape, owner);
 }
 
-//! [numbers, 2]: means and standard errors.
+//! Returns means and standard errors as [numbers, 2].
 inline Output<double> to_array(const std::vector<Estimate>& estimates) {
     std::vector<double> numbers;
     for (const Estimate& x : estimates) {

@@ -9,7 +9,7 @@ namespace nb = nanobind;
 
 namespace {
 
-//! The columns of a point are those of ideotype._energy.
+//! Reads the leaf of a point, whose columns ideotype._energy lists.
 ThermalLeaf leaf_of(const double* x, bool is_c3) {
     ThermalLeaf leaf{
         .stomata = {static_cast<Stomata::Model>(x[9]), x[10], x[11]},

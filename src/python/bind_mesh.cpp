@@ -55,7 +55,8 @@ Divided divide(const Input<double, 2>& vertices,
     return result;
 }
 
-//! The light of each polygon per one-sided area: nothing if it has none.
+//! Returns the light of each polygon per one-sided area: nothing if it has
+//! none.
 std::vector<Estimate> by_polygon(const Divided& divided,
                                  const std::vector<double>& areas,
                                  const std::vector<Estimate>& faces) {
@@ -121,7 +122,7 @@ nb::dict to_dict(const MeshReport& report, bool is_day,
     return dict;
 }
 
-//! The light of all bands and components of a scene.
+//! Returns the light of all bands and components of a scene.
 nb::dict to_scene_dict(const MeshReport& report) {
     const CanopyReport& canopy = report.canopy;
     nb::dict dict;

@@ -88,7 +88,7 @@ class PlantStand {
 
     const OutcomeSchema& schema() const { return stand_.schema(false); }
 
-    //! The objectives as estimates and by randomisation [objective,
+    //! Returns the objectives as estimates and by randomisation [objective,
     //! randomisation], and the same of all numbers of quantities
     //! [randomisation, number], which are NaN where they are not known so.
     //! @throws Error if the evaluation fails

@@ -89,7 +89,7 @@ nb::tuple mesh(const CaseStand& stand, const Input<double, 1>& genome,
     return mesh_tuple(stand.mesh(to_vector(genome), component, thermal_time));
 }
 
-//! The names of the scenarios of the case.
+//! Returns the names of the scenarios of the case.
 std::vector<std::string> scenario_names(const CaseStand& stand) {
     std::vector<std::string> names;
     for (const Case& each : scenarios(stand.chosen()))
@@ -97,7 +97,7 @@ std::vector<std::string> scenario_names(const CaseStand& stand) {
     return names;
 }
 
-//! The names of the cases of a campaign, and the replicate of each.
+//! Returns the names of the cases of a campaign, and the replicate of each.
 nb::list case_names(const std::string& path, const Settings& settings) {
     nb::list list;
     for (const Case& each : cases(read_campaign(path, settings)))
@@ -105,9 +105,9 @@ nb::list case_names(const std::string& path, const Settings& settings) {
     return list;
 }
 
-//! The clock hour of each instant [h], the light above the canopy [W m-2], and
-//! the light on each sensor over that
-//! above the canopy with its standard error [sensor, instant].
+//! Returns the clock hour of each instant [h], the light above the canopy [W
+//! m-2], and the light on each sensor over that above the canopy with its
+//! standard error [sensor, instant].
 nb::tuple light_on_sensors(CaseStand& stand, const Input<double, 1>& genome,
                            const std::vector<double>& heights,
                            const std::vector<double>& positions, int fields,

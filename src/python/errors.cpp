@@ -10,7 +10,7 @@ namespace nb = nanobind;
 
 namespace {
 
-//! A list of (file, line, column, what).
+//! Returns a list of (file, line, column, what).
 nb::list to_list(const std::vector<Problem>& problems) {
     nb::list list;
     for (const Problem& each : problems)

@@ -75,7 +75,7 @@ class CaseStand {
     const std::string& isa() const { return devices_.isa(); }
     const OutcomeSchema& schema() const { return stand_.schema(false); }
 
-    //! A failure of the evaluation is an outcome that says so.
+    //! Evaluates a plant; a failure is an outcome that says so.
     //! @throws Error if the request is impossible
     Outcome evaluate(const Genome& genome, const SamplingRequest& request);
 
@@ -85,13 +85,13 @@ class CaseStand {
     Mesh mesh(const Genome& genome, std::size_t component,
               std::optional<double> thermal_time) const;
 
-    //! The light on sensors among plants of a genome by instant, see
+    //! Returns the light on sensors among plants of a genome by instant, see
     //! light_on_sensors(), in as many fields.
     std::vector<std::vector<Estimate>> light_on_sensors(
         const Genome& genome, const std::vector<Sensor>& sensors, int fields,
         int points);
 
-    //! The instants of the light of the case, or of its first scenario.
+    //! Returns the instants of the light of the case, or of its first scenario.
     LightSeries light() const;
 
   private:

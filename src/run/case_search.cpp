@@ -97,7 +97,7 @@ std::uint32_t CaseSearch::first_open() const {
 void CaseSearch::extend() {
     while (waiting_.empty() && (is_proposing() || begin_generation())) {
         propose();
-        // Those that an earlier session evaluated may allow more.
+        // Rows that an earlier session evaluated may allow more.
         learn();
     }
 }

@@ -22,7 +22,8 @@ class CaseSearch {
     //! Learns what the history has of complete generations.
     CaseSearch(const Evolution& evolution, History& history);
 
-    //! The next row to evaluate, if one can be proposed now; learns first.
+    //! Returns the next row to evaluate, if one can be proposed now; learns
+    //! first.
     std::optional<Work> next();
 
     //! Keeps an outcome; commits what is complete first.

@@ -26,14 +26,14 @@ class Watcher {
   public:
     virtual ~Watcher() = default;
 
-    //! An evaluation is durable, of a generation or of a finalist.
+    //! Hears that an evaluation of a row or a finalist is durable.
     virtual void on_evaluation(const Task& task, const Outcome& outcome) = 0;
 
-    //! A generation is complete.
+    //! Hears that a generation is complete.
     virtual void on_generation(std::uint32_t generation,
                                const GenerationSummary& summary) = 0;
 
-    //! The finalists are about to be evaluated.
+    //! Hears that the finalists are about to be evaluated.
     virtual void on_final(const std::string& reason) = 0;
 };
 
@@ -44,7 +44,7 @@ SearchSpace search_space(const Campaign& campaign, const Case& chosen);
 struct Evolution {
     const Campaign& campaign;
     const Case& chosen;
-    //! Not told of any generation yet.
+    //! The optimizer, which has learnt no generation yet.
     Optimizer& optimizer;
     Dispatcher& dispatcher;
     Watcher& watcher;
@@ -52,8 +52,8 @@ struct Evolution {
     std::function<double()> elapsed;
 };
 
-//! The master's loop: evolves a case from where its history stands until a
-//! stop rule holds and the finalists are evaluated, or a stop is requested of
+//! Evolves a case, as the loop of a master, from where its history stands until
+//! a stop rule holds and the finalists are evaluated, or a stop is requested of
 //! the dispatcher. Pauses while evaluations are under way. The history must
 //! outlive it.
 //! @throws CaseError if too many evaluations of a generation fail.

@@ -27,7 +27,7 @@ class ProgressLog {
     ProgressLog(const ProgressLog&) = delete;
     ProgressLog& operator=(const ProgressLog&) = delete;
 
-    //! A case begins with this generation. The log must outlive the watcher.
+    //! Begins a case at a generation. The log must outlive the watcher.
     std::unique_ptr<Watcher> watch(const Case& chosen,
                                    std::uint32_t generation);
 
@@ -85,10 +85,10 @@ std::string certainty(bool is_evaluated_again, double violation);
 //! differs from zero by rounding alone.
 std::string format(Estimate x);
 
-//! A number with its unit behind it; "1" is none.
+//! Returns a number with its unit behind it; "1" is none.
 std::string with_unit(const std::string& number, const std::string& unit);
 
-//! The title of a column, "lai [m2 m-2]"; the unit "1" is left out.
+//! Returns the title of a column, "lai [m2 m-2]"; the unit "1" is left out.
 std::string title_of(const std::string& name, const std::string& unit);
 
 //! "1:02:03" or "2:03".

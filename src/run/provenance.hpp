@@ -25,7 +25,7 @@ void require_same_campaign(const HistoryHeader& header,
 void require_resumable(const HistoryHeader& header, const Campaign& campaign,
                        const Case& chosen, const std::string& path);
 
-//! This start of the program.
+//! Returns the record of this start of the program.
 SessionRecord session_record(const std::string& command, int ranks);
 
 //! One line per fact about the program and its libraries.

@@ -29,8 +29,8 @@ std::vector<Case> chosen_cases(const RunOptions& options,
     return {case_at(campaign, *options.case_index, options.campaign_path)};
 }
 
-//! The instruction set that histories to be resumed were begun with, so that
-//! results go on bit for bit; none if there are none. Refuses what would
+//! Returns the instruction set that histories to be resumed were begun with, so
+//! that results go on bit for bit; none if there are none. Refuses what would
 //! overwrite one.
 std::optional<std::string> isa_of_histories(const RunOptions& options,
                                             const Campaign& campaign,
@@ -92,7 +92,7 @@ struct Crew {
     std::vector<Case> cases;
 };
 
-//! A master: evolves its cases, then lets its workers go.
+//! Evolves the cases of a master, then lets its workers go.
 ExitCode direct(const RunOptions& options, const Campaign& campaign,
                 const std::string& isa, const Evaluators& evaluators,
                 const Crew& crew, StopFlag& stop) {

@@ -39,8 +39,8 @@ double lai_of(const History& history, const Row& row) {
     return quantity(history, row, "lai").mean;
 }
 
-//! The mean of b - a over randomisations that both plants share, with units
-//! and relative to a.
+//! Returns the mean of b - a over randomisations that both plants share, with
+//! units and relative to a.
 std::string gain(const Outcome& a, const Outcome& b, const std::string& unit) {
     const std::string found = with_unit(format(difference(a, b)), unit);
     if (!(a.objectives.front().mean > 0)) return found;
@@ -58,7 +58,7 @@ std::string gain_with_lai(const History& history, const Row& baseline,
                        lai_of(history, best), lai_of(history, baseline));
 }
 
-//! A warning of plants that no field has so densely, or "".
+//! Returns a warning of plants that no field has so densely, or "".
 std::string doubt_of(const std::string& what, double lai) {
     const std::string doubt = doubt_of_lai(lai);
     return doubt.empty()

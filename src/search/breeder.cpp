@@ -17,8 +17,8 @@ double repaired(const Gene& gene, double value) {
                             : std::clamp(value, gene.lower, gene.upper);
 }
 
-//! The spread factor of simulated binary crossover, bounded so that a child
-//! stays within `room` of the couple's mean, both in units of half of the
+//! Returns the spread factor of simulated binary crossover, bounded so that a
+//! child stays within `room` of the couple's mean, both in units of half of the
 //! parents' distance (Deb and Agrawal 1995, eq. 9 with bounds as in NSGA-II).
 double spread_factor(double u, double index, double room) {
     const double power = index + 1;

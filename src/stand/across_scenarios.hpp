@@ -10,7 +10,7 @@
 
 namespace ideotype {
 
-//! All that is measured in a case that is its only scenario.
+//! Returns all that is measured in a case that is its only scenario.
 QuantitySet measured_in(const Campaign& campaign, const Case& scenario);
 
 //! One outcome of a plant in all scenarios of a case, each over its stages.

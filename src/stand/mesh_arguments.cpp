@@ -36,7 +36,7 @@ FieldForm& field_of(MeshOptions& options) {
     return *options.field;
 }
 
-//! An option whose values are these words.
+//! Declares an option whose values are these words.
 template <class Value, class Target>
 CLI::Option* add_choice(CLI::App& verb, const std::string& name, Target& target,
                         const std::map<std::string, Value>& choices,

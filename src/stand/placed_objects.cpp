@@ -32,7 +32,7 @@ Mesh mesh_of(const ObjectEntry& object) {
     return mesh;
 }
 
-//! The rows as they stand for each pose, or as they always do.
+//! Returns the rows as they stand for each pose, or as they always do.
 //! @param angles of each pose [deg]
 Mesh mesh_of(const PanelRows& rows, const Cell& cell, double row_direction,
              const std::vector<double>& angles) {

@@ -6,7 +6,8 @@
 
 namespace ideotype {
 
-//! Whether any panels track the sun, so that each instant has a sky of its own.
+//! Returns whether any panels track the sun, so that each instant has a sky of
+//! its own.
 bool has_trackers(const Campaign& campaign);
 
 //! Adds the panels and objects of a campaign to a scene whose components, cell

@@ -14,9 +14,9 @@ namespace ideotype {
 //! Returns how accurate a task is: finalists are evaluated more finely.
 Accuracy accuracy_of(const Task& task, const Campaign& campaign);
 
-//! The random numbers of a task: common to all candidates of a generation;
-//! fresh ones for all finalists. Where each row has light of its own, they
-//! share the field.
+//! Returns the random numbers of a task: common to all candidates of a
+//! generation; fresh ones for all finalists. Where each row has light of its
+//! own, they share the field.
 Randomness randomness_of(const Task& task, const Campaign& campaign,
                          const Case& chosen);
 

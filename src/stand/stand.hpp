@@ -20,8 +20,8 @@ double final_effort(const Campaign& campaign);
 //! Layers of 0.25 m, up to what the highest leaf could reach.
 Layers canopy_layers(const Campaign& campaign);
 
-//! The scene of the baseline in a case, or in the first of its scenarios; worth
-//! keeping for all other plants.
+//! Returns the scene of the baseline in a case, or in the first of its
+//! scenarios; worth keeping for all other plants.
 Scene scene_of(const Campaign& campaign, const Case& chosen);
 
 //! Returns the details that are found out about all plants of a campaign.
@@ -35,12 +35,12 @@ Details details_of(const Campaign& campaign);
 CanopyRequest request_of(Sampling sampling, const Campaign& campaign,
                          const Case& in, Scene scene, const Plants& plants);
 
-//! The form of a case's outcomes, with this accuracy.
+//! Returns the form of a case's outcomes, with this accuracy.
 OutcomeSchema outcome_schema(const Campaign& campaign, const Case& chosen,
                              const Accuracy& accuracy);
 
-//! An objective, of one component, weighted or of all plants together as the
-//! campaign tells, or another quantity without axes.
+//! Returns an objective, of one component, weighted or of all plants together
+//! as the campaign tells, or another quantity without axes.
 //! @throws Error if the report has none of this name.
 Randomised measure_number(const Campaign& campaign, const std::string& name,
                           const CanopyReport& report);
@@ -75,8 +75,8 @@ class Stand {
     //! The campaign must outlive the stand.
     Stand(const Campaign& campaign, const Case& chosen);
 
-    //! The form of outcomes with the accuracy of the search, or of its final
-    //! evaluations.
+    //! Returns the form of outcomes with the accuracy of the search, or of its
+    //! final evaluations.
     const OutcomeSchema& schema(bool is_final) const {
         return is_final ? final_schema_ : schema_;
     }

@@ -36,8 +36,8 @@ constexpr Setting settings[] = {
     {"near infrared", true, {.42, .42}, .2, 1e-3},
 };
 
-//! 14 instants of a clear day, and so many rows of so many plants of version
-//! 0.1, so that figures compare.
+//! Returns the campaign of version 0.1, so that figures compare: 14 instants of
+//! a clear day, and a field of as many rows as plants in a row.
 Campaign ames(int plants) {
     Campaign campaign = BenchStand::ames();
     campaign.crop.baseline =

@@ -52,8 +52,8 @@ CanopyReport evaluate(const BenchStand& stand, const Accuracy& accuracy,
     return evaluate(request, stand.device);
 }
 
-//! The fewest paths, in eight randomisations, that meet a tolerance on average
-//! of some draws: errors fall with paths to a power near -0.55.
+//! Returns the fewest paths, in eight randomisations, that meet a tolerance on
+//! average of some draws: errors fall with paths to a power near -0.55.
 int paths_for(const BenchStand& stand, double tolerance) {
     constexpr int trial = 4096;
     double squares = 0;

@@ -7,8 +7,8 @@
 
 namespace ideotype {
 
-//! A small complete campaign with a plant of one leaf inline. top is put
-//! before the first table, more after the last.
+//! Returns a small complete campaign with a plant of one leaf inline. top is
+//! put before the first table, more after the last.
 inline std::string sample_text(const std::string& top = "",
                                const std::string& more = "",
                                const std::string& bounds = "\"paper\"") {

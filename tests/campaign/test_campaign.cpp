@@ -403,7 +403,7 @@ TEST(Campaign, AnySingleNumberOfTheCanopyMayBeAnObjective) {
               std::string::npos);
 }
 
-//! The sample, whose leaf has these lines in the place of its angles.
+//! Returns the sample, whose leaf has these lines in the place of its angles.
 std::string with_leaf(const std::string& lines) {
     std::string text = sample_text();
     for (const char* key : {"insertion_angle = ", "curvature = "}) {

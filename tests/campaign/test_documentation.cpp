@@ -44,7 +44,8 @@ void for_each_key(
     for (const Table& table : plant_tables(draft)) use_table(table);
 }
 
-//! Whether the default of a key is told in words, because it depends on others.
+//! Returns whether the default of a key is told in words, because it depends on
+//! others.
 bool is_in_words(const std::string& initial) {
     return initial.find("; ") != initial.npos ||
            initial.find(" if ") != initial.npos ||
@@ -52,7 +53,7 @@ bool is_in_words(const std::string& initial) {
             initial != "true" && initial != "false");
 }
 
-//! The sample with all that a climate may have, in place of a day.
+//! Returns the sample with all that a climate may have, in place of a day.
 std::string with_climate(const std::string& more) {
     std::string text = sample_text("", more);
     const std::size_t begin = text.find("[[day]]");

@@ -11,7 +11,7 @@ namespace ideotype {
 
 namespace {
 
-//! The sample with another value in a line.
+//! Returns the sample with another value in a line.
 std::string with(const std::string& line, const std::string& other) {
     std::string text = sample_text();
     return text.replace(text.find(line), line.size(), other);

@@ -317,7 +317,7 @@ TEST_F(TwoLeaves, AssimilationOfDaysAndHoursSumsToThatOfTheMeanDay) {
     EXPECT_GT(all.gross.dates[0].mean, all.gross.dates[2].mean);
 }
 
-//! A horizontal black leaf over all of the ground, in so many instants.
+//! Returns a horizontal black leaf over all of the ground, in so many instants.
 CanopyRequest black_sheet(const std::vector<TimeStep>& steps) {
     CanopyRequest request = two_leaves({64, 8});
     Scene& scene = request.scene;

@@ -98,7 +98,7 @@ TEST(Pieces, OfAFieldAreThoseOfEachPlantThenWhatIsNotCut) {
         EXPECT_EQ(all.like[v], v < 8 ? v % 4 : 8 + (v - 8) % 6) << v;
 }
 
-//! The area of each group [m2], as seen from above where it faces up.
+//! Returns the area of each group [m2], as seen from above where it faces up.
 std::vector<double> area_from_above(const Mesh& mesh) {
     std::vector<double> areas(mesh.groups.size());
     const auto twice = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {

@@ -20,7 +20,7 @@ std::string data(const std::string& name) {
     return std::string(IDEOTYPE_TEST_DATA) + "/" + name;
 }
 
-//! A file with this [photosynthesis] table.
+//! Returns a file with this [photosynthesis] table.
 std::string table(const std::string& name, const std::string& keys) {
     const std::string path = temporary_file(name + ".toml");
     std::ofstream(path) << "[photosynthesis]\n" << keys;
@@ -268,7 +268,7 @@ TEST(Assimilation, OfWeakLeavesCountsThoseInTheSun) {
                 4 * std::hypot(found.standard_error, .00025));
 }
 
-//! The weather of Bondville to a day.
+//! Returns the weather of Bondville to a day.
 std::string season(const std::string& to) {
     const std::string path = temporary_file("to_" + to + ".toml");
     std::ofstream(path) << fmt::format(

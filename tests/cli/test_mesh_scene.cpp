@@ -30,7 +30,7 @@ std::string written(const std::string& text) {
     return path;
 }
 
-//! The scene file of a reference scene.
+//! Returns the scene file of a reference scene.
 //! @param response of prefixes of groups, or null
 std::string scene_text(const Ordered& scene, const Ordered& response) {
     const Ordered& optics = scene.at("optics");

@@ -55,7 +55,7 @@ class MadeCsv {
         return all + "\n";
     }
 
-    //! The line of a row, from 1.
+    //! Returns the line of a row, from 1.
     static int line(std::size_t row) { return static_cast<int>(row) + 2; }
 
     std::string header = "time,ghi,t,rh";
@@ -78,7 +78,7 @@ inline WeatherRequest made_request() {
     return request;
 }
 
-//! The message of the error that a text has; "" if it has none.
+//! Returns the message of the error that a text has; "" if it has none.
 inline std::string error_of(const std::string& text,
                             const WeatherRequest& request) {
     try {

@@ -82,7 +82,7 @@ TEST(RelativeGain, HasTheErrorOfTheRatio) {
         paired.push_back(found.standard_error);
         independent.push_back(
             relative_gain({a.figure, {}}, {b.figure, {}}).standard_error);
-        // The error of the difference alone, as told once, is far too small.
+        // The error of the difference without that of the divisor is too small.
         EXPECT_GT(found.standard_error,
                   2 * 100 / a.figure.mean * difference(a, b).standard_error);
     }

@@ -9,7 +9,8 @@ namespace ideotype {
 
 namespace {
 
-//! A leaf of 2 m x 1 m, a leaf triangle of 1 m2 and a stalk of 3 m x 1 m.
+//! Returns a leaf of 2 m x 1 m, a leaf triangle of 1 m2 and a stalk of 3 m x 1
+//! m.
 Mesh sample_mesh() {
     Mesh mesh;
     mesh.vertices = {{0, 0, 1}, {2, 0, 1}, {2, 1, 1}, {0, 1, 1},

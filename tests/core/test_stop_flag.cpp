@@ -11,7 +11,7 @@ namespace ideotype {
 
 namespace {
 
-//! The status of a child process that runs this.
+//! Returns the status of a child process that runs this.
 template <class Function>
 int status_of_child(Function run) {
     const pid_t child = fork();

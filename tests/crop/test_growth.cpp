@@ -75,7 +75,7 @@ TEST(Growth, StemsGrowToTheHeightsOfThePlant) {
     }
 }
 
-//! The sum of a group of leaves of a plant at an age [m2].
+//! Returns the sum of a group of leaves of a plant at an age [m2].
 double mesh_area(const Mesh& mesh, bool are_leaves) {
     double sum = 0;
     const std::vector<double> areas = face_areas(mesh);

@@ -47,7 +47,7 @@ double area_in(const Mesh& mesh, const std::string& group) {
     return sum;
 }
 
-//! The midrib of a leaflet at its base or tip.
+//! Returns the midrib of a leaflet at its base or tip.
 glm::dvec3 end_of(const Mesh& mesh, std::uint32_t leaflet, bool is_tip) {
     return mesh
         .vertices[leaflet * per_leaflet + (is_tip ? 5 * broad_cells : 0) + 2];

@@ -18,7 +18,7 @@ void expect_agreement(Estimate ours, Estimate reference, double bound,
 Fractions closing(const Mesh& mesh, GroundPeriod period, const Optics& optics,
                   const Illumination& light, Accuracy accuracy = {256, 4});
 
-//! The letters and digits of a case's name, for a test's name.
+//! Returns the letters and digits of a case's name, for a test's name.
 std::string test_name(std::string name);
 
 }  // namespace ideotype

@@ -15,7 +15,7 @@ namespace ideotype {
 
 namespace {
 
-//! A sheet over the whole period in n x n faces that share edges.
+//! Returns a sheet over the whole period in n x n faces that share edges.
 Mesh tiles(GroundPeriod period, double height, int n) {
     Mesh mesh = leaves_only();
     for (int i = 0; i <= n; ++i)

@@ -15,12 +15,12 @@ namespace ideotype {
 
 namespace {
 
-//! A place whose clock shows solar time.
+//! Returns a place whose clock shows solar time.
 Site at_latitude(double latitude) {
     return {"somewhere", latitude, 0, 0};
 }
 
-//! The day's light under its clear sky in rows of maize.
+//! Returns the day's light under its clear sky in rows of maize.
 double leaves_over_day(Findings& findings, const LightSeries& day) {
     const SeriesIllumination illumination =
         illuminate(day, SkyModel::clear, 90);

@@ -63,7 +63,7 @@ std::vector<ExtremeCase> extreme_suns_and_fields();
 std::vector<ExtremeCase> extreme_surfaces();
 std::vector<ExtremeCase> extreme_days_and_paths();
 
-//! All of them.
+//! Returns all of them.
 std::vector<ExtremeCase> extreme_cases();
 
 //! One group of leaves, still without faces.
@@ -72,7 +72,7 @@ Mesh leaves_only();
 //! A parallelogram from a corner along two edges.
 void add_leaf(Mesh& mesh, glm::dvec3 corner, glm::dvec3 u, glm::dvec3 v);
 
-//! A plant of two leaves, the upper one across the row.
+//! Returns a plant of two leaves, the upper one across the row.
 Mesh two_leaves(double length, double width, double insertion_angle);
 
 }  // namespace ideotype

@@ -12,10 +12,10 @@
 
 namespace ideotype {
 
-//! The widest instruction set of this processor.
+//! Returns the widest instruction set of this processor.
 const Device& widest_device();
 
-//! A mesh of tests/data/reference; one group per OBJ group.
+//! Returns a mesh of tests/data/reference; one group per OBJ group.
 Mesh load_reference_mesh(const std::string& name);
 
 //! The period that belongs to a reference mesh.
@@ -40,7 +40,7 @@ struct Fractions {
     double balance_error = 0;
 };
 
-//! The fractions in tallies of all sources together.
+//! Returns the fractions in tallies of all sources together.
 Fractions fractions_of(const std::vector<Tally>& tallies, std::size_t groups,
                        double incident);
 

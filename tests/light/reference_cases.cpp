@@ -16,12 +16,12 @@ namespace {
 
 using Kind = ReferenceScene::Kind;
 
-//! The standard error of a value printed to so many decimals.
+//! Returns the standard error of a value printed to so many decimals.
 double rounding(int decimals) {
     return std::pow(10., -decimals) / std::sqrt(12.);
 }
 
-//! An exact value that is known to so many decimals.
+//! Returns an exact value that is known to so many decimals.
 KnownValue printed(const std::string& quantity, double value, int decimals) {
     return {quantity, {value, rounding(decimals)}};
 }
@@ -34,7 +34,7 @@ Source sky(SkyModel model) {
     return {std::nullopt, 1.0, SkySampler({model, {}})};
 }
 
-//! The light of a file's case such as "maize1/par05/sun60_az180".
+//! Returns the light of a file's case such as "maize1/par05/sun60_az180".
 Source light_of(const std::string& name) {
     const std::string light = name.substr(name.rfind('/') + 1);
     double elevation = 0, azimuth = 0;

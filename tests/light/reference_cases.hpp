@@ -55,7 +55,7 @@ struct Comparison {
     Estimate ours;
     double bound = 0;  //!< of the standard error of ours
 
-    //! The difference in combined standard errors.
+    //! Returns the difference in combined standard errors.
     double off() const;
 };
 

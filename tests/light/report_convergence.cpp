@@ -15,7 +15,7 @@ namespace {
 
 constexpr int randomisations = 32;
 
-//! The campaign with 36 plants and a sun for every hour.
+//! Returns the campaign with 36 plants and a sun for every hour.
 Campaign ames(const std::string& campaigns) {
     Campaign campaign = read_campaign(campaigns + "/ames.toml");
     campaign.field.rows = campaign.field.plants = 6;

@@ -25,7 +25,7 @@ double total(const Tally& tally) {
     return sum;
 }
 
-//! The spread of the estimates of a figure over the root of their mean
+//! Returns the spread of the estimates of a figure over the root of their mean
 //! squared standard error.
 Estimate ratio(const std::vector<std::vector<Tally>>& all,
                const Figure& figure) {

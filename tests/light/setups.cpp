@@ -17,7 +17,7 @@ glm::dvec3 between(const glm::dvec3& a, const glm::dvec3& b, double t) {
             a.z + t * (b.z - a.z)};
 }
 
-//! The part of a convex polygon where sign * axis >= sign * at.
+//! Returns the part of a convex polygon where sign * axis >= sign * at.
 Polygon clipped(const Polygon& polygon, double glm::dvec3::*axis, double at,
                 double sign) {
     Polygon part;
@@ -33,7 +33,8 @@ Polygon clipped(const Polygon& polygon, double glm::dvec3::*axis, double at,
     return part;
 }
 
-//! The parts of a polygon in strips of a width, each moved into the first.
+//! Returns the parts of a polygon in strips of a width, each moved into the
+//! first.
 std::vector<Polygon> wrapped(const Polygon& polygon, double glm::dvec3::*axis,
                              double width) {
     const auto [least, most] =

@@ -39,7 +39,7 @@ Plot trace_plot(const Mesh& mesh, const Optics& optics,
             part(&Budget::reflected), part(&Budget::incident)};
 }
 
-//! A closed box on the soil, open below.
+//! Returns a closed box on the soil, open below.
 Mesh box(double x, double y, double z) {
     Mesh mesh = leaves_only();
     add_leaf(mesh, {0, 0, z}, {x, 0, 0}, {0, y, 0});

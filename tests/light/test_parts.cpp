@@ -12,7 +12,7 @@
 namespace ideotype {
 namespace {
 
-//! An instant of one second with this much light of sun and sky.
+//! Returns an instant of one second with this much light of sun and sky.
 LightSeries instant(SunPosition sun, double beam, double diffuse) {
     return {{{12, 1, sun, {beam, diffuse}}}};
 }

@@ -35,7 +35,7 @@ class FakeDirector : public Director {
     std::deque<Routine<bool>> waiting_;
 };
 
-//! A routine that awaits one batch.
+//! Returns a routine that awaits one batch.
 inline Routine<bool> batch_routine(Dispatcher& dispatcher,
                                    std::vector<Work> work, Record record) {
     co_await dispatcher.evaluate(std::move(work), std::move(record));

@@ -23,7 +23,7 @@ void expect_derivatives(const Response& f) {
     }
 }
 
-//! A response rises from 0 with its quantum yield, and ever less.
+//! Expects a response to rise from 0 with its quantum yield, and ever less.
 inline void expect_concave(const Colimitation& f) {
     EXPECT_EQ(f.gross(0), 0);
     EXPECT_EQ(f.slope(0), f.alpha);

@@ -82,7 +82,7 @@ struct Fluxes {
               2 * 29.3 * heat * apart;
     }
 
-    //! The energy that is left [W m-2].
+    //! Returns the energy that is left [W m-2].
     double left(double gs) const {
         return dry - per_conductance * (per_conductance < 0
                                             ? 2 * 1.09 * heat
@@ -109,7 +109,7 @@ double net_of(const Case& each, double temperature, double ci) {
         each.leaf.rates);
 }
 
-//! The conductance to which stomata of one that is would open.
+//! Returns the conductance to which the stomata of a case would open.
 double wanted(const Case& each, const EnergyBalance& found) {
     const Fluxes at(each.leaf, each.around, found.temperature);
     const double per_co2 = std::max(found.net, 0.) /

@@ -17,8 +17,8 @@ class Summary : public testing::Test {
   protected:
     ~Summary() override { fs::remove(path_); }
 
-    //! The light that baseline and best absorb [MJ m-2 day-1], and their leaf
-    //! area indices. NaN: that one failed.
+    //! Returns the light that baseline and best absorb [MJ m-2 day-1], and
+    //! their leaf area indices. NaN: that one failed.
     std::string of(Estimate baseline, double baseline_lai, Estimate best,
                    double best_lai) {
         fs::remove(path_);

@@ -35,7 +35,7 @@ class FakeEvaluator : public Evaluator {
     double total() const { return total_; }
 
   private:
-    //! A function of the task.
+    //! Returns a function of the task.
     double seconds_of(const Task& task) const {
         // The times of evaluations of campaigns/ames.toml, in equal steps of
         // probability, relative to their mean.

@@ -7,7 +7,7 @@
 
 namespace ideotype {
 
-//! An individual with one objective.
+//! Returns an individual with one objective.
 inline Individual individual(Genome genome, double objective,
                              double violation = 0,
                              Status status = Status::done) {

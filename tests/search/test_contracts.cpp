@@ -44,7 +44,7 @@ SearchSettings settings_of(OptimizerKind optimizer, int population = 8) {
     return settings;
 }
 
-//! The optimizer of a kind, before its first row.
+//! Returns the optimizer of a kind, before its first row.
 std::unique_ptr<GenerationalOptimizer> search_by(OptimizerKind optimizer,
                                                  int population = 8) {
     const SearchSettings settings = settings_of(optimizer, population);

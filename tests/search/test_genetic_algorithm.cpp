@@ -24,7 +24,7 @@ SearchSettings small() {
     return settings;
 }
 
-//! A generation whose objective is the first gene.
+//! Returns a generation whose objective is the first gene.
 Population evaluated(const std::vector<Candidate>& candidates) {
     Population population;
     for (const Candidate& c : candidates)
@@ -53,7 +53,7 @@ Population first_generation() {
     return evaluated(proposed(small(), 7, 0, {}));
 }
 
-//! The generations of one search.
+//! Returns the generations of one search.
 std::vector<Population> searched(std::size_t generations) {
     const auto optimizer =
         make_genetic_algorithm(small(), SearchSpace{genes, baseline}, 7);

@@ -37,7 +37,7 @@ TEST(StopRules, GenerationsEndTheEvolution) {
     EXPECT_EQ(finished(rules, after({1, 1, 1, 1, 1}), maximise), "generations");
 }
 
-//! A line with scatter to both sides of it.
+//! Returns a line with scatter to both sides of it.
 std::vector<double> rising(double slope, int count) {
     std::vector<double> means;
     for (int i = 0; i < count; ++i)

@@ -41,13 +41,13 @@ double chi_square(const std::vector<double>& values,
     return sum;
 }
 
-//! The part of a distribution that is up to a bound, as a whole.
+//! Returns the part of a distribution that is up to a bound, as a whole.
 Distribution up_to(double bound, const Distribution& distribution) {
     return [=](double x) { return distribution(x) / distribution(bound); };
 }
 
-//! The distribution on a circle of what is distributed on a line: all that is
-//! whole turns apart falls together. From -period / 2 to period / 2.
+//! Returns the distribution on a circle of what is distributed on a line: all
+//! that is whole turns apart falls together. From -period / 2 to period / 2.
 Distribution on_circle(double period, int turns,
                        const Distribution& distribution) {
     double before = 0;
@@ -81,7 +81,7 @@ Distribution step(double index) {
     };
 }
 
-//! All children of parents with these values of one gene.
+//! Returns all children of parents with these values of one gene.
 std::vector<Candidate> children(const Gene& gene, const GaSettings& ga,
                                 const std::vector<double>& parents) {
     SearchSettings settings;
@@ -106,7 +106,7 @@ struct Spreads {
     std::vector<double> below, above;
 };
 
-//! Whether the crossed gene of a couple went to the other child each.
+//! Returns whether the crossed gene of a couple went to the other child each.
 bool is_swapped(std::uint32_t slot) {
     RandomStream stream(7, Purpose::crossover, 1, slot);
     // Whether the couple is crossed, whether the gene is, and how far.

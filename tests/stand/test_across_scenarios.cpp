@@ -41,8 +41,8 @@ Outcome evaluated(const Campaign& campaign, const Task& task = {}) {
                   Device(Device::supported_isas().back()));
 }
 
-//! The outcomes of the same plant in a case for each site, with the random
-//! numbers of this one.
+//! Returns the outcomes of the same plant in a case for each site, with the
+//! random numbers of this one.
 std::vector<Outcome> separately(const Case& robust) {
     const Campaign campaign = changed(south, "");
     const Device device(Device::supported_isas().back());

@@ -23,7 +23,7 @@ struct Details {
     bool faces = false;
     //! Pieces of a blade, over each of which diffuse light is taken as even.
     std::size_t pieces = pieces_of_blade;
-    //! Assimilation by assimilate_exactly(), for checks: slow.
+    //! True to use assimilate_exactly(), which is slow and for checks.
     bool exact = false;
     //! Lines that exist, to tell how far the plant of the first component is
     //! from them.

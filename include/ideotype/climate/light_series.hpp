@@ -59,13 +59,13 @@ struct LightSeries {
 
     double lit_seconds() const;  //!< of all steps with any light [s]
 
-    //! The hours of the day with the sun up or light on any day, from the
-    //! first to the last [h].
+    //! Returns the hours of the day with the sun up or light on any day, from
+    //! the first to the last [h].
     std::vector<double> hours() const;
 
     std::vector<Date> dates() const;  //!< with any step, in order
 
-    //! The steps at each of hours(), and on each of dates(), by number.
+    //! Returns the steps at each of hours(), and on each of dates(), by number.
     std::vector<std::vector<std::size_t>> steps_of_hours() const;
     std::vector<std::vector<std::size_t>> steps_of_dates() const;
 };
@@ -93,8 +93,8 @@ Daylight daylight(const Site& site, const Date& date);
 //! 12: but for the equation of time, noon comes so much later than 12:00.
 double clock_ahead(const Site& site);
 
-//! The part of the light of clear days that comes before the start and after
-//! the end of a span, from 0 to 1; 0 if there is no light.
+//! Returns the part of the light of clear days that comes before the start and
+//! after the end of a span, from 0 to 1; 0 if there is no light.
 double share_left_out(const Site& site, const DaySpan& span);
 
 }  // namespace ideotype

@@ -42,8 +42,8 @@ class SkySampler {
     //! @throws Error if the sky is clear and its sun below the horizon.
     explicit SkySampler(const SkyRadiance& sky);
 
-    //! A direction of travel (unit length, z up, never upwards) from two
-    //! numbers uniform in [0, 1).
+    //! Returns a direction of travel (unit length, z up, never upwards) from
+    //! two numbers uniform in [0, 1).
     glm::dvec3 sample(double u, double v) const;
 
     //! Integral of relative_radiance() times cos z over the hemisphere.

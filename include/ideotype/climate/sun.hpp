@@ -29,7 +29,7 @@ struct Date {
     auto operator<=>(const Date&) const = default;
 };
 
-//! The day of a date.
+//! Returns the day of a date.
 inline std::chrono::sys_days day_of(const Date& date) {
     return std::chrono::year{date.year} /
            std::chrono::month{static_cast<unsigned>(date.month)} /

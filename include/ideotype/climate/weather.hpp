@@ -59,7 +59,7 @@ struct ColumnMap {
     std::optional<Column> humidity{};     //!< relative; 1 or %
     std::optional<Column> wind{};         //!< m/s, km/h, mph or kn
     std::optional<Column> pressure{};     //!< kPa, hPa, mbar or Pa
-    //! Longwave radiation of the sky on a horizontal plane, as of light.
+    //! Longwave radiation of the sky on a level plane, in units of light.
     std::optional<Column> longwave{};
 };
 

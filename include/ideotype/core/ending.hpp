@@ -9,7 +9,7 @@ namespace ideotype {
 //! process by its signal. Needs no memory.
 void watch_for_foreign_end();
 
-//! Says that the process ends in order from now on, so that nothing is said.
+//! Says that the process ends in order from now on, so that nothing is told.
 void end_in_order();
 
 }  // namespace ideotype

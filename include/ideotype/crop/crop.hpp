@@ -52,17 +52,17 @@ struct TraitNumber {
     int point = 0;          //!< of a profile, from 1; 0: none
 };
 
-//! All numbers of all traits in the order of a genome: leaf by leaf the traits
-//! that each leaf has, then those of the whole plant and profiles, in the
-//! order of the traits.
+//! Returns all numbers of all traits in the order of a genome: leaf by leaf the
+//! traits that each leaf has, then those of the whole plant and profiles, in
+//! the order of the traits.
 std::vector<TraitNumber> trait_numbers(const Crop& crop);
 
-//! The numbers of the baseline: its measures, and for what scales or shifts
-//! others 1 or 0.
+//! Returns the numbers of the baseline: its measures, and for what scales or
+//! shifts others 1 or 0.
 std::vector<double> baseline_numbers(const Crop& crop);
 
-//! The plant that these numbers make of the baseline: traits act on it in
-//! their order. A measure beyond its limits is moved to them.
+//! Returns the plant that these numbers make of the baseline: traits act on it
+//! in their order. A measure beyond its limits is moved to them.
 //! @param numbers as in trait_numbers()
 //! @throws Error if there are too few or too many, or a trait acts on a
 //! measure that there is not.

@@ -44,7 +44,7 @@ class LeafSurface {
     //! @throws Error if there are not six width controls.
     LeafSurface(const Leaf& leaf, const Blade& blade, double distance = 0);
 
-    //! The surface at parameter t in [0, 1] [m].
+    //! Returns the surface at parameter t in [0, 1] [m].
     BladeRow row(double t) const;
 
     //! cells + 1 rows at equal parameters, stretched along and across by the
@@ -63,7 +63,7 @@ class LeafSurface {
     //! Adds the way of the midrib, out and up, from one relative arc length to
     //! another: the integral of its direction by Simpson's rule [m].
     void advance(glm::dvec2& end, double from, double to, int steps) const;
-    //! The two edges of a folded blade beside a point of the midrib.
+    //! Returns the two edges of a folded blade beside a point of the midrib.
     BladeRow across(const glm::dvec2& midrib, double angle, double width) const;
 
     Leaf leaf_;

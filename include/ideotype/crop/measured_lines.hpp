@@ -53,8 +53,8 @@ bool names_leaf(const std::string& leaf);
 //! positive definite.
 bool are_correlations(const MeasuredLines& known);
 
-//! The distance of a plant from measured lines (Mahalanobis 1936, reprinted as
-//! doi:10.1007/s13171-019-00164-5).
+//! Returns the distance of a plant from measured lines (Mahalanobis 1936,
+//! reprinted as doi:10.1007/s13171-019-00164-5).
 //! @throws Error if a trait is a measure that the plant does not have
 LineDistance distance(const MeasuredLines& known, const Plant& plant);
 

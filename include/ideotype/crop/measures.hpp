@@ -165,10 +165,10 @@ struct MeasureInfo {
     std::vector<double*> values;  //!< in the plant, one or one per leaf
 };
 
-//! The measure of this name; nothing if the plant has none.
+//! Returns the measure of this name; nothing if the plant has none.
 std::optional<MeasureInfo> find_measure(Plant& plant, const std::string& name);
 
-//! All measures of a plant by their names: "leaf.NAME", "blade.NAME",
+//! Returns all measures of a plant by their names: "leaf.NAME", "blade.NAME",
 //! "stalk.NAME", "sheath.NAME", "petiole.NAME", and "ORGAN.NAME" for each other
 //! organ.
 std::vector<MeasureInfo> measures(Plant& plant);

@@ -15,8 +15,8 @@ namespace ideotype {
 //! the name of a leaf ("leaf07") is its rank. The component is 0.
 Group group_of_name(const std::string& name);
 
-//! The number at the end of a name such as "maize_leaf07"; 0 if it does not end
-//! with "leaf" and up to four digits.
+//! Returns the number at the end of a name such as "maize_leaf07"; 0 if it does
+//! not end with "leaf" and up to four digits.
 std::uint32_t leaf_rank(std::string_view name);
 
 //! Surfaces read from a file, and what the user should know about them.

@@ -142,8 +142,9 @@ struct Tessellation {
     int stalk_sides = 8;
 };
 
-//! The names of a plant's present organs besides its leaves, in the order of
-//! their groups: "stalk", "sheath", "petiole", "dead_leaves", then the others.
+//! Returns the names of a plant's present organs besides its leaves, in the
+//! order of their groups: "stalk", "sheath", "petiole", "dead_leaves", then the
+//! others.
 std::vector<std::string> organ_names(const Plant& plant);
 
 //! Returns whether any leaf has a petiole, be it present or not.
@@ -161,8 +162,8 @@ void stack_internodes(Plant& plant);
 //! plants that cannot have it.
 void set_present(Plant& plant, const std::string& organ, bool is_present);
 
-//! The surfaces of a plant: its foot at the origin, y along the row, z up.
-//! Group i is leaf i + 1; a group for each of organ_names() follows. The
+//! Returns the surfaces of a plant: its foot at the origin, y along the row, z
+//! up. Group i is leaf i + 1; a group for each of organ_names() follows. The
 //! component of all groups is 0, and materials are those of PlantMaterial.
 //! @throws Error if a blade does not have six width controls.
 Mesh build_plant(const Plant& plant, const Tessellation& tessellation);

@@ -55,7 +55,7 @@ Plant deviating(Plant plant, const PlantVariation& variation,
 double furthest(const Plant& plant, const Leaf& leaf,
                 const PlantVariation& variation = {});
 
-//! A plant all of whose lengths are `size` times as large.
+//! Returns a plant all of whose lengths are `size` times as large.
 Plant scaled(Plant plant, double size);
 
 }  // namespace ideotype

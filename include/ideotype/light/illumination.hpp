@@ -17,7 +17,7 @@ struct Source {
     double energy = 0;  //!< on horizontal ground [J m-2]
     SkySampler sky;     //!< used if there is no direction
     double effort = 1;  //!< paths for its energy, relative to other sources
-    //! Its light meets groups of this pose, besides all that stands.
+    //! The pose whose groups the light meets, besides all that stands.
     std::uint32_t pose = 0;
 };
 

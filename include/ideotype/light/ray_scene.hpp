@@ -70,7 +70,7 @@ struct Surfaces {
     void add(const std::array<std::uint32_t, 4>& face, std::uint32_t group,
              std::uint32_t pose);
 
-    //! Whether a face is there for light of sources of a pose.
+    //! Returns whether a face is there for light of sources of a pose.
     bool is_there(std::size_t face, std::uint32_t pose) const {
         return face_pose[face] == 0 || face_pose[face] == pose;
     }

@@ -49,8 +49,8 @@ struct LeafBalance {
     int roots = 1;
 };
 
-//! The balance of a leaf of known temperature, where stomata let in the CO2
-//! that assimilation takes. Ratios of the conductances of CO2 and water are
+//! Returns the balance of a leaf of known temperature, where stomata let in the
+//! CO2 that assimilation takes. Ratios of the conductances of CO2 and water are
 //! 1.37 (boundary layer) and 1.6 (stomata). If there are several balances it is
 //! that with the most open stomata.
 //! @param absorbed PPFD [umol m-2 s-1]

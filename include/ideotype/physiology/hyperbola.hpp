@@ -13,9 +13,9 @@ inline double discriminant_root(double curvature, double a, double b) {
     return std::sqrt((a - b) * (a - b) + 4 * (1 - curvature) * a * b);
 }
 
-//! The smaller root x of q x^2 - (a + b) x + a b = 0: a smooth minimum of a
-//! and b, each not negative, with a curvature q from 0 (a b / (a + b)) to 1
-//! (the minimum itself). Exact to rounding at either limit.
+//! Returns the smaller root x of q x^2 - (a + b) x + a b = 0: a smooth minimum
+//! of a and b, each not negative, with a curvature q from 0 (a b / (a + b)) to
+//! 1 (the minimum itself). Exact to rounding at either limit.
 inline double smooth_minimum(double curvature, double a, double b) {
     // Without a branch for a and b of 0, so that loops become vectors.
     const double sum = a + b + discriminant_root(curvature, a, b);

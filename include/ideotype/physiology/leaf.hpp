@@ -29,11 +29,11 @@ struct Air {
     double humidity = 0.6;    //!< relative, 0 to 1
 };
 
-//! The leaf with capacities (amax; vmax; vcmax, jmax and tpu) and a respiration
-//! of so many times.
+//! Returns the leaf with capacities (amax; vmax; vcmax, jmax and tpu) and a
+//! respiration of so many times.
 LeafRates scaled(const LeafRates& leaf, double factor);
 
-//! The hyperbola at a temperature [deg C]: amax g(T) / g(30), with g of
+//! Returns the hyperbola at a temperature [deg C]: amax g(T) / g(30), with g of
 //! c4_temperature_response(). phi does not change.
 Hyperbola hyperbola_at(const HyperbolaLeaf& leaf, double temperature);
 

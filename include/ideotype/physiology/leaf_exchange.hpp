@@ -30,8 +30,8 @@ LeafExchange leaf_exchange(const ThermalLeaf& leaf,
                            const LeafSurroundings& around,
                            const LeafExchange* like = nullptr);
 
-//! The exchange of a leaf that has the temperature of the air and no boundary
-//! layer.
+//! Returns the exchange of a leaf that has the temperature of the air and no
+//! boundary layer.
 //! @param net assimilation, whatever it follows from [umol m-2 s-1]
 LeafExchange exchange_at_air_temperature(const Stomata& stomata,
                                          const LeafSurroundings& around,

@@ -35,7 +35,7 @@ struct Photosynthesis {
     double photons = 4.57;
 };
 
-//! The rates of each leaf of a canopy, the lowest first.
+//! Returns the rates of each leaf of a canopy, the lowest first.
 //! @param leaf_area_index of each leaf [m2 m-2 of ground]
 //! @throws Error if there are rates of another number of leaves.
 std::vector<LeafRates> rates_of_leaves(

@@ -72,7 +72,8 @@ const Named<TraitSet>* breeder(const Campaign& campaign,
     return nullptr;
 }
 
-//! The path of a measure in a crop: "leaf[2].length", "organ[0].length".
+//! Returns the path of a measure in a crop: "leaf[2].length",
+//! "organ[0].length".
 //! @param leaf rank of the leaf, if it is a measure of leaves
 std::string key_of(const Plant& plant, const std::string& measure, int leaf) {
     const std::string part = measure.substr(0, measure.find('.')),
@@ -162,8 +163,9 @@ class BaselineCheck {
                                       : "trait set \"" + set->name + '"')});
     }
 
-    //! The bred traits whose bounds are not those that a table begins with,
-    //! and which traits are bred if the rule that the table replaces tells.
+    //! Returns the bred traits whose bounds are not those that a table begins
+    //! with, and which traits are bred if the rule that the table replaces
+    //! tells.
     std::string lines() const {
         std::string text;
         for (std::size_t t = 0; t < wider_.size(); ++t) {

@@ -19,7 +19,7 @@ void check_plant(Draft& draft, const Problems& problems);
 //! The traits of a crop file, and the bounds of its rules.
 void check_traits(Draft& draft, const Problems& problems);
 
-//! Whether nothing is wrong with a trait by itself.
+//! Returns whether nothing is wrong with a trait by itself.
 //! @param problems of the crop
 bool is_sound(std::size_t trait, const Problems& problems);
 

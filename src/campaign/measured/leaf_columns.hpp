@@ -57,7 +57,7 @@ inline constexpr LeafColumn leaf_columns[]{
 };
 inline constexpr auto rank_column = "leaf";
 
-//! The place of a measure among all.
+//! Returns the place of a measure among all.
 inline std::size_t index_of(double Leaf::*value) {
     return static_cast<std::size_t>(
         std::find_if(

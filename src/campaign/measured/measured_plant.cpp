@@ -42,7 +42,7 @@ void require_columns(const LeafTable& table, std::size_t leaves_of_crop,
     }
 }
 
-//! The height of the tip or of the highest point of a leaf that has no
+//! Returns the height of the tip or of the highest point of a leaf that has no
 //! digitised midrib [m].
 double height_of(const Leaf& leaf, const Blade& blade, LeafHeight of) {
     constexpr int steps = 400;

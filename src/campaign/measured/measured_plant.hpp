@@ -8,7 +8,7 @@
 
 namespace ideotype {
 
-//! Whether a file is a table of measured leaves, by its name.
+//! Returns whether a file is a table of measured leaves, by its name.
 bool is_measured(const std::string& path);
 
 //! Reads a table of measured leaves, a line each, into a plant, whose other

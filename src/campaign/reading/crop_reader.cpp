@@ -100,7 +100,7 @@ void CropReader::read_crop_of_table(const std::string& file,
         });
     if (first == tables_above_.end())
         return read_plant_file(file, "# crop", named_at);
-    // It begins and ends with the file that the message is about.
+    // The circle begins and ends with the file that the message names.
     std::rotate(first, tables_above_.end() - 1, tables_above_.end());
     problems_.add(named_at,
                   "the table takes its crop from itself ({} -> {}); name a "

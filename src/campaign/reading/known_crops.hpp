@@ -7,11 +7,11 @@
 
 namespace ideotype {
 
-//! The crops that the program knows by name: those of campaigns/crops.
+//! Returns the crops that the program knows by name: those of campaigns/crops.
 std::vector<std::string> known_crop_names();
 
-//! The text of the crop file of one of them; nothing if there is none of this
-//! name.
+//! Returns the text of the crop file of one of them; nothing if there is none
+//! of this name.
 std::optional<std::string> known_crop(const std::string& name);
 
 }  // namespace ideotype

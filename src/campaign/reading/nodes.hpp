@@ -17,13 +17,13 @@ inline constexpr std::string_view command_line_mark = "--set ";
 //! line.
 Location location(const toml::source_region& source, const std::string& file);
 
-//! The kind of a node in words: "an integer", "a table", ...
+//! Returns the kind of a node in words: "an integer", "a table", ...
 std::string kind(const toml::node& node);
 
-//! Whether a text may be part of the name of a file on any system.
+//! Returns whether a text may be part of the name of a file on any system.
 bool is_name(const std::string& text);
 
-//! A name that resembles any text.
+//! Returns a name that resembles any text.
 std::string make_name(const std::string& text);
 
 }  // namespace ideotype

@@ -24,7 +24,7 @@ std::optional<toml::table> parsed(const std::string& text,
     }
 }
 
-//! The table with one key that a setting stands for.
+//! Returns the table with one key that a setting stands for.
 std::optional<toml::table> read(const std::string& setting,
                                 const std::string& name) {
     const std::size_t end = setting.find('=');
@@ -67,7 +67,7 @@ class Merger {
     }
 
   private:
-    //! The table itself, or the only one of a list.
+    //! Returns the table itself, or the only one of a list.
     toml::table* table_at(toml::node* node, const std::string& name) {
         if (!node) return nullptr;
         if (toml::table* const table = node->as_table()) return table;

@@ -12,7 +12,7 @@ std::optional<std::string> meant_time(const std::string& text);
 std::optional<std::string> meant_date(const std::string& text);
 std::optional<std::string> meant_number(const std::string& text);
 
-//! Whether a text is the time at which a day ends: "24:00".
+//! Returns whether a text is the time at which a day ends: "24:00".
 bool is_midnight(const std::string& text);
 
 //! Returns advice how to correct a line that is not valid TOML.

@@ -18,7 +18,7 @@ namespace {
 //! of their own for nested values only. Campaigns need four parts.
 constexpr int most_parts = 8;
 
-//! The end of a comment or text that begins at a place.
+//! Returns the end of a comment or text that begins at a place.
 std::size_t end_of_opaque(std::string_view text, std::size_t begin) {
     const char quote = text[begin];
     if (quote == '#') return std::min(text.find('\n', begin), text.size());

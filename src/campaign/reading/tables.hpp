@@ -37,8 +37,8 @@ class TableReader {
     //! The values of a table that is left out are those of its parent.
     void locate(const Table& table, const Location& place) const;
     void report_missing(const toml::table& parent, const Table& table) const;
-    //! Whether earlier versions had this key; an error unless it is switched
-    //! off.
+    //! Returns whether earlier versions had this key; an error unless it is
+    //! switched off.
     bool is_gone(const std::string& section, const toml::key& key,
                  const toml::node& value) const;
     //! Returns the keys that unknown ones seem to have been meant for.

@@ -21,7 +21,7 @@ namespace {
 struct Reader : ValueFaults {
     const toml::node& node;
 
-    //! A number of either TOML type, in range; otherwise reports.
+    //! Returns a number of either TOML type, in range; otherwise reports.
     std::optional<double> number(const toml::node& found) const {
         double plain = 0;
         if (const auto* integer = found.as_integer())
@@ -36,7 +36,7 @@ struct Reader : ValueFaults {
         return value;
     }
 
-    //! The texts of an array; otherwise reports.
+    //! Returns the texts of an array; otherwise reports.
     std::optional<std::vector<std::string>> texts(std::size_t count) const {
         const toml::array* array = node.as_array();
         if (!array || array->size() != count)
@@ -50,7 +50,7 @@ struct Reader : ValueFaults {
         return values;
     }
 
-    //! The numbers of an array; otherwise reports.
+    //! Returns the numbers of an array; otherwise reports.
     std::optional<std::vector<double>> numbers(std::size_t count) const {
         const toml::array* array = node.as_array();
         if (!array && count == any_count && node.is_number()) {
@@ -75,7 +75,7 @@ struct Reader : ValueFaults {
 
     void operator()(std::monostate) const {}
 
-    //! A text that is one of the choices; otherwise reports.
+    //! Returns a text that is one of the choices; otherwise reports.
     std::optional<std::string> one_of_choices() const {
         const auto text = node.value<std::string>();
         if (!text) return fail_type(node), std::nullopt;
@@ -172,7 +172,7 @@ struct Reader : ValueFaults {
         *value = *found;
     }
 
-    //! A date in the range; otherwise reports.
+    //! Returns a date in the range; otherwise reports.
     std::optional<Date> date(const toml::node& from) const {
         const toml::value<toml::date>* found = from.as_date();
         if (!found) return fail_type(from), std::nullopt;

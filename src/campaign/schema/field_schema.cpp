@@ -18,7 +18,7 @@ Section spacing_section(Named<Spacing>& named) {
     return section;
 }
 
-//! The names of the crop's traits, unless it could not be read.
+//! Returns the names of the crop's traits, unless it could not be read.
 std::vector<std::string> trait_names(const Draft& draft) {
     std::vector<std::string> known;
     if (draft.is_crop_known)
@@ -54,7 +54,7 @@ Section field_section(FieldForm& field) {
     return section;
 }
 
-//! The optics of plants.
+//! Returns the optics of plants.
 Section plant_optics_section(const std::string& name, PlantOptics& optics) {
     return {name,
             {{"leaf_reflectance", &optics.leaf.reflectance},

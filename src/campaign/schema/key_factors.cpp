@@ -48,7 +48,7 @@ std::vector<NamedKey> variable_keys(Draft& draft) {
     return keys;
 }
 
-//! The numbers of a key; none if it is anything else.
+//! Returns the numbers of a key; none if it is anything else.
 std::optional<std::vector<double>> numbers_of(const Key& key) {
     if (key.is_clock() || key.is_duration()) return std::nullopt;
     if (const auto* number = std::get_if<double*>(&key.value))
@@ -85,7 +85,7 @@ std::string fault(const NamedKey& found) {
     return "";
 }
 
-//! Whether a range lies in that of a key; otherwise reports.
+//! Returns whether a range lies in that of a key; otherwise reports.
 //! @param problems of the factor
 bool is_in_range(const KeyFactor& factor, const NamedKey& found,
                  const Problems& problems) {

@@ -42,7 +42,7 @@ Section light_section(Campaign& campaign) {
     return section;
 }
 
-//! The names of all objectives, those of single components too.
+//! Returns the names of all objectives, those of single components too.
 std::vector<std::string> objectives_of(const Draft& draft) {
     std::vector<std::string> names = objective_names();
     if (draft.components.empty()) return names;

@@ -60,13 +60,13 @@ const Model& model_of(const PhotosynthesisTable& table) {
     return *std::ranges::find(models, table.model, &Model::kind);
 }
 
-//! A leaf with what each_number() tells such a function to fill in.
+//! Returns a leaf with what each_number() tells such a function to fill in.
 LeafRates filled(LeafRates leaf, const auto& with) {
     std::visit([&](auto& each) { each_number(each, with); }, leaf);
     return leaf;
 }
 
-//! The names of the models that a predicate holds for.
+//! Returns the names of the models that a predicate holds for.
 std::vector<std::string> names_of_models(const auto& is_one) {
     std::vector<std::string> names;
     for (const Model& model : models)

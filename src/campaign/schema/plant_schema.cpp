@@ -15,7 +15,7 @@ void add_measures(Section& section, const auto& measures, Part& part) {
     }
 }
 
-//! A part that a plant has once, or does not have.
+//! Returns a part that a plant has once, or does not have.
 template <class Part>
 Section part_section(const std::string& name, const auto& measures,
                      Part& part) {
@@ -128,7 +128,7 @@ Section bounds_section(BoundsEntry& bounds) {
              {"bred", &bounds.is_bred}}};
 }
 
-//! The bounds of a trait, which are those of the measure that it sets.
+//! Returns the bounds of a trait, which are those of the measure that it sets.
 Key own_bounds_key(const Trait& trait, Range& range, Plant& plant) {
     Key key(trait.name, &range, key_info("plant.bounds", "TRAIT"));
     const auto measure =

@@ -9,7 +9,8 @@ namespace ideotype {
 
 namespace {
 
-//! Whether a key need not be there: it has nothing, or a form of its own.
+//! Returns whether a key need not be there: it has nothing, or a form of its
+//! own.
 bool is_empty(const Key& key) {
     if (!key.is_written) return true;
     return std::visit(

@@ -7,15 +7,15 @@
 
 namespace ideotype {
 
-//! The whole campaign as canonical TOML: every key in a fixed order, axes as
-//! arrays of tables, the plant inlined.
+//! Returns the whole campaign as canonical TOML: every key in a fixed order,
+//! axes as arrays of tables, the plant inlined.
 std::string resolved_text(Draft& draft);
 
-//! The keys that are declared as a matter of accuracy, but for those of tables
-//! that there are several of.
+//! Returns the keys that are declared as a matter of accuracy, but for those of
+//! tables that there are several of.
 std::vector<AccuracyKey> accuracy_keys(Draft& draft);
 
-//! A crop file: the plant of a draft alone.
+//! Returns a crop file: the plant of a draft alone.
 std::string resolved_plant_text(Draft& draft);
 
 }  // namespace ideotype

@@ -5,7 +5,7 @@ namespace ideotype {
 
 namespace {
 
-//! The tables [[TABLE.keys]] of keys that are varied.
+//! Returns the tables [[TABLE.keys]] of keys that are varied.
 Table keys_table(const std::string& table, std::vector<KeyFactor>& factors) {
     const auto section_of = [=](KeyFactor& factor) {
         Section section(table + ".keys",

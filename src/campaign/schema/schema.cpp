@@ -9,7 +9,7 @@ namespace ideotype {
 
 namespace {
 
-//! Whether a documented type is that of the place of a value.
+//! Returns whether a documented type is that of the place of a value.
 bool fits(const Target& place, const std::string& type) {
     // The beginnings of types, in the order of the alternatives of a place.
     static const std::vector<std::string> beginnings[] = {

@@ -67,19 +67,20 @@ struct Key {
     //! Lengths above the range may have been given in other units.
     Key& in_metres(const std::vector<MistakenUnit>& others = {
                        {"centimetres", 0.01}});
-    //! One of these texts.
+    //! Allows one of these texts.
     Key& one_of(const std::vector<std::string>& names);
-    //! A list of numbers, or one alone, that is written if there is any.
+    //! Makes it a list, or one number alone, that is written if it has any.
     Key& optional_list();
-    //! Resolved campaigns have it only where that is so.
+    //! Leaves it out of resolved campaigns where that is not so.
     Key& written_if(bool is_so);
-    //! A number that trades speed for accuracy, where that is so.
+    //! Says that it trades speed for accuracy, where that is so.
     //! @param values that `fidelity` tries, the most accurate last
     Key& trades(const std::vector<double>& values, bool is_so = true);
 
-    //! Whether it is a local time, which is kept in hours.
+    //! Returns whether the key is a local time, which is kept in hours.
     bool is_clock() const { return type == "local time"; }
-    //! Whether it may be text such as "1h30m", which is kept in seconds.
+    //! Returns whether the key may be text such as "1h30m", kept in
+    //! seconds.
     bool is_duration() const { return type.starts_with("number or \""); }
 
     std::string name;
@@ -159,31 +160,33 @@ Table list_of_tables(const std::string& name,
             [&records](std::size_t n) { records.assign(n, Record{}); }};
 }
 
-//! The keys before the first table.
+//! Returns the keys before the first table.
 Section top_section(Campaign& campaign);
 
 //! [site] and [climate] of a file that has nothing else; names may be left
 //! out.
 std::vector<Table> climate_file_tables(Campaign& campaign);
 
-//! All tables of a campaign in the order of its resolved text.
+//! Returns all tables of a campaign in the order of its resolved text.
 std::vector<Table> campaign_tables(Draft& draft);
 
-//! The keys of a crop file, or of [plant.baseline], before the first table.
+//! Returns the keys of a crop file, or of [plant.baseline], before the first
+//! table.
 Section plant_file_section(Plant& plant);
 
-//! The names of all organs besides leaves that plants may have.
+//! Returns the names of all organs besides leaves that plants may have.
 std::vector<std::string> all_organs(const Plant& plant);
 
-//! All tables of a crop file.
+//! Returns all tables of a crop file.
 std::vector<Table> plant_tables(Draft& draft);
 
-//! The tables of a crop file that campaigns have too, which go before it.
+//! Returns the tables of a crop file that campaigns have too, which go before
+//! it.
 std::vector<Table> crop_defaults(Draft& draft);
 
-//! The keys of a file of measured lines, before its first table.
+//! Returns the keys of a file of measured lines, before its first table.
 Section lines_section(MeasuredLines& known);
-//! All tables of such a file.
+//! Returns all tables of such a file.
 std::vector<Table> lines_tables(MeasuredLines& known);
 
 // Parts of the tables of a campaign and of a crop file.
@@ -191,25 +194,28 @@ Section site_section(Site& site);
 Section day_section(Named<DaySpan>& day);
 Section climate_section(Named<Climate>& named);
 Section weather_section(SiteWeather& weather);
-//! The keys of how plants of a field, or of a component, differ.
+//! Returns the keys of how plants of a field, or of a component, differ.
 Section variation_section(PlantVariation& variation, const std::string& name);
 Section photosynthesis_section(PhotosynthesisTable& table);
-//! The optics of plants in both bands, and in a campaign those of the soil.
+//! Returns the optics of plants in both bands, and in a campaign those of the
+//! soil.
 Table optics_table(Campaign& campaign, bool has_soil);
-//! The place of the rule of bounds; none where a table has them.
+//! Returns the place of the rule of bounds; none where a table has them.
 Target place_of_rule(Draft& draft);
-//! The bounds of each trait of the crop, as a table of [plant] or [component].
+//! Returns the bounds of each trait of the crop, as a table of [plant] or
+//! [component].
 Table own_bounds_table(Draft& draft, const std::string& parent);
 Table plant_table(Draft& draft);
 Table feasibility_table(Draft& draft);
-//! The tables of panels and objects.
+//! Returns the tables of panels and objects.
 std::vector<Table> object_tables(Campaign& campaign);
-//! The tables [light] and [objective].
+//! Returns the tables [light] and [objective].
 std::vector<Table> measured_tables(Draft& draft);
-//! The table of constraints, with a table in it for each trait that has any.
+//! Returns the table of constraints, with a table in it for each trait that has
+//! any.
 Table constraints_table(Constraints& constraints);
-//! The tables of searches and studies, with tables in them for each key that
-//! is varied, and those of how a run ends and works.
+//! Returns the tables of searches and studies, with tables in them for each key
+//! that is varied, and those of how a run ends and works.
 std::vector<Table> run_tables(Draft& draft);
 
 inline constexpr std::size_t most_components = 20;
@@ -219,11 +225,11 @@ inline constexpr std::size_t most_traits = 100;
 inline constexpr std::size_t most_entries = 10'000;  //!< of an axis
 inline constexpr std::size_t most_cases = 100'000;
 
-//! The value of a key as canonical TOML: shortest text that reads back to
-//! the same value.
+//! Returns the value of a key as canonical TOML: shortest text that reads back
+//! to the same value.
 std::string toml_text(const Key& key);
 
-//! A local clock time [h] as TOML: "07:00:00".
+//! Returns a local clock time [h] as TOML: "07:00:00".
 std::string clock_text(double hours);
 
 //! `-90 .. 90 deg`

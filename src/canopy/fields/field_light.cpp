@@ -134,7 +134,7 @@ class FieldPass {
     }
 
     LitLeaves lit(const RayScene& surfaces, const Mesh& mesh) {
-        // They are the same in all fields.
+        // Groups of leaves are the same in all fields.
         if (shared_.leaves.empty())
             shared_.leaves =
                 leaf_groups(scene_, lines_.groups, found_.leaf_area_index);
@@ -142,7 +142,7 @@ class FieldPass {
                 scene_.photons, shared_.leaves, shared_.layers};
     }
 
-    //! The leaf area of the components that assimilate [m2].
+    //! Returns the leaf area of the components that assimilate [m2].
     double assimilating_area() const {
         double lai = 0;
         for (std::size_t c = 0; c < found_.areas.size(); ++c)

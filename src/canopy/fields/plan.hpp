@@ -9,10 +9,10 @@ namespace ideotype {
 struct Plan {
     explicit Plan(const CanopyRequest& request);
 
-    //! The random numbers of the plants of a field.
+    //! Returns the random numbers of the plants of a field.
     Randomness of_plants(int field) const;
 
-    //! The random numbers of the light in a field.
+    //! Returns the random numbers of the light in a field.
     Randomness of_light(int field) const;
 
     Accuracy accuracy;  //!< in each field

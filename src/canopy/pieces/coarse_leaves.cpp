@@ -60,7 +60,8 @@ class Divider {
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles_;
 };
 
-//! The number of faces of the blade of each face that is to be divided, else 0.
+//! Returns the number of faces of the blade of each face that is to be divided,
+//! else 0.
 std::vector<std::size_t> coarse_blades(const Mesh& mesh) {
     // Leaves of built plants have as many.
     constexpr std::size_t fine_enough = 24;

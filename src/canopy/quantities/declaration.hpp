@@ -166,7 +166,7 @@ inline double over_leaves(const CanopyReport& report,
     return sum;
 }
 
-//! The numbers of the groups that are leaves.
+//! Returns the numbers of the groups that are leaves.
 template <class Number>
 std::vector<Number> of_leaves(const CanopyReport& report,
                               const std::vector<Number>& groups) {

@@ -51,7 +51,7 @@ bool has_plant(const Component& component) {
     return component.plant.has_value();
 }
 
-//! The name of a part of a component, where there are several.
+//! Returns the name of a part of a component, where there are several.
 std::string part_name(const Scene& scene, const Component& component,
                       const std::string& part) {
     return scene.components.size() == 1 ? part : component.name + '_' + part;

@@ -40,7 +40,8 @@ bool has_stalks(const CanopyReport& report) {
                        [](const Group& group) { return !group.id.is_leaf(); });
 }
 
-//! The name of a group, with that of its component where there are several.
+//! Returns the name of a group, with that of its component where there are
+//! several.
 std::string group_name(const CanopyReport& report, std::size_t group) {
     const Group& own = report.groups[group];
     return report.components.size() > 1 && !own.id.is_object()
@@ -48,7 +49,7 @@ std::string group_name(const CanopyReport& report, std::size_t group) {
                : own.name;
 }
 
-//! The sunlit leaf area of an instant is known only with a sun.
+//! Returns whether there is a sun, without which no area is sunlit.
 bool has_sun(const StepReport& step) {
     return step.sunlit && step.budget.leaves_beam.mean > 0;
 }
@@ -117,7 +118,8 @@ Json assimilation_json(const CanopyReport& report, Span span) {
     return json;
 }
 
-//! A number of each band, which `take` finds, as a fraction of its light.
+//! Returns a number of each band, which `take` finds, as a fraction of its
+//! light.
 template <class Take>
 Json by_band(const CanopyReport& report, const Take& take) {
     Json json = Json::object();

@@ -73,8 +73,9 @@ std::string name_of(const std::string& process) {
     return name;
 }
 
-//! The folder of mpirun in /proc, if it started this process, by itself or, as
-//! MPICH does, by a process between; else none. On another node it is a daemon.
+//! Returns the folder of mpirun in /proc, if it started this process, by itself
+//! or, as MPICH does, by a process between; else none. On another node it is a
+//! daemon.
 std::optional<std::string> find_mpirun() {
     std::string process = fmt::format("/proc/{}", getppid());
     if (name_of(process) == "hydra_pmi_proxy") {
@@ -90,9 +91,9 @@ std::optional<std::string> find_mpirun() {
     return std::nullopt;
 }
 
-//! The pipe that mpirun's own output is, if it started this process and that
-//! is one; else -1. Ranks write to mpirun, which crashes or tells nobody when
-//! its output is closed: a rank that has the pipe itself is told of it.
+//! Returns the pipe that mpirun's own output is, if it started this process and
+//! that is one; else -1. Ranks write to mpirun, which crashes or tells nobody
+//! when its output is closed: a rank that has the pipe itself is told of it.
 int pipe_of_mpirun() {
     if (!launch_of_this_process().is_launched) return -1;
     const std::optional<std::string> mpirun = find_mpirun();

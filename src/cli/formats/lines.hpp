@@ -25,8 +25,8 @@ class LineReader {
     //! @param file descriptor that others keep open
     explicit LineReader(int file) : file_(file) {}
 
-    //! The next line; waits for it no longer than this time [s], nor longer
-    //! than to a signal. None if there is none by then, or at the end.
+    //! Returns the next line; waits for it no longer than this time [s], nor
+    //! longer than to a signal. None if there is none by then, or at the end.
     //! @throws Error if it cannot be read.
     std::optional<Line> next(double seconds);
 

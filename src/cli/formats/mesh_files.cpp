@@ -31,7 +31,7 @@ void write_array(OutputFile& out, const std::string& type,
     out.print("\n</DataArray>\n");
 }
 
-//! The leaf rank of "leaf07", 0 of other organs.
+//! Returns the leaf rank of "leaf07", 0 of other organs.
 int organ_of(const std::string& name) {
     int rank = 0;
     constexpr std::string_view leaf = "leaf";

@@ -20,9 +20,11 @@ struct CampaignCost {
     //! Measures evaluations of the baseline in a case.
     CampaignCost(const Campaign& campaign, const Case& chosen);
 
-    //! The time of one case [s]: the slowest worker of a generation counts.
+    //! Returns the time of one case [s]: the slowest worker of a generation
+    //! counts.
     double of_case(int workers) const;
-    //! The time of cases that share a job [s]: they fill each other's gaps.
+    //! Returns the time of cases that share a job [s]: they fill each other's
+    //! gaps.
     double of_cases(std::size_t cases, int workers) const;
 
     Json json(std::size_t cases) const;

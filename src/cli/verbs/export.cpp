@@ -21,7 +21,7 @@ namespace ideotype {
 
 namespace {
 
-//! The measures that tables of these leaves have.
+//! Returns the measures that tables of these leaves have.
 std::vector<Measure<Leaf>> written_measures(const std::vector<Leaf>& leaves) {
     const auto usual = leaf_measures.begin() + usual_leaf_measures;
     std::vector<Measure<Leaf>> written(leaf_measures.begin(), usual);
@@ -80,8 +80,8 @@ std::string about_ground(const Field& field) {
                        cell.period_x, cell.period_y);
 }
 
-//! The PAR that each face of a request's components absorbs, or, as the row's
-//! evaluation draws it, of its field [J m-2 day-1].
+//! Returns the PAR that each face of a request's components absorbs, or, as the
+//! row's evaluation draws it, of its field [J m-2 day-1].
 std::vector<Estimate> light_on_faces(CanopyRequest request, std::size_t faces,
                                      std::optional<int> paths,
                                      const std::string& isa) {
@@ -184,7 +184,7 @@ Case as_it_stood(const Campaign& campaign, const Case& chosen,
     return one;
 }
 
-//! The place of a component that an option names.
+//! Returns the place of a component that an option names.
 std::size_t chosen_component(const Campaign& campaign,
                              const std::string& name) {
     const std::vector<std::string> names = component_names(campaign);

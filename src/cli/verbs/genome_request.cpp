@@ -51,7 +51,7 @@ double number(const Json& json, const char* key) {
     return json.get<double>();
 }
 
-//! All genes; those that are not free stay as in the baseline.
+//! Returns all genes; those that are not free stay as in the baseline.
 Genome read_genome(const Json& json, const ServedCase& served) {
     const GeneSpace& genes = served.genes;
     if (!json.is_array()) refuse("genome", "an array of numbers", json);

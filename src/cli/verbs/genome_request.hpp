@@ -33,23 +33,23 @@ struct GenomeRequest {
     std::vector<std::string> quantities{};  //!< besides the objectives
 };
 
-//! The first line of the output: genes, objectives and quantities.
+//! Returns the first line of the output: genes, objectives and quantities.
 Json hello(const ServedCase& served, int workers);
 
 //! @throws Error if the text is no JSON.
 Json parse_line(const std::string& text);
 
-//! The member `id` of an object; else null.
+//! Returns the member `id` of an object; else null.
 Json id_of(const Json& json);
 
 //! @throws Error of what is wrong with it.
 GenomeRequest read_request(const Json& json, const ServedCase& served);
 
-//! The line about an outcome of a request.
+//! Returns the line about an outcome of a request.
 Json answer(const GenomeRequest& request, const Outcome& outcome,
             const OutcomeSchema& schema);
 
-//! The line about a request that cannot be evaluated.
+//! Returns the line about a request that cannot be evaluated.
 Json refusal(const Json& id, std::uint64_t line, const std::string& message);
 
 }  // namespace ideotype

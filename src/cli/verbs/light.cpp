@@ -36,8 +36,8 @@ std::string light_name(const MeshOptions& options) {
                        90 - options.sun->zenith, options.sun->azimuth);
 }
 
-//! The largest relative error of the leaves' light in any band; infinite if no
-//! path has met a leaf.
+//! Returns the largest relative error of the leaves' light in any band;
+//! infinite if no path has met a leaf.
 double relative_error(const MeshReport& report) {
     double largest = 0;
     for (const BandReport& band : report.canopy.bands) {

@@ -192,7 +192,8 @@ bool place_crop(const std::string& crop, const std::string& path) {
     return false;
 }
 
-//! The text of a campaign that keeps the baseline of a plant within its bounds.
+//! Returns the text of a campaign that keeps the baseline of a plant within its
+//! bounds.
 std::string text_for(const NewOptions& options, const std::string& plant) {
     const fs::path path = options.path;
     Site site;

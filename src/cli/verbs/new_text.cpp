@@ -91,7 +91,7 @@ paths = 4096 # light paths per randomisation
 randomisations = 64 # each in a field of its own
 )";
 
-//! A full hour in TOML, whose days end before 24:00.
+//! Returns a full hour in TOML, whose days end before 24:00.
 std::string clock(double hour) {
     return hour < 24 ? fmt::format("{:02}:00:00", hour) : "\"24:00\"";
 }

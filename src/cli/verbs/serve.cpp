@@ -169,7 +169,7 @@ class Service : public Director {
         return std::nullopt;
     }
 
-    //! None of an empty line and of one that is refused.
+    //! Returns a request; none if the line is empty or refused.
     std::optional<GenomeRequest> read(const Line& line) {
         if (line.text.find_first_not_of(" \t\r") == std::string::npos &&
             !line.is_cut)

@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-//! The files themselves, and for a folder all histories in it.
+//! Returns the files themselves, and for a folder all histories in it.
 std::vector<std::string> histories_in(const std::vector<std::string>& paths) {
     std::vector<std::string> files;
     for (const std::string& path : paths) {
@@ -44,8 +44,8 @@ std::vector<std::string> histories_in(const std::vector<std::string>& paths) {
     return files;
 }
 
-//! The writer is to be looked at before the reason is read: a case that ends
-//! in between is finished, not drained.
+//! Returns the state in words. The writer is to be looked at before the reason
+//! is read: a case that ends in between is finished, not drained.
 std::string state_of(Writer writer, const std::optional<std::string>& reason) {
     if (reason) return "finished";
     if (writer == Writer::alive) return "running";

@@ -66,7 +66,7 @@ double wrapped_into(double x, double period) {
     return w < period ? w : 0;
 }
 
-//! The pose of a group; what no group tells of stands.
+//! Returns the pose of a group; what no group tells of stands.
 std::uint32_t pose_of(const Mesh& mesh, std::uint32_t group) {
     return group < mesh.groups.size() ? mesh.groups[group].pose : 0;
 }

@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 //! The longest that is ever added to the name of a history.
 constexpr std::string_view longest_suffix = ".new";
 
-//! The folder, or the nearest above it that is there.
+//! Returns the folder, or the nearest above it that is there.
 fs::path existing(const fs::path& folder) {
     fs::path nearest = fs::absolute(folder).lexically_normal();
     std::error_code unknown;
@@ -35,7 +35,7 @@ fs::path existing(const fs::path& folder) {
 
 void require_length(const std::string& what, const std::string& text,
                     std::size_t extra, long limit, const std::string& remedy) {
-    // No limit is -1.
+    // A limit of -1 means that there is none.
     if (limit < 0 || text.size() + extra <= static_cast<std::size_t>(limit))
         return;
     throw Error(fmt::format("{}: this {} is {} bytes long with what is added "

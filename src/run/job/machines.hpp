@@ -37,17 +37,17 @@ Machine machine_of(const std::string& text);
 std::vector<Machine> gather_machines(const Session& session,
                                      const Machine& own);
 
-//! The threads that evaluate on each rank: if none wanted, one, or all cores
-//! of a rank that is alone. Collective.
+//! Returns the threads that evaluate on each rank: if none wanted, one, or all
+//! cores of a rank that is alone. Collective.
 int threads_per_rank(const Session& session, const std::optional<int>& wanted);
 
 //! @throws Error (refused) naming what a rank computes with that the first
 //! does not, and both hosts.
 void require_same_program(const std::vector<Machine>& machines);
 
-//! The instruction set for all ranks: the one that is wanted, or the widest
-//! that all have. @throws Error (refused) naming a host that lacks it, with
-//! this remedy.
+//! Returns the instruction set for all ranks: the one that is wanted, or the
+//! widest that all have. @throws Error (refused) naming a host that lacks it,
+//! with this remedy.
 std::string choose_isa(const std::vector<Machine>& machines,
                        const std::optional<std::string>& wanted,
                        const std::string& remedy);

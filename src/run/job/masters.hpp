@@ -15,12 +15,12 @@ namespace ideotype {
 //! serve (tests/scale). Not more than there are cases.
 int masters(std::optional<int> wanted, int ranks, int cases);
 
-//! The part of a rank, if ranks and cases are divided into as many parts as
-//! there are masters. Each has ranks in proportion to its cases, neighbours, of
-//! which the first is the master.
+//! Returns the part of a rank, if ranks and cases are divided into as many
+//! parts as there are masters. Each has ranks in proportion to its cases,
+//! neighbours, of which the first is the master.
 int part_of(int rank, int ranks, int cases, int parts);
 
-//! The cases of a part.
+//! Returns the cases of a part.
 std::vector<Case> dealt(const std::vector<Case>& cases, int part, int parts);
 
 //! Returns how many workers a search keeps busy: each has four plants under

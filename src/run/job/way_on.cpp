@@ -27,7 +27,7 @@ std::string quoted(const std::string& word) {
     return text + "'";
 }
 
-//! The words of a line that quoted() made; of others, some.
+//! Returns the words of a line that quoted() made; of others, some.
 std::vector<std::string> words_of(const std::string& line) {
     std::vector<std::string> words(1);
     bool is_quoted = false;

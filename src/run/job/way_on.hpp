@@ -6,7 +6,7 @@
 
 namespace ideotype {
 
-//! The words as one line that a shell takes apart again as they were.
+//! Returns the words as one line that a shell takes apart again as they were.
 std::string quoted(const std::vector<std::string>& words);
 
 //! Returns whether a line, which may come from a history of unknown origin, is
@@ -14,8 +14,8 @@ std::string quoted(const std::vector<std::string>& words);
 //! ideotype.
 bool is_start(const std::string& line);
 
-//! The line that goes on with a run, started as it was: under mpirun if it had
-//! several ranks.
+//! Returns the line that goes on with a run, started as it was: under mpirun if
+//! it had several ranks.
 //! @param command the quoted command line of the run
 std::string way_on(const std::string& command, int ranks);
 

@@ -109,7 +109,7 @@ void DdCma::update(const MatrixXd& ranked) {
     IDEOTYPE_EXPECT(ranked.cols() == of_correlation_.weights.size());
     IDEOTYPE_EXPECT(ranked.allFinite());
     const auto n = static_cast<double>(mean_.size());
-    // These would be standard normal vectors if they were not selected.
+    // Columns would be standard normal vectors if none were selected.
     const MatrixXd white = inverse_root_ *
                            (scales_ * step_size_).cwiseInverse().asDiagonal() *
                            (ranked.colwise() - mean_);

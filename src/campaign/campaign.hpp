@@ -65,7 +65,7 @@ struct FinalRule {
 //! The time and the attempts that workers may take. It is no part of the study
 //! and may differ when a case is resumed.
 struct AnswerLimits {
-    double deadline = 60;  //!< of an evaluation, at least [s]
+    double deadline = 60;  //!< deadline of an evaluation, at least [s]
     int attempts = 3;
 };
 
@@ -93,7 +93,7 @@ struct Campaign {
     std::string source;    //!< the text of the campaign file as it was read
     std::string resolved;  //!< a complete campaign in canonical form: every
                            //!< key with its value, the plant inlined
-    std::string sha256;    //!< of resolved
+    std::string sha256;    //!< SHA-256 of the resolved text
     std::vector<AccuracyKey> accuracy;
     std::vector<Problem> warnings;  //!< what may be wrong with it
     //! Numbers of the baseline that are outside the bounds in which they would
@@ -113,32 +113,32 @@ struct Campaign {
 
     FieldForm field;  //!< spacing is set per case
     Crop crop;
-    std::vector<Range> bounds;  //!< of trait_numbers(crop)
+    std::vector<Range> bounds;  //!< bounds of trait_numbers(crop)
     double reach = 0;  //!< no leaf within the bounds reaches higher [m]
     Tessellation tessellation;
-    PlantOptics optics = usual_optics;       //!< of plants, in the PAR band
-    double soil_albedo = usual_soil_albedo;  //!< the same of the soil
+    PlantOptics optics = usual_optics;  //!< optics of plants, in the PAR band
+    double soil_albedo = usual_soil_albedo;        //!< albedo of the soil
     std::optional<Photosynthesis> photosynthesis;  //!< if leaves assimilate
     std::optional<LeafWater> water{};  //!< if leaves exchange heat and water
-    Stomata stomata{};                 //!< of the crop's leaves then
-    double water_limit = 0;            //!< of transpiration; 0: none [mm]
+    Stomata stomata{};                 //!< stomata of the leaves of the crop
+    double water_limit = 0;            //!< limit of transpiration; 0: none [mm]
     double par_fraction = 0.45;
     //! Wavebands that light is followed in, beside PAR.
     std::vector<BandEntry> bands;
     bool has_nir = false;  //!< whether near infrared is one of them
     PlantOptics nir_optics = usual_nir_optics;       //!< in the near infrared
-    double nir_soil_albedo = usual_nir_soil_albedo;  //!< the same of the soil
+    double nir_soil_albedo = usual_nir_soil_albedo;  //!< albedo of the soil
     //! The waveband in which the tolerance bounds the light of leaves.
     BoundedBand bounded_band = BoundedBand::par;
     std::vector<ComponentEntry> components;  //!< components beside the crop
     std::vector<PanelEntry> panels;
     std::vector<ObjectEntry> objects;
-    SkyModel sky_model = SkyModel::uniform;  //!< of diffuse light
+    SkyModel sky_model = SkyModel::uniform;  //!< sky model of diffuse light
     //! The number of dates of a climate whose suns stand for all. 0: without a
     //! climate.
     int sun_dates = 3;
-    int stages = 10;    //!< of canopies that grow
-    Accuracy sampling;  //!< of an evaluation during evolution
+    int stages = 10;    //!< stages of canopies that grow
+    Accuracy sampling;  //!< accuracy of evaluations in the search
     //! Quantities that are searched for, in this order.
     std::vector<std::string> maximised{"absorbed_par"}, minimised;
     //! Weight of each component in the objectives, the one that is bred

@@ -17,7 +17,7 @@ struct Climate {
     std::string stamp;  //!< "": that of the format
     ColumnMap columns;
     std::optional<double> wind_height;  //!< above the ground [m]
-    std::optional<double> co2;          //!< of the air [umol mol-1]
+    std::optional<double> co2;          //!< CO2 of the air [umol mol-1]
     //! The day on which plants emerge that then grow; of year 0: they stand as
     //! they are.
     Date emergence{0, 1, 1};
@@ -28,10 +28,10 @@ struct Climate {
 //! The weather of a site in a climate, as it was read.
 struct SiteWeather {
     std::string site, climate;  //!< names
-    std::string sha256;         //!< of the file
-    double utc_offset = 0;      //!< of dates and hours [h]
+    std::string sha256;         //!< SHA-256 of the file
+    double utc_offset = 0;      //!< offset from UTC of dates and hours [h]
     std::vector<Date> dates;
-    std::vector<double> hours;  //!< of each day: the middles of steps [h]
+    std::vector<double> hours;  //!< hours of each day: the middles of steps [h]
     //! Date by date and hour by hour: PAR on a horizontal plane [W m-2], and,
     //! if they are known, temperature [deg C] and relative humidity (0 to 1).
     std::vector<double> beam, diffuse, temperature, humidity;

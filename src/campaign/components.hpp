@@ -15,7 +15,7 @@ namespace ideotype {
 
 //! The places of the plants of a component in the field.
 struct Standing {
-    std::vector<int> rows{};  //!< of the field, from 0
+    std::vector<int> rows{};  //!< rows of the field, from 0
     //! Instead of rows: so many of the places of plants that are bred, drawn
     //! for each field. 0: none.
     int mixed = 0;
@@ -31,7 +31,7 @@ struct ComponentEntry {
     std::string name;
     Standing standing;
     Crop crop;
-    std::vector<Range> bounds;  //!< of trait_numbers(crop)
+    std::vector<Range> bounds;  //!< bounds of trait_numbers(crop)
     TraitSet free;              //!< its bred traits; none: it stays as it is
     PlantOptics optics, nir_optics;
     std::optional<Photosynthesis> photosynthesis{};  //!< if leaves assimilate

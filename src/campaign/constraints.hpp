@@ -19,12 +19,12 @@ using TraitSet = std::vector<std::string>;
 struct TraitConstraint {
     std::string trait;
     double step = 0;          //!< largest between neighbouring leaves; 0: any
-    Range total{0, 1e9};      //!< of all leaves
+    Range total{0, 1e9};      //!< total of all leaves
     bool is_falling = false;  //!< it must not rise from leaf to leaf upwards
     //! Leaves alternate between the two sides of one plane, and none is
     //! further from it [deg]; 0: any.
     double distichous = 0;
-    Range range{-1e9, 1e9};  //!< of each leaf
+    Range range{-1e9, 1e9};  //!< range of each leaf
     int highest = 0;  //!< leaves that it limits, from the top down; 0: all
 };
 

@@ -36,16 +36,16 @@ struct Draft {
 
     Campaign campaign;
     std::vector<TraitEntry> traits;
-    std::vector<BoundsEntry> bounds;  //!< of all rules
+    std::vector<BoundsEntry> bounds;  //!< bounds of all rules
     //! The choice of bounds: a rule, "traits" for their own ranges, or, if it
     //! is empty, own_bounds.
     std::string rule = "traits";
-    std::vector<Range> own_bounds;    //!< of each trait
+    std::vector<Range> own_bounds;    //!< own bounds of each trait
     std::vector<std::string> organs;  //!< that plants have besides leaves
     PhotosynthesisTable photosynthesis;
     WaterTable water;
     MeasuredLines lines;
-    Growth growth;                    //!< of the crop
+    Growth growth;                    //!< growth of the crop
     bool has_growth = false;          //!< the crop file tells it
     bool has_photosynthesis = false;  //!< leaves assimilate
     bool has_water = false;           //!< leaves exchange heat and water
@@ -54,7 +54,7 @@ struct Draft {
     bool has_population = false;      //!< none that the optimizer chooses
     bool has_samples = false;         //!< none that the method chooses
     bool is_study = false;            //!< of sensitivity, and no search
-    SensitivitySettings design;       //!< of studies
+    SensitivitySettings design;       //!< design of studies
     Variation varied;                 //!< by studies
     std::vector<KeyFactor> searched;  //!< keys that searches vary
 
@@ -66,7 +66,7 @@ struct Draft {
     //! Components that are not bred: each has its crop and its name.
     std::vector<std::shared_ptr<Draft>> components;
     std::vector<double> rows;  //!< of the field that a component has, from 1
-    Standing standing;         //!< of a component, without its rows
+    Standing standing;         //!< standing of a component, without its rows
     //! Whether plants of a component differ as its own `campaign.field` tells.
     bool has_variation = false;
 };

@@ -34,8 +34,8 @@ std::vector<double> thermal_times(const Growth& growth, const Date& emergence,
 
 //! A season of a crop: its hours from emergence to the day of maturity.
 struct Season {
-    std::size_t begin = 0, end = 0;  //!< of the steps of the period
-    std::vector<double> times;       //!< of all steps
+    std::size_t begin = 0, end = 0;  //!< first step of the period, and the next
+    std::vector<double> times;       //!< times of all steps
 };
 
 Season season_of(const Campaign& campaign, const Case& chosen,

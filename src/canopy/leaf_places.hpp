@@ -22,9 +22,9 @@ struct LeafPlaces {
     std::vector<std::uint32_t> of;     //!< the place of each piece
     std::vector<double> per_index;     //!< 1 / leaf area index, of pieces
     std::vector<double> index;         //!< leaf area index, of places
-    std::vector<std::uint32_t> group;  //!< of places, each in a run
-    std::vector<std::uint32_t> row;    //!< of places; 0 if none is told
-    std::vector<double> height;        //!< of places [m]
+    std::vector<std::uint32_t> group;  //!< group of places, each in a run
+    std::vector<std::uint32_t> row;    //!< row of places; 0 if none is told
+    std::vector<double> height;        //!< height of places [m]
     //! The part of light that the face of a place that absorbs most absorbs.
     std::vector<double> absorptance;
 };
@@ -54,7 +54,7 @@ class ExpectedLight {
   private:
     const LeafPlaces& places_;
     std::vector<std::uint32_t> first_;  //!< that each place is joined to
-    std::vector<double> scale_;         //!< of sums of first places
+    std::vector<double> scale_;         //!< scale of sums of first places
 };
 
 }  // namespace ideotype

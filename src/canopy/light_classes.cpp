@@ -170,7 +170,7 @@ class Classification {
     ExpectedLight expectation_;
     //! [source][all and without each][place]
     std::vector<std::vector<std::vector<double>>> diffuse_;
-    std::vector<LightClasses> classes_;  //!< of all and without each
+    std::vector<LightClasses> classes_;  //!< classes of all, and without each
 };
 
 }  // namespace

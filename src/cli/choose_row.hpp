@@ -14,7 +14,7 @@ struct ChosenRow {
     Case chosen;
     Task task;
     Row row;
-    OutcomeSchema schema;  //!< of the row
+    OutcomeSchema schema;  //!< schema of the row
     std::string isa;       //!< instruction set
 };
 

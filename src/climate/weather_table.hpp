@@ -135,7 +135,7 @@ struct WeatherValues {
 
 //! A time step, which has a row of the file or lies between rows.
 struct WeatherStep {
-    int line = 0;  //!< of its row, or of the row before it
+    int line = 0;  //!< line of its row, or of the row before it
     ClockTime middle;
     WeatherValues values{};
     SunPosition sun{};   //!< in the middle
@@ -148,7 +148,7 @@ struct WeatherTable {
     std::vector<CsvField> header;  //!< names of the columns
     std::size_t header_line = 0;   //!< from 1
     std::vector<WeatherStep> rows{};
-    double utc_offset = 0;  //!< of the clock [h]
+    double utc_offset = 0;  //!< offset from UTC of the clock [h]
     std::chrono::seconds step{3600};
     //! True if the global light, or else the beam, is told in photons.
     bool counts_photons = false;

@@ -106,7 +106,7 @@ class ObjBuilder {
   private:
     //! There may be millions: their corners are in one list.
     struct Polygon {
-        std::size_t first;  //!< of corners_
+        std::size_t first;  //!< first of corners_
         std::uint32_t count;
         std::uint32_t group;
         int line;

@@ -19,8 +19,8 @@ struct Occurrences {
 //! The statements of an OBJ text that make surfaces: v, f, g and o.
 struct ObjStatements {
     std::string text;               //!< one per line, continuations joined
-    std::vector<int> vertex_lines;  //!< of the file, per vertex
-    std::vector<int> face_lines;    //!< of the file, per face
+    std::vector<int> vertex_lines;  //!< vertex lines of the file, per vertex
+    std::vector<int> face_lines;    //!< face lines of the file, per face
     Occurrences unknown;            //!< not in the OBJ standard, left out
 };
 

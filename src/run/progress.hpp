@@ -65,12 +65,12 @@ class ProgressLog {
 
     const Campaign& campaign_;
     LogLevel level_;
-    int columns_;           //!< of the terminal; 0: a log file
+    int columns_;           //!< columns of the terminal; 0: a log file
     bool is_live_ = false;  //!< the live line is on the terminal
     double started_;
     double shown_ = 0;
-    int evaluations_ = 0;                   //!< of this session
-    int cases_;                             //!< of this session
+    int evaluations_ = 0;                   //!< evaluations of this session
+    int cases_;                             //!< cases of this session
     int ended_ = 0;                         //!< cases
     std::map<int, Entry> in_flight_;        //!< by index of the case
     std::map<int, long long> to_evaluate_;  //!< at most, by index of the case

@@ -46,7 +46,7 @@ struct RunOptions {
     std::optional<int> case_index;
     bool is_resumed = false;
     std::string out = "results";
-    std::optional<double> wall_time;  //!< of this start [s]
+    std::optional<double> wall_time;  //!< wall time of this start [s]
     std::optional<std::string> isa;   //!< instruction set to begin with
     std::optional<int> threads;       //!< see threads_per_rank()
     std::optional<int> masters;  //!< ranks that evolve cases, see masters.hpp

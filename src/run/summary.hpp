@@ -25,18 +25,18 @@ std::size_t best_finalist(const History& history,
 
 //! The result of a case as its history tells it.
 struct CaseResult {
-    std::optional<std::string> reason;  //!< of the end
+    std::optional<std::string> reason;  //!< reason for the end
     double complete = 0, generations = 0;
     double evaluations = 0, failures = 0;
-    double wall_time = 0;  //!< of all sessions [s]
+    double wall_time = 0;  //!< wall time of all sessions [s]
     std::string objective, unit;
     //! The best objective of the final evaluation, or of the last generation.
     std::optional<Estimate> best;
     std::optional<Estimate> hypervolume;
     bool is_evaluated_again = false;
-    double violation = 0;  //!< of the best
+    double violation = 0;  //!< violation of the best
     std::string gain;      //!< over the baseline; "" if it is not known
-    std::string doubt;     //!< of the leaf area of the best
+    std::string doubt;     //!< doubt about the leaf area of the best
     std::size_t finalists = 0, failed_finalists = 0;
     std::string failure;  //!< the first reason of finalists that failed
 };

@@ -62,7 +62,7 @@ class Sweep : public Director {
     std::size_t finished_ = 0;  //!< cases
     std::size_t before_ = 0;    //!< cases that were finished before
     std::size_t doubts_ = 0;    //!< cases whose leaf area is doubtful
-    std::string doubt_;         //!< of the first of them
+    std::string doubt_;         //!< first doubt of those that follow
     bool has_said_how_to_go_on_ = false;
     std::vector<std::string> in_use_;  //!< by other programs
     std::vector<Failure> failures_;

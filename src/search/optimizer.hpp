@@ -14,7 +14,7 @@ namespace ideotype {
 struct SearchSpace {
     GeneSpace genes;
     Genome baseline;                             //!< where the search begins
-    std::vector<Sense> senses{Sense::maximise};  //!< of the objectives
+    std::vector<Sense> senses{Sense::maximise};  //!< senses of the objectives
 };
 
 //! Proposes candidates row by row. A candidate follows from the settings, the

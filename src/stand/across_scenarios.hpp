@@ -43,7 +43,7 @@ class AcrossScenarios {
                            std::size_t objective, Outcome& all) const;
 
     Across across_;
-    std::vector<std::size_t> stages_;      //!< of each scenario
+    std::vector<std::size_t> stages_;      //!< stages of each scenario
     std::vector<OverStages> over_stages_;  //!< of each, where plants grow
     std::vector<ObjectiveEntry> objectives_;
     QuantitySet measured_;

@@ -176,7 +176,7 @@ class SceneBuilder {
     Mesh mesh_;
     const MeshScene& file_;
     std::vector<std::string>& warnings_;
-    std::vector<std::size_t> component_;  //!< of each group
+    std::vector<std::size_t> component_;  //!< component of each group
 };
 
 //! Returns the light of a band that a scene file names.

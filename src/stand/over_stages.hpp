@@ -64,7 +64,7 @@ class OverStages {
 
     std::vector<ObjectiveEntry> objectives_;
     std::vector<Weights> objective_weights_;
-    std::vector<double> days_;   //!< of each stage since emergence
+    std::vector<double> days_;   //!< days of each stage since emergence
     std::vector<double> times_;  //!< of each stage, over that of the season
     //! Places in quantities; transpiration only where leaves exchange water.
     std::vector<std::size_t> incident_, absorbed_, lai_, transpired_;

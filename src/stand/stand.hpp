@@ -103,7 +103,7 @@ class Stand {
                        const Device& device, Take take);
 
     const Campaign& campaign_;
-    std::vector<Case> cases_;    //!< of each scenario and stage
+    std::vector<Case> cases_;    //!< cases of each scenario and stage
     std::vector<Scene> scenes_;  //!< empty until they are set up
     AcrossScenarios across_;
     OutcomeSchema schema_, final_schema_;

@@ -32,7 +32,7 @@ struct Stands {
     const char* campaign = "ames";
     int plants = 0;  //!< rows, and plants of each; 0: of the campaign
     const char* plant = nullptr;
-    std::optional<double> azimuth{};  //!< of the leaves [deg]
+    std::optional<double> azimuth{};  //!< azimuth of the leaves [deg]
     std::optional<Spacing> spacing{};
 };
 

@@ -21,7 +21,7 @@ struct BenchStand {
     Campaign campaign;
     Case chosen;
     Genome baseline;
-    CanopyRequest request;  //!< of the baseline in the first generation
+    CanopyRequest request;  //!< request of the baseline in the first generation
     Device device;
 };
 

@@ -74,7 +74,7 @@ struct PvlibDay {
     Site site;
     DaySpan span;
     double par;   //!< [MJ m-2]
-    double beam;  //!< of it [MJ m-2]
+    double beam;  //!< part of it in the beam [MJ m-2]
 };
 
 void PrintTo(const PvlibDay& day, std::ostream* out) {

@@ -27,7 +27,7 @@ struct ReferenceCase {
 //! A stand whose light is known. Groups can be told apart only under a single
 //! light.
 struct ReferenceScene {
-    std::string origin;  //!< of the known values
+    std::string origin;  //!< origin of the known values
     //! The stand; if random, a realisation of it.
     std::function<Mesh(std::uint32_t realisation)> mesh;
     //! A random stand has a new realisation for each randomisation, so that
@@ -37,7 +37,7 @@ struct ReferenceScene {
     Optics optics;
     std::vector<ReferenceCase> cases;
     Accuracy accuracy;    //!< that gets every standard error below the bound
-    double bound = 2e-4;  //!< of ours
+    double bound = 2e-4;  //!< bound of our error
 };
 
 //! Every value of the exact and trusted references.
@@ -53,7 +53,7 @@ struct Comparison {
     std::string origin;
     Estimate reference;
     Estimate ours;
-    double bound = 0;  //!< of the standard error of ours
+    double bound = 0;  //!< bound of our standard error
 
     //! Returns the difference in combined standard errors.
     double off() const;

@@ -21,7 +21,7 @@ struct Setting {
 struct Setup {
     std::string name;
     std::string isa;         //!< which sets the width of the tree of boxes
-    std::uint64_t seed = 1;  //!< of the light's paths
+    std::uint64_t seed = 1;  //!< seed of the light's paths
     //! More randomisations of fewer paths each, by this factor.
     int split = 1;
     //! Describes the same stand in another way.

@@ -45,7 +45,7 @@ class PlainTracer {
     struct Met {
         double distance = std::numeric_limits<double>::infinity();
         std::size_t face = 0;
-        glm::dvec3 normal{0, 0, 1};  //!< of the adaxial side
+        glm::dvec3 normal{0, 0, 1};  //!< normal of the adaxial side
     };
 
     void follow(glm::dvec3 at, glm::dvec3 direction) {

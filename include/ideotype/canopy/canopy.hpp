@@ -100,14 +100,14 @@ struct ComponentReport {
     //! other organs [m2 m-2].
     double lai = 0, plant_area_index = 0;
     bool assimilates = false;
-    double ground_per_plant = 0;  //!< of all ground [m2]
+    double ground_per_plant = 0;  //!< all ground over the plants [m2]
 };
 
 //! The plants of a row, where rows are told apart.
 struct RowReport {
     std::uint32_t component = 0;
     double position = 0;  //!< along x [m]
-    double width = 0;     //!< of the ground that is nearest to it [m]
+    double width = 0;     //!< width of the ground that is nearest to it [m]
     double ground = 0;    //!< area of that [m2]
     double lai = 0;       //!< one-sided leaf area per area of all ground
     //! If leaves assimilate, per area of all ground.

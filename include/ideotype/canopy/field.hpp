@@ -68,7 +68,7 @@ struct Field {
     std::vector<std::uint32_t> face_plant;
     //! The first plant of each component, then the number of all plants.
     std::vector<std::uint32_t> first_plant;
-    std::vector<std::uint32_t> plant_row{};  //!< of each plant
+    std::vector<std::uint32_t> plant_row{};  //!< row of each plant
     Cell cell;
 };
 

@@ -13,8 +13,8 @@ namespace ideotype {
 struct PanelRows {
     std::string name = "panel";
     double pitch = 0;    //!< from row to row [m]; 0: one row in each cell
-    double height = 0;   //!< of the middle of modules [m]
-    double width = 0;    //!< of modules, across the row [m]
+    double height = 0;   //!< height of the middle of modules [m]
+    double width = 0;    //!< width of modules, across the row [m]
     double tilt = 0;     //!< from level; 90 stands upright [deg]
     double azimuth = 0;  //!< where the front looks, clockwise from north [deg]
     double offset = 0;   //!< of the first row from the edge of the cell [m]
@@ -36,7 +36,7 @@ double tracker_angle(const PanelRows& panels, const SunPosition& sun);
 struct PanelLayout {
     bool is_along = true;  //!< whether they are parallel to the rows of plants
     double across = 0;     //!< period of the cell across panel rows [m]
-    double along = 0;      //!< the same along them [m]
+    double along = 0;      //!< distance along them [m]
 };
 
 //! Returns how rows of panels lie in a cell.

@@ -18,7 +18,7 @@ struct Pieces {
     Mesh mesh;
     std::size_t count = 0;             //!< pieces
     std::vector<std::uint32_t> group;  //!< of the mesh that was cut, per group
-    std::size_t uncut_groups = 0;      //!< of the mesh that was cut
+    std::size_t uncut_groups = 0;  //!< uncut groups of the mesh that was cut
     //! The first of pieces that are the same part of plants that are alike.
     std::vector<std::uint32_t> like;
     //! The row that each group is in, where rows are told apart; plants of
@@ -26,7 +26,7 @@ struct Pieces {
     std::vector<std::uint32_t> row{};
     std::size_t rows = 0;        //!< that are told apart
     std::vector<double> area;    //!< one-sided, of each piece [m2]
-    std::vector<double> height;  //!< of the centre of each piece [m]
+    std::vector<double> height;  //!< height of the centre of each piece [m]
 };
 
 //! Pieces of a blade, at most; a blade of very many faces has more.

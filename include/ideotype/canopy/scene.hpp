@@ -27,7 +27,7 @@ struct Rectangle {
 struct Cell {
     Boundary boundary = Boundary::periodic;
     double period_x = 0;     //!< on which the stand repeats, if periodic [m]
-    double period_y = 0;     //!< the same along the rows [m]
+    double period_y = 0;     //!< period along the rows [m]
     double ground_area = 0;  //!< that all figures refer to [m2]
     //! Ground of an isolated plot; what is not above it is cut away.
     std::optional<Rectangle> kept{};
@@ -41,7 +41,7 @@ struct Cell {
 //! The point of the ground where a plant stands [m].
 struct Place {
     double x = 0, y = 0;
-    std::uint32_t row = 0;  //!< of the cell, from 0
+    std::uint32_t row = 0;  //!< row of the cell, from 0
 };
 
 //! A kind of plant and where its plants stand.
@@ -59,17 +59,17 @@ struct Component {
     //! The plant that the mesh is built of, from which others of its line
     //! deviate; a mesh from elsewhere has none.
     std::optional<Plant> plant{};
-    Tessellation tessellation{};  //!< of that plant
+    Tessellation tessellation{};  //!< tessellation of the plants
     PlantVariation variation{};
     std::optional<Photosynthesis> photosynthesis{};  //!< if leaves assimilate
-    double ground_per_plant = 0;                     //!< of all ground [m2]
+    double ground_per_plant = 0;  //!< all ground over the plants [m2]
     //! The plant full-grown, if it stands as it is at another age.
     std::optional<Plant> full_grown{};
     //! The area of each leaf that grew in the time of the light [m2 per plant],
     //! of plants that grow. Empty: all of it, in the days that photosynthesis
     //! tells.
     std::vector<double> built{};
-    Stomata stomata{};  //!< of leaves that exchange water
+    Stomata stomata{};  //!< stomata of leaves that exchange water
 
     //! Plants in a field, with those that are missing.
     std::size_t plants() const { return mixed > 0 ? mixed : places.size(); }
@@ -91,7 +91,7 @@ struct LeafWater {
     //! True if the air within the canopy is its own: one node, which the canopy
     //! warms and moistens. Else it is the air above.
     bool has_canopy_air = true;
-    double emissivity = 0.96;     //!< of leaves
+    double emissivity = 0.96;     //!< emissivity of leaves
     double stomatal_ratio = 1;    //!< of the lower face over the upper one
     double wind_attenuation = 2;  //!< a in exp(-a (1 - z / h)) in the canopy
     double hot = 35;              //!< leaves that are warmer count [deg C]

@@ -25,13 +25,13 @@ struct TimeStep {
     SunPosition sun;
     Irradiance par;  //!< photosynthetically active, horizontal [W m-2]
     Date date{};     //!< on the clock of the weather file, if there is one
-    std::optional<double> temperature{};  //!< of the air [deg C]
+    std::optional<double> temperature{};  //!< temperature of the air [deg C]
     std::optional<double> humidity{};     //!< relative, 0 to 1
     //! The solar radiation beyond PAR, all of which counts as near infrared,
     //! horizontal [W m-2].
     Irradiance nir{};
     std::optional<double> wind{};      //!< at LightSeries::wind_height [m s-1]
-    std::optional<double> pressure{};  //!< of the air [kPa]
+    std::optional<double> pressure{};  //!< pressure of the air [kPa]
     //! Longwave radiation of the sky, horizontal [W m-2].
     std::optional<double> longwave{};
     bool is_late = false;  //!< after the silking of plants that grow
@@ -44,9 +44,9 @@ struct TimeStep {
 struct LightSeries {
     std::vector<TimeStep> steps;
     int days = 1;
-    double utc_offset = 0;    //!< of the clock of hours [h]
+    double utc_offset = 0;    //!< offset from UTC of the clock of hours [h]
     double wind_height = 10;  //!< above the ground [m]
-    double co2 = 400;         //!< of the air [umol mol-1]
+    double co2 = 400;         //!< CO2 of the air [umol mol-1]
     //! Names of what steps have by an estimate, such as "wind".
     std::vector<std::string> estimated{};
     //! Plants grow: each step has the part of its time for which they are as
@@ -82,7 +82,7 @@ LightSeries clear_days(const Site& site, const DaySpan& span,
 //! The day is the one around the noon that is nearest to 12:00.
 struct Daylight {
     double noon = 12;               //!< when the sun is highest [h]
-    double elevation = 0;           //!< of the sun then [deg]
+    double elevation = 0;           //!< elevation of the sun then [deg]
     std::optional<double> sunrise;  //!< [h]; none if it is up, or down, all day
     std::optional<double> sunset;   //!< [h]; none if it is up, or down, all day
 };

@@ -14,7 +14,7 @@ enum class SkyModel { uniform, overcast, clear };
 //! The shape of a sky's radiance.
 struct SkyRadiance {
     SkyModel model = SkyModel::uniform;
-    SunPosition sun;  //!< of a clear sky; azimuth in the axes of the caller
+    SunPosition sun;  //!< sun of a clear sky; azimuth in the axes of the caller
 };
 
 //! Radiance of the light that travels in a direction (unit length, z up), up

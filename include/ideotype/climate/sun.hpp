@@ -14,7 +14,7 @@ struct Site {
     std::string name;
     double latitude = 0;         //!< [deg], north positive
     double longitude = 0;        //!< [deg], east positive
-    double utc_offset = 0;       //!< of the local clock [h]
+    double utc_offset = 0;       //!< offset from UTC of the local clock [h]
     double elevation = 0;        //!< above sea level [m]
     double linke_turbidity = 3;  //!< [-], 2 very clear ... 7 hazy
     std::string weather{};       //!< file of it, if there is one

@@ -26,8 +26,8 @@ struct Trait {
     int points = 4;  //!< of a profile, from the lowest leaf to the highest
     TraitEffect effect = TraitEffect::sets;
     std::vector<std::string> measures;  //!< that it acts on: "leaf.length"
-    std::string unit;                   //!< of its numbers; "1": a factor
-    Range range;                        //!< of each number
+    std::string unit;                   //!< unit of its numbers; "1": a factor
+    Range range;                        //!< range of each number
     bool is_circular = false;           //!< both ends of range are the same
     //! True if campaigns that name no trait set breed it.
     bool is_bred = true;
@@ -49,7 +49,7 @@ struct Crop {
 struct TraitNumber {
     std::size_t trait = 0;  //!< place in Crop::traits
     int leaf = 0;           //!< rank from the lowest, 1; 0: not of one leaf
-    int point = 0;          //!< of a profile, from 1; 0: none
+    int point = 0;          //!< point of a profile, from 1; 0: none
 };
 
 //! Returns all numbers of all traits in the order of a genome: leaf by leaf the

@@ -13,7 +13,7 @@ namespace ideotype {
 //! death, and keep a final area that follows their rank. Defaults are a hybrid
 //! of the Corn Belt.
 struct Growth {
-    int leaves = 19;       //!< of the main stem, from the lowest rank, 1
+    int leaves = 19;       //!< leaves of the main stem, from the lowest rank, 1
     double interval = 44;  //!< between the tips of successive leaves [deg C d]
     //! The area of the largest blade [m2], and its rank over the number of
     //! leaves.
@@ -33,7 +33,7 @@ struct Growth {
     double silking = 20;    //!< after `leaves` intervals [deg C d]
     double maturity = 970;  //!< after silking [deg C d]
     double internode_rate = 0.002;  //!< growth of an internode [m / (deg C d)]
-    double base = 8, cap = 34;      //!< of thermal time [deg C]
+    double base = 8, cap = 34;      //!< limits of thermal time [deg C]
 
     bool operator==(const Growth&) const = default;
 };
@@ -43,7 +43,7 @@ struct LeafDates {
     double tip = 0;     //!< when it begins to appear
     double collar = 0;  //!< when the whole blade is out
     double death = 0;   //!< when it begins to fade
-    double area = 0;    //!< of the full-grown blade, one-sided
+    double area = 0;    //!< area of the full-grown blade, one-sided
 };
 
 //! The parts of a blade that are out at a thermal time [m2].

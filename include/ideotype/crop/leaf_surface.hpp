@@ -68,7 +68,7 @@ class LeafSurface {
 
     Leaf leaf_;
     Blade blade_;
-    glm::dvec3 base_;  //!< of the midrib
+    glm::dvec3 base_;  //!< base of the midrib
     std::array<BladeRow, controls_along> controls_;
     std::vector<glm::dvec2> digitised_;  //!< relative arc length, angle [deg]
     std::array<glm::dvec2, 33> midrib_;  //!< of a digitised one, equal steps

@@ -16,14 +16,14 @@ struct LineTrait {
     //! that is so many ranks away, such as "ear+1" or "top-1". A rank beyond
     //! the leaves of a plant stands for its lowest or highest leaf.
     std::string leaf;
-    double mean = 0;       //!< of the lines, in the unit of the measure
+    double mean = 0;       //!< mean of the lines, in the unit of the measure
     double deviation = 1;  //!< standard deviation of the lines
 };
 
 //! One line, by the means of its plants.
 struct MeasuredLine {
     std::string name;
-    std::vector<double> values;  //!< of the traits
+    std::vector<double> values;  //!< values of the traits
 };
 
 //! Lines of a crop that exist, as means and covariances of what was measured of

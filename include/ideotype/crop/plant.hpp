@@ -103,7 +103,7 @@ inline constexpr std::uint32_t plant_materials = 3;
 struct Organ {
     std::string name;
     bool is_present = true;
-    PlantMaterial material = PlantMaterial::stalk;  //!< of its surface
+    PlantMaterial material = PlantMaterial::stalk;  //!< material of its surface
     int leaf = 0;       //!< rank of the leaf that it is at; 0: the stalk's top
     double offset = 0;  //!< above that [m]
     int count = 1;      //!< evenly spaced about the stalk

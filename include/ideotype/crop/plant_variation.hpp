@@ -17,8 +17,8 @@ using LeafSpread = std::vector<double>;
 //! The differences of plants of one line in a field: standard deviations of
 //! distributions that end at three of them.
 struct PlantVariation {
-    double length = 0;              //!< of each blade, relative, normal
-    double width = 0;               //!< of each blade, relative, normal
+    double length = 0;              //!< length of each blade, relative, normal
+    double width = 0;               //!< width of each blade, relative, normal
     LeafSpread insertion_angle{0};  //!< normal
     LeafSpread azimuth{0};          //!< normal
     //! Relative deviation of the whole plant, normal: stalk, sheaths and where

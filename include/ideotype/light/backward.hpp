@@ -69,7 +69,7 @@ class BackwardLight {
     const RayScene& scene_;
     const std::vector<Group>& groups_;
     const std::vector<Source>& sources_;
-    std::vector<std::uint32_t> poses_;  //!< of sources
+    std::vector<std::uint32_t> poses_;  //!< poses of sources
     Optics optics_;
     Lambertian soil_;
 };

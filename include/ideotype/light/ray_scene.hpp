@@ -179,7 +179,7 @@ class RayScene {
         Part& operator=(Part&&) noexcept;
 
         std::vector<std::array<float, 4>> corners;  //!< four per face, x y z 0
-        std::vector<std::uint32_t> face;            //!< of each image
+        std::vector<std::uint32_t> face;  //!< face that each image shows
         std::unique_ptr<Handle> handle;
         Interval heights;
     };

@@ -20,7 +20,7 @@ struct BudgetEstimate {
     //! all sides.
     Estimate entered;
     Estimate leaves;
-    Estimate organs;   //!< and sheaths and all other organs
+    Estimate organs;   //!< stalks, sheaths and other organs
     Estimate plants;   //!< leaves and organs
     Estimate objects;  //!< fixed objects
     Estimate soil;

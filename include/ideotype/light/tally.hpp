@@ -14,7 +14,7 @@ namespace ideotype {
 //! The parts of the light of one source, by where it went [J m-2 of ground].
 struct Budget {
     double leaves = 0;
-    double organs = 0;   //!< and sheaths and all other organs
+    double organs = 0;   //!< stalks, sheaths and other organs
     double objects = 0;  //!< fixed objects
     double soil = 0;
     double reflected = 0;

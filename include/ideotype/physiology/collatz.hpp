@@ -28,9 +28,9 @@ Colimitation collatz_at(const CollatzLeaf& leaf, double temperature, double ci);
 struct CollatzFactors {
     explicit CollatzFactors(double temperature);
 
-    double capacity;     //!< of vmax
-    double co2;          //!< of k
-    double respiration;  //!< of that in the dark
+    double capacity;     //!< temperature response of vmax
+    double co2;          //!< temperature response of k
+    double respiration;  //!< factor of respiration in the dark
 };
 
 //! collatz_at() of one temperature for many values of CO2.
@@ -52,7 +52,7 @@ class CollatzAt {
 
   private:
     Colimitation without_co2_;
-    double slope_;  //!< of the response to CO2 [mol m-2 s-1]
+    double slope_;  //!< slope of the response to CO2 [mol m-2 s-1]
 };
 
 //! Dark respiration [umol m-2 s-1] at a temperature [deg C]:

@@ -43,7 +43,7 @@ struct SurfaceAir {
 struct LeafBalance {
     double net = 0;          //!< assimilation [umol m-2 s-1]
     double ci = 0;           //!< CO2 within the leaf [umol mol-1]
-    double conductance = 0;  //!< of the stomata [mol m-2 s-1]
+    double conductance = 0;  //!< conductance of the stomata [mol m-2 s-1]
     //! Balances that were seen, always odd in number. In dry calm air there are
     //! up to three by Ball and Berry, some closed and one open.
     int roots = 1;
@@ -64,12 +64,12 @@ struct LeafSurroundings {
     double ppfd = 0;          //!< [umol m-2 s-1]
     double nir = 0;           //!< [W m-2]
     double longwave = 0;      //!< [W m-2]
-    double temperature = 0;   //!< of the air [deg C]
+    double temperature = 0;   //!< temperature of the air [deg C]
     double humidity = 0;      //!< relative, 0 to 1
     double co2 = 400;         //!< [umol mol-1]
     double pressure = 101.3;  //!< [kPa]
     double wind = 0;          //!< at the leaf [m s-1]
-    double width = 0.08;      //!< of the blade at this point, above 0 [m]
+    double width = 0.08;      //!< width of the blade at this point, above 0 [m]
 };
 
 //! A leaf that exchanges heat and water.
@@ -84,7 +84,7 @@ struct ThermalLeaf {
 
 //! Where a leaf's energy is in balance, per area of leaf.
 struct EnergyBalance {
-    double temperature = 0;    //!< of the leaf [deg C]
+    double temperature = 0;    //!< temperature of the leaf [deg C]
     double net = 0;            //!< assimilation [umol m-2 s-1]
     double conductance = 0;    //!< of the stomata for vapour [mol m-2 s-1]
     double ci = 0;             //!< CO2 within the leaf [umol mol-1]

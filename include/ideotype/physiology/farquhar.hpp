@@ -64,7 +64,7 @@ struct FarquharFactors {
     double vcmax, tpu, jmax;
     double yield;            //!< electrons for each absorbed photon [-]
     double rise, curvature;  //!< what is added to theta, what is taken off [-]
-    double respiration;      //!< of that in the dark
+    double respiration;      //!< factor of respiration in the dark
 };
 
 //! farquhar_at() of one temperature for many values of CO2.

@@ -12,7 +12,7 @@ struct LeafExchange {
     Expansion net;            //!< assimilation [umol m-2 s-1]
     Expansion transpiration;  //!< [mmol m-2 s-1]; negative if dew falls
     double conductance = 0;   //!< of the stomata for vapour [mol m-2 s-1]
-    double temperature = 0;   //!< of the leaf [deg C]
+    double temperature = 0;   //!< temperature of the leaf [deg C]
     double sensible = 0;      //!< heat [W m-2]
     double warmer = 0;        //!< than the air [K]
 };

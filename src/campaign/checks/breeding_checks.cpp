@@ -17,7 +17,7 @@ namespace {
 //! components.
 struct BredCrop {
     Draft& draft;
-    std::string table;     //!< of its bounds: "plant" or "component"
+    std::string table;     //!< table of its bounds: "plant" or "component"
     Problems of_table;     //!< "plant" or "component[0]"
     Problems of_baseline;  //!< "plant.baseline" or "component[0].crop"
 
@@ -192,7 +192,7 @@ class BaselineCheck {
 
     const BredCrop& bred_;
     Draft& draft_;
-    std::string table_;  //!< of own bounds
+    std::string table_;  //!< table of the bounds
     Crop crop_;
     //! The bounds of each bred trait, widened to hold the baseline's numbers.
     std::vector<std::optional<Range>> wider_;

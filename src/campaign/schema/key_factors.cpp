@@ -17,10 +17,10 @@ namespace {
 
 //! A key of the campaign under the name that --set has for it.
 struct NamedKey {
-    std::string section;  //!< of messages
+    std::string section;  //!< section of messages
     std::string name;
     Key key;
-    std::size_t tables;  //!< of its kind
+    std::size_t tables;  //!< tables of its kind
     bool is_there;       //!< in the campaign
 };
 

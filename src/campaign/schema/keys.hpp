@@ -18,7 +18,7 @@ struct KeyInfo {
     std::string initial;  //!< the default in TOML or words, or "required"
     std::string meaning;
     std::string example;             //!< as TOML, if messages need one
-    double lower = 0, upper = 0;     //!< of numbers; the same: none
+    double lower = 0, upper = 0;     //!< limits of numbers; none if equal
     std::vector<std::string> texts;  //!< that are allowed; none: any
 
     bool is_required() const { return initial == "required"; }

@@ -86,14 +86,14 @@ struct Key {
     std::string name;
     Target value;
     std::string type, unit;
-    double lower = 0, upper = 0;  //!< of numbers; the same: none
+    double lower = 0, upper = 0;  //!< limits of numbers; none if equal
     std::string range;            //!< in words, if it is no numbers or texts
     std::vector<std::string> choices;  //!< texts that are allowed; none: any
     std::string example;               //!< as TOML, shown in messages
     bool is_required = false;
     bool is_any_text = false;  //!< not only a name
     bool is_written = true;    //!< in resolved campaigns
-    std::size_t count = 0;     //!< of the numbers of a list; 0: any
+    std::size_t count = 0;     //!< count of the numbers of a list; 0: any
     //! Units that a number above the range may have been given in.
     std::vector<MistakenUnit> mistaken{};
     std::vector<double> accuracy{};  //!< see trades()

@@ -17,7 +17,7 @@ struct WaterTable {
     LeafWater rules;
     Stomata::Model model = Stomata::Model::medlyn;
     std::optional<double> intercept{}, slope{};
-    double limit = 0;  //!< of transpiration on all days; 0: none [mm]
+    double limit = 0;  //!< limit of transpiration on all days; 0: none [mm]
 };
 
 Section water_section(WaterTable& table);

@@ -25,12 +25,12 @@ struct Lines {
     //! Leaves are cut into pieces, or rows are told apart; then there are:
     bool are_cut = false;
     std::vector<Pieces> pieces;  //!< without their meshes
-    std::vector<Mesh> meshes;    //!< of the pieces
-    std::vector<Group> groups;   //!< of the scene before leaves were cut
+    std::vector<Mesh> meshes;    //!< meshes of the pieces
+    std::vector<Group> groups;   //!< groups of the scene before leaves were cut
     //! The width of blades of each group of plants, if leaves exchange heat
     //! [m].
     std::vector<double> widths;
-    double height = 0;  //!< of the highest plant then [m]
+    double height = 0;  //!< height of the highest plant [m]
 };
 
 //! Returns the bands that light is followed in, see SharedByFields.
@@ -41,13 +41,13 @@ Bands bands_of(const Scene& scene);
 //! that are not known before.
 struct SharedByFields {
     Layers layers;
-    std::vector<LeafGroup> leaves{};  //!< of each group of the lines
+    std::vector<LeafGroup> leaves{};  //!< leaves of each group of the lines
     //! The bands of the scene, and the longwave radiation of the sky as one in
     //! which surfaces are black, if leaves exchange heat.
     Bands bands;
     std::optional<Simulation>
         trial{};  //!< the work that the tolerance asks for
-    std::vector<std::optional<CanopyAir>> air{};  //!< of each step
+    std::vector<std::optional<CanopyAir>> air{};  //!< air of each step
 };
 
 //! Light and assimilation in some fields: by randomisation of all of them, or,
@@ -65,7 +65,7 @@ struct FieldLight {
     SunlitFractions sunlit;                   //!< by points of leaves
     SunlitFractions hit_by_sun;               //!< by first hits
     std::vector<LightClasses> light_classes;
-    std::vector<PlantArea> areas;         //!< of components [m2 m-2]
+    std::vector<PlantArea> areas;         //!< areas of components [m2 m-2]
     std::vector<double> leaf_area_index;  //!< of groups of the lines
     std::vector<double> areas_of_groups;  //!< of all copies of faces [m2]
     //! Leaf area index of each row, where they are told apart, and group.

@@ -132,7 +132,7 @@ class FieldGroups {
     const std::vector<Group>& groups_;
     Pieces& result_;
     std::vector<Share> shares_;
-    std::uint32_t first_ = 0;  //!< of the field's groups that comes next
+    std::uint32_t first_ = 0;  //!< first of the field's groups that comes next
     std::uint32_t cut_from_ = 0;
     std::uint32_t all_ = 0;  //!< groups but those of objects
 };

@@ -24,7 +24,7 @@ using TakeNumbers = std::function<std::vector<Estimate>(const CanopyReport&)>;
 //! Takes a profile from a report, each number by randomisation too.
 using TakeProfile = std::function<std::vector<Randomised>(const CanopyReport&)>;
 
-inline constexpr double grams_of_carbon = 12.011;  //!< of a mol
+inline constexpr double grams_of_carbon = 12.011;  //!< grams of carbon of a mol
 
 // Units of light and of CO2 on a mean day, per ground area.
 inline constexpr auto daily = "MJ m-2 day-1", rate = "mol m-2 day-1";

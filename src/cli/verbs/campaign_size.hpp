@@ -67,7 +67,7 @@ class Extent {
 //! The ranges over the stands of all cases and their scenarios.
 struct Stands {
     Extent period_x, period_y;   //!< [m]
-    Extent lai;                  //!< of the baseline and other components
+    Extent lai;                  //!< LAI of the baseline and other components
     Extent steps, par, diffuse;  //!< number, [J m-2 day-1], part of it
     //! A row for each site and day or climate: sun and light.
     std::vector<Json> sky;

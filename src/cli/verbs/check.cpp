@@ -97,7 +97,7 @@ struct Findings {
     Stands stands;
     CampaignCost cost;
     DiskRoom room;
-    double excess;  //!< of constraints, by the baseline
+    double excess;  //!< excess of constraints, by the baseline
     std::size_t genes, free_genes;
 };
 

@@ -28,7 +28,7 @@ struct ServedCase {
 struct GenomeRequest {
     Json id;                 //!< that comes back with the answer; may be null
     std::uint64_t line = 0;  //!< from 1
-    Genome genome;           //!< of all genes
+    Genome genome;           //!< values of all genes
     SamplingRequest sampling{};
     std::vector<std::string> quantities{};  //!< besides the objectives
 };

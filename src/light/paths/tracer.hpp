@@ -76,7 +76,7 @@ class Tracer {
     const Counted& counted_;
     const RayScene& scene_;
     std::vector<Material> surfaces_;    //!< soil, sky and those of groups
-    std::vector<std::uint32_t> poses_;  //!< of sources
+    std::vector<std::uint32_t> poses_;  //!< poses of sources
 };
 
 }  // namespace ideotype

@@ -145,7 +145,7 @@ TEST(GrowingSeason, AClimateThatPlantsCannotGrowInIsAnError) {
         return std::string();
     };
     EXPECT_NE(message({"plant.baseline=\"crops/maize.toml\""})
-                  .find("the crop file tells no growth"),
+                  .find("the crop file does not tell how plants grow"),
               std::string::npos);
     Campaign campaign = growing();
     EXPECT_NE(std::find_if(campaign.warnings.begin(), campaign.warnings.end(),

@@ -158,7 +158,7 @@ struct Campaign {
     //! Each row has light of its own in the field of all; else those of a
     //! generation share both.
     bool has_light_by_row = false;
-    //! To vary keys again, if there are any: see at_keys().
+    //! The draft whose keys at_keys() varies, if there are any.
     std::shared_ptr<const Draft> draft;
     StopRules stop;
     FinalRule final_rule;

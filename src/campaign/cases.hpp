@@ -34,7 +34,7 @@ struct Stage {
     std::optional<Date> date{};  //!< whose hours alone it stands for, if given
 };
 
-//! One point of the sweep: a single evolution with its own history.
+//! A point of the sweep: a single evolution with its own history.
 struct Case {
     int index = 0;
     std::string name;        //!< also the name of its file
@@ -90,7 +90,7 @@ Case case_at(const Campaign& campaign, int index, const std::string& path);
 //! Returns the climate of a case.
 const Climate& climate_of(const Campaign& campaign, const Case& chosen);
 
-//! One plant for each component, that of the campaign's crop first.
+//! A plant for each component, that of the campaign's crop first.
 using Plants = std::vector<Plant>;
 
 //! Returns the numbers of the crop's baseline, then those of components that

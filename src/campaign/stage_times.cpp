@@ -47,7 +47,7 @@ class Shapes {
                 visible > 0 ? unfolded / visible : 0};
     }
 
-    //! When half of the first leaf is out.
+    //! Returns the time when half of the first leaf is out.
     double first() const {
         return (dates_.front().tip + dates_.front().collar) / 2;
     }

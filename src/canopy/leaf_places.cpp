@@ -99,7 +99,7 @@ double relative_variance(const LeafPlaces& places,
     for (std::size_t p = 0; p < places.count(); ++p) {
         const Estimate mean = estimate({&of_joined[p * n], n});
         all += index[p];
-        // One that a single randomisation has met has a variance of 1.
+        // A place that a single randomisation has met has a variance of 1.
         sum +=
             index[p] *
             (mean.mean > 0 ? std::pow(mean.standard_error / mean.mean, 2) : 1);

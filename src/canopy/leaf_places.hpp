@@ -10,8 +10,8 @@
 
 namespace ideotype {
 
-//! Where leaves absorb light: pieces, and places, which are the pieces that
-//! are the same part of plants that are alike.
+//! The parts of leaves that absorb light: pieces, and places, which are the
+//! pieces that are the same part of plants that are alike.
 struct LeafPlaces {
     //! @param is_each whether each piece is a place of its own
     LeafPlaces(const Pieces& pieces, const LitLeaves& lit, bool is_each);

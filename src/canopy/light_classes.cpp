@@ -144,8 +144,8 @@ class Classification {
         }
     }
 
-    //! By randomisation: the mean is that of all, the scatter that of the
-    //! pseudo-values of a jackknife.
+    //! Returns classes by randomisation: the mean is that of all, the scatter
+    //! that of the pseudo-values of a jackknife.
     std::vector<LightClasses> values() const {
         const auto n = static_cast<double>(tallies_.size());
         std::vector<LightClasses> result(tallies_.size(),
@@ -168,7 +168,7 @@ class Classification {
     const SeriesIllumination& light_;
     LeafPlaces places_;
     ExpectedLight expectation_;
-    //! [source][all and without each][place]
+    //! Diffuse light [source][all and without each][place].
     std::vector<std::vector<std::vector<double>>> diffuse_;
     std::vector<LightClasses> classes_;  //!< classes of all, and without each
 };

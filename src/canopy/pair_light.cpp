@@ -126,7 +126,7 @@ std::uint32_t step_of(double cosine) {
 
 }  // namespace
 
-//! Into bins.
+//! Sorts hits into bins.
 void PairLight::sort_hits() {
     std::vector<std::size_t> end(places_.count() + 1);
     for (const Hit& hit : hits_) ++end[places_.of[hit.piece] + 1];

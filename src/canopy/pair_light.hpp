@@ -43,7 +43,7 @@ struct SkyLight {
     std::vector<double> by_piece;  //!< [randomisation][piece]
     std::vector<double> by_place;  //!< [randomisation][place]
     std::vector<double> squares;   //!< sums over randomisations, by piece
-    //! By piece: of the light in a randomisation, and of its square.
+    //! Weights by piece of the light in a randomisation, and of its square.
     std::vector<double> weight, weight_of_square;
 };
 

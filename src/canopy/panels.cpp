@@ -14,7 +14,7 @@ namespace ideotype {
 
 namespace {
 
-//! Where the front looks, in quarters of a turn from the y axis of a cell.
+//! Returns the azimuth of the front in quarters from the y axis of a cell.
 double quarters_of(const PanelRows& panels, double row_direction) {
     return (panels.azimuth - row_direction) / 90;
 }

@@ -66,7 +66,7 @@ Error unknown_word(const CLI::App& verb) {
         ExitCode::usage);
 }
 
-//! Most verbs would do the same work on each rank.
+//! Refuses several ranks for verbs that would all do the same.
 void require_shared_work(const CLI::App& verb, const Launch& launch) {
     const std::string& name = verb.get_name();
     if (launch.size == 1 || name == "run" || name == "sensitivity" ||

@@ -11,7 +11,7 @@
 
 namespace ideotype {
 
-//! Most threads that `--threads` starts.
+//! The most threads that `--threads` starts.
 inline constexpr int most_threads = 4096;
 
 //! Reads how many threads "3" or "auto" stands for.

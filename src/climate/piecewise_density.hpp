@@ -65,8 +65,8 @@ class PiecewiseDensity {
         return p;
     }
 
-    //! Where in [-1, 1] the integral from -1 reaches an amount: Newton's
-    //! method, or bisection where that would leave the bracket.
+    //! Returns where in [-1, 1] the integral from -1 reaches an amount:
+    //! Newton's method, or bisection where that would leave the bracket.
     static double solve(const Values& values, double amount) {
         // Scaled coefficients: those of the density over (2 k + 1).
         Values c{};

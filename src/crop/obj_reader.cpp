@@ -138,7 +138,7 @@ class ObjBuilder {
                 fail(polygon.line,
                      "a corner is vertex 0 (vertices are counted from 1); "
                      "correct it");
-            // Below zero means backwards from the last vertex so far.
+            // A number below 0 counts backwards from the last vertex so far.
             const auto vertices =
                 static_cast<long long>(result_.mesh.vertices.size());
             corners_.push_back(
@@ -217,7 +217,7 @@ class ObjBuilder {
 
 ObjMesh parse_obj(std::string text, const std::string& file) {
     ObjStatements statements = pick_statements(text, file);
-    // One text of a large mesh at a time is enough.
+    // The text of a large mesh is not needed any more.
     text = {};
     ObjBuilder builder(file, statements);
     {

@@ -151,7 +151,7 @@ class Checker {
                  quoted(word.text) + " is not a finite coordinate; correct it");
     }
 
-    //! "vertex", "vertex/texture", "vertex//normal" ...
+    //! Checks "vertex", "vertex/texture", "vertex//normal" ...
     void check_index(int line, const Word& word) const {
         const std::string_view text = word.text.substr(0, word.text.find('/'));
         int index = 0;

@@ -10,7 +10,7 @@ namespace ideotype {
 
 namespace {
 
-//! exp(c - E / R T), with an energy of activation E [kJ mol-1].
+//! Returns exp(c - E / R T), with an energy of activation E [kJ mol-1].
 double arrhenius(double c, double energy, double temperature) {
     return std::exp(c - energy / (gas_constant * (temperature + kelvin)));
 }

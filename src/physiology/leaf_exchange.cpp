@@ -217,7 +217,7 @@ class Sweeps {
            latent_ = 0;
 };
 
-//! energy_balance() with derivatives at the balance.
+//! Does what energy_balance() does, with derivatives at the end.
 template <class Rates>
 LeafExchange from_balance(const Rates& rates, const ThermalLeaf& leaf,
                           const LeafSurroundings& around) {

@@ -41,7 +41,7 @@ double root(const Function& f, Point low, Point high, double tolerance) {
     return (low.x + high.x) / 2;
 }
 
-//! root() between two places, of a function that does not fall.
+//! Returns root() between two places, of a function that does not fall.
 template <class Function>
 double root(const Function& f, double low, double high, double tolerance) {
     const Point first{low, f(low)}, last{high, f(high)};

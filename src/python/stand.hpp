@@ -79,7 +79,7 @@ class CaseStand {
     //! @throws Error if the request is impossible
     Outcome evaluate(const Genome& genome, const SamplingRequest& request);
 
-    //! One plant of a component at the origin, y along the row [m].
+    //! Returns a plant of a component at the origin, y along the row [m].
     //! @param thermal_time since emergence [deg C d]; none: full-grown
     //! @throws Error if there is one, and plants of the component do not grow
     Mesh mesh(const Genome& genome, std::size_t component,

@@ -21,7 +21,7 @@ class Log {
 
     bool tells(LogLevel level) const { return level <= least_; }
 
-    //! "ideotype: text", or "ideotype: warning: text"; may have several lines.
+    //! Writes "ideotype: text" or "ideotype: warning: text" of some lines.
     void write(LogLevel level, const std::string& text) const;
 
   private:

@@ -35,7 +35,7 @@ std::string format(Estimate x) {
     const double error = std::abs(x.standard_error);
     const double mean = std::abs(x.mean);
     if (!std::isfinite(error)) return fmt::format("{:.6g}", x.mean);
-    // Less than this is what rounding leaves of zero, and of an error.
+    // Smaller numbers are what rounding leaves of zero, and of an error.
     constexpr double nothing = 1e-12, exact = 1e-9, small = 1e-4;
     if (mean < nothing && error < nothing) return "0";
     if (error <= exact * mean)
@@ -202,7 +202,7 @@ long long ProgressLog::left() const {
     return left;
 }
 
-//! At most; unknown at first, when starting takes more time than evaluations.
+//! Returns the most time; none at first, when starting takes most of it.
 std::string ProgressLog::time_left() const {
     constexpr double first = 2;  // [s]
     return evaluations_ > 0 && now() - started_ > first

@@ -81,8 +81,8 @@ class ProgressLog {
 //! @param violation of its constraints
 std::string certainty(bool is_evaluated_again, double violation);
 
-//! "12.345 +- 0.006": as many digits as the standard error allows; "0" of what
-//! differs from zero by rounding alone.
+//! Returns "12.345 +- 0.006": as many digits as the standard error allows; "0"
+//! of what differs from zero by rounding alone.
 std::string format(Estimate x);
 
 //! Returns a number with its unit behind it; "1" is none.
@@ -91,7 +91,7 @@ std::string with_unit(const std::string& number, const std::string& unit);
 //! Returns the title of a column, "lai [m2 m-2]"; the unit "1" is left out.
 std::string title_of(const std::string& name, const std::string& unit);
 
-//! "1:02:03" or "2:03".
+//! Returns "1:02:03" or "2:03".
 std::string format_duration(double seconds);
 
 //! Returns a line of at most so many columns: a bar that is full as far as is
@@ -100,7 +100,7 @@ std::string format_duration(double seconds);
 std::string line_with_bar(double done, const std::vector<std::string>& parts,
                           std::size_t width);
 
-//! "2025-08-07T12:00:00Z"
+//! Returns "2025-08-07T12:00:00Z".
 std::string utc_now();
 
 //! Seconds of a steady clock.

@@ -28,7 +28,7 @@ void require_resumable(const HistoryHeader& header, const Campaign& campaign,
 //! Returns the record of this start of the program.
 SessionRecord session_record(const std::string& command, int ranks);
 
-//! One line per fact about the program and its libraries.
+//! Returns a line per fact about the program and its libraries.
 std::string version_text();
 
 }  // namespace ideotype

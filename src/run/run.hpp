@@ -15,7 +15,7 @@
 
 namespace ideotype {
 
-//! Where `run` keeps the history of a case.
+//! Returns where `run` keeps the history of a case.
 std::string path_of(const std::string& out, const Campaign& campaign,
                     const Case& chosen);
 

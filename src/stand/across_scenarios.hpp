@@ -13,7 +13,7 @@ namespace ideotype {
 //! Returns all that is measured in a case that is its only scenario.
 QuantitySet measured_in(const Campaign& campaign, const Case& scenario);
 
-//! One outcome of a plant in all scenarios of a case, each over its stages.
+//! The outcome of a plant in all scenarios of a case, each over its stages.
 class AcrossScenarios {
   public:
     AcrossScenarios(const Campaign& campaign, const Case& chosen);

@@ -17,7 +17,7 @@ class App;
 
 namespace ideotype {
 
-//! `light MESH`: the light in one canopy from any mesh; x is
+//! The options of `light MESH`, the light in any mesh; x is
 //! east, y is north, z is up.
 struct MeshOptions {
     struct Period {

@@ -235,7 +235,7 @@ Scene scene_of(Mesh mesh, const MeshOptions& options,
     return scene;
 }
 
-//! At least as many paths as asked for.
+//! Returns an accuracy of at least as many paths as asked for.
 Accuracy accuracy_of(const MeshOptions& options) {
     const std::uint64_t paths = options.paths.value_or(most_tolerance_paths);
     const std::uint64_t randomisations =

@@ -17,7 +17,7 @@ struct MeshReport {
     std::vector<std::string> warnings;
 };
 
-//! Most paths that a tolerance may ask for.
+//! The most paths that a tolerance may ask for.
 inline constexpr std::uint64_t most_tolerance_paths = std::uint64_t{1} << 28;
 
 //! Reads the mesh and traces the light. Always with the same random numbers,

@@ -10,7 +10,7 @@
 
 namespace ideotype {
 
-//! One outcome of plants that grow, of outcomes at each stage.
+//! The outcome of plants that grow, from outcomes at each stage.
 class OverStages {
   public:
     //! @param chosen has stages

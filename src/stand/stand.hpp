@@ -65,7 +65,8 @@ Outcome to_outcome(const Campaign& campaign, const Plant& plant,
 //! An outcome, and each of its quantities by randomisation.
 struct RandomisedOutcome {
     Outcome outcome;
-    //! [randomisation, quantity]; NaN where a quantity is not known so.
+    //! Quantities [randomisation, quantity]; NaN where a quantity is not known
+    //! so.
     std::vector<std::vector<double>> quantities;
 };
 
@@ -85,7 +86,8 @@ class Stand {
     //! After it several threads may evaluate, each with a device of its own.
     void prepare();
 
-    //! One outcome in all scenarios. A pure function of plants and sampling.
+    //! Returns the outcome in all scenarios. A pure function of plants and
+    //! sampling.
     //! @throws Error as ideotype::evaluate()
     Outcome evaluate(const Plants& plants, const Sampling& sampling,
                      const Device& device);

@@ -63,7 +63,7 @@ std::vector<ExtremeCase> extreme_suns_and_fields();
 std::vector<ExtremeCase> extreme_surfaces();
 std::vector<ExtremeCase> extreme_days_and_paths();
 
-//! Returns all of them.
+//! Returns all extreme cases.
 std::vector<ExtremeCase> extreme_cases();
 
 //! One group of leaves, still without faces.

@@ -30,7 +30,7 @@ struct Details {
     std::optional<MeasuredLines> lines{};
 };
 
-//! One evaluation of a canopy: all that its result is a function of.
+//! An evaluation of a canopy: all that its result is a function of.
 struct CanopyRequest {
     Scene scene;
     //! Layers of height in which the light that leaves absorb is counted. With

@@ -78,7 +78,7 @@ struct LightSeries {
 LightSeries clear_days(const Site& site, const DaySpan& span,
                        double par_fraction);
 
-//! When the sun is up on a date, by the local clock and without refraction.
+//! The time with sun on a date, by the local clock and without refraction.
 //! The day is the one around the noon that is nearest to 12:00.
 struct Daylight {
     double noon = 12;               //!< when the sun is highest [h]

@@ -20,8 +20,9 @@ struct Growth {
     double largest_area = 0.07, largest = 0.67;
     //! Exponents of the area by rank, see final_area().
     double narrowing = 4.5, skewness = 1.1;
-    //! From tip to collar of the first leaf, of the slowest and of the last
-    //! leaf [deg C d], and the rank of the slowest over the number of leaves.
+    //! The time from tip to collar of the first leaf, of the slowest and of the
+    //! last leaf [deg C d], and the rank of the slowest over the number of
+    //! leaves.
     double first_extension = 70, longest_extension = 190, last_extension = 105,
            slowest = 0.45;
     //! Ranks up to this fraction of all leaves die one by one from

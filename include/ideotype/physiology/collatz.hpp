@@ -33,7 +33,7 @@ struct CollatzFactors {
     double respiration;  //!< factor of respiration in the dark
 };
 
-//! collatz_at() of one temperature for many values of CO2.
+//! Does what collatz_at() does, for many values of CO2 at once.
 class CollatzAt {
   public:
     CollatzAt(const CollatzLeaf& leaf, double temperature)

@@ -67,7 +67,7 @@ struct FarquharFactors {
     double respiration;      //!< factor of respiration in the dark
 };
 
-//! farquhar_at() of one temperature for many values of CO2.
+//! Does what farquhar_at() does, for many values of CO2 at once.
 class FarquharAt {
   public:
     FarquharAt(const FarquharLeaf& leaf, double temperature)

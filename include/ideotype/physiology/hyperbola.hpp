@@ -17,7 +17,7 @@ inline double discriminant_root(double curvature, double a, double b) {
 //! of a and b, each not negative, with a curvature q from 0 (a b / (a + b)) to
 //! 1 (the minimum itself). Exact to rounding at either limit.
 inline double smooth_minimum(double curvature, double a, double b) {
-    // Without a branch for a and b of 0, so that loops become vectors.
+    // There is no branch for a and b of 0, so that loops become vectors.
     const double sum = a + b + discriminant_root(curvature, a, b);
     return 2 * a * b / std::max(sum, std::numeric_limits<double>::min());
 }
@@ -72,7 +72,7 @@ struct Hyperbola {
     //! Derivative of gross() [mol mol-1].
     double slope(double absorbed) const;
 
-    //! gross() with both derivatives.
+    //! Returns gross() with both derivatives.
     Expansion expand(double absorbed) const {
         const auto [value, slope, curvature] =
             expand_smooth_minimum(theta, phi * absorbed, amax);
@@ -105,7 +105,7 @@ struct Colimitation {
     //! Derivative of gross() [mol mol-1].
     double slope(double absorbed) const;
 
-    //! gross() with both derivatives.
+    //! Returns gross() with both derivatives.
     Expansion expand(double absorbed) const {
         const Expansion lit =
             expand_smooth_minimum(theta, alpha * absorbed, capacity);

@@ -13,7 +13,7 @@ inline constexpr double air_heat_capacity = 29.3;  //!< [J mol-1 K-1]
 //! The constant of Stefan and Boltzmann [W m-2 K-4].
 inline constexpr double stefan_boltzmann = 5.670374419e-8;
 
-//! 2^((T - reference) / 10): what doubles every ten degrees.
+//! Returns 2^((T - reference) / 10), which doubles in ten degrees.
 //! @param temperature [deg C]
 double q10(double temperature, double reference);
 

@@ -22,7 +22,8 @@ std::vector<std::string> column_names() {
     return names;
 }
 
-//! Above the soil [m]; a tip may hang below the foot of the plant on a ridge.
+//! Limits above the soil [m]; a tip may hang below the foot of the plant on a
+//! ridge.
 constexpr Range height_limits{-1, 10};
 
 //! A column of the table; without a kind the ranks, or unknown.

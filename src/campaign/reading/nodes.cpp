@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t longest_name = 64;
 
-// Only ASCII: the names end up on any file system.
+// Names are on any file system, and so in ASCII.
 bool is_letter_or_digit(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
            (c >= '0' && c <= '9');

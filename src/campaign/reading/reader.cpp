@@ -16,7 +16,7 @@ namespace ideotype {
 
 namespace {
 
-//! Only plants have leaves; only campaigns have sites.
+//! Returns whether it is a plant: it has leaves and no sites.
 bool is_plant(const toml::table& top) {
     return top.contains("leaf") && !top.contains("site");
 }

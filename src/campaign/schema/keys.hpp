@@ -13,7 +13,8 @@ struct KeyInfo {
     std::string name;
     std::string type;  //!< "integer", "number", "local date", ...
     std::string unit;  //!< "-" if it has none
-    //! "-90 .. 90", the texts that are allowed, words, or "-" if it has none.
+    //! The range "-90 .. 90", the texts that are allowed, words, or "-" if it
+    //! has none.
     std::string range;
     std::string initial;  //!< the default in TOML or words, or "required"
     std::string meaning;

@@ -10,8 +10,8 @@ namespace ideotype {
 //! Models of leaves, in the order of LeafRates.
 enum class LeafModel { hyperbola, collatz, farquhar };
 
-//! [photosynthesis] as it is written: numbers of all leaves, or of each, the
-//! lowest first. Empty lists are what the model has.
+//! The table [photosynthesis] as written: numbers of all leaves, or of each,
+//! the lowest first. Empty lists are what the model has.
 struct PhotosynthesisTable {
     LeafModel model = LeafModel::hyperbola;
     std::vector<double> theta, rd;             //!< of all models

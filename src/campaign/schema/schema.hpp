@@ -232,7 +232,7 @@ std::string toml_text(const Key& key);
 //! Returns a local clock time [h] as TOML: "07:00:00".
 std::string clock_text(double hours);
 
-//! `-90 .. 90 deg`
+//! Returns a range such as `-90 .. 90 deg`.
 std::string range_text(const Key& key);
 
 }  // namespace ideotype

@@ -15,7 +15,7 @@ namespace {
 //! Enough points to know a sunlit fraction to some 0.2 %.
 constexpr int most_sunlit_points = 2048;
 
-//! One field of an evaluation.
+//! The work on one field of an evaluation.
 class FieldPass {
   public:
     FieldPass(const CanopyRequest& request, const Scene& scene,

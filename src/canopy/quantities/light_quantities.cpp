@@ -47,8 +47,8 @@ TakeNumber fapar() {
                     [](const Budget& day) { return day.leaves + day.organs; });
 }
 
-//! -ln(1 - fAPAR) / LAI by the delta method. What is left of the light is
-//! taken as at least its standard error. A plot alone has none: light enters
+//! Returns -ln(1 - fAPAR) / LAI by the delta method. What is left of the light
+//! is taken as at least its standard error. A plot alone has none: light enters
 //! from its sides.
 std::optional<Randomised> extinction_coefficient(const CanopyReport& report) {
     if (report.boundary == Boundary::isolated) return std::nullopt;

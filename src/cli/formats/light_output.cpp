@@ -87,7 +87,7 @@ Json light_classes_json(const LightClassReport& classes) {
     return json;
 }
 
-//! By the names of a history; those of a single light that are no rates.
+//! Returns quantities by name; of a single light those that are no rates.
 Json quantities_json(const CanopyReport& report, Span span) {
     Json json = Json::object();
     for (const auto& [quantity, estimate] : measure_numbers(report)) {

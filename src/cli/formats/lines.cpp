@@ -79,7 +79,7 @@ std::string name_of(const std::string& process) {
 std::optional<std::string> find_mpirun() {
     std::string process = fmt::format("/proc/{}", getppid());
     if (name_of(process) == "hydra_pmi_proxy") {
-        // "PID (NAME) STATE PARENT ..."
+        // The file has "PID (NAME) STATE PARENT ...".
         std::ifstream stat(process + "/stat");
         std::string word;
         for (int i = 0; i < 4; ++i) stat >> word;

@@ -50,7 +50,7 @@ class Extent {
 
     Json json(double unit = 1) const { return {lower_ / unit, upper_ / unit}; }
 
-    //! "3.44", or "1.90 .. 9.50" where they differ in what is printed.
+    //! Returns "3.44", or "1.90 .. 9.50" if the ends differ in print.
     std::string text(std::string_view form, double unit = 1) const {
         const std::string lower =
             fmt::format(fmt::runtime(form), lower_ / unit);

@@ -64,7 +64,7 @@ void write_crop_file(const std::string& path, const std::string& title,
     out.finish();
 }
 
-//! Where the surfaces of a file are, for other ray tracers.
+//! Returns words about surfaces of a file, for other ray tracers.
 std::vector<std::string> about(const std::string& title, const Case& chosen) {
     return {title, "metres, z up, y along the rows",
             fmt::format("y points {} deg clockwise from north",

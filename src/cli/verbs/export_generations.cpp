@@ -12,7 +12,7 @@ namespace ideotype {
 
 namespace {
 
-//! "MJ m-2 day-1" as the end of a column's name: "_MJ_per_m2_per_day".
+//! Returns "MJ m-2 day-1" as the end of a name, "_MJ_per_m2_per_day".
 std::string suffix(const std::string& unit) {
     std::istringstream factors(unit == "1" ? "" : unit);
     std::string text;

@@ -19,7 +19,7 @@ namespace {
 const std::vector<std::string> keys{
     "id", "genome", "seed", "generation", "tolerance", "final", "quantities"};
 
-//! "there is no 'x'; did you mean 'y'?"
+//! Returns "there is no 'x'; did you mean 'y'?".
 std::string unknown(const std::string& what, const std::string& word,
                     const std::vector<std::string>& names) {
     return fmt::format("there is no {} '{}'; {}", what, word,
@@ -188,7 +188,7 @@ Json parse_line(const std::string& text) try {
         return true;
     });
 } catch (const Json::exception& error) {
-    // "[json.exception.parse_error.101] parse error at line 1, column 2: ..."
+    // It is "[json.exception.parse_error.101] parse error at line 1, ...".
     const std::string what = error.what();
     const std::size_t column = what.find("column ");
     throw Error(fmt::format(

@@ -19,8 +19,8 @@ struct ServedCase {
     Case chosen;
     GeneSpace genes;
     Genome baseline;
-    //! Without the objectives by randomisation, whose number depends on the
-    //! tolerance of a request.
+    //! The schema without objectives by randomisation, whose number depends on
+    //! the tolerance of a request.
     OutcomeSchema schema;
 };
 

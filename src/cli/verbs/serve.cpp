@@ -24,7 +24,7 @@ namespace {
 //! [s]; looking more often would take time from them.
 constexpr double attention = 1e-3;
 
-//! Between looks at what else may have come while there is no work [s].
+//! The time between looks at the input while there is no work [s].
 constexpr double patience = 0.25;
 
 //! In the place of a number that was not given.

@@ -124,7 +124,7 @@ std::string to_text(const CaseStatus& report) {
     return line;
 }
 
-//! null if there is none.
+//! Returns a value, or null if there is none.
 Json optional_json(const auto& value) {
     return value ? Json(*value) : Json();
 }
@@ -225,7 +225,7 @@ ExitCode verify(const std::vector<std::string>& paths) {
                 "checksums\n",
                 path, found.generations, found.finalists);
         } catch (const Error& error) {
-            // One that is damaged must not hide the others.
+            // A file that is damaged must not hide the others.
             fmt::print(stderr, "{}\n", printable_lines(error.what()));
             worst = std::max(worst, error.exit_code());
         }

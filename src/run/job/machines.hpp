@@ -14,7 +14,7 @@ namespace ideotype {
 //! instruction set, by the names of a history's attributes.
 using ProgramFacts = std::map<std::string, std::string>;
 
-//! program_version, compiler, embree_version and maths of this process.
+//! Returns version, compiler, Embree and maths of this process by name.
 ProgramFacts program_facts();
 
 //! The hardware and program of one rank of a job.
@@ -28,7 +28,7 @@ struct Machine {
 
 Machine this_machine();
 
-//! One machine as a message between ranks, and back.
+//! Returns a machine as a message between ranks, and back.
 std::string to_text(const Machine& machine);
 Machine machine_of(const std::string& text);
 

@@ -73,6 +73,7 @@ class PairLight {
     //! Returns the bins in the order of places; weights are for the caller to
     //! set.
     std::vector<Bin>& bins() { return bins_; }
+    const std::vector<Bin>& bins() const { return bins_; }
 
     //! Adds the differences of the sum of all moments, by their weights, in the
     //! pseudo-values of a jackknife (Quenouille 1956,

@@ -5,58 +5,30 @@
 
 #include <gtest/gtest.h>
 
+#include "field_of_two_leaves.hpp"
 #include "ideotype/canopy/assimilation.hpp"
 #include "ideotype/canopy/canopy.hpp"
 #include "ideotype/light/device.hpp"
 #include "ideotype/light/transport.hpp"
-#include "two_leaves.hpp"
 
 namespace ideotype {
 namespace {
 
-//! Plants of two leaves that are turned at random, in one field.
-class FieldOfTwoLeaves : public ::testing::Test {
+class Assimilating : public FieldOfTwoLeaves {
   protected:
-    FieldOfTwoLeaves() {
-        Component& component = request.scene.components[0];
-        component.jitter = 45;
-        component.photosynthesis.emplace();
-        const Pieces plant = cut_leaves(component.mesh);
-        Field field = draw_field(request.scene, {1}, {&plant.mesh, 1});
-        pieces = pieces_of_field({&plant, 1}, field);
-        field.mesh = pieces.mesh;
-        scene.emplace(build_scene(device, field));
-        std::vector<double> index(plant.uncut_groups);
-        for (std::size_t v = 0; v < pieces.count; ++v)
-            index[pieces.group[v]] += pieces.area[v] / field.cell.ground_area;
-        leaves = leaf_groups(request.scene, component.mesh.groups, index);
-    }
-
-    //! Gross assimilation of a day [mol m-2].
+    //! Returns the gross assimilation of a day [mol m-2].
     Estimate gross(const Accuracy& accuracy, std::uint64_t seed) const {
-        const Band& par = request.scene.bands[0];
         std::vector<double> values;
         const FluxTallies fluxes = assimilate(
-            simulate(*scene, pieces.mesh.groups, par.optics, par.light.light,
-                     accuracy, {seed}, {}, pieces.count),
-            pieces,
-            {*scene, pieces.mesh.groups, par, request.scene.photons, leaves,
-             layers});
+            light(request.scene.bands[0], accuracy, seed), pieces, lit());
         for (const FluxTally& tally : fluxes.front())
             values.push_back(tally.sum());
         return estimate(values);
     }
-
-    const Device device{Device::supported_isas().back()};
-    const Layers layers;
-    CanopyRequest request = two_leaves({});
-    Pieces pieces;
-    std::optional<RayScene> scene;
-    std::vector<LeafGroup> leaves;
 };
 
 //! See tests/benchmark/README.md for larger fields and more paths.
-TEST_F(FieldOfTwoLeaves, FewPathsDoNotBiasAssimilation) {
+TEST_F(Assimilating, FewPathsDoNotBiasAssimilation) {
     request.details.exact = true;
     request.accuracy = {1 << 20, 16, 1e-3};
     const Estimate exact = evaluate(request, device).assimilation->gross.sum;

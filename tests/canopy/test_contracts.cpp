@@ -18,6 +18,7 @@
 #include "pair_light.hpp"
 #include "quantities/declaration.hpp"
 #include "two_leaves.hpp"
+#include "water/wind_profile.hpp"
 
 namespace ideotype {
 
@@ -270,16 +271,13 @@ TEST(Contracts, OfLeafAirAreNoticed) {
     Stand s;
     s.request.scene.water.emplace();
     s.request.scene.bands[0].light.series.steps.clear();
-    std::vector<std::optional<CanopyAir>> air;
     const std::vector<double> widths(s.leaves.size(), .05);
-    LeafAir leaves({s.request.scene, s.leaves, s.groups, widths, 2}, air);
+    LeafAir leaves({s.request.scene, s.leaves, s.groups, widths, 2, {}});
     expect_noticed({
         {"wind >= 0 && height > 0", [] { wind_at_top(2, 0, 1); }},
         {"wind >= 0 && height > 0", [] { aerodynamic_resistance(-1, 2, 1); }},
-        {"places_ != nullptr && step < air_.size()",
-         [&] { leaves.exchange(0); }},
-        {"places_ != nullptr && step < air_.size()",
-         [&] { leaves.exchange_at_night(0); }},
+        {"places_ != nullptr && number < series_.steps.size()",
+         [&] { leaves.begin(0); }},
     });
 }
 

@@ -24,6 +24,7 @@ enum class Purpose : std::uint32_t {
     variation = 12,
     stream = 13,
     mixture = 14,
+    leaf_point = 15,
 };
 
 //! Selects the random numbers of an evaluation, which are a function of these.

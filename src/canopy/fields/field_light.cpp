@@ -161,7 +161,7 @@ class FieldPass {
         LitLeaves leaves = lit(surfaces, mesh);
         std::optional<LeafAir> air;
         if (scene_.water) {
-            air.emplace(water_leaves(bands), shared_.air);
+            air.emplace(water_leaves(bands));
             leaves.air = &*air;
             measure_layers();
         }
@@ -181,8 +181,8 @@ class FieldPass {
 
     //! Returns the leaves of this field with the light that warms them.
     WaterLeaves water_leaves(const BandTallies& tallies) const {
-        WaterLeaves leaves{scene_, shared_.leaves, lines_.groups, lines_.widths,
-                           lines_.height};
+        WaterLeaves leaves{scene_,        shared_.leaves, lines_.groups,
+                           lines_.widths, lines_.height,  randomness_};
         if (!scene_.water->has_leaf_temperature) return leaves;
         for (std::size_t b = 1; b < tallies.size(); ++b) {
             const Band& band = shared_.bands[b];

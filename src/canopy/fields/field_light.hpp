@@ -9,8 +9,8 @@
 #include "ideotype/canopy/light_classes.hpp"
 #include "ideotype/light/sunlit.hpp"
 #include "ideotype/light/tolerance.hpp"
-#include "leaf_air.hpp"
 #include "plan.hpp"
+#include "water/leaf_air.hpp"
 
 namespace ideotype {
 
@@ -47,7 +47,6 @@ struct SharedByFields {
     Bands bands;
     std::optional<Simulation>
         trial{};  //!< the work that the tolerance asks for
-    std::vector<std::optional<CanopyAir>> air{};  //!< air of each step
 };
 
 //! Light and assimilation in some fields: by randomisation of all of them, or,

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "water_fluxes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace ideotype {
+
+WaterFluxes::WaterFluxes(const LitLeaves& lit, const LeafPlaces& places,
+                         const ExpectedLight& expectation, FluxTallies empty)
+    : lit_(lit),
+      light_(lit.par.light),
+      places_(places),
+      air_(*lit.air),
+      drawn_(std::move(empty)),
+      fluxes_(leaf_fluxes,
+              Flux{std::vector<double>(places.count()),
+                   std::vector<double>(places.count()),
+                   std::vector<double>(lit.par.light.series.steps.size())}) {
+    air_.see(places, expectation);
+    lines_.emplace(air_);
+    const Randomness& of = air_.leaves().randomness;
+    for (std::uint32_t r = 0; r < drawn_.front().size(); ++r)
+        starts_.push_back(RandomStream(of.seed, Purpose::leaf_point,
+                                       of.generation,
+                                       of.first_randomisation + r)
+                              .uniform());
+}
+
+void WaterFluxes::add(std::size_t step, const StepLight* light) {
+    for (std::size_t k = 0; k < leaf_fluxes; ++k)
+        amounts_[k] =
+            amount_of(static_cast<LeafFlux>(k), light_.series.steps[step]) /
+            light_.series.days;
+    air_.begin(step);
+    find_areas(light);
+    find_lines(light);
+    // The air follows from all that leaves lose; what drawn points differ from
+    // lines is taken as the same in it.
+    drawn_sums_ = {};
+    draw(step, light);
+    lines_->correct(
+        drawn_sums_[static_cast<std::size_t>(LeafFlux::sensible)],
+        drawn_sums_[static_cast<std::size_t>(LeafFlux::transpiration)]);
+    add_lines(step, light);
+}
+
+void WaterFluxes::add_nights() {
+    air_.meet(-1, -1);
+    for (std::size_t i = 0; i < light_.beam_of.size(); ++i)
+        if (light_.beam_of[i] < 0 && light_.sky_of[i] < 0) add(i, nullptr);
+}
+
+//! Tells whether a flux is summed in a step: by night heat and water are.
+bool WaterFluxes::takes(LeafFlux flux, const StepLight* light) const {
+    return light || flux == LeafFlux::transpiration ||
+           flux == LeafFlux::sensible;
+}
+
+void WaterFluxes::find_areas(const StepLight* light) {
+    areas_ = places_.index;
+    if (!light) return;
+    const std::vector<PairLight::Bin>& bins = light->pair.bins();
+    for (std::size_t b = 0; b < bins.size(); ++b) {
+        // Sunlit leaf area is what a hit absorbs over the beam.
+        const double beam = light->beams[b];
+        const double area =
+            beam > 0 ? light->scales.of_sun * bins[b].moments.one / beam : 0;
+        areas_.push_back(area);
+        areas_[bins[b].place] -= area;
+    }
+}
+
+LeafAir::Point WaterFluxes::point(const StepLight* light,
+                                  std::size_t area) const {
+    if (!light) return {area};
+    if (area < places_.count())
+        return {area, light->shaded.light[area], 0, light->shaded.at(area)};
+    const std::size_t b = area - places_.count();
+    const PairLight::Bin& bin = light->pair.bins()[b];
+    return {bin.place, light->lit.light[b], bin.cosine, light->lit.at(b)};
+}
+
+//! Finds the lines of a step, and the chances of points to be drawn.
+void WaterFluxes::find_lines(const StepLight* light) {
+    // Points in the dark exchange something, too [umol m-2 s-1].
+    constexpr double dark = 100;
+    lines_->clear();
+    chances_.clear();
+    double all = 0;
+    for (std::size_t j = 0; j < areas_.size(); ++j) {
+        const LeafAir::Point each = point(light, j);
+        const std::uint32_t group = places_.group[each.place];
+        if (lit_.leaves[group].photosynthesis) {
+            lines_->add(group, each, areas_[j]);
+            all += std::abs(areas_[j]) * (each.ppfd + dark);
+        }
+        chances_.push_back(all);
+    }
+    if (light)
+        for (std::size_t p = 0; p < places_.count(); ++p)
+            lines_->add_gross(places_.group[p],
+                              light->of_places[p] / amounts_.front());
+    lines_->settle(light ? light->responses : std::vector<LeafResponse>{});
+}
+
+//! Adds fluxes of a step by lines.
+void WaterFluxes::add_lines(std::size_t step, const StepLight* light) {
+    std::vector<double> absorbed(places_.count());
+    if (light) {
+        const std::vector<PairLight::Bin>& bins = light->pair.bins();
+        for (std::size_t p = 0; p < places_.count(); ++p)
+            absorbed[p] = places_.index[p] * light->shaded.light[p];
+        for (const PairLight::Bin& bin : bins)
+            absorbed[bin.place] += light->scales.of_sun * bin.moments.one;
+    }
+    for (std::size_t k = 0; k < leaf_fluxes; ++k) {
+        const auto flux = static_cast<LeafFlux>(k);
+        if (flux == LeafFlux::hot || !takes(flux, light)) continue;
+        // Assimilation at the temperature of the air is known already.
+        const double known = flux == LeafFlux::gross ? 1 : 0;
+        if (known == 1 && !air_.warms()) continue;
+        const bool is_in_gross = LeafLines::is_in_gross(flux);
+        double all = 0;
+        for (std::size_t p = 0; p < places_.count(); ++p) {
+            const auto [constant, slope] = lines_->line(flux, places_.group[p]);
+            const double by = !is_in_gross ? absorbed[p]
+                              : light ? light->of_places[p] / amounts_.front()
+                                      : 0;
+            const double sum =
+                constant * places_.index[p] + (slope - known) * by;
+            all += sum;
+            fluxes_[k].mean[p] += amounts_[k] * sum;
+            fluxes_[k].size[p] += std::abs(amounts_[k] * sum);
+        }
+        fluxes_[k].steps[step] = all;
+    }
+    if (light) add_hot(step, light);
+}
+
+//! Adds leaves that are hot by their lines.
+void WaterFluxes::add_hot(std::size_t step, const StepLight* light) {
+    constexpr auto k = static_cast<std::size_t>(LeafFlux::hot);
+    double all = 0;
+    for (std::size_t j = 0; j < areas_.size(); ++j) {
+        const LeafAir::Point each = point(light, j);
+        const std::uint32_t group = places_.group[each.place];
+        if (!lit_.leaves[group].photosynthesis ||
+            lines_->at(LeafFlux::hot, group, each) == 0)
+            continue;
+        all += areas_[j];
+        fluxes_[k].mean[each.place] += amounts_[k] * areas_[j];
+        fluxes_[k].size[each.place] += amounts_[k] * std::abs(areas_[j]);
+    }
+    fluxes_[k].steps[step] = all;
+}
+
+//! Draws points of a step at equal distances along the leaves, first in the
+//! shade and then in the sun. The beginning is random in each randomisation and
+//! goes on from step to step by the golden ratio, so that draws of all steps
+//! are even. Few steps have more points each.
+void WaterFluxes::draw(std::size_t step, const StepLight* light) {
+    constexpr double golden_ratio = 0.6180339887498949;
+    const double all = chances_.empty() ? 0 : chances_.back();
+    if (!(all > 0)) return;
+    const double count = std::ceil(
+        air_.leaves().points /
+        static_cast<double>(light_.series.steps.size() * starts_.size()));
+    for (std::size_t r = 0; r < starts_.size(); ++r) {
+        const double turns =
+            starts_[r] + golden_ratio * static_cast<double>(step);
+        for (double i = turns - std::floor(turns); i < count; ++i) {
+            const auto found = std::upper_bound(
+                chances_.begin(), chances_.end() - 1, all / count * i);
+            const auto area =
+                static_cast<std::size_t>(found - chances_.begin());
+            const double own = *found - (area > 0 ? chances_[area - 1] : 0);
+            if (own > 0) add_drawn(step, light, r, area, all / (count * own));
+        }
+    }
+}
+
+//! Adds what a drawn point differs from its lines.
+void WaterFluxes::add_drawn(std::size_t step, const StepLight* light,
+                            std::size_t randomisation, std::size_t area,
+                            double times) {
+    const LeafAir::Point drawn = point(light, area);
+    const std::uint32_t group = places_.group[drawn.place];
+    const LeafExchange& like = lines_->solved(group, drawn.cosine > 0);
+    const LeafAir::Fluxes found =
+        air_.fluxes_of(air_.solve(drawn, &like), drawn);
+    for (std::size_t k = 0; k < leaf_fluxes; ++k) {
+        const auto flux = static_cast<LeafFlux>(k);
+        if (!takes(flux, light) || (k == 0 && !air_.warms())) continue;
+        Expansion differs = found[k];
+        differs.value -= lines_->at(flux, group, drawn);
+        double more = times * areas_[area] * differs.value;
+        // Other fluxes are taken at the light that is expected.
+        if (light && flux <= LeafFlux::transpiration) {
+            const double slope = lines_->line(flux, group).back();
+            differs.slope -= slope * drawn.gross.slope;
+            differs.curvature -= slope * drawn.gross.curvature;
+            more = times * amount(*light, area, differs);
+        }
+        drawn_sums_[k] += more / static_cast<double>(starts_.size());
+        FluxTally& tally = drawn_[k][randomisation];
+        tally.steps[step] += more;
+        more *= amounts_[k];
+        tally.groups[group] += more;
+        tally.layers[lit_.layers.at(places_.height[drawn.place])] += more;
+        if (!tally.rows.empty()) tally.rows[places_.row[drawn.place]] += more;
+    }
+}
+
+void WaterFluxes::add_drawn_to(FluxTallies& all) const {
+    for (std::size_t k = 0; k < all.size(); ++k)
+        for (std::size_t r = 0; r < all[k].size(); ++r)
+            for (const auto part : {&FluxTally::groups, &FluxTally::layers,
+                                    &FluxTally::steps, &FluxTally::rows})
+                for (std::size_t i = 0; i < (all[k][r].*part).size(); ++i)
+                    (all[k][r].*part)[i] += (drawn_[k][r].*part)[i];
+}
+
+//! Returns what a function of light at one of areas_ alone adds to a flux.
+double WaterFluxes::amount(const StepLight& light, std::size_t area,
+                           const Expansion& at) const {
+    const std::vector<PairLight::Bin>& bins = light.pair.bins();
+    const auto of_bin = [&](std::size_t b, const Expansion& shaded,
+                            const Expansion& lit) {
+        return light.scales
+            .weigh(gain(shaded, lit, light.beams[b]), light.scales.of_sun)
+            .dot(bins[b].moments);
+    };
+    if (area >= places_.count()) return of_bin(area - places_.count(), {}, at);
+    double sum = light.scales.weigh(at, 1).dot(light.pair.moments()[area]);
+    const auto first = std::partition_point(
+        bins.begin(), bins.end(),
+        [&](const PairLight::Bin& bin) { return bin.place < area; });
+    for (auto b = static_cast<std::size_t>(first - bins.begin());
+         b < bins.size() && bins[b].place == area; ++b)
+        sum += of_bin(b, at, {});
+    return sum;
+}
+
+}  // namespace ideotype

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+
+#include "field_of_two_leaves.hpp"
+#include "ideotype/canopy/water.hpp"
+#include "ideotype/core/units.hpp"
+#include "ideotype/physiology/temperature.hpp"
+#include "water/leaf_air.hpp"
+
+namespace ideotype {
+namespace {
+
+//! Plants of two leaves that exchange heat and water on a hot day.
+class WaterOfTwoLeaves : public FieldOfTwoLeaves {
+  protected:
+    WaterOfTwoLeaves() {
+        request.scene.water.emplace();
+        Band& par = request.scene.bands.front();
+        for (TimeStep& step : par.light.series.steps) {
+            step.temperature = 34;
+            step.humidity = .5;
+            step.wind = 2;
+            step.pressure = 100;
+            step.longwave = 400;
+            step.nir = {step.par.beam * 11 / 9, step.par.diffuse * 11 / 9};
+        }
+        request.scene.components[0].photosynthesis->rates = {CollatzLeaf{}};
+        for (LeafGroup& leaf : leaves)
+            if (leaf.photosynthesis) leaf.rates = CollatzLeaf{};
+        nir = par;
+        nir.optics = {PlantOptics{{.45, .45}, {.5, .1}, {}}.materials(), .25};
+        longwave = par;
+        longwave.optics = {PlantOptics{}.materials(), 0};
+        tallies = light(par, accuracy, 1);
+        nir_tallies = light(nir, accuracy, 2);
+        longwave_tallies = light(longwave, accuracy, 3);
+    }
+
+    WaterLeaves water(std::uint64_t seed) const {
+        return {request.scene,
+                leaves,
+                request.scene.components[0].mesh.groups,
+                widths,
+                2,
+                {seed},
+                OtherLight{nir, nir_tallies},
+                OtherLight{longwave, longwave_tallies}};
+    }
+
+    //! Returns each flux of a day, with as many solved points.
+    std::vector<Estimate> fluxes(std::uint64_t seed, double points) const {
+        WaterLeaves of = water(seed);
+        of.points = points;
+        LeafAir air(of);
+        LitLeaves with = lit();
+        with.air = &air;
+        std::vector<Estimate> sums;
+        for (const auto& flux : assimilate(tallies, pieces, with)) {
+            std::vector<double> values;
+            for (const FluxTally& tally : flux) values.push_back(tally.sum());
+            sums.push_back(estimate(values));
+        }
+        return sums;
+    }
+
+    const Accuracy accuracy{1024, 16};
+    const std::vector<double> widths = std::vector<double>(leaves.size(), .06);
+    Band nir, longwave;
+    std::vector<Tally> tallies, nir_tallies, longwave_tallies;
+};
+
+//! The light is the same in all: what scatters is the draw alone.
+TEST_F(WaterOfTwoLeaves, FewPointsStandForAllAndTellTheirError) {
+    const std::vector<Estimate> all = fluxes(1, 1e6);
+    constexpr int runs = 100;
+    std::vector<std::vector<double>> found(leaf_fluxes);
+    std::vector<double> variance(leaf_fluxes);
+    for (std::uint64_t seed = 1; seed <= runs; ++seed) {
+        const std::vector<Estimate> one = fluxes(seed, 1);
+        for (std::size_t k = 0; k < leaf_fluxes; ++k) {
+            found[k].push_back(one[k].mean);
+            // The variance of light is in both.
+            variance[k] += (std::pow(one[k].standard_error, 2) -
+                            std::pow(all[k].standard_error, 2)) /
+                           runs;
+        }
+    }
+    for (std::size_t k = 0; k < leaf_fluxes; ++k) {
+        const Estimate mean = estimate(found[k]);
+        const double scatter = mean.standard_error * std::sqrt(runs);
+        EXPECT_NEAR(mean.mean, all[k].mean,
+                    4 * mean.standard_error + 1e-3 * std::abs(all[k].mean))
+            << k;
+        EXPECT_GT(scatter, 0) << k;
+        EXPECT_GT(std::sqrt(variance[k]), .75 * scatter) << k;
+        EXPECT_LT(std::sqrt(variance[k]), 2 * scatter) << k;
+    }
+}
+
+TEST_F(WaterOfTwoLeaves, EnergyOfTheCanopyCloses) {
+    LeafAir air(water(1));
+    const LeafPlaces places(pieces, lit(), false);
+    const ExpectedLight expectation(places, tallies);
+    air.see(places, expectation);
+    const SeriesIllumination& day = request.scene.light();
+    for (std::size_t i = 0; i < day.series.steps.size(); ++i) {
+        air.meet(day.beam_of[i], day.sky_of[i]);
+        air.begin(i);
+        air.set_air({1.5, .3});
+        double absorbed = 0, lost = 0;
+        for (std::size_t p = 0; p < places.count(); ++p) {
+            if (!leaves[places.group[p]].photosynthesis) continue;
+            for (const double cosine : {0., .7}) {
+                const LeafAir::Point point{p, 100 + 1200 * cosine, cosine};
+                const LeafSurroundings around = air.around(point);
+                const LeafExchange found = air.solve(point, nullptr);
+                absorbed += places.index[p] *
+                            (around.ppfd / 4.57 + around.nir + around.longwave);
+                const double emitted = 2 * request.scene.water->emissivity *
+                                       stefan_boltzmann *
+                                       std::pow(found.temperature + kelvin, 4);
+                lost += places.index[p] *
+                        (emitted + found.sensible +
+                         1e-3 * found.transpiration.value * .0180153 *
+                             (2.501e6 - 2361 * around.temperature));
+            }
+        }
+        EXPECT_GT(absorbed, 0);
+        EXPECT_NEAR(lost / absorbed, 1, 1e-4) << i;
+    }
+}
+
+}  // namespace
+}  // namespace ideotype

@@ -28,16 +28,23 @@ same_for_any_ranks sobol --set search.optimizer=sobol
 same_for_any_ranks mixture --set 'band=[{name="nir"}]' \
     --set 'component=[{name="weed", crop="crops/sorghum.toml", rows=[2], free=["width"]}]'
 
-# Plants that grow, for ranks and for threads.
+# Plants that grow, dry and with water, for ranks and for threads.
 write_campaign grown 4 2
 give_growth grown
-"$ideotype" run campaigns/grown.toml --out grown
-for count in 1 2 5; do
-    mpirun -n $count "$ideotype" run campaigns/grown.toml --out "ranks$count"
-    "$ideotype" run campaigns/grown.toml --threads $count --out "threads$count"
-    for how in ranks threads; do
-        same_results "$(history_of grown grown july)" \
-            "$(history_of "$how$count" grown july)"
+for leaves in grown wet; do
+    with=()
+    [ $leaves = grown ] ||
+        with=(--set 'water={limit=400}' --set photosynthesis.model=collatz)
+    "$ideotype" run campaigns/grown.toml --out $leaves "${with[@]}"
+    for count in 1 2 5; do
+        mpirun -n $count "$ideotype" run campaigns/grown.toml \
+            --out "$leaves-ranks$count" "${with[@]}"
+        "$ideotype" run campaigns/grown.toml --threads $count \
+            --out "$leaves-threads$count" "${with[@]}"
+        for how in ranks threads; do
+            same_results "$(history_of $leaves grown july)" \
+                "$(history_of "$leaves-$how$count" grown july)"
+        done
     done
 done
 

@@ -17,7 +17,8 @@ namespace ideotype {
 //! Plants of two leaves that are turned at random, in one field.
 class FieldOfTwoLeaves : public ::testing::Test {
   protected:
-    FieldOfTwoLeaves() {
+    explicit FieldOfTwoLeaves(double erect = 0)
+        : request(two_leaves({}, erect)) {
         Component& component = request.scene.components[0];
         component.jitter = 45;
         component.photosynthesis.emplace();
@@ -49,7 +50,7 @@ class FieldOfTwoLeaves : public ::testing::Test {
 
     const Device device{Device::supported_isas().back()};
     const Layers layers;
-    CanopyRequest request = two_leaves({});
+    CanopyRequest request;
     Pieces pieces;
     std::optional<RayScene> scene;
     std::vector<LeafGroup> leaves;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
+#include <functional>
 
 #include "field_of_two_leaves.hpp"
 #include "ideotype/canopy/water.hpp"
@@ -13,7 +14,7 @@ namespace {
 //! Plants of two leaves that exchange heat and water on a hot day.
 class WaterOfTwoLeaves : public FieldOfTwoLeaves {
   protected:
-    WaterOfTwoLeaves() {
+    explicit WaterOfTwoLeaves(double erect = 0) : FieldOfTwoLeaves(erect) {
         request.scene.water.emplace();
         Band& par = request.scene.bands.front();
         for (TimeStep& step : par.light.series.steps) {
@@ -47,15 +48,44 @@ class WaterOfTwoLeaves : public FieldOfTwoLeaves {
                 OtherLight{longwave, longwave_tallies}};
     }
 
-    //! Returns each flux of a day, with as many solved points.
-    std::vector<Estimate> fluxes(std::uint64_t seed, double points) const {
+    FluxTallies tally(std::uint64_t seed, double points) const {
         WaterLeaves of = water(seed);
         of.points = points;
         LeafAir air(of);
         LitLeaves with = lit();
         with.air = &air;
+        return assimilate(tallies, pieces, with);
+    }
+
+    double flux(LeafFlux of) const {
+        return fluxes(1, 6000)[static_cast<std::size_t>(of)].mean;
+    }
+
+    void change(const std::function<void(TimeStep&)>& step) {
+        for (TimeStep& each : request.scene.bands.front().light.series.steps)
+            step(each);
+    }
+
+    //! Returns how warm the upper leaves are over the air, times seconds [K s].
+    double warming_of_top() const {
+        std::size_t top = 0;
+        for (std::size_t g = 0; g < leaves.size(); ++g)
+            if (leaves[g].photosynthesis) top = g;
+        double area = 0, sum = 0;
+        for (std::size_t v = 0; v < pieces.count; ++v)
+            if (pieces.group[v] == top)
+                area += pieces.area[v] / scene->ground_area();
+        const FluxTallies all = tally(1, 6000);
+        for (const FluxTally& each :
+             all[static_cast<std::size_t>(LeafFlux::warming)])
+            sum += each.groups[top] / accuracy.randomisations;
+        return sum / area;
+    }
+
+    //! Returns each flux of a day, with as many solved points.
+    std::vector<Estimate> fluxes(std::uint64_t seed, double points) const {
         std::vector<Estimate> sums;
-        for (const auto& flux : assimilate(tallies, pieces, with)) {
+        for (const auto& flux : tally(seed, points)) {
             std::vector<double> values;
             for (const FluxTally& tally : flux) values.push_back(tally.sum());
             sums.push_back(estimate(values));
@@ -64,7 +94,7 @@ class WaterOfTwoLeaves : public FieldOfTwoLeaves {
     }
 
     const Accuracy accuracy{1024, 16};
-    const std::vector<double> widths = std::vector<double>(leaves.size(), .06);
+    std::vector<double> widths = std::vector<double>(leaves.size(), .06);
     Band nir, longwave;
     std::vector<Tally> tallies, nir_tallies, longwave_tallies;
 };
@@ -128,6 +158,56 @@ TEST_F(WaterOfTwoLeaves, EnergyOfTheCanopyCloses) {
         EXPECT_GT(absorbed, 0);
         EXPECT_NEAR(lost / absorbed, 1, 1e-4) << i;
     }
+}
+
+TEST_F(WaterOfTwoLeaves, Co2ShutsStomataAndWarms) {
+    // Warmer leaves that are hot already would assimilate less.
+    change([](TimeStep& step) { step.temperature = 24; });
+    const auto warming = flux(LeafFlux::warming);
+    const auto water = flux(LeafFlux::transpiration);
+    const auto conductance = flux(LeafFlux::conductance);
+    const auto gross = flux(LeafFlux::gross);
+    request.scene.bands.front().light.series.co2 = 600;
+    EXPECT_LT(flux(LeafFlux::conductance), .9 * conductance);
+    EXPECT_LT(flux(LeafFlux::transpiration), .97 * water);
+    EXPECT_GT(flux(LeafFlux::warming), warming);
+    EXPECT_GT(flux(LeafFlux::gross), gross);
+}
+
+TEST_F(WaterOfTwoLeaves, WindAndNarrowLeavesBringThemTowardsTheAir) {
+    request.scene.water->has_canopy_air = false;
+    change([](TimeStep& step) { step.humidity = .9; });
+    const double warming = flux(LeafFlux::warming);
+    ASSERT_GT(warming, 0);
+    widths.assign(leaves.size(), .12);
+    const double wide = flux(LeafFlux::warming);
+    EXPECT_GT(wide, 1.05 * warming);
+    change([](TimeStep& step) { step.wind = 6; });
+    EXPECT_LT(flux(LeafFlux::warming), .9 * wide);
+}
+
+TEST_F(WaterOfTwoLeaves, DryAirShutsStomataAndTakesMoreWater) {
+    const auto warming = flux(LeafFlux::warming);
+    const auto water = flux(LeafFlux::transpiration);
+    const auto conductance = flux(LeafFlux::conductance);
+    change([](TimeStep& step) { step.humidity = .3; });
+    EXPECT_LT(flux(LeafFlux::conductance), .95 * conductance);
+    EXPECT_GT(flux(LeafFlux::transpiration), 1.05 * water);
+    EXPECT_LT(flux(LeafFlux::warming), warming);
+}
+
+//! Plants whose leaves are more erect.
+class ErectWater : public WaterOfTwoLeaves {
+  public:
+    ErectWater() : WaterOfTwoLeaves(25) {}
+    using WaterOfTwoLeaves::warming_of_top;
+
+  private:
+    void TestBody() override {}
+};
+
+TEST_F(WaterOfTwoLeaves, ErectLeavesAreCooler) {
+    EXPECT_LT(ErectWater().warming_of_top(), warming_of_top());
 }
 
 }  // namespace

@@ -7,9 +7,11 @@
 namespace ideotype {
 
 //! Plants of two leaves on a clear day at Ames.
-inline CanopyRequest two_leaves(const Accuracy& accuracy) {
+//! @param erect what leaves stand and bend less than they do [deg]
+inline CanopyRequest two_leaves(const Accuracy& accuracy, double erect = 0) {
     Plant plant;
-    plant.leaves = {{.7, .08, 40, 60, 90, .2}, {.5, .06, 30, 40, 270, .5}};
+    plant.leaves = {{.7, .08, 40 - erect, 60 - erect, 90, .2},
+                    {.5, .06, 30 - erect, 40 - erect, 270, .5}};
     plant.blade.width_controls = {.28, .89, .9, 1.15, .38, 0};
     plant.stalk = {true, 2, .027, 0, LeafBase::axis};
     const FieldForm form{2, 2, {.76, .15, 90}};

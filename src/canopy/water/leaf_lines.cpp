@@ -81,7 +81,7 @@ CanopyAir LeafLines::driven(const CanopyAir& in) {
         Class& leaves = classes_[c];
         if (!leaves.is_used) continue;
         draw(leaves);
-        const auto& [shade, sun] = leaves.means;
+        const Mean &shade = leaves.means[0], &sun = leaves.means[1];
         const auto flux = [&](LeafFlux of, double by) {
             const auto k = static_cast<std::size_t>(of);
             return leaves.constant[k] * (shade.area + sun.area) +

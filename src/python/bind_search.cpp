@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nanobind/stl/string.h>
+#include <nanobind/stl/tuple.h>
 #include <nanobind/stl/unique_ptr.h>
 #include <nanobind/stl/vector.h>
 
@@ -39,7 +40,9 @@ class Search {
 
     //! @param objectives [row, objective]; rows with NaN failed
     //! @param violations of each row
-    void tell(const Matrix& objectives, const std::vector<double>& violations) {
+    //! @param features [row, axis] of an atlas
+    void tell(const Matrix& objectives, const std::vector<double>& violations,
+              const Matrix& features) {
         ask();
         for (std::size_t i = 0; i < asked_.size(); ++i) {
             Individual row{candidates_[i], Status::done, {}, violations[i]};
@@ -47,6 +50,7 @@ class Search {
                 if (!std::isfinite(x)) row.status = Status::failed;
                 row.objectives.push_back({x, 0});
             }
+            if (!features.empty()) row.features = features[i];
             optimizer_->learn(std::move(row));
         }
         asked_.clear();
@@ -72,7 +76,8 @@ std::unique_ptr<Search> make_search(
     const std::string& optimizer, int population, std::uint64_t seed,
     const Genome& start, const std::vector<double>& lower,
     const std::vector<double>& upper, const std::vector<bool>& circular,
-    const std::vector<std::string>& traits, const std::vector<bool>& maximise) {
+    const std::vector<std::string>& traits, const std::vector<bool>& maximise,
+    const std::vector<std::tuple<double, double, int>>& axes) {
     SearchSettings settings;
     std::vector<std::string> names;
     for (const auto& each : optimizers) names.push_back(each.first);
@@ -85,6 +90,8 @@ std::unique_ptr<Search> make_search(
     settings.population =
         population > 0 ? population
                        : usual_population(settings.optimizer, start.size());
+    for (const auto& [from, to, cells] : axes)
+        settings.axes.push_back({"", from, to, cells});
     SearchSpace space{{}, start, {}};
     for (std::size_t i = 0; i < start.size(); ++i)
         space.genes.push_back(

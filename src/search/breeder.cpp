@@ -12,11 +12,6 @@ namespace ideotype {
 
 namespace {
 
-double repaired(const Gene& gene, double value) {
-    return gene.is_circular ? wrapped(gene, value)
-                            : std::clamp(value, gene.lower, gene.upper);
-}
-
 //! Returns the spread factor of simulated binary crossover, bounded so that a
 //! child stays within `room` of the couple's mean, both in units of half of the
 //! parents' distance (Deb and Agrawal 1995, eq. 9 with bounds as in NSGA-II).
@@ -43,8 +38,8 @@ std::pair<double, double> cross(const Gene& gene, double a, double b, double u,
     };
     const double low = mean - half * spread_factor(u, index, room(gene.lower));
     const double high = mean + half * spread_factor(u, index, room(gene.upper));
-    const double first = repaired(gene, distance > 0 ? low : high);
-    const double second = repaired(gene, distance > 0 ? high : low);
+    const double first = within(gene, distance > 0 ? low : high);
+    const double second = within(gene, distance > 0 ? high : low);
     return {first, second};
 }
 
@@ -67,7 +62,7 @@ double mutate(const Gene& gene, double value, double u, double index) {
         const double rest = missing(gene.upper - value);
         step = 1 - std::pow(2 * (1 - u) + (2 * u - 1) * rest, 1 / power);
     }
-    return repaired(gene, value + step * range);
+    return within(gene, value + step * range);
 }
 
 }  // namespace
@@ -78,12 +73,6 @@ Breeder::Breeder(const GaSettings& settings, SearchSpace space,
     IDEOTYPE_EXPECT(space_.baseline.size() == space_.genes.size());
     IDEOTYPE_EXPECT(settings.crossover_probability >= 0 &&
                     settings.crossover_probability <= 1);
-}
-
-Candidate Breeder::founder(std::uint32_t generation, std::uint32_t slot) const {
-    if (generation == 0 && slot == 0)
-        return {space_.baseline, Origin::baseline};
-    return {random_genome(space_, seed_, generation, slot), Origin::random};
 }
 
 std::pair<Candidate, Candidate> Breeder::children(const Contest& contest,

@@ -28,10 +28,6 @@ class Breeder {
   public:
     Breeder(const GaSettings& settings, SearchSpace space, std::uint64_t seed);
 
-    //! Returns the baseline in generation 0 and slot 0, else a genome uniform
-    //! within the bounds.
-    Candidate founder(std::uint32_t generation, std::uint32_t slot) const;
-
     //! Returns two children of a couple, for this slot and the next.
     std::pair<Candidate, Candidate> children(const Contest& contest,
                                              std::uint32_t generation,

@@ -46,6 +46,7 @@ class GeneticAlgorithm : public GenerationalOptimizer {
                      std::uint64_t seed)
         : settings_(settings),
           space_(std::move(space)),
+          seed_(seed),
           breeder_(settings.ga, space_, seed) {
         IDEOTYPE_EXPECT(settings.population > 0);
     }
@@ -56,7 +57,7 @@ class GeneticAlgorithm : public GenerationalOptimizer {
 
     Candidate candidate(std::uint32_t slot) override {
         IDEOTYPE_EXPECT(slot < next_size());
-        if (generation() == 0) return breeder_.founder(0, slot);
+        if (generation() == 0) return founder(space_, seed_, 0, slot);
         if (slot < elites_.size()) return elites_[slot];
         const auto first = static_cast<std::uint32_t>(
             slot - (slot - elites_.size()) % 2);  // of two children
@@ -132,6 +133,7 @@ class GeneticAlgorithm : public GenerationalOptimizer {
 
     SearchSettings settings_;
     SearchSpace space_;
+    std::uint64_t seed_;
     Breeder breeder_;
     Population parents_;               //!< individuals that may have children
     std::vector<std::int64_t> rows_;   //!< rows of the parents

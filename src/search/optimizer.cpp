@@ -93,6 +93,8 @@ std::unique_ptr<GenerationalOptimizer> make_generational(
             return make_auto_search(settings, space, seed);
         case OptimizerKind::cma_es:
             return make_cma_es(settings, space, seed);
+        case OptimizerKind::atlas:
+            return make_atlas(settings, space, seed);
         default:
             return make_genetic_algorithm(settings, space, seed);
     }
@@ -224,6 +226,12 @@ Genome random_genome(const SearchSpace& space, std::uint64_t seed,
         if (gene.is_free) genome[i] = stream.uniform(gene.lower, gene.upper);
     }
     return genome;
+}
+
+Candidate founder(const SearchSpace& space, std::uint64_t seed,
+                  std::uint32_t generation, std::uint32_t slot) {
+    if (generation == 0 && slot == 0) return {space.baseline, Origin::baseline};
+    return {random_genome(space, seed, generation, slot), Origin::random};
 }
 
 int usual_population(OptimizerKind optimizer, std::size_t free_genes) {

@@ -91,9 +91,15 @@ class GenerationalOptimizer : public Optimizer {
 Genome random_genome(const SearchSpace& space, std::uint64_t seed,
                      std::uint32_t generation, std::uint32_t slot);
 
+//! Returns the baseline in generation 0 and slot 0, else a random genome.
+Candidate founder(const SearchSpace& space, std::uint64_t seed,
+                  std::uint32_t generation, std::uint32_t slot);
+
 //! These functions make an optimizer of each kind, before the first row; see
 //! their sources.
 std::unique_ptr<GenerationalOptimizer> make_genetic_algorithm(
+    const SearchSettings& settings, SearchSpace space, std::uint64_t seed);
+std::unique_ptr<GenerationalOptimizer> make_atlas(
     const SearchSettings& settings, SearchSpace space, std::uint64_t seed);
 std::unique_ptr<GenerationalOptimizer> make_cma_es(
     const SearchSettings& settings, SearchSpace space, std::uint64_t seed);

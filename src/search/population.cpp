@@ -25,6 +25,11 @@ double wrapped(const Gene& gene, double value) {
     return result < gene.upper ? std::max(result, gene.lower) : gene.lower;
 }
 
+double within(const Gene& gene, double value) {
+    return gene.is_circular ? wrapped(gene, value)
+                            : std::clamp(value, gene.lower, gene.upper);
+}
+
 double difference(const Gene& gene, double a, double b) {
     if (!gene.is_circular) return b - a;
     const double range = gene.upper - gene.lower;

@@ -36,6 +36,10 @@ std::size_t count_free(const GeneSpace& genes);
 //! circle as a value of a circular gene.
 double wrapped(const Gene& gene, double value);
 
+//! Returns a value that a gene may have: the nearest one or, for a circular
+//! gene, the one for the same point.
+double within(const Gene& gene, double value);
+
 //! Returns the signed way from a to b: along the shorter arc for a circular
 //! gene.
 double difference(const Gene& gene, double a, double b);
@@ -76,6 +80,7 @@ struct Individual {
     double violation = 0;
     //! Each objective by randomisation [objective, randomisation], if known.
     std::vector<double> randomisations{};
+    std::vector<double> features{};  //!< by axis of an atlas
 };
 
 //! The individuals of one generation, by slot.

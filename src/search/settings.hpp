@@ -9,13 +9,14 @@
 namespace ideotype {
 
 //! The kinds of optimizers.
-enum class OptimizerKind { automatic, ga, cma_es, nsga2, random, sobol };
+enum class OptimizerKind { automatic, ga, cma_es, nsga2, atlas, random, sobol };
 
 //! The names of optimizers beside their kinds.
 inline const std::vector<std::pair<std::string, OptimizerKind>> optimizers{
     {"auto", OptimizerKind::automatic}, {"ga", OptimizerKind::ga},
     {"cma_es", OptimizerKind::cma_es},  {"nsga2", OptimizerKind::nsga2},
-    {"random", OptimizerKind::random},  {"sobol", OptimizerKind::sobol}};
+    {"atlas", OptimizerKind::atlas},    {"random", OptimizerKind::random},
+    {"sobol", OptimizerKind::sobol}};
 
 //! Settings of the genetic algorithm.
 struct GaSettings {
@@ -48,6 +49,14 @@ struct SensitivitySettings {
     Grouping groups = Grouping::trait;
 };
 
+//! A feature of plants along which an atlas has cells of equal width.
+struct AtlasAxis {
+    std::string quantity;  //!< for example "lai"
+    double lower = 0;
+    double upper = 0;
+    int cells = 10;
+};
+
 //! The settings of the search of a case.
 struct SearchSettings {
     OptimizerKind optimizer = OptimizerKind::ga;
@@ -60,6 +69,7 @@ struct SearchSettings {
     //! Standard deviation of CMA-ES at the beginning, relative to the range of
     //! a gene.
     double step = 0.2;
+    std::vector<AtlasAxis> axes{};  //!< of an atlas
     //! The sensitivity study that proposes the rows in place of an optimizer.
     std::optional<SensitivitySettings> design{};
     //! The reference of the hypervolume, by objective; empty: the worst of the

@@ -34,13 +34,16 @@ class Search:
         seed: int = 1,
         circular: ArrayLike | None = None,
         traits: Sequence[str] | None = None,
+        axes: Sequence[tuple[float, float, int]] = (),
     ) -> None:
         """Begins a search. lower and upper: bounds [genes]. start: where the
         search begins, by default in the middle. maximise: whether each
         objective is maximised, else it is minimised. population: number of
         points of a generation. circular: whether both bounds of a gene are the
         same point. traits: names of groups of genes that belong together, by
-        default each gene by itself."""
+        default each gene by itself. axes: lower bound, upper bound and number
+        of cells of each feature of an atlas, which looks for the best point of
+        each cell and needs the features of points in tell()."""
         bounds = np.array([real(lower, "lower"), real(upper, "upper")])
         if bounds.ndim != 2 or not np.all(bounds[0] < bounds[1]):
             raise Error(
@@ -63,7 +66,15 @@ class Search:
             raise Error(
                 f"traits: {count} names are needed, one for each bound"
             )
+        if bool(axes) != (optimizer == "atlas") or not all(
+            lower < upper and cells > 0 for lower, upper, cells in axes
+        ):
+            raise Error(
+                "axes: an atlas needs (lower, upper, cells) of each feature, "
+                "with lower < upper and cells > 0; other searches have none"
+            )
         self._objectives = len(maximise)
+        self._features = len(axes)
         self._search = make_search(
             optimizer,
             population or 0,
@@ -74,6 +85,7 @@ class Search:
             around.astype(bool).tolist(),
             names,
             [bool(each) for each in maximise],
+            list(axes),
         )
 
     def ask(self) -> Numbers:
@@ -82,11 +94,15 @@ class Search:
         return np.array(self._search.ask())
 
     def tell(
-        self, values: ArrayLike, violations: ArrayLike | None = None
+        self,
+        values: ArrayLike,
+        violations: ArrayLike | None = None,
+        features: ArrayLike | None = None,
     ) -> None:
         """Learns the values of the points that were asked for [points] or
         [points, objectives]; NaN where a point could not be evaluated.
-        violations: how far each point fails constraints; 0 where it does not."""
+        violations: how far each point fails constraints; 0 where it does not.
+        features: those of each point of an atlas [points, axes]."""
         count = len(self._search.ask())
         told = np.asarray(values, float).reshape(-1, self._objectives)
         failed = (
@@ -99,7 +115,16 @@ class Search:
                 f"values: {count} points were asked for, but {len(told)} are "
                 "given; give one value for each"
             )
-        self._search.tell(told.tolist(), failed.tolist())
+        kinds = (
+            np.empty((0, 0))
+            if features is None
+            else np.asarray(features, float)
+        )
+        if self._features and kinds.shape != (count, self._features):
+            raise Error(
+                f"features: an atlas needs {self._features} of each of {count} points"
+            )
+        self._search.tell(told.tolist(), failed.tolist(), kinds.tolist())
 
     def best(self, count: int = 1) -> Numbers:
         """Returns the points to evaluate again at the end, best first [at most

@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Compares the atlas with pyribs 0.12.0 on the benchmark of that package.
+
+Tjanaka et al. 2023 (doi:10.1145/3583131.3590374): the sphere function of 20
+genes and a linear projection of them onto two features, 20 x 20 cells, 300
+generations of 100 points. The QD score is the sum over cells of what their
+leaders are worth without noise. Scores of pyribs are means of three seeds, by
+`GridArchive` with `IsoLineEmitter` (iso_sigma = 0.1024, line_sigma = 0.2) or
+`GaussianEmitter` (sigma = 0.5), which begin at 0."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from ideotype import Error, Search
+
+_GENES = 20
+_BOUND = 5.12
+_CELLS = 20
+# By the standard deviation of noise: the better emitter of pyribs.
+_PYRIBS = {0: 29_632.0, 10: 17_629.2}  # of lines, Gaussian
+
+
+def _worth(points: np.ndarray) -> np.ndarray:
+    shift = 0.4 * _BOUND
+    worst = _GENES * (_BOUND + shift) ** 2
+    return 100 * (1 - ((points - shift) ** 2).sum(axis=1) / worst)
+
+
+def _features(points: np.ndarray) -> np.ndarray:
+    return points.reshape(len(points), 2, -1).sum(axis=2)
+
+
+def _score(noise: float, seed: int) -> float:
+    reach = _BOUND * _GENES / 2
+    search = Search(
+        [-_BOUND] * _GENES,
+        [_BOUND] * _GENES,
+        optimizer="atlas",
+        population=100,
+        seed=seed,
+        axes=[(-reach, reach, _CELLS)] * 2,
+    )
+    random = np.random.default_rng(seed)
+    for _ in range(300):
+        points = search.ask()
+        luck = noise * random.standard_normal(len(points))
+        search.tell(_worth(points) + luck, features=_features(points))
+    leaders = search.best(_CELLS**2)
+    cells = np.floor((_features(leaders) / reach + 1) / 2 * _CELLS)
+    assert len(np.unique(cells, axis=0)) == len(leaders)
+    return float(_worth(leaders).sum())
+
+
+@pytest.mark.parametrize(("noise", "least"), [(0, 0.95), (10, 1.3)])
+def test_an_atlas_is_as_good_as_that_of_pyribs(
+    noise: float, least: float
+) -> None:
+    scores = [_score(noise, seed) for seed in (1, 2)]
+    assert np.mean(scores) > least * _PYRIBS[noise], scores
+
+
+def test_an_atlas_needs_axes_and_features() -> None:
+    with pytest.raises(Error, match="axes: an atlas needs"):
+        Search([0], [1], optimizer="atlas")
+    with pytest.raises(Error, match="axes: an atlas needs"):
+        Search([0], [1], optimizer="ga", axes=[(0, 1, 3)])
+    search = Search([0], [1], optimizer="atlas", axes=[(0, 1, 3)])
+    with pytest.raises(Error, match="features: an atlas needs 1"):
+        search.tell(search.ask()[:, 0])

@@ -118,9 +118,14 @@ Campaign complete(Draft& draft, const std::string& source,
     if (!draft.is_study) campaign.varied.keys = draft.searched;
     if (uses_cma_es(campaign.search) && !draft.has_population)
         campaign.search.population = usual_population_of(campaign);
+    if (campaign.search.optimizer == OptimizerKind::atlas &&
+        !draft.has_finalists)
+        campaign.final_rule.candidates =
+            static_cast<int>(count_cells(campaign.search.axes));
     if (draft.is_study) plan_study(draft, campaign);
     draft.campaign.search = campaign.search;
     draft.campaign.stop = campaign.stop;
+    draft.campaign.final_rule = campaign.final_rule;
     // A start is a plant; keys begin where the campaign has them.
     if (!campaign.search.start.empty())
         for (const KeyFactor& each : campaign.varied.keys)

@@ -52,6 +52,7 @@ struct Draft {
     bool is_crop_known = true;        //!< no file is missing
     bool has_climate = false;         //!< instead of days
     bool has_population = false;      //!< none that the optimizer chooses
+    bool has_finalists = false;       //!< a number of them is given
     bool has_samples = false;         //!< none that the method chooses
     bool is_study = false;            //!< of sensitivity, and no search
     SensitivitySettings design;       //!< design of studies

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
@@ -13,6 +14,19 @@ namespace {
 
 //! The part of a randomised day that a relative error of rounding may reach.
 constexpr double balance_tolerance = 1e-9;
+
+PlantForm form_of(const Plant& plant, const Tessellation& tessellation) {
+    constexpr std::size_t top_leaves = 4;
+    PlantForm form;
+    for (const auto& vertex : build_plant(plant, tessellation).vertices)
+        form.height = std::max(form.height, vertex.z);
+    const std::size_t count = std::min(top_leaves, plant.leaves.size());
+    for (std::size_t i = 1; i <= count; ++i)
+        form.top_leaf_angle +=
+            plant.leaves[plant.leaves.size() - i].insertion_angle /
+            static_cast<double>(count);
+    return form;
+}
 
 //! Makes the report of an evaluation from what was found in its fields.
 class Reporter {
@@ -39,7 +53,7 @@ class Reporter {
         result_.paths = found_.paths;
         result_.is_capped = found_.is_capped;
         result_.seconds = found_.seconds;
-        report_lines();
+        report_plant();
         report_areas();
         for (std::size_t b = 0; b < scene_.bands.size(); ++b) {
             report_band(scene_.bands[b], found_.light[b]);
@@ -52,13 +66,17 @@ class Reporter {
     }
 
   private:
-    void report_lines() {
-        const auto& lines = request_.details.lines;
-        if (lines && !scene_.components.empty() &&
-            scene_.components.front().plant)
-            result_.lines =
-                distance(*lines, scene_.components.front().full_grown.value_or(
-                                     *scene_.components.front().plant));
+    //! Reports what the plant of the first component is like, whatever light
+    //! it has.
+    void report_plant() {
+        if (scene_.components.empty() || !scene_.components.front().plant)
+            return;
+        const Component& first = scene_.components.front();
+        const Plant plant = first.full_grown.value_or(*first.plant);
+        if (request_.details.form)
+            result_.form = form_of(plant, first.tessellation);
+        if (const auto& lines = request_.details.lines)
+            result_.lines = distance(*lines, plant);
     }
 
     void report_areas() {

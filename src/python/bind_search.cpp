@@ -91,7 +91,7 @@ std::unique_ptr<Search> make_search(
         population > 0 ? population
                        : usual_population(settings.optimizer, start.size());
     for (const auto& [from, to, cells] : axes)
-        settings.axes.push_back({"", from, to, cells});
+        settings.axes.push_back({"", {from, to}, cells});
     SearchSpace space{{}, start, {}};
     for (std::size_t i = 0; i < start.size(); ++i)
         space.genes.push_back(

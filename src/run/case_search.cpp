@@ -46,6 +46,11 @@ CaseSearch::CaseSearch(const Evolution& evolution, History& history)
       progress_{{}, spent_before_} {
     for (std::uint32_t g = 0; g < history.next_generation(); ++g) {
         Population rows = history.generation(g);
+        if (!evolution_.campaign.search.axes.empty()) {
+            const std::vector<Row> known = history.rows(g);
+            for (std::size_t i = 0; i < rows.size(); ++i)
+                rows[i].features = features_of(known[i].outcome);
+        }
         const GenerationSummary summary = summarized_(rows);
         known_rows_ += rows.size();
         for (Individual& row : rows) evolution.optimizer.learn(std::move(row));
@@ -176,7 +181,20 @@ void CaseSearch::keep(std::uint32_t generation, std::uint32_t slot,
     row.objectives = outcome.objectives;
     row.violation = outcome.violation;
     row.randomisations = outcome.randomisations;
+    row.features = features_of(outcome);
     copy(generation, slot);
+}
+
+//! Returns the quantities along the axes of an atlas.
+std::vector<double> CaseSearch::features_of(const Outcome& outcome) const {
+    std::vector<double> features;
+    if (outcome.status == Status::done)
+        for (const AtlasAxis& each : evolution_.campaign.search.axes)
+            features.push_back(
+                find(history_.header().schema, outcome, each.quantity)
+                    .value()
+                    .mean);
+    return features;
 }
 
 //! Stores the outcome of a row, if it is known, for copies of its plant.

@@ -66,6 +66,7 @@ class CaseSearch {
     void keep(std::uint32_t generation, std::uint32_t slot,
               const Outcome& outcome);
     void copy(std::uint32_t generation, std::uint32_t original);
+    std::vector<double> features_of(const Outcome& outcome) const;
     void complete();
     void judge(const GenerationSummary& summary);
     std::uint32_t first_open() const;

@@ -69,6 +69,34 @@ std::string doubt_of(const std::string& what, double lai) {
                      what, doubt);
 }
 
+//! Returns the origin of a row of /evaluations.
+Origin origin_of(const History& history, std::int64_t row) {
+    std::uint32_t generation = 0;
+    for (; row >= history.size(generation); ++generation)
+        row -= history.size(generation);
+    return history.row(generation, static_cast<std::uint32_t>(row))
+        .candidate.origin;
+}
+
+//! Returns how many plants lead an atlas, and how many of them were evaluated
+//! again before they were finalists; "" for other searches.
+//! @param leaders the baseline, then finalists
+std::string atlas_of(const History& history, const std::vector<Row>& leaders) {
+    // Campaigns are written in canonical form.
+    if (history.header().campaign_resolved.find("\n[[search.axes]]\n") ==
+        std::string::npos)
+        return "";
+    const auto confirmed =
+        std::count_if(leaders.begin() + 1, leaders.end(), [&](const Row& row) {
+            return origin_of(history, row.candidate.parents[0]) ==
+                   Origin::elite;
+        });
+    return fmt::format(
+        ", the best of {} kinds of plants, {} of them confirmed by evaluating "
+        "again in the search",
+        leaders.size() - 1, confirmed);
+}
+
 //! Adds what the finalists tell.
 void add_finalists(const History& history, CaseResult& result) {
     const auto& objectives = history.header().schema.objectives;
@@ -90,7 +118,8 @@ void add_finalists(const History& history, CaseResult& result) {
             lai = std::max(lai, lai_of(history, finalists[i]));
         result.gain = fmt::format("front of {}", finalists.size() - 1);
     } else if (finalists[0].outcome.status == Status::done) {
-        result.gain = gain_with_lai(history, finalists[0], finalists[best]);
+        result.gain = gain_with_lai(history, finalists[0], finalists[best]) +
+                      atlas_of(history, finalists);
     }
     result.doubt =
         doubt_of(has_front ? "a plant of the front" : "this plant", lai);

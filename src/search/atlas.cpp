@@ -36,10 +36,10 @@ struct Niche {
 //! over features such as leaf area and height; plants beyond it are left out.
 //!
 //! Generation 0 is that of GeneticAlgorithm. Children of leaders, who are drawn
-//! evenly, fill later ones. One evaluation cannot tell a better
-//! plant from a lucky one: a plant that exceeds the mean of a leader challenges
-//! it, and takes its place if it exceeds it in the next generation as well, in
-//! which both have the random numbers in common. Leaders that were evaluated
+//! evenly, fill later ones. One evaluation cannot tell a better plant from a
+//! lucky one: a plant that exceeds the mean of a leader challenges it, and
+//! takes its place if it exceeds it in the next generation as well, in which
+//! both have the random numbers in common. Leaders that were evaluated
 //! least often are evaluated again, too, so that none stays by luck (adaptive
 //! sampling: Justesen et al. 2019, doi:10.1145/3319619.3321904).
 class Atlas : public GenerationalOptimizer {
@@ -184,8 +184,9 @@ class Atlas : public GenerationalOptimizer {
         std::size_t cell = 0;
         for (std::size_t i = 0; i < settings_.axes.size(); ++i) {
             const AtlasAxis& axis = settings_.axes[i];
-            const double place = (plant.features[i] - axis.lower) /
-                                 (axis.upper - axis.lower) * axis.cells;
+            const double place = (plant.features[i] - axis.range.lower) /
+                                 (axis.range.upper - axis.range.lower) *
+                                 axis.cells;
             if (!(place >= 0 && place < axis.cells)) return {};
             cell = cell * static_cast<std::size_t>(axis.cells) +
                    static_cast<std::size_t>(place);
@@ -230,6 +231,13 @@ class Atlas : public GenerationalOptimizer {
 };
 
 }  // namespace
+
+std::size_t count_cells(const std::vector<AtlasAxis>& axes) {
+    std::size_t cells = 1;
+    for (const AtlasAxis& each : axes)
+        cells *= static_cast<std::size_t>(each.cells);
+    return cells;
+}
 
 std::unique_ptr<GenerationalOptimizer> make_atlas(
     const SearchSettings& settings, SearchSpace space, std::uint64_t seed) {

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "ideotype/core/range.hpp"
+
 namespace ideotype {
 
 //! The kinds of optimizers.
@@ -52,10 +54,12 @@ struct SensitivitySettings {
 //! A feature of plants along which an atlas has cells of equal width.
 struct AtlasAxis {
     std::string quantity;  //!< for example "lai"
-    double lower = 0;
-    double upper = 0;
+    Range range{0, 1};
     int cells = 10;
 };
+
+//! Returns how many cells a grid over these axes has.
+std::size_t count_cells(const std::vector<AtlasAxis>& axes);
 
 //! The settings of the search of a case.
 struct SearchSettings {

@@ -188,7 +188,8 @@ Scene scene_of(const Campaign& campaign, const Case& chosen) {
 }
 
 Details details_of(const Campaign& campaign) {
-    return {.lines = campaign.feasibility.lines};
+    return {.form = asks_for(campaign, is_of_form),
+            .lines = campaign.feasibility.lines};
 }
 
 CanopyRequest request_of(Sampling sampling, const Campaign& campaign,

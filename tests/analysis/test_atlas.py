@@ -48,7 +48,7 @@ def _score(noise: float, seed: int) -> float:
         luck = noise * random.standard_normal(len(points))
         search.tell(_worth(points) + luck, features=_features(points))
     leaders = search.best(_CELLS**2)
-    cells = np.floor((_features(leaders) / reach + 1) / 2 * _CELLS)
+    cells = np.floor((_features(leaders) + reach) / (2 * reach) * _CELLS)
     assert len(np.unique(cells, axis=0)) == len(leaders)
     return float(_worth(leaders).sum())
 

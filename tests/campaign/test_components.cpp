@@ -97,7 +97,7 @@ TEST(Components, CountInObjectivesByTheirWeights) {
                            "weights = [1, 1]\n",
                     "fapar is no sum over components, which could be weighted"},
           std::pair{std::string("[objective]\nmaximise = \"invasion\"\n"),
-                    "compares two components, and there are 1"}})
+                    "compares two components, and there are not two"}})
         EXPECT_NE(problems_of(text).find(problem), std::string::npos) << text;
 }
 

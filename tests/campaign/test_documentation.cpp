@@ -196,7 +196,9 @@ TEST(Documentation, ResolvedTextHasExactlyTheDeclaredKeys) {
     const std::string mixed =
         "[photosynthesis]\nmodel = \"farquhar\"\nvcmax = 90\njmax = 160\n"
         "tpu = 11\ng1 = 4\n"
+        "[search]\noptimizer = \"atlas\"\n"
         "[[search.keys]]\nkey = \"panel.height\"\nrange = [3, 5]\n"
+        "[[search.axes]]\nquantity = \"lai\"\nrange = [2, 6]\n"
         "[field]\nrow_pattern = [1, 3]\n[objective]\nweights = [1, 1, 2]\n"
         "[[component]]\nname = \"weed\"\nrows = [2]\nplants = 3\njitter = 5\n"
         "variation = { length = 0.1 }\n"

@@ -177,6 +177,44 @@ TEST(Settings, StudiesAreNoSearchAndOlderOnesNameAnOptimizer) {
     EXPECT_FALSE(read_campaign(ames, {"sensitivity.samples=40"}).search.design);
 }
 
+TEST(Settings, AnAtlasNeedsSoundAxes) {
+    const std::string lai = "[[search.axes]]\nquantity = \"lai\"\n";
+    const std::string ok = lai + "range = [2, 6]\n";
+    const auto problem = [](const std::string& axes, const char* more = "") {
+        return problem_of(sample_text(
+            "",
+            std::string("[search]\noptimizer = \"atlas\"\n") + more + axes));
+    };
+    EXPECT_EQ(problem(ok), "");
+    for (const auto& [found, text] :
+         {std::pair{problem(""), "add [[search.axes]]"},
+          std::pair{problem_of(sample_text("", ok)),
+                    "use search.optimizer = \"atlas\""},
+          std::pair{problem(ok + ok), "has lai twice"},
+          std::pair{problem(lai + "range = [6, 2]\n"), "range"},
+          std::pair{problem(ok + "cells = 0\n"), "below the range"},
+          std::pair{problem(ok + "cells = 500\n[[search.axes]]\nrange = [1, "
+                                 "3]\nquantity = \"plant_height\"\n"),
+                    "have 5000 cells together (the limit is 1000)"},
+          std::pair{problem(ok, "streams = 3\n"), "streams is 3 (an atlas is"},
+          std::pair{problem("[[search.axes]]\nquantity = \"plant_hight\"\n"
+                            "range = [0, 1]\n"),
+                    "did you mean 'plant_height'?"},
+          std::pair{problem("[[search.axes]]\nquantity = \"water_use\"\n"
+                            "range = [0, 1]\n"),
+                    "the axis water_use is of leaves that transpire"}})
+        EXPECT_NE(found.find(text), found.npos) << text << '\n' << found;
+    const Campaign campaign = parse_campaign(
+        sample_text("", "[search]\noptimizer = \"atlas\"\n" + ok +
+                            "cells = 7\n[[search.axes]]\nrange = [0, 9]\n"
+                            "quantity = \"net_assimilation\"\ncells = 3\n"),
+        "c");
+    EXPECT_EQ(campaign.final_rule.candidates, 21) << "all leaders";
+    EXPECT_TRUE(campaign.photosynthesis);
+    EXPECT_EQ(parse_campaign(campaign.resolved, "c").resolved,
+              campaign.resolved);
+}
+
 TEST(Settings, EndsOfRangesFitTheRestOfTheCampaign) {
     const std::string key =
         "sensitivity.keys=[{key=\"optics.leaf_reflectance\"";

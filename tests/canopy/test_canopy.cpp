@@ -88,9 +88,27 @@ TEST_F(TwoLeaves, ProfilesAreKnownByRandomisation) {
     EXPECT_THROW(measure_profile("assimilation_by_leaf", evaluated()), Error);
 }
 
+TEST_F(TwoLeaves, TheFormIsThatOfTheFullGrownPlant) {
+    request.details.form = true;
+    const auto number = [&](const char* name) {
+        return measure_objective(name, evaluated()).estimate.mean;
+    };
+    // The stalk is the highest part; leaves stand at 40 and 30 degrees.
+    EXPECT_NEAR(number("plant_height"), 2, 1e-12);
+    EXPECT_NEAR(number("top_leaf_angle"), 35, 1e-12);
+    Plant grown = *request.scene.components[0].plant;
+    grown.stalk.height = 2.5;
+    for (const double angle : {80., 20., 20., 20.})
+        grown.leaves.push_back({.5, .06, angle, 40, 270, .5});
+    request.scene.components[0].full_grown = grown;
+    EXPECT_NEAR(number("plant_height"), 2.5, 1e-12);
+    EXPECT_NEAR(number("top_leaf_angle"), 35, 1e-12);
+}
+
 TEST_F(TwoLeaves, EveryNumberIsKnownByRandomisation) {
     request.scene.components[0].photosynthesis.emplace();
     request.details.lines = {{{"leaf.length", "top", 1, 0.1}}, {}};
+    request.details.form = true;
     for (const auto fields : {Fields::one, Fields::each}) {
         const CanopyReport report = evaluated(fields);
         // Paths, caps and the balance of energy are of the method, and the

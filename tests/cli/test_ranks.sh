@@ -24,6 +24,9 @@ same_for_any_ranks auto --set search.optimizer=auto
 same_for_any_ranks nsga2 --set search.optimizer=nsga2 \
     --set objective.minimise=lai
 same_for_any_ranks streams --set search.optimizer=auto --set search.streams=3
+axes='{quantity="lai", range=[1, 9], cells=4}, {quantity="plant_height", range=[1, 4], cells=3}'
+axes+=', {quantity="top_leaf_angle", range=[0, 90], cells=3}'
+same_for_any_ranks atlas --set search.optimizer=atlas --set "search.axes=[$axes]"
 same_for_any_ranks sobol --set search.optimizer=sobol
 same_for_any_ranks mixture --set 'band=[{name="nir"}]' \
     --set 'component=[{name="weed", crop="crops/sorghum.toml", rows=[2], free=["width"]}]'

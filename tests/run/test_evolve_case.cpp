@@ -10,6 +10,7 @@
 #include "once.hpp"
 #include "run/evolve_case.hpp"
 #include "run/provenance.hpp"
+#include "run/summary.hpp"
 #include "stand/stand.hpp"
 
 namespace ideotype {
@@ -33,6 +34,8 @@ class SumEvaluator : public Evaluator {
         double sum = 0;
         for (const double gene : genome) sum += gene;
         outcome.objectives.assign(schema_.objectives.size(), {sum, 0.1});
+        // The sum of all genes tells kinds of plants apart, too.
+        outcome.quantities[schema_.measured.offset("lai")].mean = sum;
         return outcome;
     }
 
@@ -250,6 +253,24 @@ TEST_F(EvolveCase, StopAndResumeGiveTheSameByChance) {
 TEST_F(EvolveCase, StopAndResumeGiveTheSameByAutoWithStreams) {
     campaign.search.optimizer = OptimizerKind::automatic;
     campaign.search.streams = 2;
+    expect_same_after_stops();
+}
+
+TEST_F(EvolveCase, StopAndResumeGiveTheSameByAtlas) {
+    campaign = read_campaign(
+        std::string(IDEOTYPE_CAMPAIGNS) + "/ames_quick.toml",
+        {"search.optimizer=atlas", "search.population=10",
+         "search.axes=[{quantity=\"lai\", range=[0, 4000], cells=40}]",
+         "stop.generations=6"});
+    chosen = cases(campaign)[0];
+    const HistoryHeader h = header();
+    History history = History::create(path("atlas.h5"), h);
+    SumEvaluator evaluator(h.schema, stop);
+    EXPECT_EQ(evolve(history, evaluator), Ending::finished);
+    const std::vector<Row> leaders = history.finalists();
+    ASSERT_GE(leaders.size(), 4u) << "plants of several kinds lead";
+    EXPECT_NE(result_of(history).gain.find("confirmed"), std::string::npos)
+        << result_of(history).gain;
     expect_same_after_stops();
 }
 

@@ -17,7 +17,7 @@ SearchSettings settings() {
     SearchSettings settings;
     settings.optimizer = OptimizerKind::atlas;
     settings.population = 40;
-    settings.axes = {{"a", 0, 1, cells}, {"b", 0, 1, cells}};
+    settings.axes = {{"a", {0, 1}, cells}, {"b", {0, 1}, cells}};
     return settings;
 }
 

@@ -114,6 +114,12 @@ struct RowReport {
     ComponentAssimilation assimilation{};
 };
 
+//! The form of a plant, full-grown and without deviations from its line.
+struct PlantForm {
+    double height = 0;          //!< of its highest point [m]
+    double top_leaf_angle = 0;  //!< of the four highest leaves, a mean [deg]
+};
+
 //! The result of evaluating one canopy.
 struct CanopyReport {
     std::vector<BandReport> bands;  //!< PAR first
@@ -126,6 +132,7 @@ struct CanopyReport {
     //! pieces of leaves.
     std::optional<SunlitReport> hit_by_sun;
     std::optional<LightClassReport> light_classes;  //!< if asked for as well
+    std::optional<PlantForm> form;                  //!< if asked for
     std::optional<LineDistance> lines;              //!< if asked for
     std::uint64_t paths = 0;    //!< that the light is the mean of
     bool is_capped = false;     //!< more would be needed to meet the tolerance

@@ -38,6 +38,9 @@ std::vector<std::string> objective_names();
 //! Returns whether only reports with assimilation have a quantity.
 bool is_of_assimilation(const std::string& quantity);
 
+//! Returns whether only reports with the form of plants have a quantity.
+bool is_of_form(const std::string& quantity);
+
 //! Returns whether only reports with measured lines have a quantity.
 bool is_of_lines(const std::string& quantity);
 

@@ -25,6 +25,8 @@ struct Details {
     std::size_t pieces = pieces_of_blade;
     //! True to use assimilate_exactly(), which is slow and for checks.
     bool exact = false;
+    //! The form of the plant of the first component.
+    bool form = false;
     //! Lines that exist, to tell how far the plant of the first component is
     //! from them.
     std::optional<MeasuredLines> lines{};

@@ -156,15 +156,10 @@ void check_leaf_area(const Campaign& campaign, const Problems& problems) {
 //! Reports what only campaigns with a near infrared band can have.
 void check_bands(const Campaign& campaign, const Problems& problems) {
     if (campaign.has_nir) return;
-    const std::string add = "add [[band]] with name = \"nir\"";
     if (campaign.bounded_band == BoundedBand::nir)
-        problems.add(
-            "light.band",
-            "light.band is \"nir\" (light is followed in PAR alone); " + add);
-    for (const auto& [key, name] : objective_keys(campaign, problems))
-        if (problems.usable(key) && is_of_nir(quantity_of(name)))
-            problems.add(key, "the objective {} needs near infrared; {}", name,
-                         add);
+        problems.add("light.band",
+                     "light.band is \"nir\" (light is followed in PAR alone); "
+                     "add [[band]] with name = \"nir\"");
 }
 
 //! Faces of the leaves of a field must have room in the memory.
@@ -239,7 +234,7 @@ void check_draft(Draft& draft, const Problems& problems) {
     check_light(campaign.sampling,
                 campaign.photosynthesis || asks_for_assimilation(campaign),
                 problems.in("light"));
-    check_search(campaign, draft.is_study, problems);
+    check_search(draft, problems);
     check_sensitivity(draft, problems);
     check_photosynthesis(
         draft.photosynthesis,

@@ -27,9 +27,7 @@ bool is_sound(std::size_t trait, const Problems& problems);
 void check_breeding(Draft& draft, const Problems& problems);
 
 //! Checks objectives, their scenarios, and how they are searched for.
-//! @param is_study nothing is searched for
-void check_search(const Campaign& campaign, bool is_study,
-                  const Problems& problems);
+void check_search(const Draft& draft, const Problems& problems);
 
 //! Checks how exactly light is counted.
 //! @param assimilates leaves do

@@ -161,11 +161,6 @@ void check_weights(const Draft& draft, const Problems& problems) {
     const std::vector<std::string> sums = additive_objectives();
     for (const auto& [key, name] : objective_keys(campaign, problems)) {
         if (!problems.usable(key)) continue;
-        if (is_of_two_components(name) && components != 2)
-            problems.add(key,
-                         "the objective {} compares two components, and there "
-                         "are {}; add or remove a [[component]]",
-                         name, components);
         const std::string list = has_sole ? "sole" : "weights";
         if ((!weights.empty() || has_sole) &&
             std::ranges::count(sums, name) == 0)

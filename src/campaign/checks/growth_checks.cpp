@@ -98,13 +98,6 @@ void check_growing(const Draft& draft, const Problems& problems) {
                     "later); remove it, or give [growth] to its crop file and "
                     "emergence to each [[climate]]");
     }
-    if (grows) return;
-    for (const auto& [key, name] : objective_keys(draft.campaign, problems))
-        if (problems.usable(key) && is_of_growth(name))
-            problems.add(key,
-                         "the objective {} needs plants that grow; add "
-                         "emergence to [[climate]]",
-                         name);
 }
 
 }  // namespace ideotype

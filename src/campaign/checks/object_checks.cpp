@@ -220,11 +220,6 @@ void check_objects(const Draft& draft, const Problems& problems) {
         check_optics("object", "", each.optics, own);
         check_optics("object", "nir_", each.nir_optics, own);
     }
-    if (!campaign.panels.empty()) return;
-    for (const auto& [key, name] : objective_keys(campaign, problems))
-        if (problems.usable(key) && is_of_panels(name))
-            problems.add(key, "the objective {} needs panels; add [[panel]]",
-                         name);
 }
 
 }  // namespace ideotype

@@ -11,6 +11,87 @@ namespace ideotype {
 
 namespace {
 
+//! A part of a campaign that some quantities need, and whether it lacks it.
+struct Need {
+    bool (*is_of)(const std::string& quantity);
+    bool is_missing;
+    const char* text;
+};
+
+//! Reports a quantity that this canopy does not have.
+//! @param use such as "the objective"
+void check_quantity(const std::vector<Need>& needs, const std::string& key,
+                    const std::string& use, const std::string& name,
+                    const Problems& problems) {
+    for (const Need& each : needs)
+        if (problems.usable(key) && each.is_missing &&
+            each.is_of(quantity_of(name)))
+            problems.add(key, "{} {} {}", use, name, each.text);
+}
+
+//! Checks objectives and axes of an atlas against what is in the canopy.
+void check_quantities(const Draft& draft, const Problems& problems) {
+    const Campaign& campaign = draft.campaign;
+    const bool grows = std::ranges::any_of(
+        campaign.climates, [](const auto& each) { return each.value.grows(); });
+    const std::vector<Need> needs{
+        {is_of_nir, !campaign.has_nir,
+         "needs near infrared; add [[band]] with name = \"nir\""},
+        {is_of_growth, !grows,
+         "needs plants that grow; add emergence to [[climate]]"},
+        {is_of_panels, campaign.panels.empty(), "needs panels; add [[panel]]"},
+        {is_of_water, !draft.has_water,
+         "needs leaves that transpire; add [water]"},
+        {is_of_lines, draft.lines.traits.empty(),
+         "is a distance from measured lines (this campaign has none); add "
+         "[feasibility] with lines = \"FILE.toml\""},
+        {is_of_two_components, draft.components.size() != 1,
+         "compares two components, and there are not two; add or remove a "
+         "[[component]]"}};
+    for (const auto& [key, name] : objective_keys(campaign, problems))
+        check_quantity(needs, key, "the objective", name, problems);
+    const std::vector<AtlasAxis>& axes = campaign.search.axes;
+    for (std::size_t i = 0; i < axes.size(); ++i)
+        check_quantity(needs, "search.axes[" + std::to_string(i) + "].quantity",
+                       "the axis", axes[i].quantity, problems);
+}
+
+//! Checks the grid of an atlas, which no other search has.
+void check_atlas(const SearchSettings& search, const Problems& problems) {
+    constexpr std::size_t most = 1000;
+    const bool is_atlas = search.optimizer == OptimizerKind::atlas;
+    if (!problems.usable({"optimizer", "streams"})) return;
+    if (is_atlas && search.axes.empty())
+        problems.add("optimizer",
+                     "search.optimizer is \"atlas\" (which needs to know what "
+                     "tells kinds of plants apart); add [[search.axes]]");
+    if (!is_atlas && !search.axes.empty())
+        problems.add("optimizer",
+                     "search.axes are there (only an atlas has them); use "
+                     "search.optimizer = \"atlas\", or remove them");
+    if (is_atlas && search.streams > 1)
+        problems.add("streams",
+                     "search.streams is {} (an atlas is one search); use 1",
+                     search.streams);
+    double cells = 1;
+    for (std::size_t i = 0; i < search.axes.size(); ++i) {
+        const Problems own = problems.in("axes", i);
+        if (!own.usable({"quantity", "range", "cells"})) return;
+        cells *= search.axes[i].cells;
+        for (std::size_t j = 0; j < i; ++j)
+            if (search.axes[j].quantity == search.axes[i].quantity)
+                own.add("quantity",
+                        "search.axes has {} twice; remove one of the two",
+                        search.axes[i].quantity);
+    }
+    if (cells > static_cast<double>(most))
+        problems.in("axes", 0).add(
+            "cells",
+            "search.axes have {:.0f} cells together (the limit is {}); use "
+            "fewer, or a smaller number of axes",
+            cells, most);
+}
+
 void check_objectives(const Campaign& campaign, bool is_study,
                       const Problems& problems) {
     if (!problems.usable({"objective.maximise", "objective.minimise"})) return;
@@ -75,8 +156,8 @@ void check_stop(const StopRules& stop, const Problems& problems) {
 
 }  // namespace
 
-void check_search(const Campaign& campaign, bool is_study,
-                  const Problems& problems) {
+void check_search(const Draft& draft, const Problems& problems) {
+    const Campaign& campaign = draft.campaign;
     const int population = campaign.search.population;
     const bool has_population = problems.usable({"search.population"});
     const auto at_most = [&](const std::string& key, int value, int most) {
@@ -85,7 +166,9 @@ void check_search(const Campaign& campaign, bool is_study,
                          "{} is {} (the population is {}); use {} or fewer",
                          key, value, population, most);
     };
-    check_objectives(campaign, is_study, problems);
+    check_quantities(draft, problems);
+    check_objectives(campaign, draft.is_study, problems);
+    if (!draft.is_study) check_atlas(campaign.search, problems.in("search"));
     check_stop(campaign.stop, problems);
     check_scenarios(campaign, problems);
     // Each search by CMA-ES ranks four plants or more.
@@ -108,7 +191,8 @@ void check_search(const Campaign& campaign, bool is_study,
                      std::floor(most_rows / population));
     at_most("search.elites", campaign.search.ga.elites, population - 1);
     at_most("search.tournament", campaign.search.ga.tournament, population);
-    at_most("final.candidates", campaign.final_rule.candidates, population);
+    if (campaign.search.axes.empty())
+        at_most("final.candidates", campaign.final_rule.candidates, population);
 }
 
 void check_light(const Accuracy& light, bool assimilates,

@@ -71,6 +71,7 @@ class DraftReader {
                                     draft_.has_water ||
                                     asks_for_assimilation(campaign);
         draft_.has_population = top["search"]["population"].node() != nullptr;
+        draft_.has_finalists = top["final"]["candidates"].node() != nullptr;
         // Resolved campaigns have it if nothing is searched for.
         if (source_ == PlantSource::table)
             draft_.is_study = top.contains("sensitivity");

@@ -81,10 +81,11 @@ struct Reader : ValueFaults {
         if (!text) return fail_type(node), std::nullopt;
         const auto& names = key.choices;
         if (std::ranges::count(names, *text) > 0) return text;
-        fail(fmt::format("is \"{}\" (not one of its values); {}", *text,
-                         nearest_name(*text, names).empty()
-                             ? "use " + range_text(key)
-                             : did_you_mean(*text, names)));
+        fail(fmt::format(
+            "is \"{}\" (not one of its values); {}", *text,
+            nearest_name(*text, names).empty()
+                ? fmt::format("use \"{}\"", fmt::join(names, "\" or \""))
+                : did_you_mean(*text, names)));
         return std::nullopt;
     }
 

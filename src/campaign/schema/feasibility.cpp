@@ -97,13 +97,6 @@ void check_feasibility(Draft& draft, const Problems& root) {
             "limit",
             "feasibility.limit is given (it bounds the distance from measured "
             "lines, and there are none); add lines = \"FILE.toml\"");
-    for (const ObjectiveEntry& objective : objectives_of(draft.campaign))
-        if (is_of_lines(objective.quantity) && count == 0)
-            root.add("objective.maximise",
-                     "the objective {} is a distance from measured lines (this "
-                     "campaign has none); add [feasibility] with lines = "
-                     "\"FILE.toml\"",
-                     objective.name);
 }
 
 }  // namespace ideotype

@@ -90,11 +90,15 @@ Section constraint_section(TraitConstraint& limit) {
 
 }  // namespace
 
+bool asks_for(const Campaign& campaign, bool (*is_of)(const std::string&)) {
+    return std::ranges::any_of(objectives_of(campaign), is_of,
+                               &ObjectiveEntry::quantity) ||
+           std::ranges::any_of(campaign.search.axes, is_of,
+                               &AtlasAxis::quantity);
+}
+
 bool asks_for_assimilation(const Campaign& campaign) {
-    return std::ranges::any_of(
-        objectives_of(campaign), [](const ObjectiveEntry& objective) {
-            return is_of_assimilation(objective.quantity);
-        });
+    return asks_for(campaign, is_of_assimilation);
 }
 
 std::vector<Table> measured_tables(Draft& draft) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "ideotype/canopy/quantities.hpp"
 #include "schema.hpp"
 
 namespace ideotype {
@@ -14,6 +15,14 @@ Table keys_table(const std::string& table, std::vector<KeyFactor>& factors) {
         return section;
     };
     return list_of_tables<KeyFactor>("keys", section_of, factors).optional();
+}
+
+Section axis_section(AtlasAxis& axis) {
+    Section section("search.axes", {{"quantity", &axis.quantity},
+                                    {"range", &axis.range},
+                                    {"cells", &axis.cells}});
+    section["quantity"].one_of(objective_names());
+    return section;
 }
 
 Section search_section(SearchSettings& search) {
@@ -70,7 +79,11 @@ std::vector<Table> run_tables(Draft& draft) {
     AnswerLimits& limits = campaign.answer_limits;
     return {
         one_table(search_section(campaign.search))
-            .with(keys_table("search", draft.searched), "keys"),
+            .with(keys_table("search", draft.searched), "keys")
+            .with(list_of_tables<AtlasAxis>("axes", axis_section,
+                                            campaign.search.axes)
+                      .optional(),
+                  "axes"),
         one_table(sensitivity_section(draft.design, draft.varied.has_traits))
             .left_out_if(!draft.is_study)
             .with(keys_table("sensitivity", draft.varied.keys), "keys"),

@@ -35,15 +35,7 @@ Stomata to_stomata(const WaterTable& table,
 }
 
 void check_water(const Draft& draft, const Problems& problems) {
-    if (!draft.has_water) {
-        for (const auto& [key, name] : objective_keys(draft.campaign, problems))
-            if (is_of_water(name))
-                problems.add(
-                    key,
-                    "the objective {} needs leaves that transpire; add [water]",
-                    name);
-        return;
-    }
+    if (!draft.has_water) return;
     const auto check = [](const Draft& kind, const Problems& own,
                           const std::string& whose) {
         if (kind.photosynthesis.model == LeafModel::hyperbola)

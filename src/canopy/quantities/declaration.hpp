@@ -34,6 +34,7 @@ struct Scope {
     std::size_t components = 1;
     std::vector<std::string> bands;
     bool assimilates = false;
+    bool has_form = false;
     bool has_lines = false;
     bool has_rows = false;  //!< that are told apart
     bool has_objects = false;
@@ -71,7 +72,10 @@ std::vector<Declaration> light_quantities();
 //! Quantities of reports with assimilation, after those of light.
 std::vector<Declaration> assimilation_quantities();
 
-//! Quantities of reports with measured lines, after those of assimilation.
+//! Quantities of reports with the form of plants, after those of assimilation.
+std::vector<Declaration> form_quantities();
+
+//! Quantities of reports with measured lines, after those.
 std::vector<Declaration> line_quantities();
 
 //! Quantities of several components or wavebands, after those.

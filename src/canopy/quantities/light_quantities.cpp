@@ -209,6 +209,23 @@ std::vector<Declaration> light_quantities() {
     };
 }
 
+std::vector<Declaration> form_quantities() {
+    using Report = CanopyReport;
+    return {
+        {{"plant_height",
+          "m",
+          "height of the highest point of the full-grown plant",
+          {},
+          exact},
+         [](const Report& r) { return certain(r, r.form->height); }},
+        {{"top_leaf_angle",
+          "deg",
+          "mean insertion angle of the four highest leaves from the stalk",
+          {},
+          exact},
+         [](const Report& r) { return certain(r, r.form->top_leaf_angle); }}};
+}
+
 std::vector<Declaration> line_quantities() {
     using Report = CanopyReport;
     return {

@@ -30,6 +30,7 @@ std::vector<const Declaration*> declared(const Scope& scope) {
     };
     add(all_of<light_quantities>());
     if (scope.assimilates) add(all_of<assimilation_quantities>());
+    if (scope.has_form) add(all_of<form_quantities>());
     if (scope.has_lines) add(all_of<line_quantities>());
     add(all_of<part_quantities>());
     add(all_of<row_quantities>());
@@ -42,12 +43,13 @@ namespace {
 
 //! A canopy that has every quantity.
 const Scope everything{2,    {"par", "nir"}, true, true, true,
-                       true, true,           true, true};
+                       true, true,           true, true, true};
 
 Scope scope_of(const CanopyReport& report) {
     Scope scope{report.components.size(),
                 {},
                 report.assimilation.has_value(),
+                report.form.has_value(),
                 report.lines.has_value(),
                 !report.rows.empty(),
                 !report.objects.empty(),
@@ -122,6 +124,10 @@ std::vector<std::string> objective_names() {
 
 bool is_of_assimilation(const std::string& quantity) {
     return is_in(all_of<assimilation_quantities>(), quantity);
+}
+
+bool is_of_form(const std::string& quantity) {
+    return is_in(all_of<form_quantities>(), quantity);
 }
 
 bool is_of_lines(const std::string& quantity) {

@@ -12,15 +12,11 @@ namespace ideotype {
 namespace {
 
 Scope scope_of(const Scene& scene, const Details& details) {
-    Scope scope{scene.components.size(),
-                {},
-                scene.assimilates(),
-                details.lines.has_value(),
-                !scene.cell.row_ground.empty(),
-                !scene.objects.empty(),
-                has_panels(scene.objects),
-                scene.light().series.grows,
-                scene.water.has_value()};
+    Scope scope{scene.components.size(),    {},
+                scene.assimilates(),        details.form,
+                details.lines.has_value(),  !scene.cell.row_ground.empty(),
+                !scene.objects.empty(),     has_panels(scene.objects),
+                scene.light().series.grows, scene.water.has_value()};
     for (const Band& band : scene.bands) scope.bands.push_back(band.name);
     return scope;
 }

@@ -26,7 +26,7 @@ def shown(
     with phone_with(address, folder, width, height) as phone:
         settle(phone)
         yield phone
-        assert not phone.errors
+        assert not phone.errors, phone.errors
 
 
 def settle(phone: Phone) -> None:

@@ -5,10 +5,11 @@ measured, or one that was bred."""
 from __future__ import annotations
 
 import tomllib
+from collections.abc import Callable
 from dataclasses import dataclass
 from importlib.resources import as_file, files
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,6 +18,9 @@ from .._errors import Error
 from .._scans.plant_sources import is_digitised
 from .._stand import Stand
 from .conditions import Conditions, Tables, one_case
+
+if TYPE_CHECKING:
+    from ..analysis.atlas import Atlas
 
 CROPS = ("maize", "sorghum", "soybean", "cowpea")
 """The crops that come with the package."""
@@ -35,6 +39,8 @@ class Opened:
     """The plant that the page shows first [genes]."""
     free: NDArray[np.bool_]
     """Whether the campaign breeds a gene [genes]."""
+    map: dict[str, Any] | None = None
+    """The best plants of all kinds, if the plant comes from an atlas."""
 
     @property
     def conditions(self) -> Conditions:
@@ -92,7 +98,11 @@ def open_place(
 
 
 def _opened(
-    title: str, about: str, stand: Stand, genome: NDArray[np.float64]
+    title: str,
+    about: str,
+    stand: Stand,
+    genome: NDArray[np.float64],
+    atlas: Atlas | None = None,
 ) -> Opened:
     base = one_case(tomllib.loads(stand.campaign), stand.name)
     _add_profiles(base["plant"]["baseline"])
@@ -101,14 +111,48 @@ def _opened(
     _free_all(base)
     every = Stand(base)
     names = list(every.genes["name"])
-    if len(names) != len(genome):
-        # Traits of components that the campaign does not breed come in.
+
+    def complete(genome: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Returns a genome with traits of components that the campaign does
+        not breed, which come in."""
         found = dict(zip(stand.genes["name"], genome))
-        genome = np.array(
+        return np.array(
             [found.get(n, b) for n, b in zip(names, every.baseline)]
         )
+
     free = np.array([name in breeds for name in names])
-    return Opened(title, about, base, genome, free)
+    kinds = _map_of(atlas, complete) if atlas else None
+    return Opened(title, about, base, complete(genome), free, kinds)
+
+
+def _map_of(
+    atlas: Atlas,
+    complete: Callable[[NDArray[np.float64]], NDArray[np.float64]],
+) -> dict[str, Any]:
+    """Returns what the page shows of an atlas: the leaders of the cells of its
+    first two axes."""
+    leaders, goal = atlas.leaders, atlas.leaders.goals[0]
+    return {
+        "goal": {"name": goal.name, "unit": goal.unit, "sign": goal.sign},
+        "axes": [
+            {
+                "name": axis.name,
+                "unit": axis.unit,
+                "edges": axis.edges.tolist(),
+            }
+            for axis in atlas.axes[:2]
+        ],
+        "plants": [
+            {
+                "cell": atlas.cells[i, :2].tolist(),
+                "value": float(leaders.objectives[i, 0]),
+                "error": float(leaders.objectives_standard_error[i, 0]),
+                "is_confirmed": bool(atlas.is_confirmed[i]),
+                "genome": complete(leaders.genome[i]).tolist(),
+            }
+            for i in atlas.on_two_axes()
+        ],
+    }
 
 
 def _add_profiles(crop: Tables) -> None:
@@ -151,13 +195,13 @@ def _of_history(path: Path) -> Opened:
     from ..analysis import open_history
 
     with open_history(path) as history:
-        best = history.best()
+        best, atlas = history.best(), history.atlas()
         name = str(history.attributes.get("case", path.stem))
     if best is None:
         raise Error(f"{path}: no plant is evaluated yet; come back later")
     stand = Stand.from_history(path, same_isa=False)
     told = f"It is the best plant that was bred in {path.name}."
-    return _opened(name, told, stand, best.row.genome[0])
+    return _opened(name, told, stand, best.row.genome[0], atlas)
 
 
 def _of_measured(path: Path, plant: str | None, crop: str) -> Opened:

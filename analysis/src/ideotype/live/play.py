@@ -22,7 +22,9 @@ from .opened import CROPS, open_place
 from .server import Guarded, Socket, add_options, answer, application, serve
 from .session import Session
 
-_SCRIPTS = (*("state.js", "sliders.js", "numbers.js", "field.js", "play.js"),)
+_SCRIPTS = (
+    *("state.js", "sliders.js", "numbers.js", "field.js", "map.js", "play.js"),
+)
 
 
 class _Talk(Socket):

@@ -67,6 +67,7 @@ class Session:
                 "quantities": place.layout.scalars,
                 "goals": [n for n in dict.fromkeys(wanted) if n in known],
                 "components": place.stand.components,
+                "map": opened.map,
                 "days": bench.growth.days if bench.growth else 0,
                 "has_panel_table": "panel" in opened.base,
                 "evaluations": EVALUATIONS,

@@ -9,6 +9,7 @@ from typing import NamedTuple
 from matplotlib.figure import Figure
 
 from ..case import Case
+from .atlas_figure import draw_atlas
 from .azimuths import draw_azimuths
 from .convergence import draw_convergence
 from .front_figures import draw_front, draw_hypervolume
@@ -138,11 +139,25 @@ _FRONT_FIGURES: dict[str, CaseFigure] = {
 }
 
 
+_ATLAS = {
+    "atlas": CaseFigure(
+        draw_atlas,
+        "How good can a plant of each kind be?",
+        "The objective of the best plant of each kind, evaluated again at the "
+        "end; where a third quantity tells kinds apart, the best over it. A "
+        "plant that is not confirmed was evaluated only once in the search, and "
+        "may lead by luck.",
+    )
+}
+
+
 def figures_of(case: Case) -> dict[str, CaseFigure]:
     """Returns the figures of a case, which begin with those of its front where
-    there are several objectives."""
+    there are several objectives, or with its atlas."""
     first = case.histories[0]
     fronts = dict(_FRONT_FIGURES)
     if first.generations().hypervolume is None:
         del fronts["hypervolume"]
-    return (fronts if len(first.objectives) > 1 else {}) | CASE_FIGURES
+    atlas = _ATLAS if case.resolved.get("search", {}).get("axes") else {}
+    fronts = fronts if len(first.objectives) > 1 else {}
+    return fronts | atlas | CASE_FIGURES

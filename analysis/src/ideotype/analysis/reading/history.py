@@ -12,6 +12,7 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import NDArray
 
+from ..atlas import Atlas, atlas_of
 from ..front import Front, front_of
 from ..pair import Pair
 from .columns import columns
@@ -185,6 +186,14 @@ class History:
             return front_of(done.take(done.slot > 0), done.one(0, True))
         baseline = self.baseline()
         return front_of(self.latest(), baseline) if baseline else None
+
+    def atlas(self) -> Atlas | None:
+        """Returns the best plants of all kinds, if the search is an atlas and
+        its finals are complete."""
+        axes = self.resolved.get("search", {}).get("axes")
+        if not axes or (done := self._finals()) is None:
+            return None
+        return atlas_of(axes, done.take(done.slot > 0), self.evaluations())
 
     def latest(self) -> Rows:
         """Returns the last committed generation, or all complete rows before

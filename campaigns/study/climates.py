@@ -42,6 +42,23 @@ def season() -> dict[str, Any]:
     return {**found, "file": str(CAMPAIGNS / found["file"])}
 
 
+def growing_season() -> dict[str, Any]:
+    """Returns the tables of the hybrid that grows and ages in the season of
+    2011 at Bondville: site, climate, plant and light."""
+    found = tomllib.loads((CAMPAIGNS / "growing_season.toml").read_text())
+    climate = found["climate"][0]
+    return {
+        "site": found["site"],
+        "climate": [{**climate, "file": str(CAMPAIGNS / climate["file"])}],
+        "plant": {
+            "baseline": str(CAMPAIGNS / found["plant"]["baseline"]),
+            "bounds": "breedable",
+        },
+        "light": {"tolerance": 0.02},
+        "final": {"candidates": 3, "paths": 512, "randomisations": 48},
+    }
+
+
 def site(latitude: float) -> dict[str, Any]:
     """Returns a site whose clocks tell the time of the sun, but for the
     equation of time."""
@@ -111,9 +128,11 @@ def overcast_day(latitude: float, folder: Path) -> dict[str, Any]:
 
 
 @cache
-def moved_season(latitude: float, folder: Path) -> Path:
-    """Writes a weather file: the season of Bondville under the sun of another
-    latitude.
+def moved_season(
+    latitude: float, folder: Path, file: str | None = None
+) -> Path:
+    """Writes a weather file: the season of Bondville, or another file of that
+    place, under the sun of another latitude.
 
     At each part of a day, from sunrise to sunset, the atmosphere transmits and
     scatters the shares of light that it transmitted and scattered at Bondville
@@ -122,7 +141,7 @@ def moved_season(latitude: float, folder: Path) -> Path:
     here = bondville()["site"][0]
     fast = here["longitude"] / 15 - here["utc_offset"]
     days = []
-    measured = pd.read_csv(season()["file"])
+    measured = pd.read_csv(file or season()["file"])
     for _, rows in measured.groupby(measured.time.str[:10]):
         day = date.fromisoformat(rows.time.iloc[0][:10])
         hours = np.arange(24.0)
@@ -130,20 +149,20 @@ def moved_season(latitude: float, folder: Path) -> Path:
         shines = outside > LOW_SUN * SOLAR_CONSTANT
         part = (hours + fast - 12) / half_day(here["latitude"], day)
         part_there = (hours - 12) / half_day(latitude, day)
-        passing, scattered = (
-            np.interp(part_there, part[shines], share.to_numpy()[shines])
-            for share in (
-                rows.ppfd_umol / np.maximum(outside, 1),
-                rows.diffuse_fraction_erbs,
-            )
+
+        known = part_there, part[shines]
+        passing = rows.ppfd_umol.to_numpy() / np.maximum(outside, 1)
+        light = np.interp(*known, passing[shines])
+        moved = rows.assign(
+            time=rows.time.str[:16],
+            ppfd_umol=light * light_outside(latitude, day, hours),
         )
-        days.append(
-            rows.assign(
-                time=rows.time.str[:16],
-                ppfd_umol=passing * light_outside(latitude, day, hours),
-                diffuse_fraction_erbs=scattered,
-            )
-        )
+        # Other files leave it to the clearness of the sky.
+        name = "diffuse_fraction_erbs"
+        if name in rows:
+            share = rows[name].to_numpy()[shines]
+            moved[name] = np.interp(*known, share)
+        days.append(moved)
     path = folder / f"season_{latitude:g}.csv"
     pd.concat(days).round(4).to_csv(path, index=False)
     return path

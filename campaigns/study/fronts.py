@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Finds the leaf area that a season's carbon needs.
 
-fronts.py FOLDER [--figure FILE.png] [--generations N] [--seeds N] [--rough]
+fronts.py FOLDER [--figure FILE.png] [--generations N] [--seeds N]
+          [--growing] [--rough]
 
 Breeds crops/maize.toml by NSGA-II for a high carbon balance of the season
 measured at Bondville, Illinois, and a low leaf area index. Traits are those
@@ -24,7 +25,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from climates import bondville, season
+from climates import bondville, growing_season, season
 from draw_plants import draw as draw_plant
 from matplotlib.axes import Axes
 from shared import (
@@ -81,16 +82,24 @@ class Found:
 
 
 def campaign(options: argparse.Namespace) -> dict[str, Any]:
+    lit = (
+        growing_season()
+        if options.growing
+        else {"site": bondville()["site"], "climate": [season()]}
+    )
     return {
         **BREEDABLE,
         "name": "front",
         "replicates": options.seeds,
-        "site": bondville()["site"],
-        "climate": [season()],
         "objective": {"maximise": "carbon_balance", "minimise": "lai"},
         "search": {"optimizer": "nsga2", "population": 40},
         "stop": {"generations": options.generations},
-        "final": {**BREEDABLE["final"], "candidates": 20},
+        **lit,
+        "final": {
+            **BREEDABLE["final"],
+            **lit.get("final", {}),
+            "candidates": 20,
+        },
         **(ROUGH if options.rough else {}),
     }
 
@@ -233,7 +242,7 @@ def draw_plants(found: Found, panels: list[Axes], shown: list[int]) -> None:
 
 def main() -> None:
     parser = parser_of_searches(
-        __doc__, has_figure=True, generations=60, seeds=2
+        __doc__, has_figure=True, has_growth=True, generations=60, seeds=2
     )
     options = parser.parse_args()
     found = find(options)

@@ -3,7 +3,7 @@
 """Measures what one plant for five sites costs.
 
 robust.py FOLDER [--figure FILE.png] [--latitudes N...] [--generations N]
-          [--seeds N] [--rough]
+          [--seeds N] [--growing] [--rough]
 
 Breeds crops/maize.toml for the carbon balance of a season at each latitude of
 arXiv:2512.06064 alone, and one robust plant for the mean over all of them: the
@@ -25,7 +25,7 @@ from statistics import fmean
 from typing import Any
 
 import numpy as np
-from climates import moved_season, season, site
+from climates import growing_season, moved_season, season, site
 from shared import (
     BREEDABLE,
     ROUGH,
@@ -51,27 +51,35 @@ Matrix = dict[str, list[Estimate]]
 """The carbon of each plant at each latitude [% of the plant bred there]."""
 
 
-def place(latitude: float, folder: Path) -> dict[str, Any]:
+def place(
+    latitude: float, folder: Path, climate: dict[str, Any]
+) -> dict[str, Any]:
     """Returns a latitude as a [[site]], with its weather."""
     return {
         **site(latitude),
         "name": f"n{latitude:g}".replace(".", "p"),
-        "weather": str(moved_season(latitude, folder)),
+        "weather": str(moved_season(latitude, folder, climate["file"])),
     }
+
+
+def light_of(options: argparse.Namespace) -> dict[str, Any]:
+    """Returns the season, and the plant that grows in it if it does."""
+    return growing_season() if options.growing else {"climate": [season()]}
 
 
 def campaign(
     name: str, places: list[dict[str, Any]], options: argparse.Namespace
 ) -> dict[str, Any]:
     """Returns the tables of a search for the mean of these places."""
-    climate = season()
-    climate.pop("file")
+    lit = light_of(options)
+    # Each site has a file of its own.
+    lit["climate"][0].pop("file")
     return {
         **BREEDABLE,
+        **lit,
         "name": name,
         "replicates": options.seeds,
         "site": places,
-        "climate": [climate],
         "objective": {"maximise": "carbon_balance", "over": ["site"]},
         "search": {"optimizer": "cma_es", "population": 20},
         "stop": {"generations": options.generations},
@@ -93,8 +101,10 @@ def relative(stand: Stand, home: int, plants: list[Numbers]) -> list[Estimate]:
 
 
 def matrix(options: argparse.Namespace) -> Matrix:
+    (climate,) = light_of(options)["climate"]
     places = [
-        place(latitude, options.folder) for latitude in options.latitudes
+        place(latitude, options.folder, climate)
+        for latitude in options.latitudes
     ]
     alone = [campaign(each["name"], [each], options) for each in places]
     over = campaign("robust", places, options)
@@ -149,7 +159,7 @@ def draw(found: Matrix, latitudes: Sequence[float], path: Path) -> None:
 
 def main() -> None:
     parser = parser_of_searches(
-        __doc__, has_figure=True, generations=40, seeds=1
+        __doc__, has_figure=True, has_growth=True, generations=40, seeds=1
     )
     parser.add_argument(
         "--latitudes", nargs="+", type=float, default=LATITUDES

@@ -139,10 +139,15 @@ def parser_of(
 
 
 def parser_of_searches(
-    description: str | None, *, has_figure: bool = False, **counts: int
+    description: str | None,
+    *,
+    has_figure: bool = False,
+    has_growth: bool = False,
+    **counts: int,
 ) -> argparse.ArgumentParser:
     """Returns the parser of a script that breeds in a folder. `counts` are the
-    names of options that are whole numbers, with their defaults."""
+    names of options that are whole numbers, with their defaults. With
+    `has_growth` plants may grow in place of standing as they do at silking."""
     parser = parser_of(
         description,
         "Searches that the folder has are not repeated, and interrupted ones "
@@ -156,6 +161,12 @@ def parser_of_searches(
         )
     if has_figure:
         parser.add_argument("--figure", type=Path)
+    if has_growth:
+        parser.add_argument(
+            "--growing",
+            action="store_true",
+            help="let the hybrid grow and age from emergence to maturity",
+        )
     parser.add_argument(
         "--rough", action="store_true", help="take little light, for tests"
     )

@@ -57,10 +57,8 @@ PARTS = {
     "paper_table": Part(
         "How much can breeding gain, and which search finds it?",
         (
-            "paper_table.py",
-            "{folder}",
-            "--figure",
-            "{figures}/paper_table.png",
+            *("paper_table.py", "{folder}"),
+            *("--figure", "{figures}/paper_table.png"),
         ),
         (
             *("--rough", "--objective", "absorbed_par"),
@@ -86,12 +84,7 @@ PARTS = {
     ),
     "erect_tops": Part(
         "When does an erect top pay?",
-        (
-            "erect_tops.py",
-            "{folder}",
-            "--figure",
-            "{figures}/erect_tops.png",
-        ),
+        ("erect_tops.py", "{folder}", "--figure", "{figures}/erect_tops.png"),
         (
             *("--rough", "--light", "clear", "--limit", "area"),
             *("--densities", "4", "20", "--latitudes", "42"),
@@ -109,10 +102,8 @@ PARTS = {
     "what_matters": Part(
         "Which traits make the difference?",
         (
-            "what_matters.py",
-            "{folder}",
-            "--figure",
-            "{figures}/what_matters.png",
+            *("what_matters.py", "{folder}"),
+            *("--figure", "{figures}/what_matters.png"),
         ),
         (
             *("--rough", "--only", "absorbed_par", "--samples", "4"),
@@ -128,6 +119,36 @@ PARTS = {
         "How much leaf area does a season's carbon need?",
         ("fronts.py", "{folder}", "--figure", "{figures}/front.png"),
         ("--rough", "--generations", "2", "--seeds", "1"),
+    ),
+    "robust_growing": Part(
+        "What does one plant for two sites cost where plants grow?",
+        (
+            *("robust.py", "{folder}", "--growing", "--generations", "6"),
+            *("--latitudes", "7", "56.2"),
+        ),
+        ("--rough", "--generations", "1"),
+    ),
+    "front_growing": Part(
+        "How much leaf area does the carbon of a growing season need?",
+        (
+            *("fronts.py", "{folder}", "--growing"),
+            *("--generations", "20", "--seeds", "1"),
+        ),
+        ("--rough", "--generations", "2"),
+    ),
+    "seasons": Part(
+        "Do growing seasons agree with measured ones?",
+        ("growth_maps.py", "{folder}", "--only", "season"),
+        ("--rough",),
+    ),
+    "strip_light": Part(
+        "Do strips have the light that was reported?",
+        *(("strip_light.py",), ("--rough",)),
+    ),
+    "atlas": Part(
+        "How good can a plant of each kind be?",
+        ("atlas.py", "{folder}", "--figure", "{figures}/atlas.png"),
+        ("--rough", "--generations", "2"),
     ),
 }
 

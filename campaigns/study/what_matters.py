@@ -34,7 +34,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from climates import season
+from climates import growing_season, season
 from shared import (
     BREEDABLE,
     CAMPAIGNS,
@@ -94,7 +94,9 @@ class Result:
     costs: dict[str, Estimate]
 
 
-def campaign(objective: str, is_rough: bool) -> dict[str, Any]:
+def campaign(
+    objective: str, is_rough: bool, grows: bool = False
+) -> dict[str, Any]:
     path = OBJECTIVES[objective]
     tables = tomllib.loads(path.read_text(encoding="utf-8"))
     lit = {"day": tables["day"]} if path == DAY else {"climate": [season()]}
@@ -104,6 +106,7 @@ def campaign(objective: str, is_rough: bool) -> dict[str, Any]:
         "site": tables["site"],
         **lit,
         "objective": {"maximise": objective},
+        **(growing_season() if grows and path == SEASON else {}),
         **(ROUGH if is_rough else {}),
     }
 
@@ -200,7 +203,7 @@ def bred(tables: dict[str, Any], options: argparse.Namespace) -> list[Numbers]:
 
 
 def look(objective: str, options: argparse.Namespace) -> Result:
-    tables = campaign(objective, options.rough)
+    tables = campaign(objective, options.rough, options.growing)
     say(f"sensitivity of {objective}")
     found = indices(tables, options.samples, options.folder)
     say(f"breeding for {objective}")
@@ -326,7 +329,13 @@ def draw(results: dict[str, Result], path: Path) -> None:
 
 def main() -> None:
     parser = parser_of_searches(
-        __doc__, has_figure=True, samples=256, generations=60, seeds=2, draws=8
+        __doc__,
+        has_figure=True,
+        has_growth=True,
+        samples=256,
+        generations=60,
+        seeds=2,
+        draws=8,
     )
     parser.add_argument(
         "--only", nargs="+", choices=OBJECTIVES, metavar="OBJECTIVE"

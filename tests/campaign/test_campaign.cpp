@@ -201,7 +201,7 @@ TEST(Campaign, EveryCampaignOfTheProjectIsValidAndItsSize) {
         {"sorghum", 2},        {"spacings", 18},      {"trait_sets", 12},
         {"soybean", 2},        {"strip", 1},          {"cultivars", 1},
         {"mixture", 1},        {"invader", 1},        {"intercrop", 1},
-        {"agrivoltaic", 1},    {"growing_season", 1}};
+        {"agrivoltaic", 1},    {"growing_season", 1}, {"atlas", 1}};
     std::size_t found = 0;
     for (const auto& file :
          std::filesystem::directory_iterator(IDEOTYPE_CAMPAIGNS)) {

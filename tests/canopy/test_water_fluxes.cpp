@@ -4,7 +4,7 @@
 
 #include "field_of_two_leaves.hpp"
 #include "ideotype/canopy/water.hpp"
-#include "ideotype/core/units.hpp"
+#include "ideotype/core/error.hpp"
 #include "ideotype/physiology/temperature.hpp"
 #include "water/leaf_air.hpp"
 
@@ -194,6 +194,19 @@ TEST_F(WaterOfTwoLeaves, DryAirShutsStomataAndTakesMoreWater) {
     EXPECT_LT(flux(LeafFlux::conductance), .95 * conductance);
     EXPECT_GT(flux(LeafFlux::transpiration), 1.05 * water);
     EXPECT_LT(flux(LeafFlux::warming), warming);
+}
+
+TEST_F(WaterOfTwoLeaves, ExactAssimilationIsRefused) {
+    request.details.exact = true;
+    request.scene.water->has_leaf_temperature = false;
+    try {
+        evaluate(request, device);
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("without details.exact"),
+                  std::string::npos)
+            << error.what();
+    }
 }
 
 //! Plants whose leaves are more erect.

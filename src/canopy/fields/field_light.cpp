@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "ideotype/canopy/exact_assimilation.hpp"
+#include "ideotype/core/error.hpp"
 #include "ideotype/light/device.hpp"
 #include "randomisations.hpp"
 
@@ -52,6 +53,10 @@ class FieldPass {
         if (scene_.assimilates()) {
             if (lines_.are_cut)
                 assimilate(surfaces, mesh, simulation.tallies);
+            else if (scene_.water)
+                throw Error(
+                    "exact assimilation has no leaves that exchange heat and "
+                    "water; evaluate them without details.exact");
             else
                 assimilate_exactly(surfaces, mesh, accuracy);
         }

@@ -202,7 +202,7 @@ TEST(Settings, AnAtlasNeedsSoundAxes) {
                     "did you mean 'plant_height'?"},
           std::pair{problem("[[search.axes]]\nquantity = \"water_use\"\n"
                             "range = [0, 1]\n"),
-                    "the axis water_use is of leaves that transpire"}})
+                    "the axis water_use needs leaves that transpire"}})
         EXPECT_NE(found.find(text), found.npos) << text << '\n' << found;
     const Campaign campaign = parse_campaign(
         sample_text("", "[search]\noptimizer = \"atlas\"\n" + ok +

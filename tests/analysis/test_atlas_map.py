@@ -10,7 +10,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from ideotype.analysis.figure_numbers import write_numbers
 from live_browser import click, fits, serious_findings, settle, shown, text
 from live_page import served
 from real_program import output_of, write_campaign
@@ -19,6 +18,7 @@ from ideotype.analysis import open_history
 from ideotype.analysis.atlas import Atlas
 from ideotype.analysis.case import Case
 from ideotype.analysis.figures.atlas_figure import draw_atlas
+from ideotype.analysis.figures.figure_numbers import write_numbers
 from ideotype.analysis.figures.style import answer_of
 
 ACROSS, UP = (0.0, 8.0, 4), (0.0, 90.0, 3)

@@ -148,8 +148,8 @@ def test_impossible_options_are_errors(
     ("vertices", "faces", "groups", "words"),
     [
         (SQUARE[:, :2], [[0, 1, 2]], None, r"give \[vertices, 3\]"),
-        (SQUARE, [[0, 1, 4]], None, r"faces\[0\] has corner 4"),
-        (SQUARE, [[0, 1, -1]], None, r"faces\[0\] has corner -1"),
+        (SQUARE, [[0, 1, 4]], None, r"faces\[0\] has the corner 4"),
+        (SQUARE, [[0, 1, -1]], None, r"faces\[0\] has the corner -1"),
         (SQUARE, [[0, 1]], None, r"faces\[0\] has 2 corners"),
         (SQUARE, [], None, "faces is empty"),
         (SQUARE * np.nan, [[0, 1, 2]], None, r"vertices\[0\]"),

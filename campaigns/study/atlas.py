@@ -27,8 +27,8 @@ from shared import (
 from ideotype import Error
 from ideotype.analysis import Case, open_history
 from ideotype.analysis.atlas import Atlas
-from ideotype.analysis.atlas_figure import draw_atlas
-from ideotype.analysis.style import RC
+from ideotype.analysis.figures.atlas_figure import draw_atlas
+from ideotype.analysis.figures.style import RC
 
 
 def table_of(atlas: Atlas) -> tuple[list[str], list[list[str]]]:

@@ -190,7 +190,8 @@ std::vector<double> component_weights(const Campaign& campaign);
 //! Returns the unit of a quantity, or of the ratio that it is as an objective.
 std::string unit_of(const Campaign& campaign, const std::string& quantity);
 
-//! Returns whether a quantity of some kind is an objective or tells kinds apart.
+//! Returns whether a quantity of some kind is an objective or tells kinds
+//! apart.
 bool asks_for(const Campaign& campaign, bool (*is_of)(const std::string&));
 
 //! Returns whether an objective is of what leaves make of light.

@@ -238,33 +238,6 @@ Plant read_plant(const std::string& path) {
     return read_crop(path).baseline;
 }
 
-Photosynthesis read_photosynthesis(const std::string& path) {
-    PhotosynthesisTable table = photosynthesis_of_meshes();
-    Problems problems;
-    read_tables(read_text(path), path,
-                {one_table(photosynthesis_section(table))}, problems);
-    check_photosynthesis(table, 0, problems);
-    problems.throw_if_any();
-    return to_photosynthesis(table);
-}
-
-SeasonLight read_climate(const std::string& path) {
-    Draft draft;
-    Problems problems;
-    Campaign& campaign = draft.campaign;
-    campaign.sites.assign(1, {});
-    campaign.climates.assign(1, {});
-    // A file of a climate has no table [optics].
-    problems.locate("optics.par_fraction", {path, 1, 1});
-    read_tables(read_text(path), path, climate_file_tables(campaign), problems);
-    read_weathers(path, PlantSource::file_or_table, draft, problems);
-    problems.throw_if_any();
-    Case chosen;
-    chosen.site = campaign.sites.front();
-    chosen.day_name = campaign.climates.front().name;
-    return {light_of(campaign, chosen), problems.warnings()};
-}
-
 void require_breedable(const Campaign& campaign) {
     if (!campaign.outside_bounds.empty())
         throw InputError(campaign.outside_bounds);

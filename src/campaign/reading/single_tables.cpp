@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// Reads files of photosynthesis and of a climate that no campaign names.
+#include "campaign/campaign.hpp"
+#include "campaign/checks/checks.hpp"
+#include "campaign/draft.hpp"
+#include "campaign/measured/weather_reader.hpp"
+#include "campaign/problems.hpp"
+#include "campaign/schema/photosynthesis_table.hpp"
+#include "campaign/schema/schema.hpp"
+#include "files.hpp"
+#include "reader.hpp"
+
+namespace ideotype {
+
+Photosynthesis read_photosynthesis(const std::string& path) {
+    PhotosynthesisTable table = photosynthesis_of_meshes();
+    Problems problems;
+    read_tables(read_text(path), path,
+                {one_table(photosynthesis_section(table))}, problems);
+    check_photosynthesis(table, 0, problems);
+    problems.throw_if_any();
+    return to_photosynthesis(table);
+}
+
+SeasonLight read_climate(const std::string& path) {
+    Draft draft;
+    Problems problems;
+    Campaign& campaign = draft.campaign;
+    campaign.sites.assign(1, {});
+    campaign.climates.assign(1, {});
+    // A file of a climate has no table [optics].
+    problems.locate("optics.par_fraction", {path, 1, 1});
+    read_tables(read_text(path), path, climate_file_tables(campaign), problems);
+    read_weathers(path, PlantSource::file_or_table, draft, problems);
+    problems.throw_if_any();
+    Case chosen;
+    chosen.site = campaign.sites.front();
+    chosen.day_name = campaign.climates.front().name;
+    return {light_of(campaign, chosen), problems.warnings()};
+}
+
+}  // namespace ideotype

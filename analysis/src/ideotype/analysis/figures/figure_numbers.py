@@ -10,8 +10,10 @@ from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.category import StrCategoryLocator
 from matplotlib.container import BarContainer, ErrorbarContainer
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 from matplotlib.ticker import FixedLocator
 from numpy.typing import NDArray
 
@@ -61,7 +63,7 @@ def _lines(axes: Axes) -> Iterator[tuple[str, tuple[Any, ...]]]:
     for line in axes.lines:
         label = str(line.get_label())
         if id(line) not in inside and not label.startswith("_"):
-            for x, y in zip(*_numbers(line.get_data()), strict=True):
+            for x, y in zip(*_numbers(line), strict=True):
                 yield (
                     label,
                     (_named(axes, "x", x), _named(axes, "y", y), *_NO_BARS),
@@ -83,7 +85,7 @@ def _errorbars(
     line, _, collections = group.lines
     if line is None:
         return
-    x, y = _numbers(line.get_data())
+    x, y = _numbers(line)
     ends: dict[str, list[Any]] = {name: [("", "")] * len(x) for name in "xy"}
     names = [x for x in "xy" if getattr(group, f"has_{x}err")]
     for name, bars in zip(names, collections, strict=False):
@@ -122,23 +124,22 @@ def _label(group: Any, line: Any) -> str:
     return ""
 
 
-def _numbers(data: Any) -> list[NDArray[np.float64]]:
-    """Returns numbers, dates as days."""
-    found = []
-    for values in data:
-        array = np.asarray(values)
-        if np.issubdtype(array.dtype, np.datetime64):
-            array = array.astype("datetime64[D]").astype(float)
-        found.append(np.atleast_1d(np.asarray(array, float)))
-    return found
+def _numbers(line: Line2D) -> list[NDArray[np.float64]]:
+    """Returns the places of the points of a line; dates are days."""
+    return [
+        np.atleast_1d(np.asarray(values, float))
+        for values in line.get_data(orig=False)
+    ]
 
 
 def _named(axes: Axes, which: str, value: float) -> Any:
     """Returns the text of the tick at a place where ticks are words, the date
     of a day, or the number."""
     axis = getattr(axes, f"{which}axis")
-    if isinstance(axis.get_major_locator(), FixedLocator):
-        ticks = axis.get_major_locator().locs
+    locator = axis.get_major_locator()
+    if isinstance(locator, FixedLocator | StrCategoryLocator):
+        ticks = getattr(locator, "locs", None)
+        ticks = locator() if ticks is None else ticks
         labels = axis.get_major_formatter().format_ticks(ticks)
         if len(ticks):
             near = int(np.argmin(np.abs(np.asarray(ticks) - value)))

@@ -77,6 +77,11 @@ Trait complete(const TraitEntry& entry) {
     return trait;
 }
 
+bool plants_grow(const Campaign& campaign) {
+    return std::ranges::any_of(
+        campaign.climates, [](const auto& each) { return each.value.grows(); });
+}
+
 Crop crop_of(const Draft& draft) {
     Crop crop = draft.campaign.crop;
     for (const TraitEntry& entry : draft.traits)

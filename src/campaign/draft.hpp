@@ -85,6 +85,9 @@ const std::vector<std::string>& measures_of(const TraitEntry& entry);
 //! any, and the way in which it does.
 Trait complete(const TraitEntry& entry);
 
+//! Returns whether plants grow in a climate of the campaign.
+bool plants_grow(const Campaign& campaign);
+
 //! Returns the crop of a draft with its traits and its growth.
 Crop crop_of(const Draft& draft);
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
-
 #include <fmt/format.h>
 
 #include "checks.hpp"
@@ -75,8 +73,7 @@ void check_leaves(const Draft& crop, const Problems& problems) {
 
 void check_growing(const Draft& draft, const Problems& problems) {
     const auto& climates = draft.campaign.climates;
-    const bool grows = std::ranges::any_of(
-        climates, [](const auto& each) { return each.value.grows(); });
+    const bool grows = plants_grow(draft.campaign);
     for (std::size_t i = 0; i < climates.size(); ++i) {
         const Problems own = problems.in("climate", i);
         if (climates[i].value.grows())

@@ -32,12 +32,10 @@ void check_quantity(const std::vector<Need>& needs, const std::string& key,
 //! Checks objectives and axes of an atlas against what is in the canopy.
 void check_quantities(const Draft& draft, const Problems& problems) {
     const Campaign& campaign = draft.campaign;
-    const bool grows = std::ranges::any_of(
-        campaign.climates, [](const auto& each) { return each.value.grows(); });
     const std::vector<Need> needs{
         {is_of_nir, !campaign.has_nir,
          "needs near infrared; add [[band]] with name = \"nir\""},
-        {is_of_growth, !grows,
+        {is_of_growth, !plants_grow(campaign),
          "needs plants that grow; add emergence to [[climate]]"},
         {is_of_panels, campaign.panels.empty(), "needs panels; add [[panel]]"},
         {is_of_water, !draft.has_water,

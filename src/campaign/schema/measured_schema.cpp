@@ -27,8 +27,7 @@ Section light_section(Campaign& campaign) {
          {"stages", &campaign.stages}});
     const bool has_tolerance = accuracy.tolerance > 0;
     const bool has_climates = !campaign.climates.empty();
-    const bool grows = std::ranges::any_of(
-        campaign.climates, [](const auto& each) { return each.value.grows(); });
+    const bool grows = plants_grow(campaign);
     section["paths"].trades({1024, 4096, 16384, 65536}, !has_tolerance);
     section["fields"].written_if(accuracy.fields != 1);
     section["tolerance"]

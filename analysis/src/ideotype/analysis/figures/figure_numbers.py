@@ -138,8 +138,7 @@ def _named(axes: Axes, which: str, value: float) -> Any:
     axis = getattr(axes, f"{which}axis")
     locator = axis.get_major_locator()
     if isinstance(locator, FixedLocator | StrCategoryLocator):
-        ticks = getattr(locator, "locs", None)
-        ticks = locator() if ticks is None else ticks
+        ticks = locator()
         labels = axis.get_major_formatter().format_ticks(ticks)
         if len(ticks):
             near = int(np.argmin(np.abs(np.asarray(ticks) - value)))

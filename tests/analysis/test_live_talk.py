@@ -224,7 +224,8 @@ def test_the_program_ends_at_once_while_it_searches() -> None:
 def test_rough_answers_are_right_within_their_errors() -> None:
     """A season answers by a coarse stand first; the refined numbers lie within
     three standard errors of those, in all but one of eight moves at most."""
-    told = ("absorbed_par", "net_assimilation", "carbon_balance", "fapar")
+    told = ("absorbed_par", "net_assimilation", "carbon_balance", "fapar",
+            "lai")  # fmt: skip
 
     async def ask(talk: Talk) -> np.ndarray:
         genome = list(talk.hello["genome"])
@@ -243,8 +244,6 @@ def test_rough_answers_are_right_within_their_errors() -> None:
             first = await talk.first(number)
             last = await talk.final(number)
             assert first["is_rough"] and not last.get("is_rough")
-            lai = [each["numbers"]["lai"][0] for each in (first, last)]
-            assert lai[0] == pytest.approx(lai[1], rel=0.08)
             found.append(
                 [
                     (one[0] - two[0]) / np.hypot(one[1], two[1])

@@ -44,12 +44,15 @@ class Place:
 
     stand: Stand
     layout: Layout
+    spread: Array
+    """The relative standard deviations among fields that one evaluation does
+    not tell [numbers]."""
     plants: OrderedDict[bytes, Samples] = field(default_factory=OrderedDict)
 
     def samples(self, genome: Genome) -> Samples:
         """Returns what is known of a plant."""
         key = genome.tobytes()
-        found = self.plants.setdefault(key, Samples())
+        found = self.plants.setdefault(key, Samples(self.spread))
         self.plants.move_to_end(key)
         while len(self.plants) > _PLANTS:
             self.plants.popitem(last=False)
@@ -130,7 +133,9 @@ class Bench:
             tables = coarse(tables)
         if tables:
             stand = Stand(tables)
-            found = Place(stand, Layout(stand))
+            layout = Layout(stand)
+            spread = layout.spread_of_fields(tables["field"])
+            found = Place(stand, layout, spread)
         with self._lock:
             found = self._places.setdefault(key, found)
             while len(self._places) > _STANDS:

@@ -14,6 +14,10 @@ from .._stand import Stand
 
 Array = NDArray[np.float64]
 
+_AREAS = ("lai", "plant_area_index", "respiration")
+"""The quantities that an evaluation tells exactly of its own field, and that
+fall with each plant that is missing there."""
+
 ENOUGH = 6
 """The number of evaluations whose spread tells their standard error; fewer
 tell it by themselves."""
@@ -89,21 +93,41 @@ class Layout:
                 found[place] = numbers[its]
         return found
 
+    def spread_of_fields(self, field: dict[str, Any]) -> Array:
+        """Returns the relative standard deviations among fields [numbers] that
+        one evaluation does not tell: those of areas, as the number of missing
+        plants is binomial.
+
+        field: the table of that name of a campaign."""
+        found = np.zeros(max(place.stop for place, _ in self.places.values()))
+        missing = field.get("variation", {}).get("missing", 0.0)
+        plants = field["rows"] * field["plants"]
+        for name in _AREAS:
+            if name in self.places:
+                found[self.places[name][0]] = np.sqrt(
+                    missing / (1 - missing) / plants
+                )
+        return found
+
     def scalar(self, numbers: Array, name: str) -> float:
         """Returns the value of a single number of an evaluation."""
         return float(numbers[self.places[name][0].start, 0])
 
 
 class Samples:
-    """Evaluations of one plant, each with random numbers of its own."""
+    """Evaluations of one plant, each with random numbers of its own.
 
-    def __init__(self) -> None:
+    spread: relative standard deviations among fields that one evaluation does
+    not tell [numbers]."""
+
+    def __init__(self, spread: Array | float = 0.0) -> None:
         self.by_seed: dict[int, Array] = {}
+        self._spread = spread
 
     def together(self, seeds: list[int]) -> tuple[Array, Array]:
         """Returns means and standard errors [numbers] over seeds."""
         every = np.array([self.by_seed[seed] for seed in seeds])
-        return _mean(every[..., 0], every[..., 1])
+        return self._mean(every[..., 0], every[..., 1])
 
     def less(self, other: Samples, seeds: list[int]) -> tuple[Array, Array]:
         """Returns differences from another plant, seed by seed, whose random
@@ -113,21 +137,17 @@ class Samples:
         apart = mine[..., 0] - others[..., 0]
         # A plant does not differ from itself.
         errors = np.hypot(mine[..., 1], others[..., 1]) * (apart != 0)
-        return _mean(apart, errors)
+        return self._mean(apart, errors)
 
-
-def _mean(values: Array, errors: Array) -> tuple[Array, Array]:
-    count = len(values)
-    spread = values.std(axis=0, ddof=1) / np.sqrt(count) if count > 1 else 0.0
-    if count >= ENOUGH:
-        error = spread
-    else:
-        squares = (np.nan_to_num(errors) ** 2).sum(axis=0)
-        # A leaf area is exact in its field, and other fields have others.
-        error = np.maximum(np.sqrt(squares) / count, spread)
-    mean = values.mean(axis=0)
-    # Exact numbers differ in the last digits only.
-    return mean, np.where(error > 1e-9 * np.abs(mean), error, 0.0)
+    def _mean(self, values: Array, errors: Array) -> tuple[Array, Array]:
+        count, mean = len(values), values.mean(axis=0)
+        error = values.std(axis=0, ddof=1) / np.sqrt(count) if count > 1 else 0
+        own = np.abs(self._spread * values)
+        if count < ENOUGH:
+            own = np.hypot(np.nan_to_num(errors), own)
+        error = np.maximum(np.sqrt((own**2).sum(axis=0)) / count, error)
+        # Exact numbers differ in the last digits only.
+        return mean, np.where(error > 1e-9 * np.abs(mean), error, 0.0)
 
 
 Estimates = tuple[Array, Array]

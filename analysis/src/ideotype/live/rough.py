@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .conditions import Tables
+from .conditions import Conditions, Tables
 from .numbers import Array, Layout, told
 from .shapes import grows
 
@@ -78,10 +78,18 @@ class Anchor:
     coarse: Array
     """The numbers of the coarse stand [numbers, value and standard error], in
     the layout of the other."""
+    conditions: Conditions
+    """The conditions under which it stands."""
+    spread: Array
+    """The relative standard deviations among fields that one evaluation does
+    not tell [numbers]."""
 
-    def message(self, mine: Array, reference: Array) -> dict[str, Any]:
+    def message(
+        self, mine: Array, reference: Array, conditions: Conditions
+    ) -> dict[str, Any]:
         """Returns what the page shows of a plant and of its reference, from
-        their numbers in a coarse stand [numbers, value and standard error]."""
+        their numbers in a coarse stand under some conditions [numbers, value
+        and standard error]."""
         mean, error = self.known
         near = self.coarse[:, 0]
         with np.errstate(divide="ignore", invalid="ignore"):
@@ -91,12 +99,19 @@ class Anchor:
         ratio = np.where(scales, ratio, 1.0)
         shift = np.where(scales, 0.0, mean - near)
 
+        # Under its own conditions a coarse stand lacks the same plants.
+        is_other = conditions != self.conditions
+        fields = np.sqrt(2) * self.spread if is_other else 0.0
+
         def value(found: Array) -> tuple[Array, Array]:
-            off = np.hypot(error, ratio * _apart(found, self.coarse))
-            return ratio * found[:, 0] + shift, off
+            value = ratio * found[:, 0] + shift
+            off = np.hypot(ratio * _apart(found, self.coarse), fields * value)
+            return value, np.hypot(error, off)
 
         apart = ratio * (mine - reference)[:, 0]
-        its_error = ratio * _apart(mine, reference)
+        its_error = np.hypot(
+            ratio * _apart(mine, reference), self.spread * apart
+        )
         content = told(
             self.layout, 1, value(mine), value(reference), (apart, its_error)
         )

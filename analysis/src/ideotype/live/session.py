@@ -17,7 +17,7 @@ from .._errors import Error
 from .bench import Bench, Genome, Place, Shown
 from .improve import EVALUATIONS, Improvement
 from .levers import levers_of
-from .numbers import Layout, Samples, message_of
+from .numbers import Samples, message_of
 from .rough import Anchor, coarse_numbers
 from .shapes import neighbours_of, panels_of, plant_of
 
@@ -197,16 +197,19 @@ class Session:
             coarse_numbers(place, anchor.layout, genome)
             for genome in (shown.genome, shown.reference)
         )
-        return anchor.message(mine, its)
+        return anchor.message(mine, its, shown.conditions)
 
-    def _drop_anchor(self, shown: Shown, layout: Layout, its: Samples) -> None:
+    def _drop_anchor(self, shown: Shown, place: Place, its: Samples) -> None:
         """Remembers what is known of the reference now."""
-        place = self._bench.coarse(shown.conditions)
-        if place is not None and its.by_seed:
-            numbers = coarse_numbers(place, layout, shown.reference)
+        now = shown.conditions
+        coarse = self._bench.coarse(now)
+        if coarse is not None and its.by_seed:
+            numbers = coarse_numbers(coarse, place.layout, shown.reference)
             known = its.together(sorted(its.by_seed))
-            anchor = Anchor(layout, known, numbers)
-            self._anchor = anchor, shown.conditions.kind
+            self._anchor = (
+                Anchor(place.layout, known, numbers, now, place.spread),
+                now.kind,
+            )
 
     async def _refine(
         self,
@@ -260,7 +263,7 @@ class Session:
         if self._newest == number:
             tell("numbers", {**message(), "is_final": True})
             fast = self._bench.fast
-            await run(fast, self._drop_anchor, shown, place.layout, its)
+            await run(fast, self._drop_anchor, shown, place, its)
 
     def _picture(self, shown: Shown) -> dict[str, Any]:
         bench, now = self._bench, shown.conditions

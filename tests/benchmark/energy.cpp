@@ -24,7 +24,10 @@ BENCHMARK(leaf_points<energy_balance>)
     ->Arg(0)
     ->Arg(1)
     ->Unit(benchmark::kMicrosecond);
-BENCHMARK(leaf_points<leaf_exchange>)
+BENCHMARK(
+    leaf_points<[](const ThermalLeaf& leaf, const LeafSurroundings& around) {
+        return leaf_exchange(leaf, around);
+    }>)
     ->Name("leaf_exchange")
     ->ArgName("c3")
     ->Arg(0)

@@ -83,6 +83,9 @@ std::vector<std::size_t> best_knots(const std::vector<Shape>& values,
         }
         return sum;
     };
+    std::vector<double> errors(n * n);
+    for (std::size_t b = 1; b < n; ++b)
+        for (std::size_t a = 0; a < b; ++a) errors[b * n + a] = error(a, b);
     constexpr double none = std::numeric_limits<double>::infinity();
     std::vector<double> best(n, none);
     best[0] = 0;
@@ -92,7 +95,8 @@ std::vector<std::size_t> best_knots(const std::vector<Shape>& values,
         from.emplace_back(n);
         for (std::size_t b = k; b < n; ++b)
             for (std::size_t a = k - 1; a < b; ++a)
-                if (const double sum = best[a] + error(a, b); sum < next[b]) {
+                if (const double sum = best[a] + errors[b * n + a];
+                    sum < next[b]) {
                     next[b] = sum;
                     from.back()[b] = a;
                 }

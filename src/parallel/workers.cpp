@@ -6,6 +6,7 @@
 #include <condition_variable>
 #include <deque>
 #include <mutex>
+#include <stdexcept>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -31,9 +32,12 @@ class ThreadWorkers : public Workers {
         try {
             for (int worker = 0; worker < width(); ++worker)
                 threads_.emplace_back([this, worker] { evaluate(worker); });
-        } catch (...) {
+        } catch (const std::exception& error) {
             end();
-            throw;
+            throw std::runtime_error(fmt::format(
+                "{} threads cannot be started ({}); give the program more "
+                "memory, or start fewer by --threads",
+                width(), reason_of(error)));
         }
     }
     ~ThreadWorkers() override { end(); }

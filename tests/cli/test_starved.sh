@@ -62,9 +62,10 @@ says "could not evaluate finalist 0"
 goes_on finals
 
 # Commands that evaluate one plant, and a service.
-export LIMIT=30000
-expect 1 ./starve.sh all "$ideotype" evaluate campaigns/starved.toml
-says "^ideotype: .*not enough memory"
+for LIMIT in 30000 "$limit"; do
+    expect 1 ./starve.sh all "$ideotype" evaluate campaigns/starved.toml
+    says "^ideotype: .*not enough memory"
+done
 genome=$(echo | "$ideotype" serve campaigns/starved.toml 2>/dev/null |
     grep -o '"baseline":[^,]*' | cut -d : -f 2 | paste -s -d ,)
 echo "{\"genome\": [$genome]}" >request

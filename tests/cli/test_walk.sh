@@ -10,6 +10,7 @@ cat block1 block2 >millet.toml
 mv block3 dryland.toml
 [ "$(wc -l <block4)" -eq 5 ] || fail "not the five commands"
 PATH=$(dirname "$ideotype"):$PATH
+export IDEOTYPE_PYTHON=${IDEOTYPE_PYTHON:-$project/.venv/bin/python}
 while read -r command; do
     expect 0 bash -c "$command"
 done <block4

@@ -148,7 +148,9 @@ void create_file(const std::string& path, const HistoryHeader& header,
     put_in_place(path + ".new", path);
     if (!lock.is_of(path))
         throw Error(
-            path + ": this file was replaced while it was created; begin again",
+            path +
+                ": this file was deleted, moved or replaced while it was "
+                "created; begin again",
             ExitCode::refused);
 }
 

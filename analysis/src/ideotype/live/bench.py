@@ -90,8 +90,9 @@ def evaluate(
 class Bench:
     """Evaluates plants of what was opened, for all pages together.
 
-    One thread answers changes; others refine at a lower priority, so that
-    answers need not wait for them."""
+    One thread answers changes, beside which another evaluates the plant that
+    is compared with; others refine at a lower priority, so that answers need
+    not wait for them."""
 
     def __init__(self, opened: Opened) -> None:
         self.opened = opened
@@ -99,6 +100,7 @@ class Bench:
         self.growth = Growth(opened.base) if grows(opened.base) else None
         count = processors()
         self.fast = ThreadPoolExecutor(1, "answer")
+        self.beside = ThreadPoolExecutor(1, "compare")
         self.slow = ThreadPoolExecutor(
             count, "refine", initializer=_yield_to_others
         )
@@ -156,7 +158,7 @@ class Bench:
 
     def close(self) -> None:
         """Ends when running evaluations have."""
-        for pool in (self.fast, self.slow):
+        for pool in (self.fast, self.beside, self.slow):
             pool.shutdown(cancel_futures=True)
 
 

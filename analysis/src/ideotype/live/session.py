@@ -193,11 +193,11 @@ class Session:
         place = self._bench.coarse(shown.conditions)
         if place is None:
             return None
-        mine, its = (
-            coarse_numbers(place, anchor.layout, genome)
-            for genome in (shown.genome, shown.reference)
+        its = self._bench.beside.submit(
+            coarse_numbers, place, anchor.layout, shown.reference
         )
-        return anchor.message(mine, its, shown.conditions)
+        mine = coarse_numbers(place, anchor.layout, shown.genome)
+        return anchor.message(mine, its.result(), shown.conditions)
 
     def _drop_anchor(self, shown: Shown, place: Place, its: Samples) -> None:
         """Remembers what is known of the reference now."""

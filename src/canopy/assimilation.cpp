@@ -70,7 +70,7 @@ class Assimilation {
         const std::vector<double> sums = pair.scatter(weights_, differences_);
         const double mean = std::accumulate(sums.begin(), sums.end(), 0.) /
                             static_cast<double>(sums.size());
-        // The errors of its steps are taken as in proportion to them.
+        // The error of each step is taken to be in proportion to its value.
         for (std::vector<FluxTally>& flux : all_)
             for (std::size_t r = 0; r < sums.size(); ++r)
                 for (const std::size_t i : steps)
@@ -128,7 +128,7 @@ class Assimilation {
         take_steps(i, whole / amount);
     }
 
-    //! Takes the fluxes of a step.
+    //! Notes the fluxes of a step.
     //! @param gross assimilation at the temperature of the air
     void take_steps(std::size_t i, double gross) {
         for (std::size_t k = 0; k < all_.size(); ++k) {
@@ -166,7 +166,7 @@ class Assimilation {
     }
 
     //! Sums pseudo-values of places to those of leaves, layers and rows. Errors
-    //! of other fluxes are taken as in proportion to those of assimilation.
+    //! of other fluxes are taken to be in proportion to those of assimilation.
     void add_up(std::size_t k) {
         for (std::size_t p = 0; p < places_.count(); ++p) {
             double flux = k == 0 ? mean_[p] : 0, times = 1;
@@ -203,19 +203,20 @@ class Assimilation {
     ExpectedLight expectation_;
     std::optional<WaterFluxes> water_{};
     std::vector<double> mean_;  //!< gross assimilation of places
-    //! [randomisation][place], but for what all share
+    //! [randomisation][place], without the part that all randomisations share
     std::vector<std::vector<double>> differences_;
     FluxTallies all_;  //!< pseudo-values of each LeafFlux
-    // Weights of moments in the steps that share a sun and a sky, of places.
+    // Each place has the weights of its moments in the steps that share a sun
+    // and a sky.
     std::vector<Moments> weights_;
-    double whole_ = 0;  //!< in those
+    double whole_ = 0;  //!< gross assimilation in these steps
 };
 
 }  // namespace
 
 FluxTallies assimilate(const std::vector<Tally>& tallies, const Pieces& pieces,
                        const LitLeaves& lit) {
-    // Jackknives of a product are over randomisations but for two.
+    // The jackknife of a product leaves out two randomisations at a time.
     IDEOTYPE_EXPECT(tallies.size() == 1 || tallies.size() > 2);
     IDEOTYPE_EXPECT(lit.photons > 0);
     return Assimilation(tallies, pieces, lit).result();

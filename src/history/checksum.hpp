@@ -19,12 +19,13 @@ inline constexpr std::size_t checksum_size = 64;
 //! Returns the SHA-256 of all that is known before the first evaluation.
 std::string header_checksum(hid_t file);
 
-//! Computes the SHA-256 of the rows and the summary of generations. Opens all
-//! their datasets for the first, which takes longer than reading a generation.
+//! Computes the SHA-256 of the rows and the summary of generations. The first
+//! generation takes longest, because all datasets are opened for it.
 class GenerationChecksums {
   public:
-    //! File and mapping must outlive this object.
-    //! @param mapping of the file, null: HDF5 reads it
+    //! Opens the datasets of a history. File and mapping must outlive this
+    //! object.
+    //! @param mapping of the file. Null: HDF5 reads it
     GenerationChecksums(hid_t file, const Mapping* mapping);
     ~GenerationChecksums();
 
@@ -37,8 +38,8 @@ class GenerationChecksums {
     std::unique_ptr<Tables> tables_;
 };
 
-//! Returns the SHA-256 of a row of /final with this status, which is written
-//! later.
+//! Returns the SHA-256 of a row of /final. Its status is given, because it is
+//! written after the checksum.
 std::string finalist_checksum(hid_t file, hsize_t row, Status status);
 
 //! Compares the header with its checksum.

@@ -41,7 +41,7 @@ def test_every_figure_is_a_file_and_in_the_page(made: Made) -> None:
     ends = ("svg", "csv")
     assert files == {f"{name}.{end}" for name in names for end in ends}
     for path in (made.folder / "figures").glob("*.svg"):
-        # Words are words, which can be found and read aloud.
+        # Words stay text, so that browsers can find them and read them aloud.
         assert "<text" in path.read_text()
         assert path.stat().st_size < 300_000
     assert set(re.findall(r"\((\S+)\.svg\)", made.text)) == names

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-//! Measures what Embree can do at all with this scene: the faces of the cell
-//! and of its neighbours, rays without wraps, scattering or tallies. This is
-//! the only file outside src/light that uses Embree.
+//! Measures how many rays Embree alone can trace in this scene: it has the
+//! faces of the cell and of its neighbours, but rays are not wrapped, scattered
+//! or counted. This is the only file outside src/light that uses Embree.
 #include <cmath>
 #include <vector>
 
@@ -95,7 +95,7 @@ struct Rays {
     std::vector<std::array<float, 2>> origins;
 };
 
-//! The ray with a number, as a lane of a packet.
+//! Puts the ray of a number in a lane of a packet.
 template <class RayHit>
 void set_lane(RayHit& packet, std::size_t lane, const Rays& rays,
               std::size_t number) {
@@ -148,7 +148,8 @@ void raw_packets_16(benchmark::State& state) {
 }
 BENCHMARK(raw_packets_16)->Unit(benchmark::kMillisecond);
 
-//! @param order whether neighbours in time are neighbours in space
+//! The order of rays: in tiles, rays that follow each other are also neighbours
+//! in space.
 enum class Order { tiles, shuffled };
 
 void trace_single(benchmark::State& state, RTCSceneFlags flags,
@@ -157,7 +158,8 @@ void trace_single(benchmark::State& state, RTCSceneFlags flags,
     const Field field = stand.field(stand.baseline);
     const RawScene raw(field, flags, quality);
     const Rays rays(field);
-    // Coprime to the number of rays: visits each once.
+    // The stride is coprime to the number of rays, so that each is visited
+    // once.
     const std::size_t stride = order == Order::tiles ? 1 : 100003;
     for (auto _ : state)
         for (std::size_t i = 0; i < rays.origins.size(); ++i) {

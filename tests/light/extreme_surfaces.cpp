@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Leaves and optics at the limits.
+// Leaves and optical properties at the limits of what a scene may have.
 #include <algorithm>
 #include <cmath>
 
@@ -62,7 +62,8 @@ void leaves_of_a_millimetre(Findings& findings) {
         in_lattice(two_leaves(1e-3, 1e-4, 90), {1, 1, {.01, .01}, 0});
     const Fractions f =
         findings.closing(field, {.01, .01}, black, uniform_sky(), {16384, 16});
-    // At most both faces of all area; the leaves hardly shade each other.
+    // Leaves hardly shade each other, and cannot absorb more light than falls
+    // on their whole area.
     const double share = f.leaves.mean / (plant_area(field).leaves / 1e-4);
     findings.require(share > .3 && share < 1, ".3 to 1 of the area's light");
     findings.say(fmt::format("{:.2f} of the light on their area", share));
@@ -107,8 +108,8 @@ void faces_without_area(Findings& findings) {
 }
 
 void coincident_leaves(Findings& findings) {
-    // Each leaf is as long as a period: it ends where its own image begins,
-    // and one of twice the length lies on its image throughout.
+    // A leaf as long as a period ends where its own image begins. A leaf of
+    // twice that length lies on its image everywhere.
     for (const double length : {1., 2.}) {
         Mesh mesh = leaves_only();
         add_leaf(mesh, {.3, .2, .5}, {length, 0, 0}, {0, .25, 0});

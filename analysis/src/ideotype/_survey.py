@@ -130,7 +130,7 @@ class Survey:
             cost = sum(self._cost[each] for each in settings)
             return least(settings) * math.sqrt(cost)
 
-        # The campaign alone has nothing to be compared with.
+        # A ladder of the campaign's own setting alone leaves nothing to compare.
         several = [each for each in ladders if each != [OWN]]
         settings = min(several, key=work, default=[])
         fewest = least(settings) if settings else 0

@@ -14,13 +14,14 @@ namespace ideotype {
 //! comes from above, and is long in the direction of the rows.
 struct Sensor {
     double height = 0;  //!< above the soil [m]
-    //! Across the rows, from a row [m]; NaN: evenly all over the distance.
+    //! Distance from a row, across the rows [m]. NaN: the sensor reaches evenly
+    //! over the whole distance between two rows.
     double position = 0;
 };
 
-//! Finds the light on sensors by instant of the scenario, over that on level
-//! ground above the canopy: the mean over places along the rows and over the
-//! fields of all randomisations, which are drawn each for itself. Paths are
+//! Finds the light on sensors in each instant of the scenario, relative to the
+//! light on level ground above the canopy. It is the mean over places along the
+//! rows and over fields, of which each randomisation has its own. Paths are
 //! followed from the sensor back to the sources of light, so that it shades
 //! nothing.
 //! @param points on each sensor in each randomisation

@@ -41,8 +41,8 @@ struct Segment {
     double first, last;
 };
 
-//! The lowest and the highest of some coordinates [m]; of none, lower is above
-//! upper.
+//! The lowest and the highest of some coordinates [m]. Where there are none,
+//! the lower one is above the upper one.
 struct Interval {
     double lower = std::numeric_limits<double>::infinity();
     double upper = -std::numeric_limits<double>::infinity();
@@ -53,17 +53,17 @@ struct Interval {
     }
 };
 
-//! The faces of a stand, each once, as the mesh has them. Face f is two
-//! triangles, 2 f of its corners 0 1 3 and 2 f + 1 of 2 3 1, as Embree divides
-//! it.
+//! The faces of a stand, each once, as the mesh has them. Face f is divided in
+//! two triangles as Embree does it: triangle 2 f has its corners 0, 1 and 3,
+//! and triangle 2 f + 1 its corners 2, 3 and 1.
 struct Surfaces {
     std::vector<glm::dvec3> vertices;
     std::vector<std::array<std::uint32_t, 4>> faces;
     std::vector<std::uint32_t> face_group;
-    //! The pose in which each face is there; 0: in all.
+    //! The pose in which each face is there. 0: it is there in all poses.
     std::vector<std::uint32_t> face_pose;
-    //! The normal of each triangle on the adaxial side: unit length, or 0
-    //! without area.
+    //! The unit normal of each triangle on the adaxial side; 0 if the triangle
+    //! has no area.
     std::vector<glm::dvec3> normals;
 
     //! Adds a face of a mesh with the same vertices.
@@ -86,8 +86,8 @@ std::optional<Segment> clip(const Box& box, const glm::dvec3& origin,
 //! A periodic scene holds one cell of an infinite stand. The cell spans [0,
 //! period_x] x [0, period_y]; its lattice is where the mesh says, so any shift
 //! of the mesh by whole periods is the same scene. A face that reaches over the
-//! cell's boundary is also there as its images from the neighbouring cells:
-//! nothing is cut off, nothing is doubled, since rays end where the cell does.
+//! cell's boundary has images, as the neighbouring cells have it. Nothing is
+//! cut off and nothing counts twice, because rays end where the cell does.
 //!
 //! Objects that move with the sun, such as panels that track it, stand apart:
 //! their faces are there for light of their pose alone.
@@ -100,9 +100,10 @@ class RayScene {
     //! left out.
     //!
     //! Faces that lie on each other, closer than clearance(), are one surface:
-    //! light meets one of them, and what that sends on restarts beyond all. Of
-    //! faces with the same corners, in any order, it is the first in the mesh;
-    //! the others are left out. Elsewhere rounding decides point by point.
+    //! light meets one of them, and the light that it sends on starts beyond
+    //! all of them. If faces have the same corners, in any order, only the
+    //! first in the mesh is kept. Otherwise rounding decides, point by point,
+    //! which of them the light meets.
     //! @throws Error if a vertex is not finite or beyond reason, a period not
     //! positive, there are too many faces, or memory runs out.
     RayScene(const Device& device, const Mesh& mesh, double period_x,
@@ -123,7 +124,7 @@ class RayScene {
     double period_x() const { return period_x_; }        //!< if periodic [m]
     double period_y() const { return period_y_; }        //!< if periodic [m]
     double ground_area() const { return ground_area_; }  //!< [m2]
-    const Box& box() const { return box_; }  //!< around the plot, if isolated
+    const Box& box() const { return box_; }  //!< around an isolated plot
     double top() const { return top_; }      //!< above all surfaces [m]
 
     //! Returns the height of the soil [m]. It is below zero by the rounding
@@ -134,8 +135,8 @@ class RayScene {
     //! Returns the one-sided area of all faces of the mesh [m2].
     double surface_area() const { return surface_area_; }
 
-    //! Returns the surfaces of the plot, or of what repeats: wherever in the
-    //! stand the mesh has it.
+    //! Returns the surfaces of the plot, or those that repeat, at the places
+    //! where the mesh has them.
     const Surfaces& surfaces() const { return surfaces_; }
 
     //! Returns the heights of the faces of a group of the mesh.
@@ -143,19 +144,19 @@ class RayScene {
 
     //! Finds the first face within a distance [m] of a point of the cell, along
     //! a unit direction; returns false if there is none.
-    //! @param pose of what moves
+    //! @param pose of the objects that move
     bool intersect(const glm::dvec3& origin, const glm::dvec3& direction,
                    double distance, Hit& hit, std::uint32_t pose = 0) const;
 
-    //! Returns how many faces and images of faces are at a point of the cell or
-    //! the plot: closer than a clearance.
+    //! Returns how many faces, with their images, are closer than a clearance
+    //! to a point of the cell or the plot.
     int faces_at(const glm::dvec3& point) const;
 
     //! Returns the position in this scene of a point of the mesh.
     glm::dvec3 placed(const glm::dvec3& point) const;
 
-    //! Returns the position inside the cell that is the same point of the
-    //! stand. In a plot every position is itself.
+    //! Returns the position inside the cell that stands for a position anywhere
+    //! in the stand. In a plot it is the position itself.
     glm::dvec3 wrapped(const glm::dvec3& point) const;
 
     //! Returns the position from which light restarts from a point of a face,
@@ -202,7 +203,7 @@ class RayScene {
 
     Boundary boundary_ = Boundary::periodic;
     Box box_{};
-    //! Corner in the axes of the mesh, if isolated.
+    //! The corner of an isolated plot, in the axes of the mesh.
     glm::dvec3 plot_corner_{0};
     double ground_area_ = 0;
     double period_x_ = 0;

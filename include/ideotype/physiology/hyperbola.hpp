@@ -7,23 +7,24 @@
 
 namespace ideotype {
 
-//! Half the distance of the roots of smooth_minimum() times 2 q, without the
-//! difference of large numbers.
+//! Returns q times the distance of both roots x of the equation of
+//! smooth_minimum(). It is found without a difference of large numbers.
 inline double discriminant_root(double curvature, double a, double b) {
     return std::sqrt((a - b) * (a - b) + 4 * (1 - curvature) * a * b);
 }
 
 //! Returns the smaller root x of q x^2 - (a + b) x + a b = 0: a smooth minimum
-//! of a and b, each not negative, with a curvature q from 0 (a b / (a + b)) to
-//! 1 (the minimum itself). Exact to rounding at either limit.
+//! of a and b, neither of which may be negative. The curvature q is from 0,
+//! where x is a b / (a + b), to 1, where x is the minimum itself. The root is
+//! exact to rounding at both limits.
 inline double smooth_minimum(double curvature, double a, double b) {
     // There is no branch for a and b of 0, so that loops become vectors.
     const double sum = a + b + discriminant_root(curvature, a, b);
     return 2 * a * b / std::max(sum, std::numeric_limits<double>::min());
 }
 
-//! Derivative of smooth_minimum() with respect to a; 1 at a = 0 if b is
-//! above 0, and 0 if a and b are 0.
+//! Returns the derivative of smooth_minimum() with respect to a. It is 1 at
+//! a = 0 if b is above 0, and 0 if a and b are 0.
 double smooth_minimum_slope(double curvature, double a, double b);
 
 //! A function at a point, with its first two derivatives.
@@ -31,16 +32,16 @@ struct Expansion {
     double value, slope, curvature;
 };
 
-//! smooth_minimum() with its derivatives with respect to a. Where two kinks
-//! meet (q is 1 and a is b) the slope is any from 0 to 1. From the equation:
-//! x' (2 q x - a - b) = x - b and x'' (2 q x - a - b) = 2 x' (1 - q x'), where
-//! the bracket is minus the root.
+//! Returns smooth_minimum() with its derivatives with respect to a. At the kink
+//! (q is 1 and a is b) the slope may be any number from 0 to 1. The equation
+//! gives x' (2 q x - a - b) = x - b and x'' (2 q x - a - b) = 2 x' (1 - q x'),
+//! where the bracket is minus discriminant_root().
 inline Expansion expand_smooth_minimum(double curvature, double a, double b) {
     constexpr double least = std::numeric_limits<double>::min();
     const double root = discriminant_root(curvature, a, b);
     const double x = 2 * a * b / std::max(a + b + root, least);
     const double per_root = 1 / std::max(root, 1e-12 * (a + b) + least);
-    // std::clamp() would be a branch, and loops no vectors.
+    // std::clamp() would be a branch, and loops would not become vectors.
     const double slope = std::min(std::max((b - x) * per_root, 0.), 1.);
     return {x, slope, -2 * slope * (1 - curvature * slope) * per_root};
 }
@@ -63,13 +64,13 @@ struct Hyperbola {
     //! al. 1992 (39 at 25 deg C) at 30 deg C.
     double amax = 50;
 
+    //! Returns the gross assimilation of CO2 per area of leaf [umol m-2 s-1].
     //! @param absorbed PPFD of both faces per area of leaf [umol m-2 s-1]
-    //! @returns CO2 per area of leaf [umol m-2 s-1]
     double gross(double absorbed) const {
         return smooth_minimum(theta, phi * absorbed, amax);
     }
 
-    //! Derivative of gross() [mol mol-1].
+    //! Returns the derivative of gross() [mol mol-1].
     double slope(double absorbed) const;
 
     //! Returns gross() with both derivatives.
@@ -80,8 +81,8 @@ struct Hyperbola {
     }
 };
 
-//! Gross assimilation of a leaf that is co-limited by light and a capacity, and
-//! that by a limit whatever the light,
+//! Gross assimilation of a leaf. Light and a capacity limit it together (M),
+//! and M and a limit L, which does not depend on light, limit it together (A):
 //!
 //!     theta M^2 - (V + alpha I) M + V alpha I = 0
 //!     beta A^2 - (M + L) A + M L = 0        (smaller roots)
@@ -92,17 +93,17 @@ struct Colimitation {
     double alpha;
     double capacity;  //!< V [umol m-2 s-1]
     double theta;     //!< curvature of light and capacity [-]
-    double beta;      //!< curvature of those and the limit [-]
+    double beta;      //!< curvature of M and the limit [-]
     double limit;     //!< L [umol m-2 s-1]
 
+    //! Returns the gross assimilation of CO2 per area of leaf [umol m-2 s-1].
     //! @param absorbed PPFD of both faces per area of leaf [umol m-2 s-1]
-    //! @returns CO2 per area of leaf [umol m-2 s-1]
     double gross(double absorbed) const {
         const double lit = smooth_minimum(theta, alpha * absorbed, capacity);
         return smooth_minimum(beta, lit, limit);
     }
 
-    //! Derivative of gross() [mol mol-1].
+    //! Returns the derivative of gross() [mol mol-1].
     double slope(double absorbed) const;
 
     //! Returns gross() with both derivatives.

@@ -15,7 +15,8 @@ namespace ideotype {
 
 namespace {
 
-//! Reports what cannot be read by; returns whether there is nothing.
+//! Reports what is wrong with a climate, so that no weather can be read by it.
+//! Returns whether nothing is wrong.
 //! @param problems of the climate
 bool check_climate(const Climate& climate, const Problems& problems) {
     const auto& [from, to] = climate.period;
@@ -83,7 +84,7 @@ SiteWeather to_site_weather(const LightSeries& series, bool has_nir) {
     return result;
 }
 
-//! Reports what a campaign has of its weather and cannot be.
+//! Reports what is impossible in weather that a campaign contains.
 //! @param problems of the weather
 void check_weather(const SiteWeather& weather, const Problems& problems) {
     const auto& hours = weather.hours;
@@ -205,7 +206,7 @@ class WeathersReader {
             found.back().climate = name;
             found.back().sha256 = sha256(file.text);
         } catch (const InputError& error) {
-            // Sites may share a file.
+            // Sites may share a file, whose problems are reported once.
             for (const Problem& problem : error.problems())
                 if (is_new(problem)) problems_.add(problem.where, problem.what);
         }

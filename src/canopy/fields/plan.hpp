@@ -17,7 +17,8 @@ struct Plan {
 
     Accuracy accuracy;  //!< in each field
     int fields = 1;
-    //! Each field is one of many randomisations, with several of its own.
+    //! Tells whether each field counts as a single randomisation of the result,
+    //! although its light is traced in several.
     bool is_one_of_many = false;
 
   private:

@@ -19,8 +19,8 @@ Json in_unit(const Estimate& x, const std::string& unit) {
     return json;
 }
 
-//! Tells assimilation; a single light shines for a second, in which that is in
-//! umol.
+//! Writes assimilation in its unit, which is that of a second for a single
+//! light and that of a day for others.
 Json assimilation_json(const Estimate& x, Span span) {
     return span == Span::single ? in_unit(scaled(x, 1e6), "umol m-2 s-1")
                                 : in_unit(x, "mol m-2 day-1");
@@ -49,7 +49,7 @@ std::string group_name(const CanopyReport& report, std::size_t group) {
                : own.name;
 }
 
-//! Returns whether there is a sun, without which no area is sunlit.
+//! Returns whether the sun shines in a step. Without it no leaf is sunlit.
 bool has_sun(const StepReport& step) {
     return step.sunlit && step.budget.leaves_beam.mean > 0;
 }
@@ -74,7 +74,7 @@ Json to_json(const BudgetEstimate& budget, const CanopyReport& report,
     return json;
 }
 
-//! Leaf area by the light that it absorbs.
+//! Writes the leaf area in each class of absorbed light.
 Json light_classes_json(const LightClassReport& classes) {
     Json json{{"ppfd_unit", "umol m-2 s-1"}, {"unit", "m2 m-2"}};
     for (std::size_t c = 0; c < ppfd_classes; ++c) {
@@ -87,7 +87,8 @@ Json light_classes_json(const LightClassReport& classes) {
     return json;
 }
 
-//! Returns quantities by name; of a single light those that are no rates.
+//! Returns quantities by name. For a single light they are fractions and areas
+//! only, because it has no rates of a day.
 Json quantities_json(const CanopyReport& report, Span span) {
     Json json = Json::object();
     for (const auto& [quantity, estimate] : measure_numbers(report)) {
@@ -118,8 +119,8 @@ Json assimilation_json(const CanopyReport& report, Span span) {
     return json;
 }
 
-//! Returns a number of each band, which `take` finds, as a fraction of its
-//! light.
+//! Returns the number that `take` finds in each band, as a fraction of the
+//! light of the band.
 template <class Take>
 Json by_band(const CanopyReport& report, const Take& take) {
     Json json = Json::object();
@@ -151,7 +152,7 @@ Json components_json(const CanopyReport& report, Span span) {
     return json;
 }
 
-//! A component or row with figures per area of some ground.
+//! A component or a row of the field, with figures per area of its ground.
 struct Part {
     std::string name;
     double lai;
@@ -220,7 +221,7 @@ Json to_json(const CanopyReport& report, Span span) {
              {"to_m", lower + report.layers.thickness},
              {"leaf", part(light.layers[l])}});
     }
-    // Names differ; to look each up among the others takes too long.
+    // All names differ, and looking each up among the others takes too long.
     Json groups = Json::object();
     for (std::size_t g = 0; g < report.groups.size(); ++g)
         groups.get_ref<Json::object_t&>().emplace_back(group_name(report, g),
@@ -258,7 +259,7 @@ Json scene_json(const CanopyReport& report, Span span) {
              {"balance_error", band.light.balance_error}});
     json["unit"] = "fraction of incident";
     json["components"] = components_json(report, span);
-    // Names differ; to look each up among the others takes too long.
+    // All names differ, and looking each up among the others takes too long.
     Json groups = Json::object();
     for (std::size_t g = 0; g < report.groups.size(); ++g)
         groups.get_ref<Json::object_t&>().emplace_back(

@@ -37,7 +37,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-//! Something that has to be told: a key of campaigns.
+//! A question whose answer becomes the value of a key of the new campaign.
 struct Question {
     const char *option, *section, *key, *text;
     std::string NewOptions::*answer;  //!< "": not given
@@ -102,7 +102,8 @@ bool is_file(const std::string& plant) {
     return fs::path(plant).has_extension();
 }
 
-//! @throws Error if an answer cannot be taken
+//! Checks an answer by what the documentation says of its key.
+//! @throws Error if the answer is not one that the key may have
 void check(const Question& question, const std::string& answer) {
     const std::string key = question.key;
     const auto require = [&](const std::string& what,

@@ -12,34 +12,36 @@ namespace ideotype {
 
 namespace {
 
-//! The fewest randomisations of a trial: with so many the error is known to a
-//! fifth.
+//! The fewest randomisations of a trial. With this number of them the error is
+//! known to a fifth.
 constexpr int trial_randomisations = 16;
 
-//! The randomisations of trials begin here, where no result has any.
+//! The number of the first randomisation of trials, which is beyond those of
+//! all results.
 constexpr std::uint32_t first_of_trials = 1u << 16;
 
-//! The first hits of leaves without which a trial tells too little of their
-//! light and of its scatter: with so many their sum is known to an eighth.
+//! The fewest first hits on leaves from which a trial can tell their light and
+//! its scatter. With this number of them their sum is known to an eighth.
 constexpr double fewest_hits = 64;
 
 //! The factor by which a result may have more work than a trial; if it has
 //! still more, another trial follows.
 constexpr double longest_step = 8;
 
-//! The suns of a trial that draws them. All their randomisations together tell
-//! the variance.
+//! The number of suns in a trial that draws some of them at random. The
+//! randomisations of all these suns together tell the variance.
 constexpr std::size_t trial_suns = 4;
 
 //! The factors by which variances count more if leaves are to be known piece by
-//! piece, for what they make of their light: that of diffuse light, most of
-//! which falls on shaded leaves, is worth more. See tests/benchmark/README.md.
+//! piece because they assimilate. Diffuse light counts more than the beam: most
+//! of it falls on shaded leaves, which make more of it. See
+//! tests/benchmark/README.md.
 constexpr ByOrigin<double> worth_to_leaves{1.2, 2, 2};
 
 //! Finds the workload that a tolerance asks for in one band.
 class Search {
   public:
-    //! Keeps its arguments.
+    //! Prepares a search in one band. It keeps references to its arguments.
     //! @param has_pieces whether leaves are to be known piece by piece
     Search(const Subject& subject, bool has_pieces, const Accuracy& accuracy,
            const Randomness& randomness)
@@ -104,8 +106,8 @@ class Search {
     bool is_capped() const { return is_capped_; }
 
   private:
-    //! Returns the factor from the amounts of a trial, which may have more
-    //! randomisations than the result, to those of the result.
+    //! Returns the largest factor between the amounts of a trial and those of
+    //! the result. A trial may have more randomisations than the result.
     double step() const {
         return longest_step * trials_ / accuracy_.randomisations;
     }
@@ -118,8 +120,8 @@ class Search {
         return amounts;
     }
 
-    //! Returns the first hits of the first trial, and the fewest of the result:
-    //! at least one path for each source.
+    //! Returns the number of first hits in the first trial, which is also the
+    //! smallest of a result: at least one path for each source.
     std::uint32_t fewest() const {
         std::uint32_t paths = fewest_paths;
         while (paths < light_.sources.size()) paths *= 2;
@@ -134,8 +136,9 @@ class Search {
         return first_hits_of(amounts) > most();
     }
 
-    //! Returns amounts with the most first hits. Scattered light keeps its
-    //! paths, which are bounded as well: few of them would carry too much each.
+    //! Returns amounts with as many first hits as there may be. The paths of
+    //! scattered light stay as they are, because they are bounded as well, and
+    //! each of fewer paths would carry too much.
     Amounts capped(const Amounts& amounts) const {
         Amounts most_amounts = scaled(amounts, most() / first_hits_of(amounts));
         most_amounts[LightOrigin::scattered] =

@@ -38,7 +38,7 @@ void add_case(CLI::App& verb, int& index) {
 void declare_check(CLI::App& verb, CheckOptions& options) {
     add_campaign(verb, options.campaign_path, options.settings);
     verb.add_option("--out", options.out,
-                    "folder that the histories will be in, or are")
+                    "folder of the histories, whether they exist or not")
         ->capture_default_str();
     const std::vector<CLI::Option*> kinds{
         add_json(verb, options.is_json),
@@ -75,24 +75,25 @@ void declare_new(CLI::App& verb, NewOptions& options) {
     verb.add_option("file", options.path, "new campaign file (.toml)")
         ->required();
     verb.add_option("--latitude", options.latitude,
-                    "of the place [deg], north is positive");
+                    "latitude of the place [deg], north is positive");
     verb.add_option("--longitude", options.longitude,
-                    "of the place [deg], east is positive");
+                    "longitude of the place [deg], east is positive");
     verb.add_option("--utc-offset", options.utc_offset,
-                    "local clock minus UTC [h]; of the longitude if not given");
-    verb.add_option("--date", options.date, "of a clear day: 2025-07-01");
+                    "local clock minus UTC [h]; if not given, it follows from "
+                    "the longitude");
+    verb.add_option("--date", options.date, "date of a clear day: 2025-07-01");
     verb.add_option("--row", options.row, "distance between rows [m]");
     verb.add_option("--plant-spacing", options.plant_spacing,
                     "distance between plants in a row [m]");
     verb.add_option("--plant", options.plant,
-                    "maize, sorghum, soybean or cowpea, of which the crop file "
-                    "is copied beside the campaign; a crop file (.toml) or "
+                    "maize, sorghum, soybean or cowpea, whose crop file is "
+                    "copied beside the campaign; or a crop file (.toml); or "
                     "measured leaves (.csv)");
     verb.add_option("--objective", options.objective,
                     "what to breed for: carbon_balance (if not given), "
-                    "net_assimilation, absorbed_par, any single number of a "
-                    "canopy");
-    verb.add_option("--name", options.name, "of the campaign");
+                    "net_assimilation, absorbed_par or any other single number "
+                    "of a canopy");
+    verb.add_option("--name", options.name, "name of the campaign");
 }
 
 void declare_serve(CLI::App& verb, ServeOptions& options) {
@@ -109,11 +110,11 @@ void declare_export(CLI::App& verb, ExportOptions& options) {
         ->required();
     auto* component = verb.add_option(
         "--component", options.component,
-        "the kind of plant, if the field has several; else that of the crop");
+        "kind of plant, if the field has several; if not given, the crop");
     auto* at = verb.add_option(
         "--at", options.at,
-        "how old plants that grow are: a date (2025-07-15) or a thermal time "
-        "since emergence [deg C d]; else full-grown (.obj, .vtp)");
+        "age of plants that grow: a date (2025-07-15) or a thermal time since "
+        "emergence [deg C d]; if not given, they are full-grown (.obj, .vtp)");
     verb.add_flag("--field", options.is_field,
                   "the whole field instead of one plant (.obj, .vtp)");
     verb.add_option("--paths", options.paths,
@@ -123,7 +124,7 @@ void declare_export(CLI::App& verb, ExportOptions& options) {
     auto* generations =
         verb.add_flag("--generations", options.is_generations,
                       "all candidates with their fitness instead of one plant "
-                      "(.csv), also of a file that was cut short");
+                      "(.csv); it works for a file that was cut short, too");
     generations->excludes("--field")->excludes("--paths");
     generations->excludes(component)->excludes(at);
     for (const char* each : row_options) generations->excludes(each);
@@ -168,7 +169,7 @@ void declare_verbs(CLI::App& app, const std::vector<std::string>& words,
         "is asked for on a terminal",
         "mine.toml --latitude 42.03 --longitude -93.63", declare_new,
         write_new_campaign);
-    add("check", "validate a campaign; tell its size, cost and cases",
+    add("check", "validate a campaign, and tell its size, cost and cases",
         "campaigns/quickstart.toml", declare_check, check);
     add("run",
         "evolve the cases of a campaign on the cores of this machine, or on a "
@@ -178,16 +179,17 @@ void declare_verbs(CLI::App& app, const std::vector<std::string>& words,
     add("sensitivity",
         "evaluate the design of a sensitivity study, by Sobol' or Morris, of "
         "the traits and of numeric keys of a campaign; runs, stops and is "
-        "resumed as run, and ideotype indices tells what was found",
+        "resumed like a run, and ideotype indices tells what was found",
         "campaigns/ames_quick.toml", declare_sensitivity, start_run)
         .command = quoted(words);
-    add("status", "how far histories have come, also while they are written",
+    add("status",
+        "tell how far histories have come, also while they are written",
         "results", declare_status, status);
     add("evaluate",
-        "one plant in its field: the baseline of a campaign, or a row of a "
-        "history, which is recomputed and compared bit for bit",
+        "evaluate one plant in its field: the baseline of a campaign, or a row "
+        "of a history, which is computed again and compared bit for bit",
         "campaigns/quickstart.toml", declare_evaluate, evaluate);
-    add("light", "the light in any mesh",
+    add("light", "tell the light in any mesh",
         "plant.obj --period .76 .15 --sun 60 180", declare_light,
         light_in_mesh);
     add("serve",
@@ -201,8 +203,7 @@ void declare_verbs(CLI::App& app, const std::vector<std::string>& words,
         "file, for campaigns), or all complete generations as CSV",
         "FILE.h5 --best --to best.toml", declare_export, export_any);
     add("verify",
-        "compare all of histories with their checksums, also while they are "
-        "written",
+        "compare histories with their checksums, also while they are written",
         "FILE.h5", declare_files, verify);
     declare_python_verbs(app);
 }

@@ -23,35 +23,34 @@ struct PythonVerb {
 //! `ideotype.__main__.VERBS` of the package has the same names.
 constexpr std::array python_verbs{
     PythonVerb{"summary",
-               "the gains of cases as a table, their seeds put together"},
-    PythonVerb{"report", "one page about histories, with all figures"},
+               "tell the gains of cases as a table, with seeds put together"},
+    PythonVerb{"report", "write a page about histories, with all figures"},
     PythonVerb{"compare",
-               "plants in the same light: how each differs from the first, "
-               "with paired errors; on all cores"},
+               "compare plants in the same light: how each differs from the "
+               "first, with paired errors, on all cores"},
     PythonVerb{"weather",
-               "make of weather files of many formats the one that campaigns "
-               "read"},
+               "turn weather files of many formats into the one that "
+               "campaigns read"},
     PythonVerb{"fidelity",
                "measure what accuracy costs here: error and time of every "
                "setting that trades one for the other, and the cheapest that "
                "will do"},
     PythonVerb{"indices",
-               "what each objective depends on, from the rows of a "
+               "tell what each objective depends on, from the rows of a "
                "sensitivity study"},
     PythonVerb{"crate",
                "describe finished histories as a Research Object Crate, with "
                "authors and licence"},
     PythonVerb{"ceptometer",
-               "put light that was measured among plants beside the light that "
-               "is found there"},
+               "compare light that was measured among plants with light that "
+               "is computed there"},
     PythonVerb{"fit",
                "make a crop file of a plant that was digitised, and tell how "
-               "well each leaf is met"},
+               "well each leaf fits"},
     PythonVerb{"play",
-               "a page with sliders: change a plant and its field, and see "
-               "light and carbon follow"},
-    PythonVerb{"watch",
-               "a page about running campaigns, which follows their files"},
+               "open a page with sliders that change a plant and its field, "
+               "and see light and carbon follow"},
+    PythonVerb{"watch", "open a page that follows running campaigns"},
 };
 
 //! The program that answers a verb in Python. Its arguments are a message for a

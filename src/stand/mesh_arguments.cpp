@@ -66,19 +66,20 @@ void add_light(CLI::App& verb, MeshOptions& options) {
                          "light of the sky (clear needs --sun for the sun's "
                          "place); with --site the sky of that day");
     verb.add_option("--beam-ppfd", options.beam_ppfd,
-                    "beam of --sun on level ground above the canopy "
-                    "[umol m-2 s-1], instead of 1");
+                    "light of --sun on level ground above the canopy "
+                    "[umol m-2 s-1]; if not given, it is 1");
     verb.add_option("--sky-ppfd", options.sky_ppfd,
                     "light of --sky on level ground [umol m-2 s-1]");
     verb.add_option("--climate", options.climate,
                     "FILE.toml with the tables [site] and [climate] of a "
                     "campaign: the light of a season, as its mean day");
     verb.add_option("--photosynthesis", options.photosynthesis,
-                    "FILE.toml with a [photosynthesis] table: assimilation of "
-                    "the leaves");
+                    "FILE.toml with a [photosynthesis] table, from which the "
+                    "assimilation of the leaves follows");
     verb.add_flag("--exact", options.is_exact,
-                  "assimilation from random points of leaves and paths back "
-                  "from them, without bias, slowly: to check the usual way");
+                  "finds assimilation at random points of leaves, by paths "
+                  "from there to the light: without bias, but slowly; it "
+                  "checks the usual way");
     verb.add_option_function<Three>(
         "--site",
         [&](const Three& site) {
@@ -86,12 +87,12 @@ void add_light(CLI::App& verb, MeshOptions& options) {
             std::tie(options.site->latitude, options.site->longitude,
                      options.site->utc_offset) = site;
         },
-        "latitude, longitude [deg] and UTC offset [h]: a clear day, sun "
-        "and sky, with --date");
+        "latitude, longitude [deg] and UTC offset [h] of a place with the sun "
+        "and the sky of a clear day (--date)");
     verb.add_option_function<std::string>(
         "--date",
         [&](const std::string& text) { options.date = to_date(text); },
-        "YYYY-MM-DD, with --site");
+        "date of the clear day at --site: YYYY-MM-DD");
 }
 
 void add_ground(CLI::App& verb, MeshOptions& options) {
@@ -107,8 +108,8 @@ void add_ground(CLI::App& verb, MeshOptions& options) {
         "periodic (default): an endless stand; isolated: the "
         "mesh alone on endless soil");
     verb.add_option("--ground-area", options.ground_area,
-                    "ground that fractions refer to [m2]; of a periodic stand "
-                    "that of the period");
+                    "ground that fractions refer to [m2]; in a periodic stand "
+                    "it is that of the period");
     auto* field = verb.add_option_function<Four>(
         "--field",
         [&](const Four& form) {
@@ -144,8 +145,9 @@ void add_surface(CLI::App& verb, const std::string& material,
 void declare(CLI::App& verb, MeshOptions& options) {
     auto* scene = verb.add_option(
         "--scene", options.scene,
-        "FILE.toml of materials, components and wavebands, by the names of "
-        "groups: several kinds of plants, near infrared; see the manual");
+        "FILE.toml that tells materials, components and wavebands by the names "
+        "of groups, for several kinds of plants or near infrared; see the "
+        "manual");
     add_ground(verb, options);
     add_light(verb, options);
     add_surface(verb, "--leaf", options.optics.leaf, "of both faces", scene);
@@ -168,7 +170,7 @@ void declare(CLI::App& verb, MeshOptions& options) {
                     "how many paths of light to follow at least, instead of "
                     "a tolerance")
         ->excludes(tolerance);
-    verb.add_option("--seed", options.seed, "of the random numbers")
+    verb.add_option("--seed", options.seed, "seed of the random numbers")
         ->capture_default_str();
 }
 

@@ -26,7 +26,7 @@ struct BudgetEstimate {
     Estimate soil;
     Estimate reflected;
 
-    //! The light that leaves absorb, by where it came from at last: from the
+    //! The light that leaves absorb, by where it came from last: from the
     //! sun, from the sky, or from another surface.
     Estimate leaves_beam;
     Estimate leaves_sky;

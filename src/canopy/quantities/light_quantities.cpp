@@ -182,7 +182,7 @@ std::vector<Declaration> light_quantities() {
          }},
         {{"absorbed_by_source",
           daily,
-          "PAR that leaves absorb, by its last origin",
+          "PAR that leaves absorb, by where it came from last",
           {"light_source"}},
          [](const Report& r) {
              const BudgetEstimate& day = r.par().light.day;

@@ -107,7 +107,7 @@ QuantitySet canopy_quantities(const Scene& scene, const Layers& layers,
                 organ_axis(scene),
                 layer_axis(layers),
                 hour_axis(series),
-                {"light_source", "", "where light came from at last",
+                {"light_source", "", "where light came from last",
                  Names{"beam", "sky", "scattered"}},
                 {"leaf_side", "", "upper or lower side of leaves",
                  Names{"adaxial", "abaxial"}}};

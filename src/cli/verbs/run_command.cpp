@@ -24,13 +24,13 @@ double to_seconds(const std::string& text) {
 void declare_run(CLI::App& verb, RunOptions& options) {
     add_campaign(verb, options.campaign_path, options.settings);
     verb.add_option("--start", options.start,
-                    "plant file, or history with its best plant, that CMA-ES "
-                    "begins around (search.start)");
+                    "plant around which CMA-ES begins (search.start): a plant "
+                    "file, or a history, whose best plant is taken");
     add_threads(verb, options.threads);
     verb.add_option("--masters", options.masters,
-                    "so many ranks evolve cases, each with workers of its "
-                    "own; if not given one for each 1,000 ranks, as far as "
-                    "there are cases")
+                    "number of ranks that evolve cases, each with workers of "
+                    "its own; if not given, one for each 1,000 ranks, but no "
+                    "more than there are cases")
         ->check(CLI::PositiveNumber);
     verb.add_option("--case", options.case_index,
                     "only the case of this index (see check --cases)");
@@ -39,9 +39,9 @@ void declare_run(CLI::App& verb, RunOptions& options) {
     verb.add_option("--out", options.out, "folder for <campaign>/<case>.h5")
         ->capture_default_str();
     verb.add_option("--isa", options.isa,
-                    "instruction set to begin with, the same on all ranks; "
-                    "if not given the widest that all have, and for a "
-                    "history that is resumed its own")
+                    "instruction set to begin with, the same on all ranks; if "
+                    "not given, that of a history that is resumed, or else "
+                    "the widest that all ranks have")
         ->check(CLI::IsMember({"sse2", "sse4.2", "avx", "avx2", "avx512"}));
     add_log_level(verb, options.level);
     verb.add_option_function<std::string>(

@@ -7,7 +7,7 @@
 
 namespace ideotype {
 
-//! f at some places, with its derivatives.
+//! The response of leaves to light at some places, with its derivatives.
 struct Responses {
     std::vector<double> light, value, slope, curvature;
 
@@ -28,10 +28,11 @@ struct Responses {
     }
 };
 
-//! [f(D + b) - f(D)] / b with its derivatives in D.
+//! Returns the gain of leaves in the sun, [f(D + b) - f(D)] / b, with its
+//! derivatives in D: f is the response, D the diffuse light and b the beam.
 inline Expansion gain(const Expansion& shaded, const Expansion& lit,
                       double beam) {
-    // The difference of less would be mostly rounding.
+    // The difference for a weaker beam would be mostly rounding errors.
     constexpr double least = 0.01;
     if (beam < least)
         return {shaded.slope + beam / 2 * shaded.curvature, shaded.curvature,
@@ -41,11 +42,13 @@ inline Expansion gain(const Expansion& shaded, const Expansion& lit,
             (lit.curvature - shaded.curvature) / beam};
 }
 
-//! Diffuse light in a step, over the energy of its sources.
+//! The diffuse light of the sun's source and of the sky's in a step, each over
+//! the energy of the source.
 struct Scales {
     double of_sun, of_sky;
 
-    //! Returns what moments count for.
+    //! Returns the weights of moments of light in a Taylor series of a
+    //! response.
     Moments weigh(const Expansion& at, double times) const {
         return {times * at.value,
                 times * at.slope * of_sun,
@@ -61,10 +64,10 @@ struct Scales {
 struct StepLight {
     const PairLight& pair;
     Scales scales{};
-    Responses shaded{};                     //!< of places
-    Responses lit{};                        //!< of bins
-    std::vector<double> beams{};            //!< on leaves, of bins
-    std::vector<LeafResponse> responses{};  //!< of groups of plants
+    Responses shaded{};                     //!< responses of places
+    Responses lit{};                        //!< responses of bins
+    std::vector<double> beams{};            //!< beams on leaves of bins
+    std::vector<LeafResponse> responses{};  //!< responses of groups of plants
     std::vector<double> of_places{};        //!< assimilation, in its amounts
 };
 

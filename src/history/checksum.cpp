@@ -31,7 +31,7 @@ void add(Sha256& sum, const std::string& name, const std::vector<char>& bytes) {
 
 }  // namespace
 
-//! The datasets of a table but its scales, by name.
+//! The datasets of a table, in the order of their names, without its scales.
 class HashedTable {
   public:
     //! Opens the datasets.
@@ -136,7 +136,8 @@ void require_intact(GenerationChecksums& found, const Generations& generations,
 
 void require_intact(hid_t file, const std::string& path) {
     require_header_intact(file, path);
-    // First of all, because a case that runs may be over before the last read.
+    // This is read first, because a case that runs may end before the last
+    // read.
     const bool is_finished = Journal(file).finished().has_value();
     const Generations generations(file);
     GenerationChecksums found(file, nullptr);
@@ -148,7 +149,7 @@ void require_intact(hid_t file, const std::string& path) {
     const auto statuses = status.read<Status>(0, status.rows());
     const auto expected = checksum.read_text(0, status.rows());
     IDEOTYPE_ENSURE(expected.size() == statuses.size());
-    // A case that is over has no checksum of what is not recorded.
+    // A case that is over has no checksums beyond the rows that are recorded.
     if (is_finished && committed < generations.most() &&
         !generations.checksum(committed).empty())
         refuse(path, fmt::format("the mark of generation {}", committed));

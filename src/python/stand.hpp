@@ -75,18 +75,19 @@ class CaseStand {
     const std::string& isa() const { return devices_.isa(); }
     const OutcomeSchema& schema() const { return stand_.schema(false); }
 
-    //! Evaluates a plant; a failure is an outcome that says so.
+    //! Evaluates a plant. If that fails, the outcome tells it.
     //! @throws Error if the request is impossible
     Outcome evaluate(const Genome& genome, const SamplingRequest& request);
 
-    //! Returns a plant of a component at the origin, y along the row [m].
+    //! Returns the mesh of a plant of a component, at the origin and with y
+    //! along the row [m].
     //! @param thermal_time since emergence [deg C d]; none: full-grown
-    //! @throws Error if there is one, and plants of the component do not grow
+    //! @throws Error if a time is given and plants of the component do not grow
     Mesh mesh(const Genome& genome, std::size_t component,
               std::optional<double> thermal_time) const;
 
-    //! Returns the light on sensors among plants of a genome by instant, see
-    //! light_on_sensors(), in as many fields.
+    //! Returns the light on sensors among plants of a genome at each instant,
+    //! as light_on_sensors() does, from so many fields.
     std::vector<std::vector<Estimate>> light_on_sensors(
         const Genome& genome, const std::vector<Sensor>& sensors, int fields,
         int points);

@@ -135,8 +135,9 @@ Routine<Ending> Sweep::evolve_one(const Case& chosen) {
     co_return Ending::finished;
 }
 
-//! Tells one of several cases in a line. What a screen cannot hold is counted:
-//! cases that were finished before, and on a terminal those of a large job.
+//! Prints a line about a case of several that has ended. Cases that were
+//! finished before are only counted, and so are those of a job that has more of
+//! them than a terminal has lines.
 void Sweep::tell(const CaseResult& result, const std::string& name,
                  bool was_finished) {
     before_ += was_finished ? 1 : 0;
@@ -175,7 +176,8 @@ History Sweep::open_history(const Case& chosen) const {
     return History::create(path, header_of(campaign_, chosen, isa_));
 }
 
-//! Another job may have begun it after this one had looked.
+//! Opens the history of a case to go on with it. Another job may have begun the
+//! case after this one had looked.
 History Sweep::resume_history(const Case& chosen,
                               const std::string& path) const {
     History history = History::resume(path);
@@ -191,7 +193,8 @@ History Sweep::resume_history(const Case& chosen,
     return history;
 }
 
-//! Another job works on this case: no failure, and nothing to do here.
+//! Notes a case on which another job works. This is no failure, unless it is
+//! the only case.
 void Sweep::note_in_use(const Case& chosen, const InUseError& error) {
     if (chosen_.size() == 1) return note_failure(chosen, error);
     in_use_.push_back(chosen.name);
@@ -201,8 +204,8 @@ void Sweep::note_in_use(const Case& chosen, const InUseError& error) {
         LogLevel::warning);
 }
 
-//! Keeps the exception that is being handled. What is no matter of one case,
-//! such as a full disk, stops the others too.
+//! Keeps the exception that is being handled. If its reason is not in the case,
+//! such as a full disk, it stops the other cases too.
 void Sweep::note_failure(const Case& chosen, const std::exception& error) {
     failures_.push_back(
         {chosen.name, reason_of(error), std::current_exception()});
@@ -218,7 +221,8 @@ void Sweep::note_failure(const Case& chosen, const std::exception& error) {
     if (!is_of_case) stop_.request();
 }
 
-//! @throws Error (refused) if there was nothing to do at all.
+//! Tells which cases other jobs work on.
+//! @throws Error (refused) if they work on all cases.
 void Sweep::report_in_use() {
     if (in_use_.empty()) return;
     const std::string message =

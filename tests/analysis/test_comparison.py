@@ -133,7 +133,8 @@ def test_an_objective_per_leaf_area_is_its_own_gain(tmp_path: Path) -> None:
     made.finish()
     made.close()
     with h5py.File(path, "r+") as file:
-        # The error must not be divided by it once more.
+        # The error is one per leaf area already, and must not be divided by
+        # the leaf area again.
         file["final/lai"][2] = 6.0
         seal(file)
     with open_study(tmp_path) as study:

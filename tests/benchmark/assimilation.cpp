@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-//! The bias of canopy assimilation by the light of pieces of leaves: of noise
-//! in that light, against the number of paths, and of the size of pieces; and
-//! whether standard errors are honest.
+//! Measures the bias of canopy assimilation that is found from the light of
+//! pieces of leaves: the bias by noise in that light, for several numbers of
+//! paths, and the bias by the size of pieces. Tells whether standard errors are
+//! honest, too.
 //!
 //!     assimilation bias SEEDS
 //!     assimilation pieces
@@ -26,17 +27,18 @@ namespace ideotype {
 
 namespace {
 
-//! A case of campaigns/NAME.toml with its baseline, or another plant.
+//! The stand of a case of campaigns/NAME.toml, of its baseline or another
+//! plant.
 struct Stands {
     const char* name;
     const char* campaign = "ames";
-    int plants = 0;  //!< rows, and plants of each; 0: of the campaign
+    int plants = 0;  //!< rows, and plants in each; 0: those of the campaign
     const char* plant = nullptr;
     std::optional<double> azimuth{};  //!< azimuth of the leaves [deg]
     std::optional<Spacing> spacing{};
 };
 
-//! Under 14 instants of a clear day, or a season.
+//! A canopy in the light of 14 instants of a clear day, or of a season.
 class Canopy {
   public:
     explicit Canopy(const Stands& which,
@@ -77,7 +79,7 @@ class Canopy {
             .tallies.front();
     }
 
-    //! Gross assimilation of a day [mol m-2].
+    //! Returns the gross assimilation of a day [mol m-2].
     Estimate gross(const std::vector<Tally>& tallies) const {
         std::vector<double> values;
         const FluxTallies fluxes = assimilate(tallies, pieces_, lit(leaves_));
@@ -87,7 +89,7 @@ class Canopy {
                                  : Estimate{values.front(), 0};
     }
 
-    //! Gross assimilation of a day without pieces [mol m-2].
+    //! Returns the gross assimilation of a day without pieces [mol m-2].
     Estimate exact(double tolerance) const {
         std::vector<LeafGroup> of_pieces;
         for (const std::uint32_t group : pieces_.group)
@@ -101,7 +103,8 @@ class Canopy {
         return estimate(values);
     }
 
-    //! Returns assimilation of the mean light, with what its noise does.
+    //! Returns the assimilation of the mean light of all tallies, which still
+    //! has the bias by the noise of that light.
     double plain(const std::vector<Tally>& tallies) const {
         Tally mean = tallies.front();
         for (LeafLight& light : mean.leaf_light) light = {};
@@ -232,8 +235,8 @@ void print_pieces() {
         }
 }
 
-//! Whole evaluations of a campaign's baseline in turn, of light alone and of
-//! gross assimilation.
+//! Evaluates a campaign's baseline, in turn for light alone and for gross
+//! assimilation, and measures the cost of both.
 class Costs {
   public:
     Costs(const BenchStand& stand, double tolerance, int repeats) {
@@ -248,8 +251,8 @@ class Costs {
         }
     }
 
-    //! Returns ratios of time, and of time for the same error if that falls
-    //! with its root.
+    //! Returns the ratio of times, and the ratio for equal errors, if errors
+    //! fall with the root of time.
     std::string line() const {
         const double ratio = time(assimilation_) / time(light_);
         return fmt::format(

@@ -31,7 +31,7 @@ std::string written(const std::string& text) {
 }
 
 //! Returns the scene file of a reference scene.
-//! @param response of prefixes of groups, or null
+//! @param response rates of leaves by the prefix of their groups, or null
 std::string scene_text(const Ordered& scene, const Ordered& response) {
     const Ordered& optics = scene.at("optics");
     std::string text = "soil_albedo = {";
@@ -77,8 +77,8 @@ MeshOptions options_of(const Ordered& scene, const std::string& light,
     return options;
 }
 
-//! The rule of the reference values: within four combined standard errors and
-//! something.
+//! Checks a value by the rule of references: it differs by four combined
+//! standard errors, and a further amount, at most.
 void expect_within(Estimate ours, const Ordered& reference, double more,
                    const std::string& what) {
     const double mean = reference.at(0), error = reference.at(1);
@@ -153,8 +153,8 @@ TEST(MeshScene, AssimilatesWithTheParametersOfEachComponent) {
     }
 }
 
-//! Light of the sun falls on the upper face, what the soil reflects on the
-//! lower one.
+//! Light of the sun falls on the upper face, and light that the soil reflects
+//! on the lower one.
 TEST(MeshScene, FacesOfASheetMayReflectDifferently) {
     MeshOptions options;
     options.path = std::string(IDEOTYPE_MESHES) + "/sheets1.obj";

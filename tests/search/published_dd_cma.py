@@ -37,8 +37,7 @@ for dimension, population, generations in CASES:
     }
     search = DDCMA(problem, options)
     (mean, d, root, inverse, z, cz, x, y, *state) = search.initialize()
-    # The package begins with one where the change of the correlations is added
-    # up.
+    # The package begins this sum of the changes of correlations with one.
     state[3][:] = 0
     print(dimension, population, generations, line(mean))
     for _ in range(generations):

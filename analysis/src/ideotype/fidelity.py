@@ -90,8 +90,8 @@ class Program:
         if line := server.stdout.readline():
             return json.loads(line)
         message = server.stderr.read().strip() or "the program has ended"
-        # The message is told without the time, and without the name that this
-        # command tells itself.
+        # The time and the name of the program are removed from the message,
+        # because this command tells its name itself.
         message = re.sub(r"^\S+  ideotype: ", "", message, flags=re.MULTILINE)
         raise Refused(message, server.wait())
 

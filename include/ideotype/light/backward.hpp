@@ -12,49 +12,50 @@
 namespace ideotype {
 
 //! Returns whether light that travels in a direction comes straight to a point.
-//! @param pose of what moves
+//! @param pose of the objects that move
 bool is_lit(const RayScene& scene, const LeafPoint& point,
             const glm::dvec3& travel, std::uint32_t pose = 0);
 
-//! Finds the light at points of leaves, by paths that are followed from there
-//! back to its sources. This needs no field of light, but a path for every
-//! point. It shares the scene with all that follows light forwards, and nothing
-//! else. A path is of all sources for which what moves has one pose.
+//! Finds the light at points of leaves, by paths that are followed from the
+//! points back to the sources of light. Each point needs paths of its own.
+//! Apart from the scene, nothing is shared with the code that follows light
+//! forwards. A path counts for all sources whose light meets moving objects in
+//! one pose.
 class BackwardLight {
   public:
-    //! Keeps its arguments.
-    //! @param groups,sources must outlive it, and so must the scene
+    //! Keeps references to its arguments.
+    //! @param groups,sources must outlive this object, and so must the scene
     BackwardLight(const RayScene& scene, const std::vector<Group>& groups,
                   const Optics& optics, const std::vector<Source>& sources);
 
-    //! Returns the irradiance of the beam of a source, on the face that it
-    //! meets, over that on level ground; 0 in the shade. Light on a face that
-    //! absorbs less than the other one counts by as much less.
+    //! Returns the irradiance of the face that the beam of a source meets, over
+    //! the irradiance of level ground; 0 in the shade. If the face absorbs less
+    //! than the other one, the value is smaller in proportion.
     double beam(const LeafPoint& point, std::size_t source) const;
 
-    //! Adds one sample of all light but beams that both faces receive, by
-    //! source, over the light that level ground receives from it; faces count
-    //! as for beam(). Its mean is without bias.
+    //! Adds one sample of all light but beams that both faces receive from each
+    //! source, over the light that level ground receives from it. Faces count
+    //! as for beam(). The mean of samples has no bias.
     //! @param light of each source
     void add_diffuse(const LeafPoint& point, RandomStream& random,
                      std::vector<double>& light) const;
 
-    //! Adds one sample of the light that comes from above to a level place, by
-    //! source, over the light that level ground receives from it above all
+    //! Adds one sample of the light that comes from above to a level place from
+    //! each source, over the light of the source on level ground above all
     //! plants.
     void add_level(const glm::dvec3& place, RandomStream& random,
                    std::vector<double>& light) const;
 
   private:
-    //! Returns the face that sends light to the side from which it is seen.
+    //! Returns the optics of the face of a group, or of the soil, that is seen.
     const Lambertian& surface(std::uint32_t group, bool is_adaxial) const {
         return group == Hit::soil
                    ? soil_
                    : optics_.of(groups_[group].material).face(is_adaxial);
     }
 
-    //! Returns the light that a face of a leaf absorbs over that of the face
-    //! that absorbs most.
+    //! Returns the absorptance of a face of a leaf over that of the face which
+    //! absorbs more.
     double weight(const LeafPoint& point, bool is_adaxial) const;
 
     //! Follows one path from a face, on the side of a normal.

@@ -8,16 +8,16 @@
 
 namespace ideotype {
 
-//! The conductance gs of water vapour of the stomata of both faces together,
-//! per area of leaf [mol m-2 s-1], at the surface behind the boundary layer,
-//! which has CO2 cs, humidity h and a vapour pressure deficit D [kPa] against
-//! the inside of the leaf:
+//! A model of stomata. It tells their conductance gs for water vapour, of both
+//! faces together per area of leaf [mol m-2 s-1]. A is the assimilation; cs, h
+//! and D are CO2, humidity and the vapour pressure deficit [kPa] at the surface
+//! of the leaf, behind the boundary layer:
 //!
 //!     Medlyn       g0 + 1.6 (1 + g1 / sqrt(D)) A / cs,  D at least 0.05
 //!     Ball-Berry   b0 + b1 A h / cs,                    h at most 1
 //!
 //! (Medlyn et al. 2011, doi:10.1111/j.1365-2486.2010.02375.x; Ball, Woodrow
-//! and Berry 1987), and g0 or b0 where A is negative.
+//! and Berry 1987). Where A is negative, gs is g0 or b0.
 struct Stomata {
     enum class Model { medlyn, ball_berry };
 

@@ -11,15 +11,15 @@ namespace {
 
 //! The places of the groups of a component in the pieces of the field.
 struct Share {
-    std::uint32_t groups;    //!< the first of the field before
-    std::uint32_t cut_from;  //!< the first of the meshes that were cut
+    std::uint32_t groups;    //!< the first group of the field before it was cut
+    std::uint32_t cut_from;  //!< the first group of the meshes that were cut
     std::uint32_t pieces;    //!< the first piece
     std::uint32_t first_plant;
-    std::uint32_t others = 0;  //!< the first that is not cut, row by row
+    std::uint32_t others = 0;  //!< the first group that is not cut, row by row
 };
 
-//! Tells how many plants of each component there are, up to the last that has
-//! not been cut away.
+//! Returns the number of plants of each component, counted up to the last one
+//! that has not been cut away.
 std::vector<std::uint32_t> plants_of(const Field& field, std::size_t lines) {
     std::vector<std::uint32_t> plants(lines);
     for (std::size_t f = 0, c = 0; f < field.face_plant.size(); ++f) {
@@ -31,8 +31,8 @@ std::vector<std::uint32_t> plants_of(const Field& field, std::size_t lines) {
     return plants;
 }
 
-//! Makes the groups of a field of pieces: pieces of leaves plant by plant, then
-//! what is not cut, then fixed objects.
+//! Makes the groups of a field of pieces: first the pieces of leaves, plant by
+//! plant, then the surfaces that are not cut, then fixed objects.
 class FieldGroups {
   public:
     //! @param groups of the field
@@ -57,7 +57,7 @@ class FieldGroups {
     }
 
     //! Returns the new group of a face, which may be a piece.
-    //! @param group that it had
+    //! @param group old group of the face
     std::uint32_t group_of(std::uint32_t group, std::uint32_t plant) const {
         if (group >= first_) return group + all_ - first_;
         const std::size_t c = component_of(group);
@@ -72,7 +72,7 @@ class FieldGroups {
         return shares_[c].others + row * others + of_line - count;
     }
 
-    //! Returns the height of the piece that a face is of.
+    //! Returns the height of the piece to which a face belongs.
     double height_of(std::uint32_t group) const {
         const std::size_t c = component_of(group);
         return lines_[c].height[group - shares_[c].groups];
@@ -117,7 +117,8 @@ class FieldGroups {
         cut_from_ += static_cast<std::uint32_t>(line.uncut_groups);
     }
 
-    //! Adds what is not cut of a component, in each row if they are told apart.
+    //! Adds the groups of a component that are not cut, once for each row of
+    //! the field if rows are told apart.
     void add_others(std::size_t c) {
         const Pieces& line = lines_[c];
         shares_[c].others = next();

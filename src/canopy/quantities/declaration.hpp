@@ -14,14 +14,15 @@
 
 namespace ideotype {
 
-//! Takes a single number from a report; none where there is no such thing.
+//! Takes a single number from a report; nothing if the report lacks it.
 using TakeNumber =
     std::function<std::optional<Randomised>(const CanopyReport&)>;
 
 //! Takes the numbers of a quantity that has axes.
 using TakeNumbers = std::function<std::vector<Estimate>(const CanopyReport&)>;
 
-//! Takes a profile from a report, each number by randomisation too.
+//! Takes the numbers of a quantity that has axes, with those of each
+//! randomisation.
 using TakeProfile = std::function<std::vector<Randomised>(const CanopyReport&)>;
 
 inline constexpr double grams_of_carbon = 12.011;  //!< grams of carbon of a mol
@@ -51,12 +52,13 @@ struct Scope {
 struct Declaration {
     Quantity quantity;
     std::variant<TakeNumber, TakeNumbers, TakeProfile> take;
-    bool is_of_method = false;  //!< tells how light was traced, of no plant
-    //! Whether a canopy has it; none: all that the others of its kind have.
+    bool is_of_method = false;  //!< tells how light was traced
+    //! Whether a canopy has it. None: it has the quantity if it has the others
+    //! of the same list.
     std::function<bool(const Scope&)> is_in{};
 };
 
-//! Returns all that a canopy of some scope has, in the order of columns.
+//! Returns the quantities that a canopy has, in the order of their columns.
 std::vector<const Declaration*> declared(const Scope& scope);
 
 //! Returns whether any object is a panel.
@@ -66,27 +68,30 @@ bool has_panels(const std::vector<Object>& objects) {
                        [](const Object& each) { return each.is_panel; });
 }
 
-//! Quantities of PAR, in the order of their columns.
+// Each of these lists has its quantities in the order of their columns, and the
+// columns of one list follow those of the list before it.
+
+//! Returns quantities of PAR.
 std::vector<Declaration> light_quantities();
 
-//! Quantities of reports with assimilation, after those of light.
+//! Returns quantities of leaves that assimilate.
 std::vector<Declaration> assimilation_quantities();
 
-//! Quantities of reports with the form of plants, after those of assimilation.
+//! Returns quantities of the form of plants.
 std::vector<Declaration> form_quantities();
 
-//! Quantities of reports with measured lines, after those.
+//! Returns distances from measured lines.
 std::vector<Declaration> line_quantities();
 
-//! Quantities of several components or wavebands, after those.
+//! Returns quantities of several components or wavebands.
 std::vector<Declaration> part_quantities();
 
-//! Quantities by row and by strip, after those.
+//! Returns quantities by row and by strip.
 std::vector<Declaration> row_quantities();
-//! Quantities of scenes with fixed objects, after those.
+//! Returns quantities of fixed objects, and of the ground beside them.
 std::vector<Declaration> object_quantities();
 
-//! Quantities of leaves that exchange heat and water, after all others.
+//! Returns quantities of leaves that exchange heat and water.
 std::vector<Declaration> water_quantities();
 
 inline Randomised scaled(Randomised x, double factor) {
@@ -95,7 +100,7 @@ inline Randomised scaled(Randomised x, double factor) {
     return x;
 }
 
-//! Numbers of all places and what each randomisation says of them
+//! Joins the numbers of all places with those of each randomisation
 //! [randomisation, place].
 inline std::vector<Randomised> randomised(
     const std::vector<Estimate>& estimates,
@@ -144,8 +149,9 @@ inline std::vector<Randomised> along(const std::vector<FluxTally>& tallies,
     return randomised(found, by_randomisation);
 }
 
-//! Returns a ratio with errors to first order.
-//! @param left what each of some randomisations has more than the ratio says
+//! Returns a ratio with its error to first order.
+//! @param left difference between the numerator of a randomisation and the
+//! ratio times its denominator
 template <class Left>
 Randomised ratio_with_error(double ratio, double denominator,
                             std::size_t randomisations, const Left& left) {

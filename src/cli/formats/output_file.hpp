@@ -10,20 +10,23 @@
 
 namespace ideotype {
 
+//! Checks that a path is free for a new file.
 //! @throws Error (refused) if there is something at this path.
 void require_new(const std::string& path);
 
-//! A file that has its name once it is complete: until then it is written
-//! aside, and removed if that fails. What is no plain file, such as a pipe, is
-//! written directly.
+//! A new file, which gets its name when it is complete. Until then it is
+//! written beside that place, and removed if writing fails. A pipe, or anything
+//! else that is no plain file, is written directly.
 class OutputFile {
   public:
-    //! @throws Error
+    //! Opens the file.
+    //! @throws Error if it cannot be written
     explicit OutputFile(const std::string& path);
     OutputFile(const OutputFile&) = delete;
     OutputFile& operator=(const OutputFile&) = delete;
     ~OutputFile();
 
+    //! Writes text.
     //! @throws Error if the disk is full, for example.
     template <class... Values>
     void print(fmt::format_string<Values...> form, Values&&... values) {
@@ -33,7 +36,8 @@ class OutputFile {
         if (text_.size() >= block) flush();
     }
 
-    //! Gives the file its name. @throws Error
+    //! Gives the file its name.
+    //! @throws Error if that fails
     void finish();
 
   private:

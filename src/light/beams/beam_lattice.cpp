@@ -14,7 +14,8 @@ namespace ideotype {
 
 namespace {
 
-//! The lengths of steps on the ground as the light sees them.
+//! A measure of the lengths of steps on the ground, as they are seen along the
+//! light.
 struct Measure {
     double xx, xy, yy;
 
@@ -24,7 +25,7 @@ struct Measure {
     double squared(const glm::dvec2& step) const { return product(step, step); }
 };
 
-//! Returns lengths that are squeezed along the light.
+//! Returns the measure for light that travels in a direction.
 Measure measure(const glm::dvec3& direction) {
     const double level = std::hypot(direction.x, direction.y);
     if (!(level > 0)) return {1, 0, 1};
@@ -81,7 +82,7 @@ BeamLattice beam_lattice(double period_x, double period_y, std::int64_t points,
     while (!is_coprime_to_fields(lattice.pixels)) ++lattice.pixels;
     BeamLattice best;
     double longest = -1;
-    // Multiples of the golden ratio spread generators over all that there are.
+    // Multiples of the golden ratio spread these generators over all others.
     constexpr int generators = 24;
     constexpr double golden = 0.6180339887498949;
     for (int i = 1; i <= generators; ++i) {

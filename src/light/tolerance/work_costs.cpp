@@ -11,12 +11,12 @@ namespace ideotype {
 
 namespace {
 
-//! The first hits of a sun from which on a lattice beats independent rays; a
-//! guess, which a trial replaces.
+//! The number of first hits of a sun above which a lattice is better than
+//! independent rays. It is a guess, which a trial replaces.
 constexpr double even_for_lattices = 30;
 
-//! The fewest hits of diffuse light per piece, in all randomisations together:
-//! with fewer the scatter of products would exceed that of the light itself.
+//! The fewest hits of diffuse light per piece, in all randomisations together.
+//! With fewer hits, products of light would scatter more than the light itself.
 constexpr double hits_of_piece = 1.5;
 
 //! Returns the factor by which errors of trials are multiplied. A trial that
@@ -71,7 +71,7 @@ bool WorkCosts::pays_to_draw(const Amounts& by_rays,
     if (subject.scene.boundary() != Boundary::periodic ||
         found.laws[LightOrigin::beams].variance == 0)
         return false;
-    // The trial of drawn beams costs something too.
+    // The factor counts the cost of the trial with drawn beams.
     constexpr double with_trial = 1.3;
     return cost(cheapest(guess(), true, least), true) * with_trial <
            cost(by_rays, false);
@@ -82,7 +82,7 @@ Amounts WorkCosts::cheapest(const ByOrigin<Law>& laws, bool is_drawn,
     const double wanted = accuracy.tolerance / caution(trials) * found.mean;
     Amounts amounts = allocate(laws, costs(is_drawn),
                                wanted * wanted * accuracy.randomisations);
-    // No figure is known more finely than to one path.
+    // The light of a single path is the smallest difference between figures.
     const double coarsest = 1 / (accuracy.tolerance * accuracy.randomisations);
     const double part = coarsest / first_hits_of(least);
     for (const LightOrigin origin : {LightOrigin::beams, LightOrigin::skies})

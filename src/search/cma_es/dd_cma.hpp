@@ -16,16 +16,17 @@ namespace ideotype {
 //! negative weights.
 class DdCma {
   public:
-    //! @param mean n >= 1 coordinates
-    //! @param deviations of each coordinate, > 0
-    //! @param population of a generation, >= 4
+    //! Begins with independent coordinates.
+    //! @param mean of n >= 1 coordinates
+    //! @param deviations standard deviations of the coordinates, > 0
+    //! @param population number of points in a generation, >= 4
     DdCma(Eigen::VectorXd mean, Eigen::VectorXd deviations,
           std::size_t population);
 
     //! Returns the point that a standard normal vector is moved to.
     Eigen::VectorXd sample(const Eigen::VectorXd& normal) const;
 
-    //! Goes on with another number of points in a generation, >= 4.
+    //! Sets the number of points in the next generations, >= 4.
     void set_population(std::size_t population);
 
     //! Learns from the points of a generation [n, population], best first.
@@ -65,7 +66,7 @@ class DdCma {
     std::size_t parents_ = 0;
     Rates of_correlation_, of_scales_;
     double step_rate_ = 0, step_damping_ = 0;
-    double usual_length_;  //!< usual length of a standard normal vector
+    double usual_length_;  //!< expected length of a standard normal vector
 
     Eigen::VectorXd mean_;
     double step_size_ = 1;

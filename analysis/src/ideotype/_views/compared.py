@@ -229,7 +229,7 @@ def compare_plants(
 
 
 def _told_apart(names: Sequence[str]) -> list[str]:
-    """Gives names that are there already a number."""
+    """Adds a number to each name that stands earlier in the list, too."""
     times: dict[str, int] = {}
     found = []
     for name in names:

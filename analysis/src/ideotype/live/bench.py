@@ -182,6 +182,6 @@ def _without_what_does_not_matter(
 
 
 def _yield_to_others() -> None:
-    """Lets a thread run where no other wants to. Not every system can."""
+    """Lets this thread run only while no other wants to, if the system can."""
     if hasattr(os, "setpriority"):
         os.setpriority(os.PRIO_PROCESS, threading.get_native_id(), 10)

@@ -72,12 +72,12 @@ class Conditions:
 
     @property
     def kind(self) -> tuple[str, bool]:
-        """Decides which numbers there are."""
+        """Tells which numbers these conditions have, by their kind."""
         return self.when, self.panels
 
     def changed(self, numbers: dict[str, Any]) -> Conditions:
-        """Returns these with numbers of a page in their place. Raises Error if
-        one of them is impossible."""
+        """Returns conditions that have the numbers of a page in the place of
+        these. Raises Error if one of them is impossible."""
         found: dict[str, Any] = {}
         for field in fields(self):
             if field.name not in numbers:

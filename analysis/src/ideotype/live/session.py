@@ -267,7 +267,7 @@ class Session:
 
     def _picture(self, shown: Shown) -> dict[str, Any]:
         bench, now = self._bench, shown.conditions
-        # Plants look alike wherever they stand.
+        # A plant looks alike at every place, so that its own stand will do.
         stand = bench.place(bench.own).stand
         growth = bench.growth if now.when == "season" else None
 

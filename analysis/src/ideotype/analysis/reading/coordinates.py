@@ -19,8 +19,9 @@ def natural(text: str) -> tuple[tuple[str, float, str], ...]:
 
 
 def short_names(cases: Sequence[Case]) -> dict[str, str]:
-    """Returns a name for each case by its name, which has only what tells
-    these cases apart: campaign, site, day, spacing [m] and trait set."""
+    """Returns short names of cases, by their full names. A short name has the
+    campaign, site, day, spacing [m] and trait set only where these differ
+    between the cases."""
     places = {case.name: _place(case) for case in cases}
     differ = [
         len(set(values)) > 1 for values in zip(*places.values(), strict=True)

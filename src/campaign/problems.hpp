@@ -20,16 +20,16 @@ namespace ideotype {
 class Problems {
   public:
     Problems();
-    //! All values come from this file.
+    //! Begins with a file that all values come from.
     explicit Problems(const std::string& file);
 
-    //! Returns these problems for a table, whose keys then go without its
-    //! name.
+    //! Returns these problems as those of a table: its keys are told without
+    //! its name then.
     Problems in(const std::string& table) const;
-    //! Returns these problems for an entry of a list of tables.
+    //! Returns these problems as those of an entry of a list of tables.
     Problems in(const std::string& table, std::size_t entry) const;
 
-    //! Notes that a value comes from this place.
+    //! Notes the place that a value comes from.
     void locate(const std::string& key, const Location& where) const;
 
     //! Returns where a value was written, or else the table that lacks it.
@@ -58,24 +58,26 @@ class Problems {
         add(place, fmt::format(text, std::forward<Args>(args)...));
     }
 
-    //! Reports the first problem of this kind in a file and spoils the values
-    //! of all.
+    //! Reports only the first problem of a kind in a file, but spoils the
+    //! values of all of them.
     void add_once(const std::string& key, const std::string& kind,
                   const std::string& what) const;
 
-    //! Notes what may be wrong with a value; it stays usable.
+    //! Warns of a value that may be wrong. It stays usable.
     void warn(const std::string& key, const std::string& what) const;
     void warn(const Problem& warning) const;
 
-    //! @throws InputError if there is any problem: file by file in the order
-    //! in which they were read, by position in each.
+    //! Throws all problems, if there are any.
+    //! @throws InputError with the problems of each file by position, and files
+    //! in the order in which they were opened.
     void throw_if_any() const;
 
     //! Returns the warnings in the order of files and lines.
     std::vector<Problem> warnings() const;
     std::vector<Problem> sorted(std::vector<Problem> problems) const;
 
-    //! Fixes the order of files.
+    //! Notes that a file is read now. Problems are told in the order in which
+    //! files were opened.
     void open(const std::string& file) const;
 
   private:

@@ -34,8 +34,8 @@ void check_verb_name(const CLI::App& app, const std::string& word) {
                 ExitCode::usage);
 }
 
-//! Words that a verb does not know: the first that looks like an option, or
-//! else the first of all.
+//! Returns the error for words that a verb does not know. It tells the first
+//! one that looks like an option, or else the first of all.
 Error unknown_word(const CLI::App& verb) {
     const std::vector<std::string> words = verb.remaining();
     const auto found = std::ranges::find_if(words, [](const std::string& each) {

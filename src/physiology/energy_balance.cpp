@@ -14,9 +14,9 @@ namespace ideotype {
 
 namespace {
 
-//! A leaf of one temperature behind its boundary layer. Openness is gs / (gs +
-//! gb), from 0 to 1: the part that the drop of vapour pressure within the
-//! boundary layer has in all of it.
+//! A leaf of one temperature behind its boundary layer. The openness of its
+//! stomata is gs / (gs + gb), from 0 to 1: the drop of vapour pressure within
+//! the boundary layer over the whole drop from the leaf to the air.
 template <class AtTemperature>
 class Behind {
   public:
@@ -30,8 +30,8 @@ class Behind {
           air_(air),
           absorbed_(absorbed) {}
 
-    //! Returns the balance of CO2: one, since more assimilation leaves less
-    //! within.
+    //! Returns the balance of CO2. There is one, because more assimilation
+    //! leaves less CO2 within the leaf.
     LeafBalance at(double openness) const {
         const double gs = conductance(openness);
         const double resistance = resistance_of(gs);
@@ -48,9 +48,9 @@ class Behind {
         return found;
     }
 
-    //! Assimilation less that at which stomata would be so open; it has the
-    //! sign of the conductance to which they would open less that which is, and
-    //! is positive where that is below the intercept.
+    //! Returns the assimilation less the one at which stomata would be so open.
+    //! It is positive if they would open further, and negative if they would
+    //! close. It is positive below the intercept, too.
     double excess(double openness) const {
         const double gs = conductance(openness);
         const double beyond = gs - stomata_.intercept;
@@ -66,7 +66,8 @@ class Behind {
         return response_(ci).gross(absorbed_) - respiration_;
     }
 
-    //! Closed stomata leak so little that nothing overflows.
+    //! Returns the conductance of stomata. Closed ones leak so little that no
+    //! number overflows.
     double conductance(double openness) const {
         return std::max(
             air_.boundary * openness / std::max(1 - openness, 1e-15), 1e-12);
@@ -100,8 +101,9 @@ Behind<FarquharAt> behind(const FarquharLeaf& rates, const auto&... rest) {
     return {rates, rest...};
 }
 
-//! The first root of a function among places in order, and how many times it
-//! turns. It counts as negative at the first place and as positive at the last.
+//! The first root of a function, and how many times its sign changes at places
+//! in order. It counts as negative at the first place and as positive at the
+//! last.
 struct FirstRoot {
     double x;
     int roots;
@@ -134,7 +136,7 @@ LeafBalance balance_of(const Rates& rates, const Stomata& stomata,
     std::array<double, steps + 1> closed;
     for (std::size_t i = 0; i <= steps; ++i)
         closed[i] = static_cast<double>(i) / steps;
-    // Shut stomata are a balance if no more is wanted.
+    // Shut stomata are a balance if they would not open.
     const FirstRoot found =
         first_root([&](double x) { return leaf.excess(1 - x); }, closed, 1e-15);
     const double openness = 1 - found.x;
@@ -143,8 +145,8 @@ LeafBalance balance_of(const Rates& rates, const Stomata& stomata,
     return result;
 }
 
-//! Temperatures between two, which lie denser below that of the air: without
-//! wind conductances change fast there.
+//! Returns temperatures between two others. They are denser below that of the
+//! air, where conductances change fast if there is no wind.
 std::array<double, 2 * steps + 1> temperatures(double low, double high,
                                                double air) {
     const double bend = std::clamp(air, low, high);

@@ -60,7 +60,7 @@ def test_differences_are_those_of_pairs(
 ) -> None:
     table = table_of(tmp_path, MAIZE, ELITE, "--under", under)
     text = capsys.readouterr().out
-    # One screen.
+    # The text fits on one screen.
     assert len(text.splitlines()) < 24
     assert max(map(len, text.splitlines())) <= 100
     assert "elite compared with b73" in text and "absorbed PAR" in text

@@ -10,8 +10,9 @@ namespace ideotype {
 //! Models of leaves, in the order of LeafRates.
 enum class LeafModel { hyperbola, collatz, farquhar };
 
-//! The table [photosynthesis] as written: numbers of all leaves, or of each,
-//! the lowest first. Empty lists are what the model has.
+//! The table [photosynthesis] as it is written. A list has one number for all
+//! leaves, or one for each, the lowest first; the model's own number is taken
+//! where a list is empty.
 struct PhotosynthesisTable {
     LeafModel model = LeafModel::hyperbola;
     std::vector<double> theta, rd;             //!< of all models
@@ -27,10 +28,11 @@ struct PhotosynthesisTable {
     double building_cost = 45;  //!< [g m-2 of leaf]
 };
 
-//! Returns the table of leaves of a mesh that says nothing: they do not differ
-//! by depth, nor follow the weather.
+//! Returns the defaults of the table for meshes: leaves do not differ by depth,
+//! and do not follow the weather.
 PhotosynthesisTable photosynthesis_of_meshes();
 
+//! Returns the photosynthesis that a table tells.
 //! @param table without problems
 Photosynthesis to_photosynthesis(const PhotosynthesisTable& table);
 

@@ -19,14 +19,14 @@ namespace {
 const std::vector<std::string> keys{
     "id", "genome", "seed", "generation", "tolerance", "final", "quantities"};
 
-//! Returns "there is no 'x'; did you mean 'y'?".
+//! Returns a message such as "there is no 'x'; did you mean 'y'?".
 std::string unknown(const std::string& what, const std::string& word,
                     const std::vector<std::string>& names) {
     return fmt::format("there is no {} '{}'; {}", what, word,
                        did_you_mean(word, names));
 }
 
-//! Enough of a value to know it by.
+//! Returns the beginning of a value as text, for messages.
 std::string beginning(const Json& json) {
     constexpr std::size_t enough = 60;
     const std::string text = to_line(json);
@@ -90,8 +90,10 @@ std::vector<std::string> read_quantities(const Json& json,
     return names;
 }
 
-//! Numbers along axes as arrays of arrays; of a single number itself.
-//! @param next the first of them; after the call what is behind the last
+//! Returns numbers along axes as arrays of arrays; without axes, the number
+//! itself.
+//! @param next the first of the numbers; after the call, the one behind the
+//! last
 template <class Number>
 Json along(const std::vector<std::size_t>& sizes, std::size_t axis,
            std::vector<Estimate>::const_iterator& next, Number number) {
@@ -229,7 +231,7 @@ GenomeRequest read_request(const Json& json, const ServedCase& served) {
     if (json.contains("quantities"))
         request.quantities =
             read_quantities(json["quantities"], served.schema.measured);
-    // Tells what is impossible.
+    // The call throws if something impossible is asked for.
     static_cast<void>(sampling_of(sampling, served.campaign, served.chosen));
     return request;
 }

@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include <gtest/gtest.h>
+
 #include "campaign/campaign.hpp"
 
 namespace ideotype {
@@ -44,6 +46,18 @@ inline Campaign sample(const std::string& top = "",
                        const std::string& more = "",
                        const std::string& bounds = "\"paper\"") {
     return parse_campaign(sample_text(top, more, bounds), "sample.toml");
+}
+
+inline Campaign ames() {
+    return read_campaign(IDEOTYPE_CAMPAIGNS "/ames.toml");
+}
+
+//! Returns a text with another part in the place of its first such one.
+inline std::string replaced(std::string text, const std::string& from,
+                            const std::string& to) {
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    return text.replace(at, from.size(), to);
 }
 
 //! Returns what is wrong with the text of a campaign; "" if nothing is.

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <string>
 #include <utility>
@@ -11,24 +10,8 @@
 #include "ideotype/core/error.hpp"
 #include "ideotype/core/hash.hpp"
 #include "sample_campaign.hpp"
-#include "temporary_folder.hpp"
 
 namespace ideotype {
-
-namespace {
-
-Campaign ames() {
-    return read_campaign(IDEOTYPE_CAMPAIGNS "/ames.toml");
-}
-
-std::string replaced(std::string text, const std::string& from,
-                     const std::string& to) {
-    const std::size_t at = text.find(from);
-    EXPECT_NE(at, std::string::npos) << from;
-    return text.replace(at, from.size(), to);
-}
-
-}  // namespace
 
 TEST(Campaign, AmesIsTheStudyOfThePaper) {
     const Campaign campaign = ames();
@@ -109,88 +92,6 @@ TEST(Campaign, PathsWithoutAToleranceAreAllFollowed) {
     EXPECT_EQ(sample("", "[light]\npaths = 512\ntolerance = 0.01\n")
                   .sampling.tolerance,
               0.01);
-}
-
-TEST(Campaign, PlantsAreWrittenAsTheyAreRead) {
-    const Campaign campaign = ames();
-    const Plant b73 = read_plant(IDEOTYPE_CAMPAIGNS "/crops/maize.toml");
-    EXPECT_EQ(b73.leaves.size(), 10u);
-    const std::string text = crop_text(campaign, b73);
-    EXPECT_EQ(text, crop_text(campaign, campaign.crop.baseline));
-    const std::string path = temporary_file("again.toml");
-    std::ofstream(path) << text;
-    const Plant again = read_plant(path);
-    EXPECT_EQ(crop_text(campaign, again), text);
-    EXPECT_EQ(again.leaves[9].width, b73.leaves[9].width);
-    EXPECT_EQ(organ_names(again), organ_names(b73));
-    Plant turned = b73;
-    turned.leaves[9].azimuth = b73.leaves[9].azimuth - 720;
-    EXPECT_EQ(crop_text(campaign, turned), text) << "files begin at north";
-    std::ofstream(path, std::ios::app) << "\n[[leaf]]\nlength = 0.5\n";
-    EXPECT_THROW(read_plant(path), InputError);
-    EXPECT_THROW(read_plant(path + "none"), Error);
-}
-
-TEST(Campaign, PlantFilesHoldTheKnownPlants) {
-    const Plant b73 = ames().crop.baseline;
-    EXPECT_EQ(b73.name, "b73");
-    EXPECT_EQ(b73.leaves[9].width, 0.0545);
-    EXPECT_EQ(b73.leaves[1].insertion_angle, 31.4);
-    EXPECT_EQ(b73.leaves[0].curvature, 125);
-    EXPECT_EQ(b73.leaves[9].insertion_height, 1.61);
-    // Leaf area index at 86,111 plants per hectare.
-    double area = 0;
-    for (const Leaf& leaf : b73.leaves)
-        area += 0.7455 * leaf.length * leaf.width;
-    EXPECT_NEAR(area / (0.762 * 0.1524), 3.44, 0.01);
-}
-
-TEST(Campaign, ElitePlantIsLargerAndInsideThePaperBounds) {
-    const Plant elite =
-        read_campaign(IDEOTYPE_TEST_DATA "/campaign/elite.toml").crop.baseline;
-    ASSERT_EQ(elite.leaves.size(), 10u);
-    double area = 0;
-    for (const Leaf& leaf : elite.leaves)
-        area += 0.7455 * leaf.length * leaf.width;
-    EXPECT_NEAR(area / (0.762 * 0.1524), 4.7, 0.05);
-    // Its droops are those of version 0.2.
-    const Plant b73 = read_plant(IDEOTYPE_CAMPAIGNS "/plants/maize_v02.toml");
-    for (std::size_t i = 0; i < 10; ++i) {
-        EXPECT_EQ(elite.leaves[i].azimuth, b73.leaves[i].azimuth);
-        EXPECT_EQ(elite.leaves[i].curvature, b73.leaves[i].curvature);
-        EXPECT_EQ(elite.leaves[i].insertion_height,
-                  b73.leaves[i].insertion_height);
-    }
-}
-
-TEST(Campaign, EveryCropAndMeasuredPlantOfTheProjectIsAPlant) {
-    const std::map<std::string, std::size_t> leaves{
-        {"maize", 10},     {"maize_hybrid", 11}, {"sorghum", 16},
-        {"soybean", 12},   {"cowpea", 10},       {"elite", 10},
-        {"maize_v02", 10}, {"Dea_2008", 11},     {"F331_S1", 11},
-        {"iowa_T8", 10},   {"iowa_JN3208-1", 9}, {"iowa_JN3801-1", 12}};
-    std::size_t found = 0;
-    for (const char* folder : {"/crops", "/plants"})
-        for (const auto& file : std::filesystem::directory_iterator(
-                 std::string(IDEOTYPE_CAMPAIGNS) + folder)) {
-            EXPECT_EQ(read_plant(file.path().string()).leaves.size(),
-                      leaves.at(file.path().stem().string()));
-            ++found;
-        }
-    EXPECT_EQ(found, leaves.size());
-}
-
-TEST(Campaign, CropsTellTheOpticsAndTheCapacityOfTheirLeaves) {
-    const Campaign campaign =
-        read_campaign(IDEOTYPE_CAMPAIGNS "/quickstart.toml");
-    EXPECT_EQ(campaign.optics.leaf.reflectance, .06);
-    EXPECT_EQ(campaign.optics.leaf.transmittance, .03);
-    ASSERT_TRUE(campaign.photosynthesis);
-    EXPECT_EQ(campaign.photosynthesis->profile, CapacityProfile::rank);
-    EXPECT_EQ(campaign.photosynthesis->rank_capacity.size(), 13u);
-    // The campaign goes before, and light alone needs no photosynthesis.
-    EXPECT_EQ(ames().optics.leaf.reflectance, .05);
-    EXPECT_FALSE(ames().photosynthesis);
 }
 
 TEST(Campaign, EveryCampaignOfTheProjectIsValidAndItsSize) {
@@ -304,26 +205,6 @@ TEST(Campaign, UnnamedEntriesAreNamedAfterTheirValues) {
     EXPECT_EQ(campaign.trait_sets[0].name, "all");
 }
 
-TEST(Campaign, BiologicalBoundsFollowEachLeaf) {
-    const Campaign campaign =
-        read_campaign(IDEOTYPE_TEST_DATA "/campaign/elite.toml");
-    const auto bounds = [&](const std::string& name) {
-        for (const Gene& gene : gene_space(campaign, cases(campaign)[0]))
-            if (gene.name == name) return Range{gene.lower, gene.upper};
-        return Range{};
-    };
-    // Leaf 4 has 0.92 m x 0.102 m.
-    EXPECT_DOUBLE_EQ(bounds("leaf04_length").lower, 0.65 * 0.92);
-    EXPECT_EQ(bounds("leaf04_length").upper, 1.10);
-    EXPECT_DOUBLE_EQ(bounds("leaf04_width").lower, 0.65 * 0.102);
-    EXPECT_DOUBLE_EQ(bounds("leaf04_width").upper, 1.35 * 0.102);
-    EXPECT_EQ(bounds("leaf04_insertion_angle").lower, 10);
-    EXPECT_EQ(bounds("leaf04_insertion_angle").upper, 80);
-    // Leaf 10 has 0.50 m.
-    EXPECT_EQ(bounds("leaf10_length").lower, 0.40);
-    EXPECT_DOUBLE_EQ(bounds("leaf10_length").upper, 1.35 * 0.50);
-}
-
 TEST(Campaign, LeavesAssimilateIfTheObjectiveOrATableSaysSo) {
     EXPECT_FALSE(parse_campaign(sample_text(), "c").photosynthesis);
     const std::string objective =
@@ -401,38 +282,6 @@ TEST(Campaign, AnySingleNumberOfTheCanopyMayBeAnObjective) {
                          "[field]\nboundary = \"isolated\"\n")
                   .find("light enters a plot"),
               std::string::npos);
-}
-
-//! Returns the sample, whose leaf has these lines in the place of its angles.
-std::string with_leaf(const std::string& lines) {
-    std::string text = sample_text();
-    for (const char* key : {"insertion_angle = ", "curvature = "}) {
-        const std::size_t begin = text.find(key);
-        text.erase(begin, text.find('\n', begin) - begin + 1);
-    }
-    const std::string leaf = "[[plant.baseline.leaf]]\n";
-    return text.insert(text.find(leaf) + leaf.size(), lines);
-}
-
-TEST(Campaign, AnglesOfALeafFollowFromItsMidrib) {
-    const Campaign campaign = parse_campaign(
-        with_leaf("midrib = [[0, 0], [10, 10], [25, 10]]\n"), "a.toml");
-    const Leaf& leaf = campaign.crop.baseline.leaves[0];
-    EXPECT_NEAR(leaf.insertion_angle, 45, 1e-9);
-    EXPECT_NEAR(leaf.curvature, 45, 1e-9);
-    // The resolved text makes the same plant.
-    EXPECT_EQ(parse_campaign(campaign.resolved, "a.toml").resolved,
-              campaign.resolved);
-}
-
-TEST(Campaign, MidribsWithoutADirectionAreRefused) {
-    const auto tells = [](const std::string& lines, const char* words) {
-        const std::string told = problem_of(with_leaf(lines));
-        EXPECT_NE(told.find(words), told.npos) << told;
-    };
-    tells("midrib = [[1, 1], [1, 1]]\n", "no two points that differ");
-    tells("midrib = [[1, 1, 1], [2, 2, 2]]\n", "list of [out, up]");
-    tells("", "missing key 'insertion_angle'");
 }
 
 }  // namespace ideotype

@@ -32,11 +32,6 @@ std::string text_of(const fs::path& file) {
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
-std::string with(std::string text, const std::string& what,
-                 const std::string& other) {
-    return text.replace(text.find(what), what.size(), other);
-}
-
 void expect_same(const LightSeries& a, const LightSeries& b) {
     EXPECT_EQ(a.days, b.days);
     ASSERT_EQ(a.steps.size(), b.steps.size());
@@ -97,7 +92,7 @@ TEST(Climates, ResolvedCampaignsNeedNoFile) {
     EXPECT_NE(problem_of(without).find("has no [[weather]] of site"),
               std::string::npos);
     const std::string short_of =
-        with(campaign.resolved, "diffuse = [0, ", "diffuse = [");
+        replaced(campaign.resolved, "diffuse = [0, ", "diffuse = [");
     EXPECT_NE(problem_of(short_of).find("weather.diffuse has 1487 values"),
               std::string::npos);
 }
@@ -172,7 +167,7 @@ TEST(Climates, NearInfraredIsStoredIfItIsFollowed) {
     }
     // There is more of it than of PAR, of which there are 8.681 MJ m-2 a day.
     EXPECT_NEAR(nir * 3600 / light.days / light.incident(), 1.287, .01);
-    EXPECT_NE(problem_of(with(resolved, "nir_beam = [0, ", "nir_beam = ["))
+    EXPECT_NE(problem_of(replaced(resolved, "nir_beam = [0, ", "nir_beam = ["))
                   .find("weather.nir_beam has 1487 values"),
               std::string::npos);
     const std::size_t last = resolved.find("nir_diffuse = ");
@@ -187,9 +182,11 @@ TEST(Climates, SitesMayHaveFilesOfTheirOwn) {
     std::string text = text_of(folder / "bondville.toml");
     const std::string file =
         (folder / "weather/bondville_2011_0721_0920.csv").string();
-    text = with(text, "file = \"weather/bondville_2011_0721_0920.csv\"\n", "");
-    text = with(text, "elevation = 213", "weather = \"" + file + "\"");
-    text = with(text, "\"crops/", (folder / "crops/").string().insert(0, "\""));
+    text =
+        replaced(text, "file = \"weather/bondville_2011_0721_0920.csv\"\n", "");
+    text = replaced(text, "elevation = 213", "weather = \"" + file + "\"");
+    text = replaced(text, "\"crops/",
+                    (folder / "crops/").string().insert(0, "\""));
     std::ofstream(other) << text;
     const Campaign campaign = read_campaign(other);
     EXPECT_NE(campaign.resolved.find("weather = \"" + file), std::string::npos);
@@ -204,7 +201,7 @@ TEST(Climates, AnotherFileIsAnotherCampaign) {
     const std::size_t sum = was.find("sha256 = \"") + 10;
     std::string is = was;
     is[sum] = is[sum] == '0' ? '1' : '0';
-    is = with(is, "beam = [0, ", "beam = [1, ");
+    is = replaced(is, "beam = [0, ", "beam = [1, ");
     const auto lines = differences(was, is, cases(bondville()).front());
     ASSERT_EQ(lines.size(), 2u);
     EXPECT_EQ(lines[0].substr(0, 22), "weather[0].sha256 was ");
@@ -221,7 +218,7 @@ TEST(Climates, CampaignsOfDaysHaveNothingOfThem) {
 
 TEST(Climates, SeveralClearDaysAreOneCase) {
     const std::string text =
-        with(sample_text(), "2025-08-07", "[2025-06-07, 2025-08-07]");
+        replaced(sample_text(), "2025-08-07", "[2025-06-07, 2025-08-07]");
     const Campaign campaign = parse_campaign(text, "sample.toml");
     EXPECT_EQ(campaign.days[0].name, "0607-0807");
     EXPECT_EQ(parse_campaign(campaign.resolved, "x").resolved,
@@ -238,8 +235,8 @@ TEST(Climates, SeveralClearDaysAreOneCase) {
 }
 
 TEST(Climates, APolarDayEndsAtMidnight) {
-    std::string text = with(sample_text(), "20:00:00", "\"24:00\"");
-    text = with(text, "07:00:00", "00:00:00");
+    std::string text = replaced(sample_text(), "20:00:00", "\"24:00\"");
+    text = replaced(text, "07:00:00", "00:00:00");
     const Campaign campaign = parse_campaign(text, "sample.toml");
     EXPECT_EQ(campaign.days[0].value.end, 24);
     EXPECT_NE(campaign.resolved.find("end = \"24:00:00\""), std::string::npos);

@@ -16,11 +16,6 @@ Lines changes(const std::string& was, const std::string& is) {
     return differences(was, is, cases(sample()).front());
 }
 
-std::string replaced(std::string text, const std::string& from,
-                     const std::string& to) {
-    return text.replace(text.find(from), from.size(), to);
-}
-
 }  // namespace
 
 TEST(Differences, EqualCampaignsHaveNone) {

@@ -13,8 +13,7 @@ namespace {
 
 //! Returns the sample with another value in a line.
 std::string with(const std::string& line, const std::string& other) {
-    std::string text = sample_text();
-    return text.replace(text.find(line), line.size(), other);
+    return replaced(sample_text(), line, other);
 }
 
 std::string warnings_of(const std::string& text) {

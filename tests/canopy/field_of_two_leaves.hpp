@@ -14,6 +14,22 @@
 
 namespace ideotype {
 
+//! Whether all randomisations share a field or each has one.
+enum class Fields { one, each };
+
+//! Plants of two leaves as they are evaluated.
+class TwoLeaves : public ::testing::Test {
+  protected:
+    CanopyReport evaluated(Fields fields = Fields::one) {
+        request.accuracy.fields =
+            fields == Fields::each ? request.accuracy.randomisations : 1;
+        return evaluate(request, device);
+    }
+
+    const Device device{Device::supported_isas().back()};
+    CanopyRequest request = two_leaves({512, 8});
+};
+
 //! Plants of two leaves that are turned at random, in one field.
 class FieldOfTwoLeaves : public ::testing::Test {
   protected:

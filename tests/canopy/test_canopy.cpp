@@ -1,33 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
-#include <fstream>
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
-#include "ideotype/canopy/canopy.hpp"
+#include "field_of_two_leaves.hpp"
 #include "ideotype/canopy/quantities.hpp"
 #include "ideotype/core/error.hpp"
-#include "ideotype/light/device.hpp"
-#include "two_leaves.hpp"
 
 namespace ideotype {
 namespace {
-
-//! Whether all randomisations share a field or each has one.
-enum class Fields { one, each };
-
-class TwoLeaves : public ::testing::Test {
-  protected:
-    CanopyReport evaluated(Fields fields = Fields::one) {
-        request.accuracy.fields =
-            fields == Fields::each ? request.accuracy.randomisations : 1;
-        return evaluate(request, device);
-    }
-
-    const Device device{Device::supported_isas().back()};
-    CanopyRequest request = two_leaves({512, 8});
-};
 
 TEST_F(TwoLeaves, PartsOfTheLightSumToWhatFalls) {
     const CanopyReport report = evaluated();
@@ -48,13 +29,6 @@ TEST_F(TwoLeaves, PartsOfTheLightSumToWhatFalls) {
     EXPECT_GT(stalk, 0);
     EXPECT_EQ(measure_objective("plant_area_index", report).estimate.mean,
               report.lai + stalk);
-}
-
-TEST_F(TwoLeaves, AFieldForEachRandomisationAgreesWithOne) {
-    const Estimate one = evaluated().par().light.day.leaves;
-    const Estimate each = evaluated(Fields::each).par().light.day.leaves;
-    EXPECT_NE(one.mean, each.mean);
-    EXPECT_NEAR(one.mean / each.mean, 1, .05);
 }
 
 TEST_F(TwoLeaves, ProfilesAreKnownByRandomisation) {
@@ -291,192 +265,6 @@ TEST_F(TwoLeaves, SkiesOfInstantsFollowTheSunWithTheRows) {
     };
     EXPECT_NEAR(leaves(0, 0) / leaves(90, 90), 1, 1e-12);
     EXPECT_GT(std::abs(leaves(0, 0) / leaves(90, 0) - 1), .005);
-}
-
-TEST_F(TwoLeaves, PartsOfAssimilationSumToTheWhole) {
-    request.scene.components[0].photosynthesis.emplace();
-    for (const auto fields : {Fields::one, Fields::each}) {
-        const CanopyReport report = evaluated(fields);
-        const AssimilationReport& all = *report.assimilation;
-        ASSERT_EQ(all.gross.tallies.size(), 8u);
-        double leaves = 0, layers = 0, hours = 0;
-        for (const Estimate& leaf : all.gross.groups) leaves += leaf.mean;
-        for (const Estimate& layer : all.gross.layers) layers += layer.mean;
-        const auto& steps = request.scene.bands[0].light.series.steps;
-        for (std::size_t i = 0; i < steps.size(); ++i)
-            hours += 1e-6 * steps[i].seconds * all.gross.hours[i].mean;
-        EXPECT_GT(all.gross.sum.mean, .1);
-        EXPECT_NEAR(leaves / all.gross.sum.mean, 1, 1e-12);
-        EXPECT_NEAR(layers / all.gross.sum.mean, 1, 1e-12);
-        EXPECT_NEAR(hours / all.gross.sum.mean, 1, 1e-12);
-        EXPECT_LT(all.carbon_loss(), all.gross.sum.mean);
-        EXPECT_GT(all.carbon_loss(), all.net_loss());
-    }
-}
-
-TEST_F(TwoLeaves, AssimilationOfDaysAndHoursSumsToThatOfTheMeanDay) {
-    request.scene.components[0].photosynthesis.emplace();
-    request.scene.bands[0].light = illuminate(
-        clear_days({"ames", 42, -93.6, -5},
-                   {{{2025, 7, 7}, {2025, 8, 7}, {2025, 9, 20}}, 7, 20, 60},
-                   .45),
-        SkyModel::uniform, 90, Skies::shared, 2);
-    const AssimilationReport all = *evaluated().assimilation;
-    const LightSeries& series = request.scene.bands[0].light.series;
-    ASSERT_EQ(all.gross.dates.size(), 3u);
-    double days = 0, hours = 0;
-    for (const Estimate& date : all.gross.dates) days += date.mean / 3;
-    const auto steps = series.steps_of_hours();
-    for (std::size_t h = 0; h < steps.size(); ++h)
-        hours += 1e-6 * series.steps[steps[h].front()].seconds *
-                 all.gross.hours[h].mean;
-    EXPECT_NEAR(days / all.gross.sum.mean, 1, 1e-12);
-    EXPECT_NEAR(hours / all.gross.sum.mean, 1, 1e-12);
-    EXPECT_GT(all.gross.dates[0].mean, all.gross.dates[2].mean);
-}
-
-//! Returns a horizontal black leaf over all of the ground, in so many instants.
-CanopyRequest black_sheet(const std::vector<TimeStep>& steps) {
-    CanopyRequest request = two_leaves({64, 8});
-    Scene& scene = request.scene;
-    scene.components = {{.name = "sheet",
-                         .mesh = {{{0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}},
-                                  {{0, 1, 2, 3}},
-                                  {0},
-                                  {{"leaf01", {0, 0, 1}}}}}};
-    scene.cell = {Boundary::periodic, 1, 1, 1};
-    scene.photons = 1;
-    request.scene.bands[0].light = illuminate({steps}, SkyModel::uniform, 90);
-    scene.bands[0].optics = {};
-    Photosynthesis& leaves =
-        request.scene.components[0].photosynthesis.emplace();
-    leaves.rates = {CollatzLeaf{}};
-    leaves.profile = CapacityProfile::none;
-    request.details.pieces = 1;
-    return request;
-}
-
-TEST(BlackSheet, AssimilatesAsCollatzSaysInEachInstantsAir) {
-    std::ifstream file(IDEOTYPE_TEST_DATA "/physiology/collatz.json");
-    const nlohmann::json values = nlohmann::json::parse(file).at("fixed_ci");
-    const Device device(Device::supported_isas().back());
-    for (const bool is_beam : {true, false}) {
-        std::vector<TimeStep> steps;
-        double respired = 0;
-        for (const nlohmann::json& each : values) {
-            TimeStep step;
-            step.hour = static_cast<double>(steps.size());
-            step.seconds = 3600;
-            step.sun = {40, 120};
-            (is_beam ? step.par.beam : step.par.diffuse) = each.at("Q");
-            step.temperature = each.at("T");
-            step.humidity = each.at("vpd_rh");
-            respired += 3600e-6 * each.at("Rd").get<double>();
-            steps.push_back(step);
-        }
-        const AssimilationReport report =
-            *evaluate(black_sheet(steps), device).assimilation;
-        for (std::size_t i = 0; i < values.size(); ++i)
-            EXPECT_NEAR(report.gross.hours.at(i).mean, values[i].at("gross"),
-                        1e-6)
-                << i;
-        EXPECT_NEAR(report.net_loss(), respired, 1e-12);
-    }
-}
-
-TEST_F(TwoLeaves, LightDoesNotDependOnWhetherLeavesAssimilate) {
-    const CanopyReport dark = evaluated();
-    request.scene.components[0].photosynthesis.emplace();
-    const CanopyReport report = evaluated();
-    EXPECT_EQ(report.par().budget_by_randomisation,
-              dark.par().budget_by_randomisation);
-    ASSERT_EQ(report.groups.size(), dark.groups.size());
-    for (std::size_t g = 0; g < dark.groups.size(); ++g) {
-        EXPECT_NEAR(report.par().light.groups[g].mean,
-                    dark.par().light.groups[g].mean,
-                    1e-9 * dark.par().light.day.incident);
-        EXPECT_EQ(report.groups[g].name, dark.groups[g].name);
-    }
-}
-
-//! Plants that differ from each other, where even pieces of the same place do.
-TEST_F(TwoLeaves, PiecesOfPlantsThatDifferAssimilateAsExactly) {
-    request.scene.components[0].variation = {.15,  .15,  {15}, {20}, .1,
-                                             {20}, {30}, {86}, .3,   .3};
-    request.scene.components[0].photosynthesis.emplace();
-    request.accuracy = {1 << 14, 16};
-    const CanopyReport report = evaluated();
-    request.details.exact = true;
-    request.accuracy = {1 << 20, 16, 1e-3};
-    const CanopyReport exact = evaluated();
-    EXPECT_EQ(report.lai, exact.lai);
-    EXPECT_LT(exact.assimilation->gross.sum.standard_error,
-              1.5e-3 * exact.assimilation->gross.sum.mean);
-    EXPECT_NEAR(report.assimilation->gross.sum.mean /
-                    exact.assimilation->gross.sum.mean,
-                1, .005);
-}
-
-TEST_F(TwoLeaves, PlantsThatDifferHaveTheMeanLeafAreaOfTheirFields) {
-    const double line = evaluated().lai;
-    request.scene.components[0].variation = {.length = .2, .width = .2};
-    const double one = evaluated().lai;
-    EXPECT_NE(one, line);
-    EXPECT_NEAR(one, line, .3 * line);
-    // 8 fields of 8 leaves.
-    const CanopyReport many = evaluated(Fields::each);
-    EXPECT_NEAR(many.lai, line, 3 * .3 * line / 8);
-    EXPECT_NE(many.lai, one);
-    request.randomness.generation = 1;
-    EXPECT_NE(evaluated().lai, one);
-}
-
-//! The standard error knows of fields that differ more than their light does.
-TEST_F(TwoLeaves, FieldsOfPlantsThatDifferAreLessCertain) {
-    request.accuracy = {4096, 16};
-    const Estimate alike = evaluated(Fields::each).par().light.day.leaves;
-    request.scene.components[0].variation = {.2, .2, {15}, {30}, .1};
-    const Estimate differing = evaluated(Fields::each).par().light.day.leaves;
-    EXPECT_GT(differing.standard_error, 1.5 * alike.standard_error);
-    EXPECT_LT(evaluated().par().light.day.leaves.standard_error,
-              differing.standard_error / 2);
-}
-
-TEST_F(TwoLeaves, RandomisationsAreDividedAmongFields) {
-    request.scene.components[0].photosynthesis.emplace();
-    request.scene.components[0].variation = {.2, .2, {15}, {30}, .1};
-    request.accuracy = {2048, 32, 0, 8};
-    const CanopyReport report = evaluate(request, device);
-    EXPECT_EQ(report.randomisations(), 8u);
-    EXPECT_EQ(report.assimilation->gross.tallies.size(), 8u);
-    EXPECT_EQ(report.paths, 2048u * 32u);
-    const Estimate of_eight = report.par().light.day.leaves;
-    const Estimate of_one = evaluated().par().light.day.leaves;
-    const Estimate of_each = evaluated(Fields::each).par().light.day.leaves;
-    EXPECT_GT(of_eight.standard_error, 1.5 * of_one.standard_error);
-    EXPECT_NEAR(
-        of_eight.mean, of_each.mean,
-        4 * std::hypot(of_eight.standard_error, of_each.standard_error));
-}
-
-//! The error that fields add is no part of what a tolerance asks for.
-TEST_F(TwoLeaves, AToleranceHoldsForAllFieldsTogether) {
-    request.accuracy = {1 << 16, 16, .004};
-    const std::uint64_t one = evaluate(request, device).paths;
-    request.accuracy.fields = 4;
-    const std::uint64_t four = evaluate(request, device).paths;
-    EXPECT_LT(four, 2 * one);
-    EXPECT_GT(4 * four, one);
-}
-
-TEST_F(TwoLeaves, AssimilationIsConcaveInLight) {
-    request.scene.components[0].photosynthesis.emplace();
-    const CanopyReport report = evaluated();
-    const double linear = .06 * 4.57e-6 * report.par().light.day.leaves.mean;
-    EXPECT_LT(report.assimilation->gross.sum.mean, .8 * linear);
-    request.scene.components[0].photosynthesis->rates = {
-        HyperbolaLeaf{{.06, 1, 1e9}, {}}};
-    EXPECT_NEAR(evaluated().assimilation->gross.sum.mean / linear, 1, 1e-9);
 }
 
 }  // namespace

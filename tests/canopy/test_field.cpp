@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "field_of_two_leaves.hpp"
 #include "ideotype/canopy/field.hpp"
 #include "ideotype/core/error.hpp"
 #include "ideotype/crop/plant.hpp"
@@ -211,6 +212,65 @@ TEST(Field, HasThePlantsOfAllComponents) {
         EXPECT_EQ(both.mesh.groups[group].id.component, group / groups);
     }
     EXPECT_EQ(scene.components[0].ground_per_plant, 2 * 0.762 * 0.1524);
+}
+
+TEST_F(TwoLeaves, AFieldForEachRandomisationAgreesWithOne) {
+    const Estimate one = evaluated().par().light.day.leaves;
+    const Estimate each = evaluated(Fields::each).par().light.day.leaves;
+    EXPECT_NE(one.mean, each.mean);
+    EXPECT_NEAR(one.mean / each.mean, 1, .05);
+}
+
+TEST_F(TwoLeaves, PlantsThatDifferHaveTheMeanLeafAreaOfTheirFields) {
+    const double line = evaluated().lai;
+    request.scene.components[0].variation = {.length = .2, .width = .2};
+    const double one = evaluated().lai;
+    EXPECT_NE(one, line);
+    EXPECT_NEAR(one, line, .3 * line);
+    // 8 fields of 8 leaves.
+    const CanopyReport many = evaluated(Fields::each);
+    EXPECT_NEAR(many.lai, line, 3 * .3 * line / 8);
+    EXPECT_NE(many.lai, one);
+    request.randomness.generation = 1;
+    EXPECT_NE(evaluated().lai, one);
+}
+
+//! The standard error knows of fields that differ more than their light does.
+TEST_F(TwoLeaves, FieldsOfPlantsThatDifferAreLessCertain) {
+    request.accuracy = {4096, 16};
+    const Estimate alike = evaluated(Fields::each).par().light.day.leaves;
+    request.scene.components[0].variation = {.2, .2, {15}, {30}, .1};
+    const Estimate differing = evaluated(Fields::each).par().light.day.leaves;
+    EXPECT_GT(differing.standard_error, 1.5 * alike.standard_error);
+    EXPECT_LT(evaluated().par().light.day.leaves.standard_error,
+              differing.standard_error / 2);
+}
+
+TEST_F(TwoLeaves, RandomisationsAreDividedAmongFields) {
+    request.scene.components[0].photosynthesis.emplace();
+    request.scene.components[0].variation = {.2, .2, {15}, {30}, .1};
+    request.accuracy = {2048, 32, 0, 8};
+    const CanopyReport report = evaluate(request, device);
+    EXPECT_EQ(report.randomisations(), 8u);
+    EXPECT_EQ(report.assimilation->gross.tallies.size(), 8u);
+    EXPECT_EQ(report.paths, 2048u * 32u);
+    const Estimate of_eight = report.par().light.day.leaves;
+    const Estimate of_one = evaluated().par().light.day.leaves;
+    const Estimate of_each = evaluated(Fields::each).par().light.day.leaves;
+    EXPECT_GT(of_eight.standard_error, 1.5 * of_one.standard_error);
+    EXPECT_NEAR(
+        of_eight.mean, of_each.mean,
+        4 * std::hypot(of_eight.standard_error, of_each.standard_error));
+}
+
+//! The error that fields add is no part of what a tolerance asks for.
+TEST_F(TwoLeaves, AToleranceHoldsForAllFieldsTogether) {
+    request.accuracy = {1 << 16, 16, .004};
+    const std::uint64_t one = evaluate(request, device).paths;
+    request.accuracy.fields = 4;
+    const std::uint64_t four = evaluate(request, device).paths;
+    EXPECT_LT(four, 2 * one);
+    EXPECT_GT(4 * four, one);
 }
 
 }  // namespace

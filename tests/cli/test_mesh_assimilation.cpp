@@ -8,8 +8,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "stand/mesh_study.hpp"
-#include "temporary_folder.hpp"
+#include "mesh_rates.hpp"
 
 namespace ideotype {
 namespace {
@@ -18,22 +17,6 @@ using Json = nlohmann::json;
 
 std::string data(const std::string& name) {
     return std::string(IDEOTYPE_TEST_DATA) + "/" + name;
-}
-
-//! Returns a file with this [photosynthesis] table.
-std::string table(const std::string& name, const std::string& keys) {
-    const std::string path = temporary_file(name + ".toml");
-    std::ofstream(path) << "[photosynthesis]\n" << keys;
-    return path;
-}
-
-MeshOptions mesh(const std::string& name, MeshOptions::Period period) {
-    MeshOptions options;
-    options.path = std::string(IDEOTYPE_MESHES) + "/" + name + ".obj";
-    options.period = period;
-    options.optics.leaf = {.05, .05};
-    options.tolerance = 3e-4;
-    return options;
 }
 
 void set_light(MeshOptions& options, const Json& input, const char* beam,
@@ -47,22 +30,6 @@ void set_light(MeshOptions& options, const Json& input, const char* beam,
         options.sky = SkyModel::uniform;
         options.sky_ppfd = input.at(sky).get<double>();
     }
-}
-
-//! In umol m-2 s-1.
-struct Rates {
-    Estimate gross, net;
-    std::vector<Estimate> groups;
-};
-
-Rates rates(const MeshOptions& options) {
-    const AssimilationReport report = *study(options).canopy.assimilation;
-    Rates result{
-        scaled(report.gross.sum, 1e6), scaled(report.gross.sum, 1e6), {}};
-    result.net.mean -= 1e6 * report.net_loss();
-    for (const Estimate& group : report.gross.groups)
-        result.groups.push_back(scaled(group, 1e6));
-    return result;
 }
 
 //! The rule of the reference values.
@@ -183,229 +150,6 @@ TEST_F(MaizeAssimilation, OfADayIsTheSumOfItsHours) {
                std::hypot(sum.standard_error, gross.standard_error)};
     }
     expect_agreement(sum, maize().at("day_ames_0807").at("A_gross_mol"), "day");
-}
-
-TEST(Assimilation, OfALinearResponseIsAbsorbedLight) {
-    MeshOptions options = mesh("maize1", {.76, .15});
-    options.photosynthesis = table("linear", "phi=0.06\ntheta=1\namax = 1e9\n");
-    options.sun = {60, 120};
-    options.sky = SkyModel::uniform;
-    options.beam_ppfd = 700;
-    options.sky_ppfd = 300;
-    const CanopyReport report = study(options).canopy;
-    EXPECT_NEAR(report.assimilation->gross.sum.mean * 1e6 /
-                    (.06 * report.par().light.day.leaves.mean),
-                1, 1e-12);
-    EXPECT_NEAR(report.assimilation->gross.sum.standard_error * 1e6 /
-                    (.06 * report.par().light.day.leaves.standard_error),
-                1, 1e-9);
-}
-
-TEST(Assimilation, OfSheetsIsExact) {
-    MeshOptions options = mesh("sheets1", {1, 1});
-    options.photosynthesis = table("sheets", "amax = 50\n");
-    options.soil_albedo = .2;
-    options.sun = {30, 90};
-    options.beam_ppfd = 1000;
-    const Estimate one = rates(options).gross;
-    EXPECT_NEAR(one.mean, 33.6839, 4 * one.standard_error);
-    options.path = data("reference/sheets5.obj");
-    options.optics.leaf = {.45, .45};
-    options.soil_albedo = .3;
-    options.beam_ppfd = 2000;
-    const Estimate five = rates(options).gross;
-    EXPECT_NEAR(five.mean, 36.053, 4 * five.standard_error + 5e-4);
-    EXPECT_LT(five.standard_error, .02);
-}
-
-TEST(Assimilation, ASheetInTheSunIsInOneClassOfLight) {
-    MeshOptions options = mesh("sheets1", {1, 1});
-    options.photosynthesis = table("sheet", "amax = 50\n");
-    options.soil_albedo = .2;
-    options.sun = {30, 90};
-    options.beam_ppfd = 1010;
-    const LightClassReport report = *study(options).canopy.light_classes;
-    // 0.9 of the beam, and 0.9 of the 10.1 that the soil sends back.
-    const std::size_t lit = class_of(918), dark = class_of(9);
-    for (std::size_t c = 0; c < ppfd_classes; ++c) {
-        EXPECT_NEAR(report.sunlit[c].mean, c == lit, 1e-9) << c;
-        EXPECT_NEAR(report.shaded[c].mean, 0, 1e-9) << c;
-    }
-    options.sun.reset();
-    options.beam_ppfd.reset();
-    options.sky = SkyModel::uniform;
-    options.sky_ppfd = 10;
-    EXPECT_NEAR(study(options).canopy.light_classes->shaded[dark].mean, 1,
-                1e-12);
-}
-
-TEST(Assimilation, OfBlackSphericalLeavesIsExact) {
-    constexpr double normal = 1800;
-    for (const auto& [elevation, exact] :
-         {std::pair(90, 45.665), {60, 41.899}, {15, 15.167}}) {
-        MeshOptions options = mesh("poisson_spherical_L3", {1, 1});
-        options.photosynthesis = table("black", "amax = 50\n");
-        options.optics.leaf = {0, 0};
-        options.soil_albedo = 0;
-        options.sun = {90. - elevation, 90};
-        options.beam_ppfd =
-            normal * std::sin(elevation * 3.14159265358979 / 180);
-        const Estimate found = rates(options).gross;
-        // The mesh is finite.
-        EXPECT_NEAR(found.mean, exact, 4 * found.standard_error + .005 * exact);
-    }
-}
-
-TEST(Assimilation, OfWeakLeavesCountsThoseInTheSun) {
-    MeshOptions options = mesh("maize1", {.76, .15});
-    options.photosynthesis = table("weak", "amax = 1e-9\n");
-    options.optics.leaf = {0, 0};
-    options.soil_albedo = 0;
-    options.sun = {30, 180};
-    options.beam_ppfd = 1500;
-    const Estimate found = scaled(rates(options).gross, 1e9);
-    EXPECT_NEAR(found.mean, 1.342278,
-                4 * std::hypot(found.standard_error, .00025));
-}
-
-//! Returns the weather of Bondville to a day.
-std::string season(const std::string& to) {
-    const std::string path = temporary_file("to_" + to + ".toml");
-    std::ofstream(path) << fmt::format(
-        "[site]\nlatitude = 40.05\nlongitude = -88.37\nutc_offset = -6\n"
-        "elevation = 213\n[climate]\nfile = \"{}/weather/"
-        "bondville_2011_0721_0920.csv\"\nfrom = 2011-07-21\n"
-        "to = {}\ntime = [\"time\"]\nstamp = \"middle\"\n"
-        "global = [\"ppfd_umol\", \"umol/m2/s\"]\n"
-        "diffuse_fraction = [\"diffuse_fraction_erbs\", \"1\"]\n"
-        "temperature = [\"temp_c\", \"C\"]\nhumidity = [\"rh\", \"1\"]\n",
-        IDEOTYPE_CAMPAIGNS, to);
-    return path;
-}
-
-TEST(Assimilation, ByCollatzFollowsTheWeather) {
-    MeshOptions options = mesh("maize1", {.76, .15});
-    options.climate = season("2011-07-23");
-    options.tolerance = 3e-3;
-    // Only if asked for: else a mesh has the response of the table.
-    options.photosynthesis = table("still", "model = 'collatz'\n");
-    const CanopyReport still = study(options).canopy;
-    options.photosynthesis =
-        table("air", "model = 'collatz'\nweather = true\n");
-    const CanopyReport moved = study(options).canopy;
-    const double linear = .067 * 4.57e-6 * moved.par().light.day.leaves.mean;
-    EXPECT_LT(moved.assimilation->gross.sum.mean, .9 * linear);
-    EXPECT_GT(moved.assimilation->gross.sum.mean, .4 * linear);
-    // In the same light: a night below 30 deg C costs less, the day gives less.
-    EXPECT_LT(moved.assimilation->all_respiration().at_night,
-              .9 * still.assimilation->all_respiration().at_night);
-    EXPECT_GT(std::abs(moved.assimilation->gross.sum.mean -
-                       still.assimilation->gross.sum.mean),
-              .003 * still.assimilation->gross.sum.mean);
-}
-
-TEST(Assimilation, OfASeasonIsThatOfItsHours) {
-    MeshOptions options = mesh("maize1", {.76, .15});
-    options.climate = season("2011-09-20");
-    options.photosynthesis = table("leaves", "amax = 50\nrd = 2\n");
-    options.soil_albedo = 0;
-    options.tolerance = 2e-3;
-    const CanopyReport report = study(options).canopy;
-    EXPECT_EQ(report.days, 62);
-    // The reference leaves out the hours around sunrise and sunset, which have
-    // some 0.3 % of it.
-    const Estimate gross = report.assimilation->gross.sum;
-    EXPECT_NEAR(gross.mean, 1.5318 * 1.003,
-                4 * std::hypot(gross.standard_error, .0009) + .002 * 1.5318);
-    options.sun = {30, 180};
-    EXPECT_THROW(check(options), Error);
-}
-
-//! Two sheets over half of the ground each, side by side, in these groups.
-MeshOptions halves(const std::string& first, const std::string& second) {
-    MeshOptions options = mesh("sheets1", {1, 1});
-    options.path = temporary_file("two_groups.obj");
-    std::ofstream(options.path)
-        << "v 0 0 1\nv .5 0 1\nv .5 1 1\nv 0 1 1\nv 1 0 1\nv 1 1 1\n"
-        << "g " << first << "\nf 1 2 3 4\ng " << second << "\nf 2 5 6 3\n";
-    options.optics.leaf = {0, 0};
-    options.soil_albedo = 0;
-    options.sun = {30, 90};
-    options.beam_ppfd = 1000;
-    options.tolerance = .01;
-    return options;
-}
-
-TEST(Assimilation, OfGroupsGoesByTheNumbersOfLeavesOfAnyMesh) {
-    const auto response = [](double amax) {
-        return Hyperbola{.06, .7, amax}.gross(1000) / 2;
-    };
-    MeshOptions options = halves("leaf02", "wheat_leaf01");
-    options.photosynthesis = table("ranks", "amax = [30, 50]\n");
-    const Rates ranked = rates(options);
-    for (const auto& [group, amax] : {std::pair(0u, 50.), {1u, 30.}})
-        EXPECT_NEAR(ranked.groups[group].mean, response(amax),
-                    4 * ranked.groups[group].standard_error + 1e-6);
-    EXPECT_NEAR(ranked.net.mean, ranked.gross.mean - .04 * (30 + 50) / 2, 1e-9);
-
-    options = halves("left", "right");
-    options.photosynthesis = table("one", "amax = 40\n");
-    EXPECT_NEAR(rates(options).gross.mean, 2 * response(40), 1e-6);
-    options.photosynthesis = table("ranks", "amax = [30, 50]\n");
-    try {
-        study(options);
-        FAIL();
-    } catch (const Error& error) {
-        EXPECT_NE(std::string(error.what()).find("as in leaf01"),
-                  std::string::npos);
-    }
-}
-
-TEST(Assimilation, OfASingleLeafIsThatOfItsLight) {
-    MeshOptions options = halves("leaf", "stalk");
-    options.photosynthesis = table("one", "amax = 40\n");
-    options.optics.stalk = {0, 0};
-    const Rates found = rates(options);
-    const Hyperbola response{.06, .7, 40};
-    EXPECT_NEAR(found.gross.mean, response.gross(1000) / 2,
-                4 * found.gross.standard_error + 1e-6);
-    EXPECT_LT(found.gross.standard_error, .2);
-}
-
-TEST(Assimilation, NeedsToKnowHowStrongTheLightIs) {
-    MeshOptions options = mesh("maize1", {.76, .15});
-    options.photosynthesis = table("any", "amax = 50\n");
-    options.sun = {30, 180};
-    EXPECT_THROW(check(options), Error);
-    options.beam_ppfd = 1500;
-    EXPECT_NO_THROW(check(options));
-    options.sky_ppfd = 300;
-    EXPECT_THROW(check(options), Error);
-}
-
-TEST(Assimilation, IsExactOnlyIfAskedFor) {
-    MeshOptions options = mesh("maize1", {.76, .15});
-    options.sun = {30, 180};
-    options.is_exact = true;
-    EXPECT_THROW(check(options), Error);
-}
-
-TEST(Assimilation, FilesWithMistakesAreRefusedInOnePass) {
-    MeshOptions options = mesh("maize1", {.76, .15});
-    options.sun = {30, 180};
-    options.beam_ppfd = 1500;
-    options.photosynthesis =
-        table("wrong",
-              "model = 'hyperbola'\nvmax = 39\namx = 50\n"
-              "theta = 2\nrd = [1, 2]\nphi = [0.06, 0.06, 0.06]\n");
-    try {
-        study(options);
-        FAIL();
-    } catch (const InputError& error) {
-        EXPECT_EQ(error.problems().size(), 4u);
-    }
-    options.photosynthesis = table("lists", "amax = [40, 50]\n");
-    EXPECT_THROW(study(options), Error);
 }
 
 }  // namespace

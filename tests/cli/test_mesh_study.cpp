@@ -6,18 +6,11 @@
 #include <gtest/gtest.h>
 
 #include "ideotype/canopy/quantities.hpp"
-#include "stand/mesh_study.hpp"
+#include "mesh_rates.hpp"
 #include "temporary_folder.hpp"
 
 namespace ideotype {
 namespace {
-
-MeshOptions reference(const std::string& name, MeshOptions::Period period) {
-    MeshOptions options;
-    options.path = std::string(IDEOTYPE_MESHES) + "/" + name + ".obj";
-    options.period = period;
-    return options;
-}
 
 MeshOptions maize(double elevation, double azimuth) {
     MeshOptions options = reference("maize1", {.76, .15});

@@ -2,13 +2,17 @@
 #pragma once
 
 #include <algorithm>
+#include <functional>
+#include <memory>
 #include <string>
 #include <unistd.h>
 #include <vector>
 
+#include <gtest/gtest.h>
 #include <sys/wait.h>
 
 #include "history/history.hpp"
+#include "ideotype/core/error.hpp"
 #include "ideotype/core/quantity.hpp"
 #include "temporary_folder.hpp"
 
@@ -117,6 +121,35 @@ int in_other_process(Action action) {
     int status = 0;
     waitpid(child, &status, 0);
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+//! A history of this header in a folder of its own.
+class HistoryTest : public testing::Test {
+  protected:
+    //! Closes the history and opens it to go on.
+    void reopen() {
+        close();
+        history = std::make_unique<History>(History::resume(path));
+    }
+
+    void close() { history.reset(); }
+
+    Folder folder;
+    std::string path = folder / "case.h5";
+    std::unique_ptr<History> history =
+        std::make_unique<History>(History::create(path, sample_header()));
+};
+
+//! Returns what an action is refused with.
+inline std::string refusal(const std::function<void()>& action) {
+    try {
+        action();
+    } catch (const Error& error) {
+        return error.exit_code() == ExitCode::refused
+                   ? error.what()
+                   : std::string("not refused: ") + error.what();
+    }
+    return "no error";
 }
 
 }  // namespace ideotype

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "stand/mesh_study.hpp"
+#include "temporary_folder.hpp"
+
+namespace ideotype {
+
+//! Returns the options of a mesh of the references.
+inline MeshOptions reference(const std::string& name,
+                             MeshOptions::Period period) {
+    MeshOptions options;
+    options.path = std::string(IDEOTYPE_MESHES) + "/" + name + ".obj";
+    options.period = period;
+    return options;
+}
+
+//! Returns the options of such a mesh whose leaves scatter a tenth of the
+//! light.
+inline MeshOptions mesh(const std::string& name, MeshOptions::Period period) {
+    MeshOptions options = reference(name, period);
+    options.optics.leaf = {.05, .05};
+    options.tolerance = 3e-4;
+    return options;
+}
+
+//! Returns a file with this [photosynthesis] table.
+inline std::string table(const std::string& name, const std::string& keys) {
+    const std::string path = temporary_file(name + ".toml");
+    std::ofstream(path) << "[photosynthesis]\n" << keys;
+    return path;
+}
+
+//! Assimilation of all leaves, and of each group [umol m-2 s-1].
+struct Rates {
+    Estimate gross, net;
+    std::vector<Estimate> groups;
+};
+
+inline Rates rates(const MeshOptions& options) {
+    const AssimilationReport report = *study(options).canopy.assimilation;
+    Rates result{
+        scaled(report.gross.sum, 1e6), scaled(report.gross.sum, 1e6), {}};
+    result.net.mean -= 1e6 * report.net_loss();
+    for (const Estimate& group : report.gross.groups)
+        result.groups.push_back(scaled(group, 1e6));
+    return result;
+}
+
+}  // namespace ideotype

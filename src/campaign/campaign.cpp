@@ -74,7 +74,6 @@ ComponentEntry to_neighbour(const Draft& draft, bool assimilates) {
     component.bounds = all_bounds(draft, component.crop);
     component.free = own.trait_sets.front().value;
     component.optics = own.optics;
-    component.nir_optics = own.nir_optics;
     if (assimilates)
         component.photosynthesis = to_photosynthesis(draft.photosynthesis);
     return component;
@@ -255,7 +254,7 @@ std::string crop_text(const Campaign& campaign, const Plant& baseline,
     for (Leaf& leaf : own.campaign.crop.baseline.leaves)
         if (leaf.azimuth < 0 || leaf.azimuth > 360)
             leaf.azimuth -= 360 * std::floor(leaf.azimuth / 360);
-    own.campaign.has_nir = draft.campaign.has_nir;
+    own.campaign.follows = draft.campaign.follows;
     return resolved_plant_text(own);
 }
 

@@ -74,9 +74,6 @@ struct BandEntry {
     std::string name;
 };
 
-//! The band whose error a tolerance bounds.
-enum class BoundedBand { par, nir };
-
 //! The way in which the values of several scenarios become one objective.
 enum class Across { mean, worst };
 
@@ -116,20 +113,17 @@ struct Campaign {
     std::vector<Range> bounds;  //!< bounds of trait_numbers(crop)
     double reach = 0;  //!< no leaf within the bounds reaches higher [m]
     Tessellation tessellation;
-    PlantOptics optics = usual_optics;  //!< optics of plants, in the PAR band
-    double soil_albedo = usual_soil_albedo;        //!< albedo of the soil
+    ByBand<PlantOptics> optics = usual_optics;  //!< optics of plants
+    ByBand<double> soil_albedo = usual_soil_albedo;
     std::optional<Photosynthesis> photosynthesis;  //!< if leaves assimilate
     std::optional<LeafWater> water{};  //!< if leaves exchange heat and water
     Stomata stomata{};                 //!< stomata of the leaves of the crop
     double water_limit = 0;            //!< limit of transpiration; 0: none [mm]
     double par_fraction = 0.45;
-    //! Wavebands that light is followed in, beside PAR.
-    std::vector<BandEntry> bands;
-    bool has_nir = false;  //!< whether near infrared is one of them
-    PlantOptics nir_optics = usual_nir_optics;       //!< in the near infrared
-    double nir_soil_albedo = usual_nir_soil_albedo;  //!< albedo of the soil
+    std::vector<BandEntry> bands;  //!< wavebands that it names
+    ByBand<bool> follows{true};    //!< whether light is followed in each
     //! The waveband in which the tolerance bounds the light of leaves.
-    BoundedBand bounded_band = BoundedBand::par;
+    std::string bounded_band = wavebands[0].name;
     std::vector<ComponentEntry> components;  //!< components beside the crop
     std::vector<PanelEntry> panels;
     std::vector<ObjectEntry> objects;

@@ -65,15 +65,18 @@ LightSeries to_series(const SiteWeather& weather, const Site& here) {
             series.steps.push_back({hour + shift,
                                     seconds,
                                     sun_position(site, date, hour),
-                                    {weather.beam.at(i), weather.diffuse.at(i)},
+                                    {},
                                     date,
                                     at(weather.temperature, i),
                                     at(weather.humidity, i),
-                                    {at(weather.nir_beam, i).value_or(0),
-                                     at(weather.nir_diffuse, i).value_or(0)},
+                                    {},
                                     at(weather.wind, i),
                                     at(weather.pressure, i),
                                     at(weather.longwave, i)});
+            for (std::size_t b = 0; b < wavebands.size(); ++b)
+                series.steps.back().*wavebands[b].light = {
+                    at(weather.beam[b], i).value_or(0),
+                    at(weather.diffuse[b], i).value_or(0)};
         }
     return series;
 }

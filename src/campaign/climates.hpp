@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "ideotype/canopy/scene.hpp"
 #include "ideotype/climate/light_series.hpp"
 #include "ideotype/climate/weather.hpp"
 
@@ -32,15 +33,13 @@ struct SiteWeather {
     double utc_offset = 0;      //!< offset from UTC of dates and hours [h]
     std::vector<Date> dates;
     std::vector<double> hours;  //!< hours of each day: the middles of steps [h]
-    //! Date by date and hour by hour: PAR on a horizontal plane [W m-2], and,
-    //! if they are known, temperature [deg C] and relative humidity (0 to 1).
-    std::vector<double> beam, diffuse, temperature, humidity;
-    //! Near infrared on a horizontal plane, in that order [W m-2]; nothing in
-    //! campaigns that do not follow it.
-    std::vector<double> nir_beam, nir_diffuse;
-    //! If the file tells them, in that order: wind [m s-1], pressure [kPa] and
-    //! longwave radiation of the sky [W m-2].
-    std::vector<double> wind, pressure, longwave;
+    //! Light on a horizontal plane, date by date and hour by hour [W m-2];
+    //! nothing in wavebands that the campaign does not follow.
+    ByBand<std::vector<double>> beam, diffuse;
+    //! If they are known, in that order: temperature [deg C], relative humidity
+    //! (0 to 1), wind [m s-1], pressure [kPa] and longwave radiation of the sky
+    //! [W m-2].
+    std::vector<double> temperature, humidity, wind, pressure, longwave;
 };
 
 }  // namespace ideotype

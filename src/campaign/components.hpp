@@ -7,6 +7,7 @@
 
 #include "constraints.hpp"
 #include "ideotype/canopy/field.hpp"
+#include "ideotype/canopy/scene.hpp"
 #include "ideotype/core/range.hpp"
 #include "ideotype/crop/crop.hpp"
 #include "ideotype/physiology/photosynthesis.hpp"
@@ -33,7 +34,7 @@ struct ComponentEntry {
     Crop crop;
     std::vector<Range> bounds;  //!< bounds of trait_numbers(crop)
     TraitSet free;              //!< its bred traits; none: it stays as it is
-    PlantOptics optics, nir_optics;
+    ByBand<PlantOptics> optics;
     std::optional<Photosynthesis> photosynthesis{};  //!< if leaves assimilate
     Stomata stomata{};                               //!< if they exchange water
 };

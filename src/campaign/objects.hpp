@@ -5,14 +5,14 @@
 #include <vector>
 
 #include "ideotype/canopy/panels.hpp"
-#include "ideotype/light/optics.hpp"
+#include "ideotype/canopy/scene.hpp"
 
 namespace ideotype {
 
 //! Rows of panels in a campaign, and their surface in each band.
 struct PanelEntry {
     PanelRows rows;
-    Lambertian optics{.05, 0}, nir_optics{.15, 0};
+    ByBand<Lambertian> optics = std::to_array<Lambertian>({{.05, 0}, {.15, 0}});
 };
 
 //! Something that stands in the field of a campaign and repeats with it.
@@ -20,7 +20,7 @@ struct ObjectEntry {
     std::string name;
     std::string file;  //!< OBJ file as written
     double x = 0, y = 0, z = 0, turn = 0;
-    Lambertian optics{.4, 0}, nir_optics{.4, 0};
+    ByBand<Lambertian> optics = std::to_array<Lambertian>({{.4, 0}, {.4, 0}});
     //! Content of the file: three coordinates of each vertex [m], and four
     //! numbers of vertices of each face, from 0.
     std::vector<double> vertices, faces;

@@ -8,15 +8,14 @@
 namespace ideotype {
 
 bool Scene::varies() const {
-    return std::any_of(
-        components.begin(), components.end(),
-        [](const Component& each) { return each.variation.is_any(); });
+    return std::ranges::any_of(components, &PlantVariation::is_any,
+                               &Component::variation);
 }
 
 bool Scene::assimilates() const {
-    return std::any_of(
-        components.begin(), components.end(),
-        [](const Component& each) { return each.photosynthesis.has_value(); });
+    return std::ranges::any_of(components, [](const Component& each) {
+        return each.photosynthesis.has_value();
+    });
 }
 
 std::vector<Group> groups_of(const Scene& scene, std::span<const Mesh> lines) {
@@ -38,10 +37,7 @@ std::vector<Group> groups_of(const Scene& scene, std::span<const Mesh> lines) {
 }
 
 std::vector<Material> PlantOptics::materials() const {
-    std::vector<Material> all;
-    for (const Lambertian& each : {leaf, stalk, sheath})
-        all.emplace_back(each.reflectance, each.transmittance);
-    return all;
+    return {Material(leaf), Material(stalk), Material(sheath)};
 }
 
 void set_plant(Component& component, const Plant& plant, std::uint32_t first) {

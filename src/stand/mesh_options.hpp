@@ -45,8 +45,8 @@ struct MeshOptions {
     bool is_exact = false;       //!< assimilation without bias, slowly
     bool is_by_face = false;     //!< also the light on each face
 
-    PlantOptics optics = usual_optics;
-    double soil_albedo = usual_soil_albedo;
+    PlantOptics optics = usual_optics[0];
+    double soil_albedo = usual_soil_albedo[0];
 
     double tolerance = 1e-3;             //!< relative standard error
     std::optional<std::uint64_t> paths;  //!< instead of a tolerance

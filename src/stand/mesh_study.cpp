@@ -32,9 +32,7 @@ LightSeries day_of(const MeshOptions& options) {
     Irradiance one = options.sky ? Irradiance{0, 1} : Irradiance{1, 0};
     if (options.beam_ppfd || options.sky_ppfd)
         one = {options.beam_ppfd.value_or(0), options.sky_ppfd.value_or(0)};
-    LightSeries series{{{0, 1, options.sun.value_or(SunPosition{}), one}}};
-    series.steps.front().nir = one;
-    return series;
+    return {{{0, 1, options.sun.value_or(SunPosition{}), one}}};
 }
 
 SeriesIllumination light_of(const MeshOptions& options,
@@ -128,30 +126,26 @@ class SceneBuilder {
 
   private:
     static bool has_leaves(const Mesh& mesh) {
-        return std::any_of(
-            mesh.groups.begin(), mesh.groups.end(),
-            [](const Group& group) { return group.id.is_leaf(); });
+        return std::ranges::any_of(mesh.groups, &SurfaceId::is_leaf,
+                                   &Group::id);
     }
 
     template <class Entry>
     static std::size_t first_that_fits(const std::vector<Entry>& entries,
                                        const std::string& name) {
         const auto fits = [&](const Entry& entry) {
-            return std::any_of(entry.groups.begin(), entry.groups.end(),
-                               [&](const std::string& prefix) {
-                                   return name.starts_with(prefix);
-                               });
+            return std::ranges::any_of(entry.groups, [&](const auto& prefix) {
+                return name.starts_with(prefix);
+            });
         };
-        return static_cast<std::size_t>(
-            std::find_if(entries.begin(), entries.end(), fits) -
-            entries.begin());
+        return static_cast<std::size_t>(std::ranges::find_if(entries, fits) -
+                                        entries.begin());
     }
 
     //! Tells what each group is. Where none is called a leaf, all are.
     void assign() {
-        const bool has_ranks = std::any_of(
-            mesh_.groups.begin(), mesh_.groups.end(),
-            [](const Group& group) { return leaf_rank(group.name) > 0; });
+        const bool has_ranks =
+            std::ranges::any_of(mesh_.groups, leaf_rank, &Group::name);
         std::vector<std::string> problems;
         for (Group& group : mesh_.groups) {
             const std::uint32_t rank = leaf_rank(group.name);
@@ -182,15 +176,15 @@ class SceneBuilder {
 //! Returns the light of a band that a scene file names.
 SeriesIllumination light_in(const std::string& band, SeriesIllumination light,
                             const MeshOptions& options) {
-    if (band == "nir") return in_band(std::move(light), &TimeStep::nir);
-    if (has_day(options) && band != "par")
-        throw Error(
-            fmt::format("{}: there is no light in band \"{}\" (a day and a "
-                        "climate have light in \"par\" and \"nir\"); name the "
-                        "band so, or give --sun or --sky",
-                        options.scene, band),
-            ExitCode::usage);
-    return light;
+    if (!has_day(options) || band == "par") return light;
+    for (const Waveband& each : wavebands)
+        if (band == each.name) return in_band(std::move(light), each.light);
+    throw Error(
+        fmt::format("{}: there is no light in band \"{}\" (a day and a climate "
+                    "have light in those of campaigns); name the band so, such "
+                    "as \"nir\", or give --sun or --sky",
+                    options.scene, band),
+        ExitCode::usage);
 }
 
 Scene scene_of(Mesh mesh, const MeshOptions& options,

@@ -79,17 +79,11 @@ std::vector<std::vector<double>> set_poses(Scene& scene,
     return poses;
 }
 
-//! Adds an object with a material of its own.
-void add(Scene& scene, FixedObject object, const Lambertian& par,
-         const Lambertian& nir) {
-    const auto material =
-        static_cast<std::uint32_t>(scene.bands.front().optics.materials.size());
+//! Adds an object. Its material follows those of plants and earlier objects.
+void add(Scene& scene, FixedObject object) {
+    const auto material = static_cast<std::uint32_t>(
+        plant_materials * scene.components.size() + scene.objects.size());
     for (Group& group : object.mesh.groups) group.material = material;
-    for (Band& band : scene.bands) {
-        const Lambertian& optics = band.name == "nir" ? nir : par;
-        band.optics.materials.emplace_back(optics.reflectance,
-                                           optics.transmittance);
-    }
     scene.objects.push_back(std::move(object));
 }
 
@@ -112,11 +106,10 @@ void add_objects(Scene& scene, const Campaign& campaign,
         for (const std::vector<double>& pose : poses) angles.push_back(pose[p]);
         add(scene,
             {all[p].name,
-             mesh_of(all[p], scene.cell, spacing.row_direction, angles), true},
-            campaign.panels[p].optics, campaign.panels[p].nir_optics);
+             mesh_of(all[p], scene.cell, spacing.row_direction, angles), true});
     }
     for (const ObjectEntry& each : campaign.objects)
-        add(scene, {each.name, mesh_of(each)}, each.optics, each.nir_optics);
+        add(scene, {each.name, mesh_of(each)});
 }
 
 }  // namespace ideotype

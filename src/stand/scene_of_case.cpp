@@ -92,16 +92,30 @@ void set_grown(const Campaign& campaign, const Case& in, std::size_t number,
     }
 }
 
+//! Returns the optics of all components, panels and objects in a waveband, in
+//! that order.
+Optics optics_in(const Campaign& campaign, std::size_t band) {
+    Optics optics{campaign.optics[band].materials(),
+                  campaign.soil_albedo[band]};
+    for (const ComponentEntry& each : campaign.components)
+        for (const Material& material : each.optics[band].materials())
+            optics.materials.push_back(material);
+    for (const PanelEntry& each : campaign.panels)
+        optics.materials.emplace_back(each.optics[band]);
+    for (const ObjectEntry& each : campaign.objects)
+        optics.materials.emplace_back(each.optics[band]);
+    return optics;
+}
+
 //! Tells whether figures of single rows are wanted: rows are not alike, and
 //! each has plants of one component.
 bool has_rows_apart(const Campaign& campaign) {
     const FieldForm& field = campaign.field;
     return field.boundary == Boundary::periodic && field.rows > 1 &&
            (!field.row_pattern.empty() || !campaign.components.empty()) &&
-           std::none_of(campaign.components.begin(), campaign.components.end(),
-                        [](const ComponentEntry& each) {
-                            return each.standing.mixed > 0;
-                        });
+           std::ranges::none_of(campaign.components, [](const auto& each) {
+               return each.standing.mixed > 0;
+           });
 }
 
 //! Returns how many dates have suns of their own: stages share them out.
@@ -143,21 +157,17 @@ Scene scene_of(const Campaign& campaign, const Case& chosen) {
         set_grown(campaign, chosen, 0, campaign.crop.baseline, bred);
         complete_rates(bred, campaign.crop.baseline.leaves.size());
     }
-    scene.bands = {
-        {"par",
-         illuminate(light_of(campaign, chosen), campaign.sky_model,
-                    chosen.spacing.row_direction,
-                    has_trackers(campaign) ? Skies::each : Skies::shared,
-                    sun_dates_of(campaign, chosen)),
-         {campaign.optics.materials(), campaign.soil_albedo}}};
-    if (campaign.has_nir) {
-        scene.bands.push_back(
-            {"nir",
-             in_band(scene.light(), &TimeStep::nir),
-             {campaign.nir_optics.materials(), campaign.nir_soil_albedo}});
-        const bool is_nir = campaign.bounded_band == BoundedBand::nir;
-        scene.bands[0].is_bounded = !is_nir;
-        scene.bands[1].is_bounded = is_nir;
+    const SeriesIllumination par =
+        illuminate(light_of(campaign, chosen), campaign.sky_model,
+                   chosen.spacing.row_direction,
+                   has_trackers(campaign) ? Skies::each : Skies::shared,
+                   sun_dates_of(campaign, chosen));
+    for (std::size_t b = 0; b < wavebands.size(); ++b) {
+        const Waveband& band = wavebands[b];
+        if (campaign.follows[b])
+            scene.bands.push_back(
+                {band.name, b == 0 ? par : in_band(par, band.light),
+                 optics_in(campaign, b), campaign.bounded_band == band.name});
     }
     if (has_rows_apart(campaign)) scene.cell.row_ground = ground_of_rows(form);
     if (campaign.components.empty()) {
@@ -177,11 +187,6 @@ Scene scene_of(const Campaign& campaign, const Case& chosen) {
                   each.crop.baseline, component);
         complete_rates(component, each.crop.baseline.leaves.size());
         stand_in(component, form, campaign, each.standing);
-        for (Band& band : scene.bands)
-            for (const Material& material :
-                 (band.name == "nir" ? each.nir_optics : each.optics)
-                     .materials())
-                band.optics.materials.push_back(material);
     }
     add_objects(scene, campaign, form.spacing);
     return scene;

@@ -50,7 +50,7 @@ Campaign ames(int plants) {
 void change(BenchStand& stand, const Setting& setting) {
     Band& par = stand.request.scene.bands.front();
     const PlantOptics optics{setting.surface, setting.surface,
-                             usual_optics.sheath};
+                             usual_optics[0].sheath};
     par.optics = {optics.materials(), setting.soil_albedo};
     if (!setting.has_sky) {
         std::erase_if(par.light.light.sources,

@@ -36,7 +36,7 @@ TEST(Campaign, AmesIsTheStudyOfThePaper) {
     EXPECT_EQ(campaign.spacings[0].value.plant, 0.1524);
     EXPECT_EQ(campaign.field.rows * campaign.field.plants, 16);
     EXPECT_EQ(campaign.field.jitter, 10);
-    EXPECT_EQ(campaign.optics.leaf.reflectance, 0.05);
+    EXPECT_EQ(campaign.optics[0].leaf.reflectance, 0.05);
     EXPECT_EQ(campaign.crop.baseline.leaves.size(), 10u);
 }
 

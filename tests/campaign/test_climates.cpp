@@ -150,7 +150,7 @@ TEST(Climates, NearInfraredIsStoredIfItIsFollowed) {
     Problems problems;
     read_draft(text_of(file), file, PlantSource::file_or_table, {}, draft,
                problems);
-    draft.campaign.has_nir = true;
+    draft.campaign.follows[nir_band] = true;
     read_weathers(file, PlantSource::file_or_table, draft, problems);
     ASSERT_TRUE(problems.empty());
     const Campaign again = parse_campaign(resolved_text(draft), "elsewhere");
@@ -162,8 +162,8 @@ TEST(Climates, NearInfraredIsStoredIfItIsFollowed) {
     for (std::size_t i = 0; i < light.steps.size(); ++i) {
         const TimeStep& step = light.steps[i];
         nir += step.nir.beam + step.nir.diffuse;
-        EXPECT_EQ(step.par.beam, usual.weathers[0].beam[i]);
-        EXPECT_EQ(step.par.diffuse, usual.weathers[0].diffuse[i]);
+        EXPECT_EQ(step.par.beam, usual.weathers[0].beam[0][i]);
+        EXPECT_EQ(step.par.diffuse, usual.weathers[0].diffuse[0][i]);
     }
     // There is more of it than of PAR, of which there are 8.681 MJ m-2 a day.
     EXPECT_NEAR(nir * 3600 / light.days / light.incident(), 1.287, .01);

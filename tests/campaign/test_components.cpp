@@ -35,9 +35,14 @@ TEST(Components, HaveTheirCropAndAreFoundAgainInAResolvedCampaign) {
     EXPECT_EQ(one.standing.rows, std::vector<int>{1});
     EXPECT_EQ(one.crop.baseline.leaves.size(), 16u);
     EXPECT_TRUE(one.photosynthesis);
-    EXPECT_TRUE(campaign.has_nir);
+    EXPECT_TRUE(campaign.follows[nir_band]);
     EXPECT_EQ(parse_campaign(campaign.resolved, "again").resolved,
               campaign.resolved);
+    const std::string nir =
+        "[component.crop.optics.nir]\nleaf_reflectance = 0.";
+    EXPECT_NE(problem_of(replaced(campaign.resolved, nir + "4", nir + "9"))
+                  .find("optics.nir.leaf_transmittance is 0.43"),
+              std::string::npos);
 }
 
 TEST(Components, LeaveACampaignWithoutThemAsItWas) {

@@ -86,13 +86,13 @@ TEST(Campaign, EveryCropAndMeasuredPlantOfTheProjectIsAPlant) {
 TEST(Campaign, CropsTellTheOpticsAndTheCapacityOfTheirLeaves) {
     const Campaign campaign =
         read_campaign(IDEOTYPE_CAMPAIGNS "/quickstart.toml");
-    EXPECT_EQ(campaign.optics.leaf.reflectance, .06);
-    EXPECT_EQ(campaign.optics.leaf.transmittance, .03);
+    EXPECT_EQ(campaign.optics[0].leaf.reflectance, .06);
+    EXPECT_EQ(campaign.optics[0].leaf.transmittance, .03);
     ASSERT_TRUE(campaign.photosynthesis);
     EXPECT_EQ(campaign.photosynthesis->profile, CapacityProfile::rank);
     EXPECT_EQ(campaign.photosynthesis->rank_capacity.size(), 13u);
     // The campaign goes before, and light alone needs no photosynthesis.
-    EXPECT_EQ(ames().optics.leaf.reflectance, .05);
+    EXPECT_EQ(ames().optics[0].leaf.reflectance, .05);
     EXPECT_FALSE(ames().photosynthesis);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -136,16 +137,31 @@ struct PlantOptics {
     std::vector<Material> materials() const;
 };
 
-//! Optical properties in the PAR band where nothing else is given: leaves as in
-//! arXiv:2512.06064, stalks and sheaths of maize.
-inline constexpr PlantOptics usual_optics{{.05, .05}, {.31, .12}, {.09, 0}};
-inline constexpr double usual_soil_albedo = .1;
+//! A waveband that campaigns can follow light in.
+struct Waveband {
+    std::string name;             //!< in keys and results
+    std::string prefix;           //!< of keys that tables have for each band
+    std::string table;            //!< that tells the optics of plants
+    Irradiance TimeStep::*light;  //!< its light in each step of time
+};
 
-//! Optical properties in the near infrared where nothing else is given: maize
-//! leaves by PROSPECT-D (Feret and others 2017, doi:10.1016/j.rse.2017.03.004),
-//! estimates of stalks, sheaths and soil.
-inline constexpr PlantOptics usual_nir_optics{{.4, .43}, {.4, .1}, {.4, .1}};
-inline constexpr double usual_nir_soil_albedo = .2;
+//! All of them. PAR is the first one.
+inline const std::array wavebands{
+    Waveband{"par", "", "optics", &TimeStep::par},
+    Waveband{"nir", "nir_", "optics.nir", &TimeStep::nir}};
+inline constexpr std::size_t nir_band = 1;  //!< place of the near infrared
+
+//! Something in each of the wavebands, in their order.
+template <class T>
+using ByBand = std::array<T, wavebands.size()>;
+
+//! Optical properties where nothing else is given. Leaves in PAR are as in
+//! arXiv:2512.06064, stalks and sheaths those of maize; leaves in the near
+//! infrared are those of maize by PROSPECT-D (Feret and others 2017,
+//! doi:10.1016/j.rse.2017.03.004), all others there estimates.
+inline constexpr ByBand<PlantOptics> usual_optics = std::to_array<PlantOptics>(
+    {{{.05, .05}, {.31, .12}, {.09, 0}}, {{.4, .43}, {.4, .1}, {.4, .1}}});
+inline constexpr ByBand<double> usual_soil_albedo = std::to_array({.1, .2});
 
 //! Makes the mesh of a component that of another plant.
 //! @param first place of its leaves' material among the scene's materials

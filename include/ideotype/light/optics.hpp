@@ -24,6 +24,8 @@ struct Material {
 
     constexpr Material() = default;
     //! Makes a sheet whose faces are alike.
+    constexpr explicit Material(const Lambertian& both)
+        : adaxial(both), abaxial(both) {}
     constexpr Material(double reflectance, double transmittance)
         : Material(reflectance, reflectance, transmittance) {}
     constexpr Material(double reflectance_of_adaxial,

@@ -23,26 +23,29 @@ std::string lower_case(std::string text) {
     return text;
 }
 
-void check_surface(const std::string& name, const Lambertian& surface,
-                   const Problems& problems) {
-    const std::string reflectance = name + "_reflectance",
-                      transmittance = name + "_transmittance";
-    if (!problems.usable(reflectance) || !problems.usable(transmittance))
+void check_surface(const std::string& prefix, const Lambertian& surface,
+                   double most, const Problems& problems) {
+    const std::string transmittance = prefix + "transmittance";
+    if (!problems.usable(prefix + "reflectance") ||
+        !problems.usable(transmittance))
         return;
     // Decimal fractions such as 0.7 + 0.3 may exceed 1 by rounding.
-    if (surface.reflectance + surface.transmittance <= 1 + 1e-12) return;
+    if (surface.scattered() <= most + 1e-12) return;
     problems.add(transmittance,
-                 "{} is {} (with the reflectance of {} that is more than all "
-                 "light); use {:.6g} or less",
+                 "{} is {} (with the reflectance of {} that is more than {} % "
+                 "of the light); use {} or less for both together",
                  transmittance, surface.transmittance, surface.reflectance,
-                 1 - surface.reflectance);
+                 100 * most, most);
 }
 
-void check_plant_optics(const std::string& table, const PlantOptics& optics,
+void check_plant_optics(const ByBand<PlantOptics>& optics,
                         const Problems& problems) {
-    check_surface(table + ".leaf", optics.leaf, problems);
-    check_surface(table + ".stalk", optics.stalk, problems);
-    check_surface(table + ".sheath", optics.sheath, problems);
+    for (std::size_t b = 0; b < wavebands.size(); ++b) {
+        const std::string table = wavebands[b].table;
+        check_surface(table + ".leaf_", optics[b].leaf, 1, problems);
+        check_surface(table + ".stalk_", optics[b].stalk, 1, problems);
+        check_surface(table + ".sheath_", optics[b].sheath, 1, problems);
+    }
 }
 
 std::vector<ObjectiveKey> objective_keys(const Campaign& campaign,
@@ -153,13 +156,14 @@ void check_leaf_area(const Campaign& campaign, const Problems& problems) {
     }
 }
 
-//! Reports what only campaigns with a near infrared band can have.
+//! Reports a bounded waveband in which light is not followed.
 void check_bands(const Campaign& campaign, const Problems& problems) {
-    if (campaign.has_nir) return;
-    if (campaign.bounded_band == BoundedBand::nir)
-        problems.add("light.band",
-                     "light.band is \"nir\" (light is followed in PAR alone); "
-                     "add [[band]] with name = \"nir\"");
+    for (std::size_t b = 0; b < wavebands.size(); ++b)
+        if (campaign.bounded_band == wavebands[b].name && !campaign.follows[b])
+            problems.add("light.band",
+                         "light.band is \"{0}\" (light is not followed in "
+                         "it); add [[band]] with name = \"{0}\"",
+                         wavebands[b].name);
 }
 
 //! Faces of the leaves of a field must have room in the memory.
@@ -222,8 +226,7 @@ void check_draft(Draft& draft, const Problems& problems) {
     if (are_few) check_sky(campaign, problems);
     for (std::size_t i = 0; i < campaign.spacings.size(); ++i)
         check_spacing(campaign.spacings[i].value, problems.in("spacing", i));
-    check_plant_optics("optics", campaign.optics, problems);
-    check_plant_optics("optics.nir", campaign.nir_optics, problems);
+    check_plant_optics(campaign.optics, problems);
     check_names("band", campaign.bands, problems);
     check_bands(campaign, problems);
     check_components(draft, problems);

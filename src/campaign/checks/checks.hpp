@@ -52,14 +52,14 @@ void read_objects(const std::string& file, Draft& draft,
 //! Checks how panels and objects repeat with the field.
 void check_objects(const Draft& draft, const Problems& problems);
 
-//! Reports a surface that reflects and transmits more than all light.
-//! @param name that its keys begin with, such as "optics.leaf"
-void check_surface(const std::string& name, const Lambertian& surface,
-                   const Problems& problems);
+//! Reports a surface that reflects and transmits too much of the light.
+//! @param prefix that its keys begin with, such as "optics.leaf_"
+//! @param most part of the light that it may reflect and transmit together
+void check_surface(const std::string& prefix, const Lambertian& surface,
+                   double most, const Problems& problems);
 
-//! Reports such surfaces of plants.
-//! @param table of their keys, such as "optics.nir"
-void check_plant_optics(const std::string& table, const PlantOptics& optics,
+//! Reports such surfaces of plants in each waveband.
+void check_plant_optics(const ByBand<PlantOptics>& optics,
                         const Problems& problems);
 
 //! An objective, and the key of the list that it stands in.

@@ -83,7 +83,7 @@ void check_places(Draft& draft, const Problems& problems) {
                     "component \"{}\" leaves no place to the plants that are "
                     "bred; the field has {} x {} places",
                     each.campaign.name, field.rows, field.plants);
-        check_plant_optics("optics", each.campaign.optics, own);
+        check_plant_optics(each.campaign.optics, own);
         if (!each.is_crop_known) continue;
         check_photosynthesis(each.photosynthesis,
                              each.campaign.crop.baseline.leaves.size(), own);

@@ -95,17 +95,10 @@ void check_rows(const PanelRows& rows, const FieldForm& field,
         check_period("gap", rows.gap, rows.module_length, along, problems);
 }
 
-//! @param prefix of the keys
-void check_optics(const std::string& table, const std::string& prefix,
-                  const Lambertian& optics, const Problems& problems) {
-    constexpr double most = .99;
-    const std::string transmittance = prefix + "transmittance";
-    if (problems.usable(prefix + "reflectance") &&
-        problems.usable(transmittance) && optics.scattered() > most)
-        problems.add(transmittance,
-                     "a {} reflects and transmits {} of the light (each "
-                     "surface absorbs some); use {} or less",
-                     table, optics.scattered(), most);
+//! Reports surfaces of panels and objects that do not absorb some light.
+void check_optics(const ByBand<Lambertian>& optics, const Problems& problems) {
+    for (std::size_t b = 0; b < wavebands.size(); ++b)
+        check_surface(wavebands[b].prefix, optics[b], .99, problems);
 }
 
 //! Tells modules that meet each other or the soil.
@@ -147,8 +140,7 @@ void check_faces(const ObjectEntry& object, const Problems& problems) {
 void check_panel(const PanelEntry& panel, const Campaign& campaign,
                  const Problems& own, const Problems& problems) {
     check_modules(panel.rows, own);
-    check_optics("panel", "", panel.optics, own);
-    check_optics("panel", "nir_", panel.nir_optics, own);
+    check_optics(panel.optics, own);
     for (std::size_t i = 0; i < campaign.spacings.size(); ++i) {
         const Spacing& spacing = campaign.spacings[i].value;
         if (own.usable({"pitch", "azimuth", "module_length", "gap"}) &&
@@ -217,8 +209,7 @@ void check_objects(const Draft& draft, const Problems& problems) {
         const Problems own = problems.in("object", i);
         check_name("object", each.name, own);
         check_faces(each, own);
-        check_optics("object", "", each.optics, own);
-        check_optics("object", "nir_", each.nir_optics, own);
+        check_optics(each.optics, own);
     }
 }
 

@@ -33,7 +33,7 @@ void check_quantity(const std::vector<Need>& needs, const std::string& key,
 void check_quantities(const Draft& draft, const Problems& problems) {
     const Campaign& campaign = draft.campaign;
     const std::vector<Need> needs{
-        {is_of_nir, !campaign.has_nir,
+        {is_of_nir, !campaign.follows[nir_band],
          "needs near infrared; add [[band]] with name = \"nir\""},
         {is_of_growth, !plants_grow(campaign),
          "needs plants that grow; add emergence to [[climate]]"},

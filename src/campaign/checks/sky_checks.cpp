@@ -110,7 +110,7 @@ void check_sky(const Campaign& campaign, const Problems& problems) {
                      "one of them); remove one, or write two campaigns");
     for (const SiteWeather& weather : campaign.weathers)
         if (problems.empty() &&
-            !(total(weather.beam) + total(weather.diffuse) > 0))
+            !(total(weather.beam[0]) + total(weather.diffuse[0]) > 0))
             problems.add(first,
                          "climate \"{}\" has no light at site \"{}\"; take "
                          "another period",

@@ -64,22 +64,23 @@ WeatherRequest request_of(const std::string& file, const Site& site,
     return request;
 }
 
-SiteWeather to_site_weather(const LightSeries& series, bool has_nir) {
+SiteWeather to_site_weather(const LightSeries& series,
+                            const ByBand<bool>& follows) {
     SiteWeather result;
     result.utc_offset = series.utc_offset;
     result.dates = series.dates();
     for (const TimeStep& step : series.steps) {
         if (step.date == result.dates[0]) result.hours.push_back(step.hour);
-        result.beam.push_back(step.par.beam);
-        result.diffuse.push_back(step.par.diffuse);
         if (step.temperature) result.temperature.push_back(*step.temperature);
         if (step.humidity) result.humidity.push_back(*step.humidity);
         if (step.wind) result.wind.push_back(*step.wind);
         if (step.pressure) result.pressure.push_back(*step.pressure);
         if (step.longwave) result.longwave.push_back(*step.longwave);
-        if (!has_nir) continue;
-        result.nir_beam.push_back(step.nir.beam);
-        result.nir_diffuse.push_back(step.nir.diffuse);
+        for (std::size_t b = 0; b < follows.size(); ++b) {
+            if (!follows[b]) continue;
+            result.beam[b].push_back((step.*wavebands[b].light).beam);
+            result.diffuse[b].push_back((step.*wavebands[b].light).diffuse);
+        }
     }
     return result;
 }
@@ -107,22 +108,23 @@ void check_weather(const SiteWeather& weather, const Problems& problems) {
                               std::size_t fewest, double least) {
         check(name, values,
               (values.size() == steps || values.size() == fewest) &&
-                  std::all_of(values.begin(), values.end(),
-                              [&](double x) { return x >= least; }),
+                  std::ranges::all_of(values,
+                                      [&](double x) { return x >= least; }),
               fmt::format("one of each hour of each date, {} or more", least));
     };
-    of_steps("beam", weather.beam, steps, 0);
-    of_steps("diffuse", weather.diffuse, steps, 0);
     of_steps("temperature", weather.temperature, 0, -273);
     of_steps("humidity", weather.humidity, 0, 0);
     of_steps("wind", weather.wind, 0, 0);
     of_steps("pressure", weather.pressure, 0, 1);
     of_steps("longwave", weather.longwave, 0, 0);
-    // There are both or neither.
-    of_steps("nir_beam", weather.nir_beam,
-             weather.nir_diffuse.empty() ? 0 : steps, 0);
-    of_steps("nir_diffuse", weather.nir_diffuse,
-             weather.nir_beam.empty() ? 0 : steps, 0);
+    for (std::size_t b = 0; b < wavebands.size(); ++b) {
+        // There are both or neither, and those of PAR always.
+        const auto &beam = weather.beam[b], &diffuse = weather.diffuse[b];
+        const bool is_none = b > 0 && beam.empty() && diffuse.empty();
+        of_steps(wavebands[b].prefix + "beam", beam, is_none ? 0 : steps, 0);
+        of_steps(wavebands[b].prefix + "diffuse", diffuse, is_none ? 0 : steps,
+                 0);
+    }
 }
 
 class WeathersReader {
@@ -153,11 +155,10 @@ class WeathersReader {
 
   private:
     bool has(const std::string& site, const std::string& climate) const {
-        return std::any_of(campaign_.weathers.begin(), campaign_.weathers.end(),
-                           [&](const SiteWeather& weather) {
-                               return weather.site == site &&
-                                      weather.climate == climate;
-                           });
+        return std::ranges::any_of(
+            campaign_.weathers, [&](const SiteWeather& each) {
+                return each.site == site && each.climate == climate;
+            });
     }
 
     void read(const Site& site, const Named<Climate>& named,
@@ -201,7 +202,7 @@ class WeathersReader {
                 request_of(path, site, climate, campaign_.par_fraction));
             for (const Problem& warning : weather.warnings)
                 if (is_new(warning)) problems_.warn(warning);
-            found.push_back(to_site_weather(weather.series, campaign_.has_nir));
+            found.push_back(to_site_weather(weather.series, campaign_.follows));
             found.back().site = site.name;
             found.back().climate = name;
             found.back().sha256 = sha256(file.text);

@@ -131,8 +131,7 @@ class SceneReader {
             const std::string band(key.str());
             if (band == "groups") continue;
             entry.names.push_back(band);
-            if (std::find(scene_.bands.begin(), scene_.bands.end(), band) ==
-                scene_.bands.end())
+            if (std::ranges::count(scene_.bands, band) == 0)
                 scene_.bands.push_back(band);
             entry.matter.bands.push_back(read_band(node, band));
         }
@@ -188,7 +187,7 @@ class SceneReader {
 
     void read_soil(const toml::table& top) {
         const toml::node* node = top.get("soil_albedo");
-        scene_.soil_albedo.assign(scene_.bands.size(), usual_soil_albedo);
+        scene_.soil_albedo.assign(scene_.bands.size(), usual_soil_albedo[0]);
         if (!node) {
             if (scene_.bands.size() > 1)
                 add(Location{file_, 1, 1},
@@ -204,8 +203,7 @@ class SceneReader {
             return;
         }
         for (const auto& [key, each] : *by_band)
-            if (std::find(scene_.bands.begin(), scene_.bands.end(),
-                          key.str()) == scene_.bands.end())
+            if (std::ranges::count(scene_.bands, key.str()) == 0)
                 add(location(key.source(), file_),
                     fmt::format("soil_albedo.{} names no band (the materials "
                                 "have {}); remove it",

@@ -61,10 +61,12 @@ class DraftReader {
         tables_.read(top, top_section(campaign), tables);
         for (const Table& table : tables) tables_.read(top, table);
         draft_.has_water = top.contains("water");
-        campaign.has_nir =
-            (draft_.has_water && draft_.water.rules.has_leaf_temperature) ||
-            std::ranges::find(campaign.bands, "nir", &BandEntry::name) !=
-                campaign.bands.end();
+        for (std::size_t b = 1; b < wavebands.size(); ++b)
+            campaign.follows[b] =
+                (b == nir_band && draft_.has_water &&
+                 draft_.water.rules.has_leaf_temperature) ||
+                std::ranges::count(campaign.bands, wavebands[b].name,
+                                   &BandEntry::name) > 0;
         if (const auto lines = top["feasibility"]["lines"])
             read_lines(*lines.node());
         draft_.has_photosynthesis = top.contains("photosynthesis") ||

@@ -123,15 +123,19 @@ Section variation_section(PlantVariation& variation, const std::string& name) {
 }
 
 Table optics_table(Campaign& campaign, bool has_soil) {
-    Section par = plant_optics_section("optics", campaign.optics);
-    Section nir = plant_optics_section("optics.nir", campaign.nir_optics);
-    if (has_soil) {
-        par.add("soil_albedo", &campaign.soil_albedo);
-        par.add("par_fraction", &campaign.par_fraction);
-        nir.add("soil_albedo", &campaign.nir_soil_albedo);
-    }
-    return one_table(par).with(
-        one_table(nir).optional().left_out_if(!campaign.has_nir), "nir");
+    const auto table = [&](std::size_t b) {
+        Section optics =
+            plant_optics_section(wavebands[b].table, campaign.optics[b]);
+        if (has_soil) optics.add("soil_albedo", &campaign.soil_albedo[b]);
+        if (has_soil && b == 0)
+            optics.add("par_fraction", &campaign.par_fraction);
+        return one_table(optics);
+    };
+    Table all = table(0);
+    for (std::size_t b = 1; b < wavebands.size(); ++b)
+        all.with(table(b).optional().left_out_if(!campaign.follows[b]),
+                 wavebands[b].name);
+    return all;
 }
 
 Section top_section(Campaign& campaign) {
@@ -176,7 +180,7 @@ std::vector<Table> campaign_tables(Draft& draft) {
     append(object_tables(campaign));
     append({list_of_tables<BandEntry>("band", band_section, campaign.bands)
                 .optional()
-                .at_most(2),
+                .at_most(wavebands.size()),
             optics_table(campaign, true)});
     append(measured_tables(draft));
     append({one_table(photosynthesis_section(draft.photosynthesis))

@@ -18,8 +18,7 @@ Section light_section(Campaign& campaign) {
          {"randomisations", &accuracy.randomisations},
          {"fields", &accuracy.fields},
          {"tolerance", &accuracy.tolerance},
-         {"band", choice(campaign.bounded_band, {{"par", BoundedBand::par},
-                                                 {"nir", BoundedBand::nir}})},
+         {"band", &campaign.bounded_band},
          {"sky", choice(campaign.sky_model, {{"uniform", SkyModel::uniform},
                                              {"overcast", SkyModel::overcast},
                                              {"clear", SkyModel::clear}})},
@@ -33,7 +32,7 @@ Section light_section(Campaign& campaign) {
     section["tolerance"]
         .trades({0.02, 0.01, 0.005, 0.0025}, has_tolerance)
         .mistaken = {{"per cent", 0.01}};
-    section["band"].written_if(campaign.has_nir);
+    section["band"].written_if(std::ranges::count(campaign.follows, true) > 1);
     section["dates"]
         .written_if(has_climates)
         .trades({1, 2, 3, 6, 12}, has_climates);

@@ -5,12 +5,13 @@ namespace ideotype {
 
 namespace {
 
-//! Adds the optics of a surface in both bands.
-void add_optics(Section& section, Lambertian& par, Lambertian& nir) {
-    section.add("reflectance", &par.reflectance);
-    section.add("transmittance", &par.transmittance);
-    section.add("nir_reflectance", &nir.reflectance);
-    section.add("nir_transmittance", &nir.transmittance);
+//! Adds the optics of a surface in each waveband.
+void add_optics(Section& section, ByBand<Lambertian>& optics) {
+    for (std::size_t b = 0; b < wavebands.size(); ++b) {
+        const std::string& prefix = wavebands[b].prefix;
+        section.add(prefix + "reflectance", &optics[b].reflectance);
+        section.add(prefix + "transmittance", &optics[b].transmittance);
+    }
 }
 
 Section panel_section(PanelEntry& entry) {
@@ -29,7 +30,7 @@ Section panel_section(PanelEntry& entry) {
                               {"backtracks", &rows.backtracks}});
     for (const char* key : {"pitch", "height", "width"})
         section[key].in_metres();
-    add_optics(section, entry.optics, entry.nir_optics);
+    add_optics(section, entry.optics);
     return section;
 }
 
@@ -43,7 +44,7 @@ Section object_section(ObjectEntry& entry) {
                                {"vertices", &entry.vertices},
                                {"faces", &entry.faces}});
     for (const char* key : {"vertices", "faces"}) section[key].optional_list();
-    add_optics(section, entry.optics, entry.nir_optics);
+    add_optics(section, entry.optics);
     return section;
 }
 

@@ -197,8 +197,8 @@ Section weather_section(SiteWeather& weather);
 //! Returns the keys of how plants of a field, or of a component, differ.
 Section variation_section(PlantVariation& variation, const std::string& name);
 Section photosynthesis_section(PhotosynthesisTable& table);
-//! Returns the optics of plants in both bands, and in a campaign those of the
-//! soil.
+//! Returns the optics of plants in each waveband, and in a campaign those of
+//! the soil.
 Table optics_table(Campaign& campaign, bool has_soil);
 //! Returns the place of the rule of bounds; none where a table has them.
 Target place_of_rule(Draft& draft);

@@ -61,22 +61,24 @@ Section climate_section(Named<Climate>& named) {
 }
 
 Section weather_section(SiteWeather& weather) {
-    return {"weather",
-            {{"site", &weather.site},
-             {"climate", &weather.climate},
-             {"sha256", &weather.sha256},
-             {"utc_offset", &weather.utc_offset},
-             {"dates", &weather.dates},
-             {"hours", &weather.hours},
-             {"beam", &weather.beam},
-             {"diffuse", &weather.diffuse},
-             {"temperature", &weather.temperature},
-             {"humidity", &weather.humidity},
-             {"nir_beam", &weather.nir_beam},
-             {"nir_diffuse", &weather.nir_diffuse},
-             {"wind", &weather.wind},
-             {"pressure", &weather.pressure},
-             {"longwave", &weather.longwave}}};
+    Section section("weather", {{"site", &weather.site},
+                                {"climate", &weather.climate},
+                                {"sha256", &weather.sha256},
+                                {"utc_offset", &weather.utc_offset},
+                                {"dates", &weather.dates},
+                                {"hours", &weather.hours},
+                                {"beam", &weather.beam[0]},
+                                {"diffuse", &weather.diffuse[0]},
+                                {"temperature", &weather.temperature},
+                                {"humidity", &weather.humidity}});
+    for (std::size_t b = 1; b < wavebands.size(); ++b) {
+        section.add(wavebands[b].prefix + "beam", &weather.beam[b]);
+        section.add(wavebands[b].prefix + "diffuse", &weather.diffuse[b]);
+    }
+    section.add("wind", &weather.wind);
+    section.add("pressure", &weather.pressure);
+    section.add("longwave", &weather.longwave);
+    return section;
 }
 
 std::vector<Table> climate_file_tables(Campaign& campaign) {

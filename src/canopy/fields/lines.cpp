@@ -41,9 +41,7 @@ Lines::Lines(const Scene& scene, const CanopyRequest& request)
 Bands bands_of(const Scene& scene) {
     Bands bands = scene.bands;
     if (!scene.water || !scene.water->has_leaf_temperature) return bands;
-    const auto found =
-        std::find_if(bands.begin(), bands.end(),
-                     [](const Band& band) { return band.name == nir; });
+    const auto found = std::ranges::find(bands, nir, &Band::name);
     if (found == bands.end())
         throw Error(
             "leaves have a temperature of their own, but the scene has no near "

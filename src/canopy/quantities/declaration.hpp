@@ -64,8 +64,7 @@ std::vector<const Declaration*> declared(const Scope& scope);
 //! Returns whether any object is a panel.
 template <class Object>
 bool has_panels(const std::vector<Object>& objects) {
-    return std::any_of(objects.begin(), objects.end(),
-                       [](const Object& each) { return each.is_panel; });
+    return std::ranges::any_of(objects, &Object::is_panel);
 }
 
 // Each of these lists has its quantities in the order of their columns, and the

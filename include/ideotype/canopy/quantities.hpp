@@ -44,8 +44,8 @@ bool is_of_form(const std::string& quantity);
 //! Returns whether only reports with measured lines have a quantity.
 bool is_of_lines(const std::string& quantity);
 
-//! Returns whether only reports with a near infrared band have a quantity.
-bool is_of_nir(const std::string& quantity);
+//! Returns whether only reports with light in a band have a quantity.
+bool is_of_band(const std::string& quantity, const std::string& band);
 
 //! Returns whether only reports on leaves that exchange heat and water have a
 //! quantity.

@@ -20,9 +20,14 @@ struct Need {
 
 //! Reports a quantity that this canopy does not have.
 //! @param use such as "the objective"
-void check_quantity(const std::vector<Need>& needs, const std::string& key,
-                    const std::string& use, const std::string& name,
-                    const Problems& problems) {
+void check_quantity(const ByBand<bool>& follows, const std::vector<Need>& needs,
+                    const std::string& key, const std::string& use,
+                    const std::string& name, const Problems& problems) {
+    for (std::size_t b = 0; b < wavebands.size(); ++b)
+        if (problems.usable(key) && !follows[b] &&
+            is_of_band(quantity_of(name), wavebands[b].name))
+            problems.add(key, "{} {} needs [[band]] with name = \"{}\"; add it",
+                         use, name, wavebands[b].name);
     for (const Need& each : needs)
         if (problems.usable(key) && each.is_missing &&
             each.is_of(quantity_of(name)))
@@ -33,8 +38,6 @@ void check_quantity(const std::vector<Need>& needs, const std::string& key,
 void check_quantities(const Draft& draft, const Problems& problems) {
     const Campaign& campaign = draft.campaign;
     const std::vector<Need> needs{
-        {is_of_nir, !campaign.follows[nir_band],
-         "needs near infrared; add [[band]] with name = \"nir\""},
         {is_of_growth, !plants_grow(campaign),
          "needs plants that grow; add emergence to [[climate]]"},
         {is_of_panels, campaign.panels.empty(), "needs panels; add [[panel]]"},
@@ -47,10 +50,12 @@ void check_quantities(const Draft& draft, const Problems& problems) {
          "compares two components, and there are not two; add or remove a "
          "[[component]]"}};
     for (const auto& [key, name] : objective_keys(campaign, problems))
-        check_quantity(needs, key, "the objective", name, problems);
+        check_quantity(campaign.follows, needs, key, "the objective", name,
+                       problems);
     const std::vector<AtlasAxis>& axes = campaign.search.axes;
     for (std::size_t i = 0; i < axes.size(); ++i)
-        check_quantity(needs, "search.axes[" + std::to_string(i) + "].quantity",
+        check_quantity(campaign.follows, needs,
+                       "search.axes[" + std::to_string(i) + "].quantity",
                        "the axis", axes[i].quantity, problems);
 }
 

@@ -27,10 +27,6 @@ bool has_parts(const Scope& scope) {
     return has_components(scope) || has_bands(scope);
 }
 
-bool has_nir(const Scope& scope) {
-    return scope.has_band("nir");
-}
-
 using Names = std::vector<std::string>;
 
 //! Returns the mean of values, whose error is at least what paths can tell.
@@ -49,8 +45,7 @@ Randomised over_bands(const CanopyReport& report, const Names& names,
     Numbers sums(report.randomisations());
     double least = 0;
     for (const BandReport& band : report.bands) {
-        if (std::find(names.begin(), names.end(), band.name) == names.end())
-            continue;
+        if (std::ranges::find(names, band.name) == names.end()) continue;
         for (std::size_t r = 0; r < sums.size(); ++r)
             sums[r] += absorbed(band, r);
         // A sum may be better known than its parts only by chance.
@@ -84,6 +79,19 @@ TakeNumber absorbed(Names names) {
             },
             [](const BandReport& band) { return band.light.day.leaves; });
     };
+}
+
+//! Declares the light that leaves absorb in some bands together, which all
+//! canopies have that have the last of these bands.
+Declaration absorbed_in(const std::string& name, const Names& bands,
+                        const std::string& light) {
+    return {{"absorbed_" + name, daily,
+             light + " that leaves absorb per ground area"},
+            absorbed(bands),
+            false,
+            [last = bands.back()](const Scope& scope) {
+                return scope.has_band(last);
+            }};
 }
 
 //! Takes a number of each component and band, components first.
@@ -183,8 +191,9 @@ std::vector<std::string> additive_objectives() {
 
 std::vector<Randomised> measure_parts(const std::string& name,
                                       const CanopyReport& report) {
-    if (name == "absorbed_par") return absorbed_by_component(report, {"par"});
-    if (name == "absorbed_nir") return absorbed_by_component(report, {"nir"});
+    for (const Waveband& band : wavebands)
+        if (name == "absorbed_" + band.name)
+            return absorbed_by_component(report, {band.name});
     if (name == "absorbed_shortwave")
         return absorbed_by_component(report, {"par", "nir"});
     return measure_profile(name + "_by_component", report);
@@ -198,8 +207,7 @@ Randomised weighted_sum(const std::vector<Randomised>& parts,
     for (std::size_t c = 0; c < parts.size(); ++c) {
         for (std::size_t r = 0; r < sums.size(); ++r)
             sums[r] += weights[c] * parts[c].by_randomisation[r];
-        if (std::count(weights.begin(), weights.end(), 0.) + 1 ==
-            std::ssize(weights))
+        if (std::ranges::count(weights, 0.) + 1 == std::ssize(weights))
             least = std::max(
                 least, std::abs(weights[c]) * parts[c].estimate.standard_error);
     }
@@ -210,16 +218,8 @@ std::vector<Declaration> part_quantities() {
     using Report = CanopyReport;
     constexpr Certainty exact = Certainty::exact;
     return {
-        {{"absorbed_nir", daily,
-          "near infrared that leaves absorb per ground area"},
-         absorbed({"nir"}),
-         false,
-         has_nir},
-        {{"absorbed_shortwave", daily,
-          "PAR and near infrared that leaves absorb per ground area"},
-         absorbed({"par", "nir"}),
-         false,
-         has_nir},
+        absorbed_in("nir", {"nir"}, "near infrared"),
+        absorbed_in("shortwave", {"par", "nir"}, "PAR and near infrared"),
         {{"absorbed_light",
           daily,
           "light that leaves absorb per ground area",

@@ -42,8 +42,11 @@ std::vector<const Declaration*> declared(const Scope& scope) {
 namespace {
 
 //! A canopy that has every quantity.
-const Scope everything{2,    {"par", "nir"}, true, true, true,
-                       true, true,           true, true, true};
+const Scope everything = [] {
+    Scope all{2, {}, true, true, true, true, true, true, true, true};
+    for (const Waveband& each : wavebands) all.bands.push_back(each.name);
+    return all;
+}();
 
 Scope scope_of(const CanopyReport& report) {
     Scope scope{report.components.size(),
@@ -134,10 +137,10 @@ bool is_of_lines(const std::string& quantity) {
     return is_in(all_of<line_quantities>(), quantity);
 }
 
-bool is_of_nir(const std::string& quantity) {
-    Scope par = everything;
-    par.bands = {"par"};
-    return find(quantity) && !find(quantity, par);
+bool is_of_band(const std::string& quantity, const std::string& band) {
+    Scope others = everything;
+    std::erase(others.bands, band);
+    return find(quantity) && !find(quantity, others);
 }
 
 bool is_of_water(const std::string& quantity) {

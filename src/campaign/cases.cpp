@@ -40,9 +40,8 @@ void add_scenario(const Campaign& campaign, const Case& scenario,
         return std::tie(x.site.name, x.day_name, x.spacing_name);
     };
     one.stages.clear();
-    auto found = std::find_if(all.begin(), all.end(), [&](const Case& other) {
-        return names(other) == names(one);
-    });
+    auto found = std::ranges::find_if(
+        all, [&](const Case& other) { return names(other) == names(one); });
     if (found == all.end()) found = all.insert(all.end(), std::move(one));
     found->scenarios.push_back(scenario);
 }
@@ -117,8 +116,7 @@ std::vector<Case> stands(const Campaign& campaign) {
 }  // namespace
 
 bool is_over(const Campaign& campaign, const std::string& axis) {
-    return std::find(campaign.over.begin(), campaign.over.end(), axis) !=
-           campaign.over.end();
+    return std::ranges::find(campaign.over, axis) != campaign.over.end();
 }
 
 std::vector<Case> scenarios(const Case& chosen) {

@@ -84,9 +84,8 @@ Entries entries(const std::string& resolved, const Names& names) {
 }
 
 const std::string* find(const Entries& entries, const std::string& name) {
-    const auto found =
-        std::find_if(entries.begin(), entries.end(),
-                     [&](const auto& entry) { return entry.first == name; });
+    const auto found = std::ranges::find_if(
+        entries, [&](const auto& entry) { return entry.first == name; });
     return found == entries.end() ? nullptr : &found->second;
 }
 

@@ -26,8 +26,7 @@ void append_genes(GeneSpace& genes, const Crop& crop,
             name = fmt::format("{}_{}", trait.name, number.point);
         const bool is_whole =
             lower == trait.range.lower && upper == trait.range.upper;
-        const bool is_free =
-            std::find(free.begin(), free.end(), trait.name) != free.end();
+        const bool is_free = std::ranges::find(free, trait.name) != free.end();
         genes.push_back({prefix + name, trait.unit, lower, upper,
                          trait.is_circular && is_whole, is_free,
                          prefix + trait.name, number.leaf});

@@ -13,8 +13,7 @@ ObjectiveEntry to_objective(const std::string& name, Sense sense,
                             const std::vector<std::string>& components) {
     const std::size_t dot = name.find('.');
     if (dot == std::string::npos) return {name, name, {}, sense};
-    const auto found =
-        std::find(components.begin(), components.end(), name.substr(0, dot));
+    const auto found = std::ranges::find(components, name.substr(0, dot));
     return {name, name.substr(dot + 1),
             static_cast<std::size_t>(found - components.begin()), sense};
 }
@@ -47,11 +46,11 @@ std::vector<double> component_weights(const Campaign& campaign) {
 
 std::string unit_of(const Campaign& campaign, const std::string& quantity) {
     const std::vector<ObjectiveEntry> all = objectives_of(campaign);
-    const bool is_ratio = !campaign.sole.empty() &&
-                          std::any_of(all.begin(), all.end(),
-                                      [&](const ObjectiveEntry& objective) {
-                                          return objective.quantity == quantity;
-                                      });
+    const bool is_ratio =
+        !campaign.sole.empty() &&
+        std::ranges::any_of(all, [&](const ObjectiveEntry& objective) {
+            return objective.quantity == quantity;
+        });
     return is_ratio ? "1" : unit_of(quantity);
 }
 

@@ -45,10 +45,9 @@ Season season_of(const Campaign& campaign, const Case& chosen,
     season.times = thermal_times(growth, climate_of(campaign, chosen).emergence,
                                  0, series);
     const auto& times = season.times;
-    season.begin =
-        static_cast<std::size_t>(std::find_if(times.begin(), times.end(),
-                                              [](double x) { return x >= 0; }) -
-                                 times.begin());
+    season.begin = static_cast<std::size_t>(
+        std::ranges::find_if(times, [](double x) { return x >= 0; }) -
+        times.begin());
     season.end = static_cast<std::size_t>(
         std::lower_bound(times.begin(), times.end(), maturity_time(growth)) -
         times.begin());
@@ -111,8 +110,8 @@ double weight(const Stage& stage, double time) {
 }  // namespace
 
 const Climate& climate_of(const Campaign& campaign, const Case& chosen) {
-    return std::find_if(
-               campaign.climates.begin(), campaign.climates.end(),
+    return std::ranges::find_if(
+               campaign.climates,
                [&](const auto& each) { return each.name == chosen.day_name; })
         ->value;
 }

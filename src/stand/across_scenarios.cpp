@@ -29,11 +29,9 @@ std::string label(const Campaign& campaign, const Case& scenario) {
 bool has_same_axes(const Quantity& quantity, const QuantitySet& a,
                    const QuantitySet& b) {
     return b.has(quantity.name) &&
-           std::all_of(quantity.axes.begin(), quantity.axes.end(),
-                       [&](const std::string& axis) {
-                           return a.axis(axis).coordinates ==
-                                  b.axis(axis).coordinates;
-                       });
+           std::ranges::all_of(quantity.axes, [&](const std::string& axis) {
+               return a.axis(axis).coordinates == b.axis(axis).coordinates;
+           });
 }
 
 double mean_of(const std::vector<double>& values) {
@@ -67,7 +65,7 @@ AcrossScenarios::AcrossScenarios(const Campaign& campaign, const Case& chosen)
         return;
     }
     for (const Quantity& each : first.quantities) {
-        if (!std::all_of(sets.begin(), sets.end(), [&](const QuantitySet& set) {
+        if (!std::ranges::all_of(sets, [&](const QuantitySet& set) {
                 return has_same_axes(each, first, set);
             }))
             continue;
@@ -77,11 +75,10 @@ AcrossScenarios::AcrossScenarios(const Campaign& campaign, const Case& chosen)
             shared_.back().begins.push_back(set.offset(each.name));
     }
     for (const Axis& axis : first.axes)
-        if (std::any_of(measured_.quantities.begin(),
-                        measured_.quantities.end(), [&](const Quantity& each) {
-                            return std::count(each.axes.begin(),
-                                              each.axes.end(), axis.name) > 0;
-                        }))
+        if (std::ranges::any_of(
+                measured_.quantities, [&](const Quantity& each) {
+                    return std::ranges::count(each.axes, axis.name) > 0;
+                }))
             measured_.axes.push_back(axis);
     measured_.axes.push_back(
         {"scenario", "", "what plants are evaluated under", labels});

@@ -53,8 +53,7 @@ OverStages::Weights OverStages::weights_of(const std::string& name,
 void OverStages::add(const Quantity& quantity,
                      const std::vector<QuantitySet>& sets) {
     const bool is_by_day = quantity.axes == Names{"day"};
-    if (std::count(quantity.axes.begin(), quantity.axes.end(), "hour") > 0)
-        return;
+    if (std::ranges::count(quantity.axes, "hour") > 0) return;
     Summed summed{weights_of(quantity.name, quantity.unit), 0, {}, {}};
     std::map<std::string, std::size_t> place_of;
     if (is_by_day)
@@ -108,18 +107,16 @@ OverStages::OverStages(const Campaign& campaign, const Case& chosen)
         if (axis.name == "day") axis = days_of_all(sets);
     for (const Quantity& each : sets.front().quantities) add(each, sets);
     std::erase_if(measured_.axes, [&](const Axis& axis) {
-        return std::none_of(
-            measured_.quantities.begin(), measured_.quantities.end(),
-            [&](const Quantity& each) {
-                return std::count(each.axes.begin(), each.axes.end(),
-                                  axis.name) > 0;
+        return std::ranges::none_of(
+            measured_.quantities, [&](const Quantity& each) {
+                return std::ranges::count(each.axes, axis.name) > 0;
             });
     });
     measured_.axes.push_back(
         {"stage", "deg C d", "thermal time since emergence", std::move(at)});
     for (const std::string& name : told_by_stage) {
-        const auto found = std::find_if(
-            sets[0].quantities.begin(), sets[0].quantities.end(),
+        const auto found = std::ranges::find_if(
+            sets[0].quantities,
             [&](const Quantity& each) { return each.name == name; });
         if (found == sets[0].quantities.end()) continue;
         ByStage by{{}, weights_of(name, found->unit) == Weights::one};

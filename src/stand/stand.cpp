@@ -55,9 +55,8 @@ double lai_of_line(const Mesh& plant, double ground_per_plant) {
 Randomised measure_number(const Campaign& campaign, const std::string& name,
                           const CanopyReport& report) {
     const std::vector<ObjectiveEntry> all = objectives_of(campaign);
-    const auto objective =
-        std::find_if(all.begin(), all.end(),
-                     [&](const ObjectiveEntry& x) { return x.name == name; });
+    const auto objective = std::ranges::find_if(
+        all, [&](const ObjectiveEntry& x) { return x.name == name; });
     if (objective != all.end() && objective->component)
         return measure_parts(objective->quantity, report)
             .at(*objective->component);

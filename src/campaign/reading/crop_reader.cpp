@@ -93,9 +93,8 @@ void CropReader::read_plant_file(const std::string& file,
 void CropReader::read_crop_of_table(const std::string& file,
                                     const Location& named_at) {
     std::error_code none;
-    const auto first = std::find_if(
-        tables_above_.begin(), tables_above_.end(),
-        [&](const std::string& above) {
+    const auto first =
+        std::ranges::find_if(tables_above_, [&](const std::string& above) {
             return above == file || fs::equivalent(above, file, none);
         });
     if (first == tables_above_.end())

@@ -168,8 +168,7 @@ class SceneReader {
     void order(Entry& entry) {
         MeshScene::Matter matter{std::move(entry.matter.groups)};
         for (const std::string& band : scene_.bands) {
-            const auto found =
-                std::find(entry.names.begin(), entry.names.end(), band);
+            const auto found = std::ranges::find(entry.names, band);
             if (found == entry.names.end()) {
                 add(*entry.table,
                     fmt::format("the material of groups {} has no {} (another "

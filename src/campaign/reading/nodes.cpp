@@ -41,16 +41,14 @@ std::string kind(const toml::node& node) {
 bool is_name(const std::string& text) {
     // A leading sign would read as an option on a command line.
     return !text.empty() && text.size() <= longest_name &&
-           is_letter_or_digit(text[0]) &&
-           std::all_of(text.begin(), text.end(), is_allowed);
+           is_letter_or_digit(text[0]) && std::ranges::all_of(text, is_allowed);
 }
 
 std::string make_name(const std::string& text) {
     std::string name = text.substr(0, longest_name);
     std::replace_if(
         name.begin(), name.end(), [](char c) { return !is_allowed(c); }, '_');
-    const auto first =
-        std::find_if(name.begin(), name.end(), is_letter_or_digit);
+    const auto first = std::ranges::find_if(name, is_letter_or_digit);
     name.erase(name.begin(), first);
     return name.empty() ? "name" : name;
 }

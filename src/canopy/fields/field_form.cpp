@@ -79,8 +79,7 @@ std::vector<Place> places_of(const FieldForm& form,
     std::vector<Place> places;
     const std::vector<double> x = row_places(form);
     for (int row = 0; row < form.rows; ++row) {
-        if (!rows.empty() &&
-            std::find(rows.begin(), rows.end(), row) == rows.end())
+        if (!rows.empty() && std::ranges::find(rows, row) == rows.end())
             continue;
         for (int plant = 0; plant < form.plants; ++plant)
             places.push_back({x[static_cast<std::size_t>(row)],

@@ -141,9 +141,8 @@ void LeafLines::settle(const std::vector<LeafResponse>& responses) {
 
 void LeafLines::correct(double heat, double water) {
     if (driven_.warmer == 0 && driven_.moister == 0) return;
-    const auto any =
-        std::find_if(classes_.begin(), classes_.end(),
-                     [](const Class& each) { return each.is_used; });
+    const auto any = std::ranges::find_if(
+        classes_, [](const Class& each) { return each.is_used; });
     const auto c = static_cast<std::uint32_t>(any - classes_.begin());
     const CanopyAir more = air_.driven_by(*air_.largest_of(c), heat, water);
     move_air({driven_.warmer + more.warmer - in_.warmer,

@@ -12,7 +12,8 @@ namespace ideotype {
 
 namespace {
 
-//! The part of a randomised day that a relative error of rounding may reach.
+//! The largest relative error of the energy balance of a randomised day that
+//! rounding may explain.
 constexpr double balance_tolerance = 1e-9;
 
 PlantForm form_of(const Plant& plant, const Tessellation& tessellation) {
@@ -31,7 +32,8 @@ PlantForm form_of(const Plant& plant, const Tessellation& tessellation) {
 //! Makes the report of an evaluation from what was found in its fields.
 class Reporter {
   public:
-    //! @param scene of the request, or with other groups
+    //! Keeps references to its arguments.
+    //! @param scene of the request, or the same with other groups
     Reporter(const CanopyRequest& request, const Scene& scene,
              const Lines& lines, const SharedByFields& shared,
              const FieldLight& found)
@@ -66,8 +68,8 @@ class Reporter {
     }
 
   private:
-    //! Reports what the plant of the first component is like, whatever light
-    //! it has.
+    //! Reports the form of the plant of the first component, which does not
+    //! depend on light.
     void report_plant() {
         if (scene_.components.empty() || !scene_.components.front().plant)
             return;
@@ -87,7 +89,8 @@ class Reporter {
             const double dead = result_.grows ? dead_area(component.mesh) /
                                                     component.ground_per_plant
                                               : 0;
-            // Dead leaves, which count by half among other organs, are flat.
+            // Dead leaves are flat, so that they count in full, but among other
+            // organs they count by half.
             const double index =
                 lai + found_.areas[c].other_organs / fields + dead / 2;
             result_.components.push_back({component.name, lai, index,
@@ -146,7 +149,7 @@ class Reporter {
         }
     }
 
-    //! Reports leaf areas of rows, and what those lose.
+    //! Reports the leaf area of each row and the carbon that it loses.
     void report_rows() {
         const Cell& cell = scene_.cell;
         const std::size_t groups = lines_.groups.size();
@@ -174,8 +177,8 @@ class Reporter {
         }
     }
 
-    //! Returns the component whose plants stand in a row, with leaves or yet
-    //! without.
+    //! Returns the component whose plants stand in a row, even if they have no
+    //! leaves yet.
     std::uint32_t component_of_row(std::size_t row) const {
         for (std::uint32_t c = 0; c < scene_.components.size(); ++c)
             for (const Place& place : scene_.components[c].places)
@@ -216,7 +219,8 @@ class Reporter {
             result_.light_classes = ideotype::report(found_.light_classes);
     }
 
-    //! Returns what falls on sides of objects, per area, from what they absorb.
+    //! Returns the light that falls on sides of objects per area, which follows
+    //! from the light that they absorb.
     std::vector<PartLight> light_on_objects(
         const Optics& optics, std::vector<PartLight> absorbed) const {
         absorbed.resize(2 * scene_.objects.size());
@@ -255,7 +259,7 @@ class Reporter {
         return parts;
     }
 
-    //! Returns the light of groups that are faces, per area of the face.
+    //! Returns the light of each face per area of the face. Each is a group.
     std::vector<Estimate> per_area(std::vector<Estimate> faces) const {
         for (std::size_t face = 0; face < faces.size(); ++face) {
             const double area = found_.areas_of_groups[face] / found_.fields;

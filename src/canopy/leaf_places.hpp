@@ -10,9 +10,10 @@
 
 namespace ideotype {
 
-//! The parts of leaves that absorb light: pieces, and places, which are the
-//! pieces that are the same part of plants that are alike.
+//! The parts of leaves that absorb light: pieces, and places. A place joins the
+//! pieces that are the same part of a leaf in plants that are alike.
 struct LeafPlaces {
+    //! Finds the places of pieces.
     //! @param is_each whether each piece is a place of its own
     LeafPlaces(const Pieces& pieces, const LitLeaves& lit, bool is_each);
 
@@ -25,17 +26,18 @@ struct LeafPlaces {
     std::vector<std::uint32_t> group;  //!< group of places, each in a run
     std::vector<std::uint32_t> row;    //!< row of places; 0 if none is told
     std::vector<double> height;        //!< height of places [m]
-    //! The part of light that the face of a place that absorbs most absorbs.
+    //! The absorptance of places, of the face that absorbs more.
     std::vector<double> absorptance;
 };
 
 //! Diffuse light of one source [J m-2 of ground].
 struct DiffuseLight {
+    //! Collects the diffuse light of pieces.
     //! @param source -1: none
     DiffuseLight(const std::vector<Tally>& tallies, int source,
                  std::size_t pieces);
 
-    //! In each randomisation, of pieces that have any, once each.
+    //! The light of each piece that has some, in each randomisation.
     std::vector<std::vector<LeafLight::Part>> parts;
     std::vector<double> sum;  //!< over randomisations, of pieces
 };
@@ -44,8 +46,8 @@ struct DiffuseLight {
 //! one is compared.
 class ExpectedLight {
   public:
-    //! The mean of each place, joined to so many of its neighbours that this
-    //! is well known.
+    //! Finds the expected light of a place as a mean over the place and as many
+    //! of its neighbours as it takes to know the mean well.
     ExpectedLight(const LeafPlaces& places, const std::vector<Tally>& tallies);
 
     //! Returns the expected light by place, per area of leaf [J m-2].

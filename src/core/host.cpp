@@ -15,8 +15,8 @@ namespace ideotype {
 
 namespace {
 
-// The number of arguments: enough that variants which differ in one result of a
-// thousand show.
+// The number of arguments. It is large enough to tell variants of a function
+// that differ in one result of a thousand.
 constexpr int samples = 20000;
 
 //! Adds the results of all functions at one place of the unit interval, each

@@ -47,9 +47,9 @@ double relative_spread(const Gene& gene, std::vector<double> values) {
 
 using Point = std::vector<double>;
 
-//! Returns the volume between points and a reference that all of them are
-//! below, in their first coordinates. Points are sorted by the last of these:
-//! the slice between two of them belongs to the points below it.
+//! Returns the volume between points and a reference above all of them, in the
+//! first of their coordinates. Points are sorted by the last of these, and the
+//! slice between two points belongs to the points below it.
 double volume_below(std::vector<Point> points, const Point& reference,
                     std::size_t coordinates) {
     IDEOTYPE_EXPECT(!points.empty() && coordinates > 0);
@@ -144,7 +144,7 @@ double hypervolume(std::vector<Point> points, Point reference,
 Estimate hypervolume(const Population& population, const Point& reference,
                      const std::vector<Sense>& senses) {
     const std::size_t objectives = senses.size();
-    // The volume is that without one randomisation, or without none.
+    // This is the volume without one of the randomisations, or with all.
     const auto volume = [&](std::size_t left_out, std::size_t count) {
         std::vector<Point> points;
         for (const Individual& each : population) {

@@ -23,8 +23,8 @@ enum class LeafAngles {
 //! turbid medium but for the size of the leaves. The angles are an even sample
 //! of their distribution, so that two realisations differ in places only.
 //!
-//! @param height of the stand [m]; the smaller leaves are against it, the
-//! less the light scattered by a leaf finds its way out along the free way in
+//! @param height of the stand [m]. In a higher stand, less of the light that a
+//! leaf scatters leaves through the gap by which it came.
 Mesh random_leaves(LeafAngles angles, double lai, double height,
                    std::uint64_t realisation);
 

@@ -62,7 +62,8 @@ void LeafLines::draw(Class& leaves) {
     for (std::size_t k = 0; k < leaf_fluxes; ++k) {
         const bool by_gross = is_in_gross(static_cast<LeafFlux>(k));
         const double more = by_gross ? gross : light;
-        // The slope between leaves about alike would be mostly rounding.
+        // The slope between leaves that are nearly alike would be mostly
+        // rounding errors.
         constexpr double least = 0.1;
         leaves.slope[k] = std::abs(more) > least
                               ? (found[1][k].value - found[0][k].value) / more
@@ -73,7 +74,8 @@ void LeafLines::draw(Class& leaves) {
     }
 }
 
-//! Returns the air that leaves in some air drive.
+//! Returns the air of the canopy that follows from the fluxes of leaves in a
+//! given air.
 CanopyAir LeafLines::driven(const CanopyAir& in) {
     air_.set_air(in);
     CanopyAir sum;
@@ -97,9 +99,9 @@ CanopyAir LeafLines::driven(const CanopyAir& in) {
     return sum;
 }
 
-//! Finds how the air that leaves drive follows the air that they are in, by a
-//! secant of both numbers.
-//! @param first driven in the air above
+//! Finds how the air that follows from the fluxes of leaves depends on the air
+//! in which they are, by a secant in each of its two numbers.
+//! @param first air that follows from leaves in the air above the canopy
 void LeafLines::find_slopes(const CanopyAir& first) {
     // Steps of about the size of the answer.
     const double dt = std::copysign(
@@ -113,7 +115,8 @@ void LeafLines::find_slopes(const CanopyAir& first) {
                (moist.moister - first.moister) / de};
 }
 
-//! Moves the air by what is left between it and the air that leaves drive.
+//! Moves the air so that it agrees with the air that follows from its leaves.
+//! @param left difference that is left between them
 void LeafLines::move_air(const CanopyAir& left) {
     const double a = slopes_[0] - 1, b = slopes_[1], c = slopes_[2],
                  d = slopes_[3] - 1;

@@ -32,22 +32,25 @@ Machine this_machine();
 std::string to_text(const Machine& machine);
 Machine machine_of(const std::string& text);
 
-//! Gathers the machines of all ranks on rank 0. Collective.
-//! @param own that of this rank
+//! Gathers the machines of all ranks on rank 0. All ranks have to call this.
+//! @param own machine of this rank
 std::vector<Machine> gather_machines(const Session& session,
                                      const Machine& own);
 
-//! Returns the threads that evaluate on each rank: if none wanted, one, or all
-//! cores of a rank that is alone. Collective.
+//! Returns the number of threads that evaluate on each rank: the one that is
+//! wanted; or else one, or all cores if there is a single rank. All ranks have
+//! to call this.
 int threads_per_rank(const Session& session, const std::optional<int>& wanted);
 
-//! @throws Error (refused) naming what a rank computes with that the first
-//! does not, and both hosts.
+//! Checks that all ranks run the same program.
+//! @throws Error (refused) that names the difference between a rank and the
+//! first one, and both hosts.
 void require_same_program(const std::vector<Machine>& machines);
 
 //! Returns the instruction set for all ranks: the one that is wanted, or the
-//! widest that all have. @throws Error (refused) naming a host that lacks it,
-//! with this remedy.
+//! widest that all have.
+//! @param remedy end of the message
+//! @throws Error (refused) that names a host without the instruction set
 std::string choose_isa(const std::vector<Machine>& machines,
                        const std::optional<std::string>& wanted,
                        const std::string& remedy);

@@ -73,7 +73,10 @@ TEST_F(Mixtures, OfTwoRowsEachGiveSoybeanMoreLightThanAlternateRows) {
 TEST_F(Mixtures, PartsOfAnObjectiveAreKnownByRandomisation) {
     std::vector<std::string> settings = alike;
     settings.push_back(weed);
-    settings.push_back(nir);
+    std::string bands;
+    for (const Waveband& each : wavebands)
+        bands += "{name=\"" + each.name + "\"},";
+    settings.push_back("band=[" + bands + "]");
     const CanopyReport report = evaluated(settings);
     for (const std::string& name : additive_objectives()) {
         const Randomised whole = measure_objective(name, report);

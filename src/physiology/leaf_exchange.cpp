@@ -121,8 +121,12 @@ class Sweeps {
             residual_before = residual;
             const double step = std::clamp(-residual / slope, -8., 8.);
             t_ += step;
-            if (std::abs(step) < tolerance && is_steady_)
+            if (std::abs(step) < tolerance && is_steady_) {
+                // The last step of water closes the balance, too.
+                latent_ =
+                    energy_.net_radiation(t_) - energy_.sensible(t_, heat_);
                 return has_one_balance();
+            }
             if (t_ > warmest_of_one_balance + 8) return false;
         }
         return false;
@@ -226,7 +230,8 @@ LeafExchange from_balance(const Rates& rates, const ThermalLeaf& leaf,
         typename Model<Rates>::At(rates, found.temperature)(found.ci).expand(
             around.ppfd);
     net.value = found.net;
-    const double boundary = found.boundary_heat * vapour_over_heat * 2;
+    const double boundary =
+        LeafEnergy(leaf, around).boundary_of(found.boundary_heat);
     const double share =
         found.conductance > 0 && found.latent > 0
             ? boundary / (found.conductance + boundary) *

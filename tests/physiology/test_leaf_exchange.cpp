@@ -10,9 +10,21 @@
 namespace ideotype {
 namespace {
 
+//! Returns the energy that is absorbed and not lost, over what is absorbed.
+double part_left(const Case& each, const LeafExchange& found) {
+    const LeafSurroundings& in = each.around;
+    const double absorbed = in.ppfd / 4.57 + in.nir + in.longwave;
+    const double latent_heat = .0180153 * (2.501e6 - 2361 * in.temperature);
+    const double lost = 2 * each.leaf.emissivity * 5.670374419e-8 *
+                            std::pow(found.temperature + 273.15, 4) +
+                        found.sensible +
+                        1e-3 * found.transpiration.value * latent_heat;
+    return 1 - lost / absorbed;
+}
+
 TEST(LeafExchange, IsTheEnergyBalanceOfAnyLeaf) {
     AnyLeaf any;
-    double largest = 0, largest_net = 0;
+    double largest = 0, largest_net = 0, left = 0;
     for (int i = 0; i < 10000; ++i) {
         SCOPED_TRACE(i);
         const Case each = any.next();
@@ -26,13 +38,16 @@ TEST(LeafExchange, IsTheEnergyBalanceOfAnyLeaf) {
         EXPECT_NEAR(found.transpiration.value, exact.transpiration,
                     .03 + .01 * std::abs(exact.transpiration));
         EXPECT_NEAR(found.sensible, exact.sensible, 1);
+        left = std::max(left, std::abs(part_left(each, found)));
         largest =
             std::max(largest, std::abs(found.temperature - exact.temperature));
         largest_net =
             std::max(largest_net, std::abs(found.net.value - exact.net));
     }
-    std::printf("largest errors: %.2g deg C, %.2g umol\n", largest,
-                largest_net);
+    EXPECT_LT(left, 1e-11);
+    std::printf(
+        "largest errors: %.2g deg C, %.2g umol; energy left %.2g of 1\n",
+        largest, largest_net, left);
 }
 
 }  // namespace

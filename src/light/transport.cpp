@@ -119,8 +119,9 @@ struct BandRun {
             of_hit.push_back(all / std::max(1u, work.first_hits[s]));
             const bool is_told = number < work.path_energy.size() &&
                                  !work.path_energy[number].empty();
-            of_path.push_back(is_told ? work.path_energy[number][s]
-                                      : of_hit[s]);
+            of_path.push_back(
+                (is_told ? work.path_energy[number][s] : of_hit[s]) /
+                band.path_share);
             if (work.first_hits[s] > 0)
                 most_paths += band.optics.most_scattered() * all / of_path[s];
             scale.push_back(sources[s].energy /

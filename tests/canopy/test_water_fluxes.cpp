@@ -127,6 +127,31 @@ TEST_F(WaterOfTwoLeaves, FewPointsStandForAllAndTellTheirError) {
     }
 }
 
+TEST_F(WaterOfTwoLeaves, FewPathsOfNearInfraredAreEnough) {
+    const auto rays = [&] {
+        std::uint64_t sum = 0;
+        for (const Tally& each : nir_tallies) sum += each.next_rays;
+        return static_cast<double>(sum);
+    };
+    const std::vector<Estimate> before = fluxes(1, 6000);
+    const double many = rays();
+    nir.path_share = .1;
+    nir_tallies =
+        simulate({*scene, pieces.mesh.groups, {&nir, 1}, layers, pieces.count},
+                 accuracy, {2})
+            .front();
+    EXPECT_LT(rays(), .15 * many);
+    const std::vector<Estimate> after = fluxes(1, 6000);
+    for (const LeafFlux of :
+         {LeafFlux::transpiration, LeafFlux::conductance, LeafFlux::sensible}) {
+        const auto k = static_cast<std::size_t>(of);
+        EXPECT_NE(after[k].mean, before[k].mean);
+        EXPECT_NEAR(after[k].mean, before[k].mean,
+                    .5 * before[k].standard_error)
+            << k;
+    }
+}
+
 TEST_F(WaterOfTwoLeaves, EnergyOfTheCanopyCloses) {
     LeafAir air(water(1));
     const LeafPlaces places(pieces, lit(), false);
@@ -156,7 +181,7 @@ TEST_F(WaterOfTwoLeaves, EnergyOfTheCanopyCloses) {
             }
         }
         EXPECT_GT(absorbed, 0);
-        EXPECT_NEAR(lost / absorbed, 1, 1e-4) << i;
+        EXPECT_NEAR(lost / absorbed, 1, 1e-12) << i;
     }
 }
 

@@ -22,6 +22,8 @@ struct Band {
     //! Tells whether the light of pieces of leaves is counted for each of them,
     //! as it always is in the first band.
     bool is_by_piece = false;
+    //! Paths of scattered light over those that a Workload asks for.
+    double path_share = 1;
 };
 
 using Bands = std::vector<Band>;

@@ -48,13 +48,22 @@ void LeafLines::draw(Class& leaves) {
     const auto& [shade, sun] = leaves.points;
     const double light = sun.ppfd - shade.ppfd;
     const double gross = sun.gross.value - shade.gross.value;
+    // The slope between leaves that are nearly alike would be mostly
+    // rounding errors.
+    constexpr double least = 0.1;
+    const std::size_t points =
+        std::max(std::abs(light), std::abs(gross)) > least ? 2 : 1;
     LeafAir::Fluxes found[2];
-    for (std::size_t i = 0; i < 2; ++i) {
+    for (std::size_t i = 0; i < points; ++i) {
         const LeafExchange* like =
             leaves.is_known ? &leaves.solved[i] : nullptr;
         if (i == 1 && !like) like = &leaves.solved[0];
         leaves.solved[i] = air_.solve(leaves.points[i], like);
         found[i] = air_.fluxes_of(leaves.solved[i], leaves.points[i]);
+    }
+    if (points == 1) {
+        leaves.solved[1] = leaves.solved[0];
+        found[1] = found[0];
     }
     leaves.is_known = true;
     const std::size_t i = leaves.means[0].area > 0 ? 0 : 1;
@@ -62,9 +71,6 @@ void LeafLines::draw(Class& leaves) {
     for (std::size_t k = 0; k < leaf_fluxes; ++k) {
         const bool by_gross = is_in_gross(static_cast<LeafFlux>(k));
         const double more = by_gross ? gross : light;
-        // The slope between leaves that are nearly alike would be mostly
-        // rounding errors.
-        constexpr double least = 0.1;
         leaves.slope[k] = std::abs(more) > least
                               ? (found[1][k].value - found[0][k].value) / more
                               : 0;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "ideotype/core/error.hpp"
@@ -89,11 +90,21 @@ TEST(Water, FollowsTheAirAndTheStomata) {
     EXPECT_LT(usual.at("hot_hours_0"), 3);
 }
 
-TEST(Water, HasALimit) {
-    EXPECT_EQ(season_of(week(balance + "limit = 1000\n")).violation, 0);
+TEST(Water, IsWithinALimitByTwoStandardErrors) {
     const Campaign dry = week(balance + "limit = 10\n");
-    EXPECT_NEAR(season_of(dry).violation,
-                numbers(dry).at("water_use_0") / 10 - 1, 1e-9);
+    const Outcome found = season_of(dry);
+    const OutcomeSchema schema =
+        outcome_schema(dry, cases(dry).at(0), dry.sampling);
+    const Estimate water = find(schema, found, "water_use").value();
+    EXPECT_GT(water.standard_error, 0);
+    const double most = water.mean + 2 * water.standard_error;
+    EXPECT_NEAR(found.violation, most / 10 - 1, 1e-9);
+    const auto violation_at = [](double limit) {
+        return season_of(week(fmt::format("{}limit = {}\n", balance, limit)))
+            .violation;
+    };
+    EXPECT_GT(violation_at(water.mean + water.standard_error), 0);
+    EXPECT_EQ(violation_at(1.0001 * most), 0);
 }
 
 TEST(Water, NeedsLeavesThatFollowCo2) {

@@ -161,6 +161,18 @@ def test_maize_transpires_as_in_the_field() -> None:
     season = re.search(r"(?m)^\| 2011 \| (\S+) \|", told)
     assert season is not None and 200 < float(season[1]) < 578, told
     assert "a season with water takes" in told
+    assert "| four times the stages |" in told
+
+
+def test_plants_are_bred_within_a_limit_of_water(tmp_path: Path) -> None:
+    words = [tmp_path, "--rough", "--generations", 1, "--seeds", 1]
+    told = run("water_bred.py", *words, "--only", "strip")
+    rows = re.findall(r"(?m)^\| strip \| (\S+) \| ([^|]*) \|", told)
+    assert rows[0][0] == "none", told
+    assert 5 < float(rows[1][0]) < 60, told
+    before = (tmp_path / "water_strip_limited").stat().st_mtime_ns
+    run("water_bred.py", *words, "--only", "strip")
+    assert (tmp_path / "water_strip_limited").stat().st_mtime_ns == before
 
 
 def test_searches_are_compared_by_their_gains(tmp_path: Path) -> None:

@@ -1,0 +1,162 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Finds what evolves where leaves exchange water, with a limit of water and without.
+
+water_bred.py FOLDER [--only KIND] [--generations N] [--seeds N] [--rough]
+
+Breeds maize for the carbon of a growing season at Bondville, of the mild year 2011 and of
+the drought of 2012, and for the net assimilation of a hot week in strips beside soybean and
+below rows of modules. Prints gains over the baseline, whose 95 % intervals hold the search,
+and what the best plants transpire; then what a plant loses that was bred in the other year.
+"""
+
+from __future__ import annotations
+
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from shared import (
+    CAMPAIGNS,
+    ROUGH,
+    best,
+    breed_tables,
+    gain,
+    guard,
+    light,
+    parser_of_searches,
+    print_table,
+    read_campaign,
+    say,
+)  # fmt: skip
+from water import WEEK
+
+from ideotype import Stand
+from ideotype.analysis import Case, open_history
+from ideotype.analysis.interval import interval
+from ideotype.analysis.reading.estimate import Estimate
+
+SEASON_LIMIT = 300.0
+"""The most that plants may transpire in a growing season [mm]."""
+WEEK_SHARE = 0.9
+"""The most that they may transpire in a week, over what the baseline does."""
+
+
+def growing_season(year: int) -> dict[str, Any]:
+    """Returns the tables of growing_season.toml in one year."""
+    found = read_campaign(CAMPAIGNS / "growing_season.toml")
+    (climate,) = (x for x in found["climate"] if x["name"] == str(year))
+    return {
+        **found,
+        "climate": [climate],
+        "objective": {"maximise": "carbon_balance"},
+        "light": {"tolerance": 0.02},
+        "final": {"candidates": 3, "paths": 512, "randomisations": 16},
+    }
+
+
+def hot_week(campaign: str) -> dict[str, Any]:
+    """Returns the tables of a campaign in the hot week of bondville.toml."""
+    found = read_campaign(CAMPAIGNS / f"{campaign}.toml")
+    weather = read_campaign(CAMPAIGNS / "bondville.toml")
+    del found["day"]
+    return {
+        **found,
+        "site": weather["site"],
+        "climate": [{**weather["climate"][0], **WEEK}],
+        "plant": {**found["plant"], "bounds": "breedable"},
+        "photosynthesis": {"model": "collatz"},
+        "light": {"tolerance": 0.02, "fields": 4},
+        "final": {"candidates": 2, "paths": 1024, "randomisations": 16},
+    }
+
+
+KINDS = {
+    "2011": partial(growing_season, 2011),
+    "2012": partial(growing_season, 2012),
+    "strip": partial(hot_week, "strip"),
+    "panels": partial(hot_week, "agrivoltaic"),
+}
+
+
+def tables_of(kind: str, options: Any) -> dict[str, Any]:
+    found = KINDS[kind]()
+    for climate in found["climate"]:
+        climate["file"] = str(CAMPAIGNS / climate["file"])
+    found |= {
+        "name": f"water_{kind}",
+        "water": {},
+        "search": {"optimizer": "cma_es", "population": 12},
+        "replicates": options.seeds,
+        "stop": {"generations": options.generations},
+    }
+    return {**found, **(ROUGH if options.rough else {})}
+
+
+def limit_of(kind: str, stand: Stand) -> float:
+    """Returns the limit of water of a kind [mm]."""
+    if "emergence" in KINDS[kind]()["climate"][0]:
+        return SEASON_LIMIT
+    found = stand.evaluate(stand.baseline, ["water_use"], final=True)
+    return round(WEEK_SHARE * float(found.water_use[0]), 2)
+
+
+def row_of(name: str, limit: float, case: Case) -> list[str]:
+    return [
+        name,
+        f"{limit:g}" if limit else "none",
+        case.relative_gain().number(),
+        *(
+            case.number(who, quantity).number()
+            for quantity in ("water_use", "water_use_efficiency", "lai")
+            for who in ("baseline", "best")
+        ),
+    ]
+
+
+def print_other_year(
+    stands: dict[str, Stand], plants: dict[str, list[Path]]
+) -> None:
+    """Prints what plants bred in a year have over those bred in the other one."""
+    for year, other in (("2011", "2012"), ("2012", "2011")):
+        gains = [
+            gain(*light(stands[year], np.array([best(b), best(a)])).tolist())
+            for a, b in zip(plants[year], plants[other], strict=True)
+        ]
+        found = interval([Estimate(*each, "%") for each in gains])
+        print(f"\nIn {year}, bred there over bred in {other}: {found}")
+
+
+def main() -> None:
+    parser = parser_of_searches(__doc__, generations=6, seeds=2)
+    parser.add_argument("--only", choices=KINDS)
+    options = parser.parse_args()
+    rows: list[list[str]] = []
+    stands: dict[str, Stand] = {}
+    plants: dict[str, list[Path]] = {}
+    for kind in [options.only] if options.only else KINDS:
+        tables = tables_of(kind, options)
+        stands[kind] = Stand(tables, folder=CAMPAIGNS)
+        for limit in (0.0, limit_of(kind, stands[kind])):
+            say(f"{kind}, limit {limit:g} mm")
+            one = {**tables, "water": {"limit": limit}}
+            one["name"] += "_limited" if limit else ""
+            paths = breed_tables(one, options.folder)
+            plants.setdefault(kind, paths)
+            case = Case(one["name"], [open_history(path) for path in paths])
+            rows.append(row_of(kind, limit, case))
+    print_table(
+        [
+            "field", "limit [mm]", "gain of carbon [%]", "water, baseline [mm]",
+            "best", "carbon per water, baseline [g/kg]", "best",
+            "leaf area index, baseline", "best",
+        ],
+        rows,
+    )  # fmt: skip
+    if {"2011", "2012"} <= set(plants):
+        print_other_year(stands, plants)
+
+
+if __name__ == "__main__":
+    guard(main)

@@ -19,7 +19,7 @@ from .numbers import Array, Layout, told
 from .shapes import grows
 
 if TYPE_CHECKING:
-    from .bench import Place
+    from .bench import Bench, Place, Shown
 
 _CELLS = 6
 """The number of pieces along a leaf."""
@@ -132,3 +132,12 @@ def coarse_numbers(place: Place, layout: Layout, genome: Array) -> Array:
     if 1 not in known:
         known[1] = place.evaluate(genome, 1)
     return layout.like(place.layout, known[1])
+
+
+def coarse_pair(
+    bench: Bench, place: Place, layout: Layout, shown: Shown
+) -> tuple[Array, Array]:
+    """Returns the numbers of the plant that is shown and of its reference, as
+    coarse_numbers() does, side by side in two threads."""
+    its = bench.beside.submit(coarse_numbers, place, layout, shown.reference)
+    return coarse_numbers(place, layout, shown.genome), its.result()

@@ -18,7 +18,7 @@ from .bench import Bench, Genome, Place, Shown
 from .improve import EVALUATIONS, Improvement
 from .levers import levers_of
 from .numbers import Samples, message_of
-from .rough import Anchor, coarse_numbers
+from .rough import Anchor, coarse_numbers, coarse_pair
 from .shapes import neighbours_of, panels_of, plant_of
 
 REFINING = 0.9
@@ -193,11 +193,8 @@ class Session:
         place = self._bench.coarse(shown.conditions)
         if place is None:
             return None
-        its = self._bench.beside.submit(
-            coarse_numbers, place, anchor.layout, shown.reference
-        )
-        mine = coarse_numbers(place, anchor.layout, shown.genome)
-        return anchor.message(mine, its.result(), shown.conditions)
+        both = coarse_pair(self._bench, place, anchor.layout, shown)
+        return anchor.message(*both, shown.conditions)
 
     def _drop_anchor(self, shown: Shown, place: Place, its: Samples) -> None:
         """Remembers what is known of the reference now."""

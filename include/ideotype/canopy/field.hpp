@@ -12,27 +12,27 @@ namespace ideotype {
 
 //! The distances and the direction of a lattice of plants on the ground.
 struct Spacing {
-    double row = 0;    //!< between rows [m]
-    double plant = 0;  //!< between plants of a row [m]
+    double row = 0;    //!< distance between rows [m]
+    double plant = 0;  //!< distance between plants of a row [m]
     //! Direction of the rows [deg], clockwise from north; 90 is east-west.
     double row_direction = 90;
-    //! Plants per ground area that `plant` follows from [m-2]; 0: it does not.
+    //! Plants per ground area that sets `plant` [m-2]; 0: `plant` is given.
     double density = 0;
 };
 
 //! A lattice of plants, which repeats without end or is a plot alone.
 struct FieldForm {
     int rows = 4;
-    int plants = 4;  //!< per row
+    int plants = 4;  //!< plants per row
     Spacing spacing;
     double jitter = 10;  //!< largest random turn of a plant [deg]
     PlantVariation variation{};
     Boundary boundary = Boundary::periodic;
     //! Rows, and plants of each row, that are cut away on all sides of an
-    //! isolated plot, with whatever of the others hangs over its edge.
+    //! isolated plot; parts of other plants beyond the new edge are cut too.
     int border_rows = 0;
-    //! Distances from each row to the next, over their mean, which is that of
-    //! the spacing; they repeat. Empty: all are alike.
+    //! Distances from each row to the next, relative to their mean, which is
+    //! `spacing.row`; they repeat. Empty: all distances are equal.
     std::vector<double> row_pattern{};
 };
 
@@ -40,17 +40,17 @@ struct FieldForm {
 //! @throws Error if nothing is left of a plot.
 Cell cell_of(const FieldForm& form);
 
-//! Returns the ground that is nearer to each row of a lattice than to others
-//! [m2].
+//! Returns the area of the ground that is nearer to each row of a lattice than
+//! to other rows [m2].
 std::vector<double> ground_of_rows(const FieldForm& form);
 
 //! Returns the places of a lattice row by row.
-//! @param rows of the lattice, from 0; empty: all
+//! @param rows rows of the lattice, from 0; empty: all rows
 std::vector<Place> places_of(const FieldForm& form,
                              const std::vector<int>& rows = {});
 
-//! Sets the places of a component in a lattice, and how its plants turn and
-//! differ there.
+//! Sets the places of a component in a lattice, and how the component's plants
+//! turn and differ there.
 void set_places(Component& component, const FieldForm& form,
                 const std::vector<int>& rows = {});
 
@@ -59,12 +59,12 @@ Component component_of(const Plant& plant, const FieldForm& form,
                        const Tessellation& tessellation = {});
 
 //! The plants and objects of a scene on the ground. The mesh may reach beyond
-//! the period.
+//! the period of the cell.
 struct Field {
-    Mesh mesh;  //!< with groups_of() the scene
-    //! The plant that each face is of; plants are counted component by
-    //! component and place by place, without places where one is missing.
-    //! Faces of objects follow with the number of all plants.
+    Mesh mesh;  //!< surfaces with groups_of() the scene
+    //! The plant that each face belongs to; plants are counted component by
+    //! component and place by place, leaving out places where plants are
+    //! missing. Faces of objects have the number of all plants.
     std::vector<std::uint32_t> face_plant;
     //! The first plant of each component, then the number of all plants.
     std::vector<std::uint32_t> first_plant;
@@ -73,31 +73,31 @@ struct Field {
 };
 
 //! Draws the turn of each plant of a component [deg], place by place:
-//! independent, and uniform in +-jitter. Where the variation tells how many
-//! plants stand across the row, so many are within 45 deg of that and the
-//! others within 45 deg of the row, one in each of equal parts of these ranges,
-//! in random order. A function of seed, generation, first randomisation and
-//! component.
-//! @param number of the component
+//! independent, and uniform in +-jitter. If the variation tells a fraction of
+//! plants across the row, that fraction is turned within 45 deg of across and
+//! the other plants within 45 deg of the row, one plant in each of equal parts
+//! of these ranges, in random order. The turns are a function of seed,
+//! generation, first randomisation and component.
+//! @param number number of the component
 std::vector<double> draw_plant_azimuths(const Component& component,
                                         const Randomness& randomness,
                                         std::uint32_t number = 0);
 
-//! Draws which places each component of a mixture has in a field. Components
-//! in rows have all of theirs.
+//! Draws which places each component of a mixture has in a field. Components in
+//! rows have all of their places.
 //! @return places by component
 std::vector<std::vector<Place>> draw_places(const Scene& scene,
                                             const Randomness& randomness);
 
-//! Draws a field of a scene: which plants are missing or late, how each differs
-//! from its line and how it is turned.
-//! @param lines meshes to place instead of those of the components, with the
-//! same faces in other groups; empty: those of the components
+//! Draws a field of a scene: which plants are missing or late, how each plant
+//! differs from its line and how it is turned.
+//! @param lines meshes to place instead of the components' meshes, with the
+//! same faces in other groups; empty: the components' meshes
 Field draw_field(const Scene& scene, const Randomness& randomness,
                  std::span<const Mesh> lines = {});
 
-//! Returns the scene in which plants stand as they are in a field of it, and
-//! are not drawn again: each component is a single mesh. Leaves do not
+//! Returns a scene whose plants stand as in a drawn field of the given scene
+//! and are not drawn again: each component is a single mesh. Leaves do not
 //! assimilate.
 Scene as_drawn(Scene scene, const Field& field);
 

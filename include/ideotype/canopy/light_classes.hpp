@@ -13,11 +13,11 @@
 
 namespace ideotype {
 
-//! Classes of absorbed PPFD: 0 to 50, 50 to 100, then each 100 wide up to
-//! 2000, and all that is more [umol m-2 s-1].
+//! The number of classes of absorbed PPFD: 0 to 50, 50 to 100, then classes of
+//! width 100 up to 2000, and one above 2000 [umol m-2 s-1].
 inline constexpr std::size_t ppfd_classes = 22;
 
-//! Returns the light at which a class begins; the last one has no end.
+//! Returns the PPFD at which a class begins; the last class has no end.
 inline double class_begin(std::size_t number) {
     IDEOTYPE_EXPECT(number < ppfd_classes);
     return number < 2 ? 50. * static_cast<double>(number)
@@ -30,7 +30,7 @@ inline std::size_t class_of(double ppfd) {
     return std::min(1 + static_cast<std::size_t>(ppfd / 100), ppfd_classes - 1);
 }
 
-//! Leaf area by the PPFD that it absorbs [m2 m-2 of ground], per class.
+//! Leaf area in each class of absorbed PPFD [m2 m-2 of ground].
 struct LightClasses {
     std::vector<double> sunlit, shaded;
 
@@ -38,17 +38,17 @@ struct LightClasses {
         : sunlit(classes), shaded(classes) {}
 };
 
-//! Finds the leaf area in one field by the light that it absorbs, a mean over
-//! the time with any light, by randomisation; it sums to the leaf area index.
-//! Diffuse light is that of assimilate(), in the mean of plants alike. Leaves
-//! that absorb nothing are shaded.
-//! @param tallies with leaf light
-//! @param lit with the scene of pieces.mesh
+//! Finds the leaf area in one field by the light that it absorbs, as a mean
+//! over the time with any light, by randomisation; all classes sum to the leaf
+//! area index. Diffuse light is computed as in assimilate(), as a mean over
+//! plants that are alike. Leaves that absorb nothing are shaded.
+//! @param tallies tallies with leaf light
+//! @param lit lit leaves with the scene of pieces.mesh
 std::vector<LightClasses> leaf_area_by_light(const std::vector<Tally>& tallies,
                                              const Pieces& pieces,
                                              const LitLeaves& lit);
 
-//! Leaf area by the light that it absorbs, per class [m2 m-2].
+//! Estimates of leaf area in each class of absorbed light [m2 m-2].
 struct LightClassReport {
     std::vector<Estimate> sunlit, shaded;
 };

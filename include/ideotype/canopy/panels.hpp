@@ -12,49 +12,53 @@ namespace ideotype {
 //! Rows of photovoltaic modules: parallel, evenly spaced and without end.
 struct PanelRows {
     std::string name = "panel";
-    double pitch = 0;    //!< from row to row [m]; 0: one row in each cell
+    double pitch = 0;    //!< distance between rows [m]; 0: one row per cell
     double height = 0;   //!< height of the middle of modules [m]
     double width = 0;    //!< width of modules, across the row [m]
-    double tilt = 0;     //!< from level; 90 stands upright [deg]
-    double azimuth = 0;  //!< where the front looks, clockwise from north [deg]
-    double offset = 0;   //!< of the first row from the edge of the cell [m]
-    double module_length = 0;  //!< along the row [m]; 0: one without end
-    double gap = 0;            //!< between the modules of a row [m]
-    //! Modules turn about the axis of their row after the sun, in the place of
-    //! the tilt.
+    double tilt = 0;     //!< tilt from level; 90: upright [deg]
+    double azimuth = 0;  //!< direction of the front from north [deg]
+    double offset = 0;   //!< distance of the first row from the cell's edge [m]
+    double module_length = 0;  //!< length along the row [m]; 0: endless
+    double gap = 0;            //!< distance between modules of a row [m]
+    //! True if modules turn about the axis of their row after the sun, which
+    //! replaces the tilt.
     bool tracks = false;
-    double max_angle = 60;   //!< from level, of modules that track [deg]
-    bool backtracks = true;  //!< so that no row shades another
+    //! Largest turn of tracking modules from level [deg].
+    double max_angle = 60;
+    //! Whether modules turn back so that no row shades another.
+    bool backtracks = true;
 };
 
-//! Returns how far modules that track are turned from level towards the azimuth
-//! of their rows [deg], as pvlib's tracking.singleaxis() computes it about a
-//! level axis; they lie level when the sun is down.
+//! Returns how far tracking modules are turned from level towards the azimuth
+//! of their rows [deg], computed about a level axis as by pvlib's
+//! tracking.singleaxis(); modules lie level when the sun is down.
 double tracker_angle(const PanelRows& panels, const SunPosition& sun);
 
-//! The layout of rows of panels in a cell, whose edges they are parallel to.
+//! The layout of rows of panels in a cell; panel rows are parallel to its
+//! edges.
 struct PanelLayout {
-    bool is_along = true;  //!< whether they are parallel to the rows of plants
+    bool is_along = true;  //!< whether panel rows are parallel to plant rows
     double across = 0;     //!< period of the cell across panel rows [m]
-    double along = 0;      //!< distance along them [m]
+    double along = 0;      //!< period of the cell along panel rows [m]
 };
 
 //! Returns how rows of panels lie in a cell.
-//! @param row_direction of the cell's y axis, clockwise from north [deg]
+//! @param row_direction direction of the cell's y axis, clockwise from north
+//! [deg]
 //! @return nothing if panel rows are neither parallel nor at right angles to
 //! the rows of plants
 std::optional<PanelLayout> layout_of(const PanelRows& panels, const Cell& cell,
                                      double row_direction);
 
-//! Returns the rows with their pitch, if it is that of the cell.
+//! Returns the rows of panels with the pitch filled in that the cell implies.
 PanelRows in_cell(PanelRows panels, const Cell& cell, double row_direction);
 
-//! Returns whether a length goes into another a whole number of times.
+//! Returns whether a part divides a whole without remainder.
 bool divides(double part, double whole);
 
-//! Builds the modules of a cell, of which groups [0] is one of a fixed object.
+//! Builds the modules of a cell, with one group, number 0, of a fixed object.
 //! The adaxial side of faces is the front of modules.
-//! @param tilt in the place of that of the rows [deg]
+//! @param tilt tilt that replaces the tilt of the rows [deg]
 //! @throws Error if the rows do not repeat with the cell.
 Mesh panel_mesh(const PanelRows& panels, const Cell& cell, double row_direction,
                 double tilt);

@@ -11,55 +11,59 @@
 
 namespace ideotype {
 
-//! Leaves cut into pieces over each of which diffuse light is taken as even.
+//! Leaves cut into pieces; diffuse light is taken as even over each piece.
 struct Pieces {
-    //! The surfaces with pieces as the first groups; the groups of all other
-    //! surfaces come after them as they were.
+    //! The surfaces, with pieces as the first groups and the unchanged groups
+    //! of all other surfaces behind them.
     Mesh mesh;
-    std::size_t count = 0;             //!< pieces
-    std::vector<std::uint32_t> group;  //!< of the mesh that was cut, per group
-    std::size_t uncut_groups = 0;  //!< uncut groups of the mesh that was cut
-    //! The first of pieces that are the same part of plants that are alike.
+    std::size_t count = 0;  //!< number of pieces
+    //! Group of the uncut mesh for each group.
+    std::vector<std::uint32_t> group;
+    //! Number of groups of the uncut mesh that stay.
+    std::size_t uncut_groups = 0;
+    //! The first piece that is the same part of a plant that is alike, by
+    //! piece.
     std::vector<std::uint32_t> like;
-    //! The row that each group is in, where rows are told apart; plants of
-    //! other rows are then not alike. Of objects it is of no account.
+    //! The row of each group, where rows are told apart; plants of different
+    //! rows are then not alike. The row of an object has no meaning.
     std::vector<std::uint32_t> row{};
-    std::size_t rows = 0;        //!< that are told apart
-    std::vector<double> area;    //!< one-sided, of each piece [m2]
+    std::size_t rows = 0;        //!< number of rows that are told apart
+    std::vector<double> area;    //!< one-sided area of each piece [m2]
     std::vector<double> height;  //!< height of the centre of each piece [m]
 };
 
-//! Pieces of a blade, at most; a blade of very many faces has more.
+//! The usual largest number of pieces of a blade; blades of very many faces
+//! have more.
 inline constexpr std::size_t pieces_of_blade = 48;
 
-//! Cuts each blade along and across: its faces are halved by area, again and
-//! again, across the longer extent of their centres. Blades are faces of one
-//! group that are joined by vertices at the same place.
+//! Cuts each blade along and across: its faces are halved by area, repeatedly,
+//! across the longer extent of their centres. A blade is the faces of one group
+//! that are joined by vertices at the same place.
 Pieces cut_leaves(const Mesh& mesh, std::size_t per_blade = pieces_of_blade);
 
-//! Cuts a mesh from elsewhere, whose leaves may be a few faces each. The faces
-//! of blades that have fewer than those of built plants are divided first, so
-//! that pieces are small against a leaf: each face into four, again and again,
-//! until there are about as many as pieces of a blade, or four times as many
-//! for a low tolerance. Shapes and groups stay as they are. Very large scenes
-//! are divided less, or not at all.
-//! @param copies of the mesh in the scene
-//! @param tolerance of the light of leaves; 0: none
+//! Cuts a mesh from elsewhere, whose leaves may have only a few faces each.
+//! Blades with fewer faces than those of built plants are first divided, so
+//! that pieces are small relative to a leaf: each face into four, repeatedly,
+//! until a blade has about as many faces as pieces_of_blade, or four times as
+//! many for a low tolerance. Shapes and groups stay as they are. Very large
+//! scenes are divided less, or not at all.
+//! @param copies number of copies of the mesh in the scene
+//! @param tolerance tolerance of the light of leaves; 0: none
 Pieces cut_coarse_leaves(const Mesh& mesh, std::size_t copies, double tolerance,
                          std::size_t per_blade = pieces_of_blade);
 
-//! Returns the mean width of the blades of each group of a mesh [m]: that of a
-//! rectangle of the same area and circumference. Groups that are no leaves have
-//! a width of 0.
+//! Returns the mean width of the blades of each group of a mesh [m]: the width
+//! of a rectangle of the same area and circumference. Groups other than leaves
+//! have a width of 0.
 std::vector<double> blade_widths(const Mesh& mesh);
 
-//! Returns a mesh of which nothing is cut.
+//! Returns the pieces of a mesh in which nothing is cut.
 Pieces uncut(const Mesh& mesh);
 
 //! Makes the pieces of all plants of a field.
-//! @param lines the pieces of one plant of each component
-//! @param field drawn with the meshes of those; its mesh becomes that of the
-//! result
+//! @param lines pieces of one plant of each component
+//! @param field field drawn with the meshes of the lines; its mesh is moved
+//! into the result
 Pieces pieces_of_field(std::span<const Pieces> lines, Field& field);
 
 }  // namespace ideotype

@@ -9,17 +9,17 @@
 
 namespace ideotype {
 
-//! The quantity that an isolated plot does not have.
+//! The name of the quantity that an isolated plot lacks.
 inline constexpr auto extinction = "extinction_coefficient";
 
-//! Returns all that is measured of a scene whose components are plants, along
-//! leaf, organ, layer, hour, light_source, leaf_side, and, where there are
-//! several, day, component, band, field_row and object.
-//! @param details that the canopy is evaluated with
+//! Returns all quantities of a scene whose components are plants, along leaf,
+//! organ, layer, hour, light_source, leaf_side, and, where there are several,
+//! day, component, band, field_row and object.
+//! @param details details with which the canopy is evaluated
 QuantitySet canopy_quantities(const Scene& scene, const Layers& layers,
                               const Details& details);
 
-//! Returns the numbers of canopy_quantities() in a report, in their order.
+//! Returns the numbers of canopy_quantities() in a report, in the same order.
 std::vector<Estimate> measure(const CanopyReport& report);
 
 //! A quantity without axes.
@@ -31,8 +31,8 @@ struct Measured {
 //! Returns all quantities without axes that a report has.
 std::vector<Measured> measure_numbers(const CanopyReport& report);
 
-//! Returns the names of quantities without axes that a report may have, but for
-//! those that tell of the method alone: each can be an objective.
+//! Returns the names of quantities without axes that a report may have, without
+//! those that describe only the method: each name can be an objective.
 std::vector<std::string> objective_names();
 
 //! Returns whether only reports with assimilation have a quantity.
@@ -44,7 +44,7 @@ bool is_of_form(const std::string& quantity);
 //! Returns whether only reports with measured lines have a quantity.
 bool is_of_lines(const std::string& quantity);
 
-//! Returns whether only reports with light in a band have a quantity.
+//! Returns whether only reports with light in a certain band have a quantity.
 bool is_of_band(const std::string& quantity, const std::string& band);
 
 //! Returns whether only reports on leaves that exchange heat and water have a
@@ -61,39 +61,39 @@ bool is_of_panels(const std::string& quantity);
 bool is_of_two_components(const std::string& quantity);
 
 //! Returns the unit of a quantity.
-//! @throws std::out_of_range if there is none of this name.
+//! @throws std::out_of_range if no quantity has this name.
 std::string unit_of(const std::string& quantity);
 
-//! A number and what each of independent randomisations says of it.
+//! A number and its value in each independent randomisation.
 struct Randomised {
     Estimate estimate;
     std::vector<double> by_randomisation;
 };
 
-//! Returns the numbers of measure(), by randomisation where they are known so.
+//! Returns the numbers of measure(), with their randomisations where known.
 std::vector<Randomised> measure_by_randomisation(const CanopyReport& report);
 
 //! Returns a quantity without axes.
-//! @throws Error if the report has none of this name.
+//! @throws Error if the report has no quantity of this name.
 Randomised measure_objective(const std::string& name,
                              const CanopyReport& report);
 
-//! Returns the objectives that are sums over components.
+//! Returns the names of objectives that are sums over components.
 std::vector<std::string> additive_objectives();
 
-//! Tells what each component has of an objective that is a sum over them, per
-//! area of all ground.
+//! Returns each component's part of an objective that is a sum over components,
+//! per area of all ground.
 //! @throws Error if the report has no such parts.
 std::vector<Randomised> measure_parts(const std::string& name,
                                       const CanopyReport& report);
 
-//! Sums parts times a weight of each.
+//! Returns the sum of parts, each times its weight.
 Randomised weighted_sum(const std::vector<Randomised>& parts,
                         const std::vector<double>& weights);
 
 //! Returns a quantity along leaf, layer, component or field_row alone, place by
 //! place.
-//! @throws Error if the report has none of this name.
+//! @throws Error if the report has no quantity of this name.
 std::vector<Randomised> measure_profile(const std::string& name,
                                         const CanopyReport& report);
 

@@ -13,30 +13,31 @@
 
 namespace ideotype {
 
-//! The results that are wanted of a canopy besides the absorbed light. None
-//! changes any fitness: histories go without.
+//! The results that are wanted of a canopy besides the absorbed light. None of
+//! them changes an objective, and histories do not contain them.
 struct Details {
-    //! The sunlit leaf area, which costs more rays, and, where leaves
-    //! assimilate, leaf area by the light that it absorbs.
+    //! Whether to find the sunlit leaf area, which costs more rays, and, if
+    //! leaves assimilate, leaf area by the light that it absorbs.
     bool sunlit = false;
-    //! The light on each face: groups are then faces, not organs.
+    //! Whether to find the light on each face: groups are then faces, not
+    //! organs.
     bool faces = false;
-    //! Pieces of a blade, over each of which diffuse light is taken as even.
+    //! Number of pieces of a blade; diffuse light is taken as even over each.
     std::size_t pieces = pieces_of_blade;
     //! True to use assimilate_exactly(), which is slow and for checks.
     bool exact = false;
-    //! The form of the plant of the first component.
+    //! Whether to find the form of the plant of the first component.
     bool form = false;
-    //! Lines that exist, to tell how far the plant of the first component is
-    //! from them.
+    //! Measured lines whose distance from the plant of the first component is
+    //! wanted.
     std::optional<MeasuredLines> lines{};
 };
 
-//! An evaluation of a canopy: all that its result is a function of.
+//! An evaluation of a canopy, with all inputs that its result depends on.
 struct CanopyRequest {
     Scene scene;
-    //! Layers of height in which the light that leaves absorb is counted. With
-    //! no thickness they are equal parts of the height of the scene.
+    //! Layers in which the light that leaves absorb is counted. If their
+    //! thickness is 0, they are equal parts of the height of the scene.
     Layers layers;
     Accuracy accuracy;
     Randomness randomness;

@@ -27,15 +27,16 @@ struct Rectangle {
 //! The ground of a scene: x across the rows, y along the rows, soil at z = 0.
 struct Cell {
     Boundary boundary = Boundary::periodic;
-    double period_x = 0;     //!< on which the stand repeats, if periodic [m]
+    double period_x = 0;     //!< period across the rows, if periodic [m]
     double period_y = 0;     //!< period along the rows [m]
-    double ground_area = 0;  //!< that all figures refer to [m2]
-    //! Ground of an isolated plot; what is not above it is cut away.
+    double ground_area = 0;  //!< ground of all figures [m2]
+    //! Ground of an isolated plot; surfaces beyond it are cut away.
     std::optional<Rectangle> kept{};
-    std::vector<double> rows{};  //!< places of rows along x, if there are [m]
+    std::vector<double> rows{};  //!< places of rows along x, if any [m]
     double row_distance = 0;  //!< mean distance between neighbouring rows [m]
-    //! Ground that is nearer to each row than to others [m2], where rows are
-    //! told apart: each then has plants of one component. Empty: they are not.
+    //! Area of the ground that is nearest to each row [m2], where rows are told
+    //! apart and each row has plants of one component. Empty: rows are not told
+    //! apart.
     std::vector<double> row_ground{};
 };
 
@@ -48,84 +49,89 @@ struct Place {
 //! A kind of plant and where its plants stand.
 struct Component {
     std::string name;
-    //! One plant with its foot at the origin, y along the row. The component of
-    //! its groups is of no account: the scene numbers them.
+    //! One plant with its foot at the origin, y along the row. Component
+    //! numbers in the mesh's groups have no meaning: the scene numbers its
+    //! components.
     Mesh mesh;
     std::vector<Place> places{{}};
-    //! Plants of a mixture: so many of these places are drawn for each field,
-    //! and others of the mixture have the rest of the same places. 0: all.
+    //! Number of plants in a mixture: so many of the places are drawn for each
+    //! field, and other components of the mixture have the remaining places. 0:
+    //! the component has all places.
     std::size_t mixed = 0;
     //! Plants turn at random by up to this angle either way [deg].
     double jitter = 0;
-    //! The plant that the mesh is built of, from which others of its line
-    //! deviate; a mesh from elsewhere has none.
+    //! The plant from which the mesh is built and from which other plants of
+    //! its line deviate; a mesh from elsewhere has none.
     std::optional<Plant> plant{};
     Tessellation tessellation{};  //!< tessellation of the plants
     PlantVariation variation{};
-    std::optional<Photosynthesis> photosynthesis{};  //!< if leaves assimilate
-    double ground_per_plant = 0;  //!< all ground over the plants [m2]
-    //! The plant full-grown, if it stands as it is at another age.
+    //! Set if leaves assimilate.
+    std::optional<Photosynthesis> photosynthesis{};
+    double ground_per_plant = 0;  //!< all ground over all plants [m2]
+    //! The full-grown plant, if the component's plant has another age.
     std::optional<Plant> full_grown{};
-    //! The area of each leaf that grew in the time of the light [m2 per plant],
-    //! of plants that grow. Empty: all of it, in the days that photosynthesis
-    //! tells.
+    //! The area of each leaf that was built in the time of the light [m2 per
+    //! plant], if plants grow. Empty: all leaf area, built in the number of
+    //! days that photosynthesis gives.
     std::vector<double> built{};
-    Stomata stomata{};  //!< stomata of leaves that exchange water
+    Stomata stomata{};  //!< stomata, for leaves that exchange water
 
-    //! Plants in a field, with those that are missing.
+    //! Returns the number of plants in a field, missing plants included.
     std::size_t plants() const { return mixed > 0 ? mixed : places.size(); }
 };
 
-//! Something that does not grow and stands where its mesh has it, such as a
-//! panel or a post. What moves with the sun has a group for each of its poses.
+//! An object that does not grow and stands where its mesh is, such as a panel
+//! or a post. An object that moves with the sun has a group for each pose.
 struct FixedObject {
     std::string name;
     Mesh mesh;
-    bool is_panel = false;  //!< whose adaxial side is the front
+    bool is_panel = false;  //!< whether it is a panel, with an adaxial front
 };
 
 //! The exchange of heat and water of leaves with the air, see leaf_exchange().
 struct LeafWater {
     //! True if leaves have a temperature of their own, by their energy balance;
-    //! else they have that of the air, and transpire without a boundary layer.
+    //! else they have the air's temperature and transpire without a boundary
+    //! layer.
     bool has_leaf_temperature = true;
-    //! True if the air within the canopy is its own: one node, which the canopy
-    //! warms and moistens. Else it is the air above.
+    //! True if the air within the canopy has a state of its own: one node,
+    //! which the canopy warms and moistens. Else it is the air above.
     bool has_canopy_air = true;
     double emissivity = 0.96;     //!< emissivity of leaves
-    double stomatal_ratio = 1;    //!< of the lower face over the upper one
-    double wind_attenuation = 2;  //!< a in exp(-a (1 - z / h)) in the canopy
-    double hot = 35;              //!< leaves that are warmer count [deg C]
+    double stomatal_ratio = 1;    //!< conductance of lower over upper face
+    double wind_attenuation = 2;  //!< a in exp(-a (1 - z / h)), z in the canopy
+    double hot = 35;              //!< warmer leaves count as hot [deg C]
 };
 
-//! All that light can meet, the light itself, and what leaves make of it: the
-//! one thing that canopies are evaluated from.
+//! All that light can meet, the light itself, and how leaves use it: the only
+//! description from which canopies are evaluated.
 struct Scene {
     std::vector<Component> components;
     std::vector<FixedObject> objects{};
     Cell cell;
-    //! The first one is PAR, which leaves assimilate.
+    //! Wavebands of the light; the first one is PAR, which leaves assimilate.
     Bands bands;
-    //! Photons in the unit of irradiance of the first band [umol J-1]; 1 if
-    //! that unit is umol m-2 s-1.
+    //! Photons per unit of irradiance of the first band [umol J-1]; 1 if the
+    //! irradiance is in umol m-2 s-1.
     double photons = 4.57;
-    std::optional<LeafWater> water{};  //!< if leaves exchange heat and water
+    //! Set if leaves exchange heat and water.
+    std::optional<LeafWater> water{};
 
     const SeriesIllumination& light() const {
         IDEOTYPE_EXPECT(!bands.empty());
         return bands.front().light;
     }
 
-    //! Returns whether plants of any component differ by more than their
+    //! Returns whether plants of any component differ in more than their
     //! direction.
     bool varies() const;
     //! Returns whether leaves of any component assimilate.
     bool assimilates() const;
 };
 
-//! Returns the groups of all components, then those of objects, each with its
-//! number.
-//! @param lines meshes in the place of those of the components, or empty
+//! Returns the groups of all components, then those of objects, each with the
+//! number of its component or object.
+//! @param lines meshes that replace the components' meshes, or empty
 std::vector<Group> groups_of(const Scene& scene,
                              std::span<const Mesh> lines = {});
 
@@ -137,34 +143,34 @@ struct PlantOptics {
     std::vector<Material> materials() const;
 };
 
-//! A waveband that campaigns can follow light in.
+//! A waveband in which campaigns can follow light.
 struct Waveband {
-    std::string name;             //!< in keys and results
-    std::string prefix;           //!< of keys that tables have for each band
-    std::string table;            //!< that tells the optics of plants
-    Irradiance TimeStep::*light;  //!< its light in each step of time
+    std::string name;    //!< name of the band in keys and results
+    std::string prefix;  //!< prefix of keys that a table has for each band
+    std::string table;   //!< table with the optics of plants
+    Irradiance TimeStep::*light;  //!< light of the band in a step
 };
 
-//! All of them. PAR is the first one.
+//! All wavebands of campaigns. PAR is the first one.
 inline const std::array wavebands{
     Waveband{"par", "", "optics", &TimeStep::par},
     Waveband{"nir", "nir_", "optics.nir", &TimeStep::nir}};
-inline constexpr std::size_t nir_band = 1;  //!< place of the near infrared
+inline constexpr std::size_t nir_band = 1;  //!< place in wavebands
 
-//! Something in each of the wavebands, in their order.
+//! A list of one item for each of the wavebands, in their order.
 template <class T>
 using ByBand = std::array<T, wavebands.size()>;
 
-//! Optical properties where nothing else is given. Leaves in PAR are as in
-//! arXiv:2512.06064, stalks and sheaths those of maize; leaves in the near
-//! infrared are those of maize by PROSPECT-D (Feret and others 2017,
-//! doi:10.1016/j.rse.2017.03.004), all others there estimates.
+//! Optical properties that hold if a campaign gives no others. Leaves in PAR
+//! are as in arXiv:2512.06064, stalks and sheaths those of maize; leaves in the
+//! near infrared are those of maize by PROSPECT-D (Feret and others 2017,
+//! doi:10.1016/j.rse.2017.03.004), all other near-infrared values estimates.
 inline constexpr ByBand<PlantOptics> usual_optics = std::to_array<PlantOptics>(
     {{{.05, .05}, {.31, .12}, {.09, 0}}, {{.4, .43}, {.4, .1}, {.4, .1}}});
 inline constexpr ByBand<double> usual_soil_albedo = std::to_array({.1, .2});
 
-//! Makes the mesh of a component that of another plant.
-//! @param first place of its leaves' material among the scene's materials
+//! Replaces the mesh of a component by that of another plant.
+//! @param first place of the leaves' material among the scene's materials
 void set_plant(Component& component, const Plant& plant,
                std::uint32_t first = 0);
 

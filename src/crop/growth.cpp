@@ -14,15 +14,15 @@ namespace ideotype {
 
 namespace {
 
-//! Returns the place of a number between two others, 0 at the first, 1 at the
-//! second and beyond.
+//! Returns the place of a number between two others, from 0 at the first or
+//! below to 1 at the second or above.
 double ramp(double value, double from, double to) {
     if (value <= from) return 0;
     return value >= to ? 1 : (value - from) / (to - from);
 }
 
-//! Returns the thermal time from tip to collar of a rank, which rises and falls
-//! straight.
+//! Returns the thermal time from tip to collar of a rank, which is piecewise
+//! linear in the rank.
 double extension(const Growth& growth, double rank) {
     const double slowest = growth.slowest * growth.leaves;
     if (rank <= slowest)
@@ -49,7 +49,7 @@ double death(const Growth& growth, int rank) {
            growth.upper_interval * (rank - lower - 1);
 }
 
-//! Returns how many leaves are below those of a plant.
+//! Returns the number of leaves below those that a plant has.
 //! @throws Error if the plant has more leaves than grow.
 std::size_t leaves_below(const Growth& growth, const Plant& plant) {
     const auto all = static_cast<std::size_t>(growth.leaves);
@@ -165,7 +165,7 @@ Plant complete_plant(const Growth& growth, const Plant& plant) {
 
 namespace {
 
-//! Makes a full-grown blade that of a thermal time.
+//! Turns a full-grown blade into the blade at a thermal time.
 void unfold(Leaf& leaf, const Blade& blade, double visible, double faded) {
     constexpr double least_angle = 0.3, hanging = 40;
     if (visible < 1) {

@@ -16,17 +16,17 @@ namespace ideotype {
 
 namespace {
 
-constexpr std::size_t order = 4;  // cubic
+constexpr std::size_t order = 4;  // order of a cubic spline
 constexpr std::array<double, controls_along + order> knots{
     0, 0, 0, 0, 1.0 / 3, 2.0 / 3, 1, 1, 1, 1};
 
-//! Mean of the three knots inside a control point's support.
+//! Returns the mean of the three knots inside a control point's support.
 double greville(std::size_t i) {
     return (knots[i + 1] + knots[i + 2] + knots[i + 3]) / 3;
 }
 
-//! Values of all six basis functions at t (Cox-de Boor recursion; Piegl and
-//! Tiller, The NURBS Book, doi:10.1007/978-3-642-59223-2, eq. 2.5).
+//! Returns the values of all six basis functions at t (Cox-de Boor recursion;
+//! Piegl and Tiller, The NURBS Book, doi:10.1007/978-3-642-59223-2, eq. 2.5).
 std::array<double, controls_along> basis(double t) {
     std::array<double, knots.size() - 1> n{};
     // The last span is closed, so that t = 1 belongs to it.
@@ -45,11 +45,12 @@ std::array<double, controls_along> basis(double t) {
     return values;
 }
 
-//! Control points of the cubic that passes through the points at the Greville
-//! abscissae. The first and last control points are the end points.
+//! Returns control points of the cubic that passes through the given points at
+//! the Greville abscissae. The first and last control points are the end
+//! points.
 std::array<glm::dvec2, controls_along> interpolate(
     const std::array<glm::dvec2, controls_along>& points) {
-    glm::dmat4 collocation(0);  // column-major: [control][abscissa]
+    glm::dmat4 collocation(0);  // column-major matrix: [control][abscissa]
     glm::dvec4 right_y(0), right_z(0);
     for (int a = 0; a < 4; ++a) {
         const auto i = static_cast<std::size_t>(a) + 1;
@@ -68,9 +69,9 @@ std::array<glm::dvec2, controls_along> interpolate(
             {y[2], z[2]},   {y[3], z[3]}, points.back()};
 }
 
-//! Relative arc length at the middle of each segment of a digitised midrib,
-//! and its angle from the vertical [deg], which goes on beyond 180 where the
-//! midrib curls and never jumps by more than that.
+//! Returns the relative arc length at the middle of each segment of a digitised
+//! midrib, and the segment's angle from the vertical [deg], which exceeds 180
+//! where the midrib curls, and never jumps by more than 180.
 std::vector<glm::dvec2> angles_of(const std::vector<glm::dvec2>& points) {
     std::vector<glm::dvec2> angles;
     double length = 0;

@@ -22,8 +22,8 @@ struct BladeCells {
     int along, beside;
 };
 
-//! Returns the numbers of faces of a blade. Those of a leaflet are nearly
-//! square, so that the light on one is as even as so many can make it.
+//! Returns the numbers of faces of a blade. Faces of a leaflet are nearly
+//! square, so that the light on each face is as even as their number allows.
 BladeCells cells_of(const Blade& blade, int along) {
     return blade.leaflets == 1 ? BladeCells{along, 1}
                                : BladeCells{std::max(4, 2 * along / 3), 2};
@@ -34,7 +34,7 @@ struct BladePart {
     double from = 0, to = 1;
 };
 
-//! Returns the faces of a blade that are for its green part, of those along it.
+//! Returns the number of faces along the green part of a blade.
 int green_cells(const Leaf& leaf, int along) {
     if (!(leaf.dead > 0)) return along;
     const double green = 1 - leaf.hidden - leaf.dead;
@@ -43,13 +43,14 @@ int green_cells(const Leaf& leaf, int along) {
         along - 1);
 }
 
-//! Adds a leaflet that has the measures of a leaf, or a part of it.
-//! @param base out from the axis of the stalk [m]
-//! @param aside its azimuth from that of the leaf [deg]
+//! Adds a leaflet with the length and width of a leaf, or a part of the
+//! leaflet.
+//! @param base base of the leaflet, out from the axis of the stalk [m]
+//! @param aside azimuth of the leaflet from that of the leaf [deg]
 void add_leaflet(Mesh& mesh, std::uint32_t group, const Leaf& leaf,
                  const Blade& blade, double base, double aside,
                  BladeCells cells, BladePart part) {
-    constexpr double least = 1e-6;  // far above rounding
+    constexpr double least = 1e-6;  // shortest part, far above rounding
     if (!(part.to - part.from > least)) return;
     const LeafSurface surface(leaf, blade, base);
     const double sine = std::sin(leaf.azimuth * degree);

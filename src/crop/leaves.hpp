@@ -15,16 +15,15 @@ glm::dvec3 about_stalk(const glm::dvec3& v, double azimuth);
 //! [m].
 glm::dvec2 petiole_end(const Plant& plant, const Leaf& leaf);
 
-//! Returns the end of a leaf's rachis, where its middle leaflet begins,
-//! likewise.
+//! Returns the end of a leaf's rachis, where its middle leaflet begins, out
+//! from the axis of the stalk and up [m].
 glm::dvec2 rachis_end(const Plant& plant, const Leaf& leaf);
 
-//! Adds the leaflets of a leaf to a group of a mesh, but for what is hidden or
-//! dead.
+//! Adds the green, visible part of the leaflets of a leaf to a group of a mesh.
 void add_leaf(Mesh& mesh, std::uint32_t group, const Plant& plant,
               const Leaf& leaf, int cells_along);
 
-//! Adds the dead part of a leaf to a group of a mesh, if it has any.
+//! Adds the dead part of a leaf, if any, to a group of a mesh.
 void add_dead_part(Mesh& mesh, std::uint32_t group, const Plant& plant,
                    const Leaf& leaf, int cells_along);
 

@@ -32,8 +32,8 @@ std::optional<RelativeLeaf> parse(const std::string& leaf) {
     return found;
 }
 
-//! Returns the rank of the leaf at the ear, from 1; of plants without one, that
-//! at six tenths of all ranks.
+//! Returns the rank of the leaf at the ear, from 1; for plants without an ear,
+//! the rank at six tenths of all ranks.
 int ear_rank(const Plant& plant) {
     for (const Organ& organ : plant.organs)
         if (organ.name == "ear" && organ.leaf > 0) return organ.leaf;

@@ -57,7 +57,7 @@ Group group_of_name(const std::string& name) {
 
 namespace {
 
-//! Collects what the library finds in the statements.
+//! Collects the statements that the library finds.
 class ObjBuilder {
   public:
     ObjBuilder(const std::string& file, const ObjStatements& statements)
@@ -66,7 +66,8 @@ class ObjBuilder {
         result_.mesh.vertices.reserve(statements.vertex_lines.size());
     }
 
-    //! Returns what the library calls, with this builder as `self`.
+    //! Returns the functions that the library calls, with this builder as
+    //! `self`.
     static tinyobj::callback_t callbacks() {
         tinyobj::callback_t calls;
         calls.vertex_cb = [](void* self, double x, double y, double z, double) {
@@ -104,9 +105,9 @@ class ObjBuilder {
     }
 
   private:
-    //! There may be millions: their corners are in one list.
+    //! A polygon; files may have millions, so all corners are in one list.
     struct Polygon {
-        std::size_t first;  //!< first of corners_
+        std::size_t first;  //!< place of the first corner in corners_
         std::uint32_t count;
         std::uint32_t group;
         int line;
@@ -151,7 +152,8 @@ class ObjBuilder {
         name_ = name.empty() ? "unnamed" : std::move(name);
     }
 
-    //! Index of the current group, which comes to be with its first face.
+    //! Returns the index of the current group, which is made for its first
+    //! face.
     std::uint32_t group() {
         std::vector<Group>& groups = result_.mesh.groups;
         const auto [found, is_new] = index_of_.try_emplace(
@@ -205,7 +207,7 @@ class ObjBuilder {
     const std::string& file_;
     const ObjStatements& statements_;
     ObjMesh result_;
-    std::vector<int> corners_;  //!< vertices from 0; not yet checked
+    std::vector<int> corners_;  //!< vertices from 0, not yet checked
     std::vector<Polygon> polygons_;
     std::string name_ = "unnamed";
     std::map<std::string, std::uint32_t> index_of_;
@@ -217,7 +219,7 @@ class ObjBuilder {
 
 ObjMesh parse_obj(std::string text, const std::string& file) {
     ObjStatements statements = pick_statements(text, file);
-    // The text of a large mesh is not needed any more.
+    // The text of a large mesh is released as soon as it is not needed.
     text = {};
     ObjBuilder builder(file, statements);
     {

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::string_view blanks = " \t";
 
-//! Statements without surfaces, which may stand in any OBJ file.
+//! Keywords of statements without surfaces, which any OBJ file may contain.
 constexpr std::string_view harmless[] = {
     "vt",       "vn",       "vp",         "p",         "l",      "s",
     "mg",       "cstype",   "deg",        "bmat",      "step",   "curv",
@@ -29,8 +29,8 @@ constexpr std::string_view harmless[] = {
     "lod",      "call",     "csh",        "usemap",    "maplib", "res",
     "cdc",      "cdp",      "bzp",        "bsp"};
 
-//! Takes logical lines off a text: lines end with LF, CR LF or CR, and go on
-//! in the next after a backslash.
+//! Takes logical lines off a text: lines end with LF, CR LF or CR, and a line
+//! that ends with a backslash continues in the next.
 class Lines {
   public:
     explicit Lines(std::string_view text) : rest_(text) {
@@ -39,7 +39,7 @@ class Lines {
             rest_.remove_prefix(byte_order_mark.size());
     }
 
-    //! False at the end of the text.
+    //! Reads the next line; returns false at the end of the text.
     bool next(std::string& line) {
         line.clear();
         if (rest_.empty()) return false;
@@ -92,7 +92,7 @@ std::vector<Word> split(std::string_view line) {
     return words;
 }
 
-//! Words of files that are no text at all would spoil the message.
+//! Returns a word for a message: short, with ? for bytes that do not print.
 std::string quoted(std::string_view word) {
     std::string text(word.substr(0, 20));
     for (char& c : text)
@@ -191,7 +191,7 @@ ObjStatements pick_statements(const std::string& text,
                 result.unknown.add(lines.number());
             continue;
         }
-        // The library takes statements only with a blank behind the keyword.
+        // The library accepts a keyword only if a blank follows it.
         result.text += keyword == "fo" ? "f" : keyword;
         for (std::size_t i = 1; i < words.size(); ++i) {
             result.text += ' ';

@@ -6,7 +6,7 @@
 
 namespace ideotype {
 
-//! The number of times that something was met, and where first.
+//! The number of occurrences of something in a file, and the first place.
 struct Occurrences {
     int count = 0;
     int first_line = 0;
@@ -18,14 +18,14 @@ struct Occurrences {
 
 //! The statements of an OBJ text that make surfaces: v, f, g and o.
 struct ObjStatements {
-    std::string text;               //!< one per line, continuations joined
-    std::vector<int> vertex_lines;  //!< vertex lines of the file, per vertex
-    std::vector<int> face_lines;    //!< face lines of the file, per face
-    Occurrences unknown;            //!< not in the OBJ standard, left out
+    std::string text;  //!< statements, one per line, continuations joined
+    std::vector<int> vertex_lines;  //!< line in the file, per vertex
+    std::vector<int> face_lines;    //!< line in the file, per face
+    Occurrences unknown;  //!< statements not in the OBJ standard, left out
 };
 
-//! Picks the statements out of an OBJ text and checks what the library lets
-//! pass: words that are no numbers would count as zero.
+//! Picks the statements out of an OBJ text and checks for words that are no
+//! numbers, which the library would read as zero.
 //! @throws InputError with the place of the first such word.
 ObjStatements pick_statements(const std::string& text, const std::string& file);
 

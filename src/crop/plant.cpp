@@ -15,15 +15,15 @@ namespace ideotype {
 
 namespace {
 
-//! A circular cone without its tip.
+//! A truncated circular cone.
 struct Frustum {
-    glm::dvec3 base, top;                     //!< of its axis [m]
-    double base_radius, top_radius;           //!< [m]
-    glm::dvec3 right{1, 0, 0}, far{0, 1, 0};  //!< across the axis, unit length
+    glm::dvec3 base, top;                     //!< ends of the axis [m]
+    double base_radius, top_radius;           //!< radii of both ends [m]
+    glm::dvec3 right{1, 0, 0}, far{0, 1, 0};  //!< unit lengths across the axis
 };
 
-//! A prism whose perimeter is that of the circle, closed by a flat top unless
-//! something thicker goes on there.
+//! Adds a prism with the perimeter of the circle, closed by a flat top unless a
+//! part at least as thick continues there.
 void add_frustum(Mesh& mesh, std::uint32_t group, const Frustum& shape,
                  int sides, bool has_top = true) {
     const auto n = static_cast<std::uint32_t>(sides);
@@ -53,7 +53,7 @@ void add_frustum(Mesh& mesh, std::uint32_t group, const Frustum& shape,
     }
 }
 
-//! A part of the stalk's length on which the same surface shows [m].
+//! A part of the stalk's length that shows a single surface [m].
 struct Section {
     double lower, upper;
     bool is_sheath;
@@ -66,7 +66,7 @@ std::vector<Section> sections(const Plant& plant) {
     std::vector<Section> all;
     const auto add = [&](double upper, bool is_sheath) {
         const double lower = all.empty() ? 0 : all.back().upper;
-        constexpr double least = 1e-6;  // far above rounding
+        constexpr double least = 1e-6;  // shortest part, far above rounding
         if (upper <= lower + least) return;
         if (!all.empty() && all.back().is_sheath == is_sheath)
             all.back().upper = upper;
@@ -97,7 +97,7 @@ void add_sections(Mesh& mesh, const Plant& plant, bool is_sheath, int sides) {
     }
 }
 
-//! Petioles and rachises, each from one point of the leaf's plane to another.
+//! Adds petioles and rachises, each between two points of the leaf's plane.
 void add_petioles(Mesh& mesh, const Plant& plant) {
     constexpr int sides = 4;
     const auto group = static_cast<std::uint32_t>(mesh.groups.size() - 1);

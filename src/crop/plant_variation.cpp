@@ -10,13 +10,13 @@ namespace {
 
 constexpr double most_deviations = 3;
 
-//! Returns a number of a Laplace distribution whose standard deviation is 1.
+//! Draws a number of a Laplace distribution whose standard deviation is 1.
 double laplace(RandomStream& random) {
     const double x = random.uniform(-1, 1);
     return std::copysign(std::log1p(-std::abs(x)) / std::sqrt(2.0), x);
 }
 
-//! Returns the standard deviation of a leaf, of so many.
+//! Returns the standard deviation for a leaf, given the number of leaves.
 double of_leaf(const LeafSpread& spread, std::size_t leaf, std::size_t leaves) {
     return spread[leaf * spread.size() / leaves];
 }

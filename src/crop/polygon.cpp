@@ -10,10 +10,10 @@ namespace ideotype {
 
 namespace {
 
-//! Areas below this part of the squared diameter are rounding.
+//! Areas below this fraction of the squared diameter are rounding errors.
 constexpr double negligible = 1e-12;
 
-//! Corners that may be looked at to split a polygon: a second of work.
+//! Corners that may be visited to split a polygon: a second of work.
 constexpr std::size_t most_looks = 300'000'000;
 
 double cross(const glm::dvec2& u, const glm::dvec2& v) {
@@ -47,10 +47,11 @@ class Outline {
 
     bool has_area() const { return fan_area_ > negligible * size_; }
 
-    //! Parts of opposite turn that cancel have no common plane.
+    //! Returns whether the polygon has a plane: parts that turn in opposite
+    //! directions may cancel.
     bool has_plane() const { return area_ > negligible * size_; }
 
-    //! Twice the area of a triangle, negative if it turns clockwise.
+    //! Returns twice the area of a triangle, negative if it turns clockwise.
     double turn(std::size_t a, std::size_t b, std::size_t c) const {
         return cross(points_[b] - points_[a], points_[c] - points_[a]);
     }
@@ -64,8 +65,8 @@ class Outline {
         return points_[a] == points_[b];
     }
 
-    //! Returns whether all corners are seen in turn from one of them, so that
-    //! the triangles between it and the edges do not overlap.
+    //! Returns whether one corner sees all other corners in turn, so that the
+    //! triangles between this corner and the edges do not overlap.
     bool is_fan(std::size_t from) const {
         const std::size_t n = points_.size();
         for (std::size_t i = 1; i + 1 < n; ++i)
@@ -77,13 +78,13 @@ class Outline {
 
   private:
     std::vector<glm::dvec2> points_;
-    double area_ = 0;      //!< twice
-    double fan_area_ = 0;  //!< twice, without signs
-    double size_ = 0;      //!< squared
+    double area_ = 0;      //!< twice the signed area
+    double fan_area_ = 0;  //!< twice the sum of areas without signs
+    double size_ = 0;      //!< squared diameter
 };
 
-//! Cuts off corner after corner whose triangle holds no other corner
-//! (Meisters 1975, doi:10.1080/00029890.1975.11993898).
+//! Repeatedly cuts off a corner whose triangle holds no other corner (Meisters
+//! 1975, doi:10.1080/00029890.1975.11993898).
 class EarClipping {
   public:
     EarClipping(const Outline& outline, const Corners& corners)
@@ -132,7 +133,8 @@ class EarClipping {
         const std::size_t c = left_[after(at)];
         if (!(outline_.turn(a, b, c) >= 0)) return false;
         looked_at_ += left_.size();
-        // Outlines with holes pass some places twice; those do not count.
+        // Outlines with holes pass some points twice; repeated points do not
+        // count.
         return std::none_of(left_.begin(), left_.end(), [&](std::size_t p) {
             return !outline_.is_same_place(p, a) &&
                    !outline_.is_same_place(p, b) &&
@@ -144,7 +146,7 @@ class EarClipping {
     const Outline& outline_;
     const Corners& corners_;
     std::vector<std::size_t> left_;
-    std::size_t looked_at_ = 0;  //!< corners, of all ears that were tried
+    std::size_t looked_at_ = 0;  //!< corners visited in all tried ears
 };
 
 void remove_repeated(Corners& corners) {
@@ -153,7 +155,7 @@ void remove_repeated(Corners& corners) {
         corners.pop_back();
 }
 
-//! Returns all triangles between one corner and the edges.
+//! Returns the triangles between a polygon's first corner and its edges.
 SplitPolygon fan(const Corners& corners, PolygonKind kind) {
     SplitPolygon result{kind, {}};
     for (std::size_t i = 1; i + 1 < corners.size(); ++i)
@@ -174,7 +176,7 @@ SplitPolygon split_polygon(const std::vector<glm::dvec3>& vertices,
     if (!outline.has_plane()) return fan(corners, PolygonKind::crossing);
     if (corners.size() == 4) {
         // A quadrilateral is two triangles that share its second and last
-        // corner; the usual diagonal is the one between first and third.
+        // corner; the usual diagonal joins the first and third corner.
         const Corners& c = corners;
         if (outline.is_fan(0)) return {{}, {{c[1], c[2], c[3], c[0]}}};
         if (outline.is_fan(1)) return {{}, {{c[0], c[1], c[2], c[3]}}};

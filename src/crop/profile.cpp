@@ -8,13 +8,13 @@ namespace ideotype {
 
 namespace {
 
-//! Slope at a value between two others, from the slopes of both sides.
+//! Returns the slope at an inner value from the slopes on both sides.
 double inner_slope(double left, double right) {
     return left * right > 0 ? 2 * left * right / (left + right) : 0;
 }
 
-//! Slope at the first value: of the parabola through three, but not steeper
-//! than three times the first slope and never against it.
+//! Returns the slope at the first value: that of the parabola through three
+//! values, at most three times the first slope and never against it.
 double end_slope(double first, double second) {
     const double slope = (3 * first - second) / 2;
     if (slope * first <= 0) return 0;

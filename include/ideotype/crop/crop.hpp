@@ -15,21 +15,21 @@ namespace ideotype {
 //! points of a smooth curve over leaf position.
 enum class TraitNumbers { leaf, plant, profile };
 
-//! The effect of a trait's number on a measure: it is its value, multiplies it
-//! or is added to it.
+//! The effect of a trait's number on a measure: the number replaces the
+//! measure, multiplies it or is added to it.
 enum class TraitEffect { sets, scales, shifts };
 
-//! Something of a plant that can be bred.
+//! A property of a plant that can be bred.
 struct Trait {
     std::string name;
     TraitNumbers numbers = TraitNumbers::leaf;
-    int points = 4;  //!< of a profile, from the lowest leaf to the highest
+    int points = 4;  //!< points of a profile, lowest leaf to highest
     TraitEffect effect = TraitEffect::sets;
-    std::vector<std::string> measures;  //!< that it acts on: "leaf.length"
+    std::vector<std::string> measures;  //!< measures to act on: "leaf.length"
     std::string unit;                   //!< unit of its numbers; "1": a factor
     Range range;                        //!< range of each number
-    bool is_circular = false;           //!< both ends of range are the same
-    //! True if campaigns that name no trait set breed it.
+    bool is_circular = false;  //!< whether range ends meet, as angles do
+    //! Whether campaigns that name no trait set breed the trait.
     bool is_bred = true;
 };
 
@@ -38,9 +38,9 @@ struct Trait {
 struct Crop {
     Plant baseline;
     std::vector<Trait> traits;
-    //! Bounds that its crop file has under names, for campaigns to choose.
+    //! Names of the sets of bounds in the crop file that campaigns can choose.
     std::vector<std::string> rules{};
-    //! Growth and ageing of its plants; none: the baseline is all that is
+    //! Growth and ageing of plants of the crop; none: only the baseline is
     //! known.
     std::optional<Growth> growth{};
 };
@@ -48,24 +48,25 @@ struct Crop {
 //! One number of a trait.
 struct TraitNumber {
     std::size_t trait = 0;  //!< place in Crop::traits
-    int leaf = 0;           //!< rank from the lowest, 1; 0: not of one leaf
+    int leaf = 0;           //!< rank from the lowest, 1; 0: no single leaf
     int point = 0;          //!< point of a profile, from 1; 0: none
 };
 
-//! Returns all numbers of all traits in the order of a genome: leaf by leaf the
-//! traits that each leaf has, then those of the whole plant and profiles, in
-//! the order of the traits.
+//! Returns all numbers of all traits in the order of a genome: for each leaf
+//! the traits that have a number per leaf, then the numbers of whole-plant
+//! traits and profiles, in the order of the traits.
 std::vector<TraitNumber> trait_numbers(const Crop& crop);
 
-//! Returns the numbers of the baseline: its measures, and for what scales or
-//! shifts others 1 or 0.
+//! Returns the numbers of the baseline: the measure for a trait that sets it, 1
+//! for a trait that scales and 0 for a trait that shifts measures.
 std::vector<double> baseline_numbers(const Crop& crop);
 
-//! Returns the plant that these numbers make of the baseline: traits act on it
-//! in their order. A measure beyond its limits is moved to them.
-//! @param numbers as in trait_numbers()
-//! @throws Error if there are too few or too many, or a trait acts on a
-//! measure that there is not.
+//! Returns the plant that numbers of traits make of the baseline; traits act on
+//! the plant in their order. A measure beyond its limits is moved to the
+//! nearest limit.
+//! @param numbers numbers in the order of trait_numbers()
+//! @throws Error if there are too few or too many numbers, or a trait acts on a
+//! measure that the plant does not have.
 Plant grow(const Crop& crop, const std::vector<double>& numbers);
 
 }  // namespace ideotype

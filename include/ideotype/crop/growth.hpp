@@ -9,30 +9,30 @@
 namespace ideotype {
 
 //! The growth and ageing of plants of a crop in thermal time [deg C d] since
-//! they emerged. Blades appear tip first at a steady rate, fade after their
-//! death, and keep a final area that follows their rank. Defaults are a hybrid
-//! of the Corn Belt.
+//! emergence. Blades appear tip first at a steady rate, fade after their death,
+//! and have a final area that follows their rank. Default values describe a
+//! hybrid of the Corn Belt.
 struct Growth {
-    int leaves = 19;       //!< leaves of the main stem, from the lowest rank, 1
-    double interval = 44;  //!< between the tips of successive leaves [deg C d]
-    //! The area of the largest blade [m2], and its rank over the number of
-    //! leaves.
+    int leaves = 19;       //!< leaves of the main stem, from rank 1 up
+    double interval = 44;  //!< thermal time from tip to tip [deg C d]
+    //! The area of the largest blade [m2], and the rank of that blade over the
+    //! number of leaves.
     double largest_area = 0.07, largest = 0.67;
     //! Exponents of the area by rank, see final_area().
     double narrowing = 4.5, skewness = 1.1;
-    //! The time from tip to collar of the first leaf, of the slowest and of the
-    //! last leaf [deg C d], and the rank of the slowest over the number of
-    //! leaves.
+    //! The time from tip to collar of the first leaf, of the slowest leaf and
+    //! of the last leaf [deg C d], and the rank of the slowest leaf over the
+    //! number of leaves.
     double first_extension = 70, longest_extension = 190, last_extension = 105,
            slowest = 0.45;
-    //! Ranks up to this fraction of all leaves die one by one from
-    //! `lower_death` on, `lower_interval` apart, the others from
+    //! Leaves with ranks up to this fraction of all leaves die one by one from
+    //! `lower_death` on, `lower_interval` apart, the other leaves from
     //! `upper_death` after silking on [deg C d].
     double lower_leaves = 0.4, lower_death = 200, lower_interval = 100,
            upper_death = 500, upper_interval = 84;
-    double fading = 150;    //!< from the death of a blade to its last green
-    double silking = 20;    //!< after `leaves` intervals [deg C d]
-    double maturity = 970;  //!< after silking [deg C d]
+    double fading = 150;            //!< time from death to loss of all green
+    double silking = 20;            //!< time after `leaves` intervals
+    double maturity = 970;          //!< time after silking [deg C d]
     double internode_rate = 0.002;  //!< growth of an internode [m / (deg C d)]
     double base = 8, cap = 34;      //!< limits of thermal time [deg C]
 
@@ -41,10 +41,10 @@ struct Growth {
 
 //! The dates of one leaf [deg C d], and the area of its blade [m2].
 struct LeafDates {
-    double tip = 0;     //!< when it begins to appear
-    double collar = 0;  //!< when the whole blade is out
-    double death = 0;   //!< when it begins to fade
-    double area = 0;    //!< area of the full-grown blade, one-sided
+    double tip = 0;     //!< time when the blade begins to appear
+    double collar = 0;  //!< time when the whole blade is out
+    double death = 0;   //!< time when the blade begins to fade
+    double area = 0;    //!< one-sided area of the full-grown blade
 };
 
 //! The parts of a blade that are out at a thermal time [m2].
@@ -63,11 +63,12 @@ double maturity_time(const Growth& growth);
 //! largest blade (Lizaso and others 2003, doi:10.1016/S0378-4290(02)00151-X).
 std::vector<LeafDates> leaf_dates(const Growth& growth);
 
-//! Returns how much of a blade is out at a thermal time, 0 to 1: it appears
-//! from the tip on, steadily from the date of its tip to that of its collar.
+//! Returns the share of a blade that is out at a thermal time, 0 to 1: the
+//! blade appears tip first, steadily from the date of the tip to that of the
+//! collar.
 double visible_share(const LeafDates& leaf, double thermal_time);
 
-//! Returns how much of a blade has faded, 0 to 1.
+//! Returns the share of a blade that has faded, 0 to 1.
 double faded_share(const Growth& growth, const LeafDates& leaf,
                    double thermal_time);
 
@@ -75,40 +76,39 @@ double faded_share(const Growth& growth, const LeafDates& leaf,
 BladeArea blade_area(const Growth& growth, const LeafDates& leaf,
                      double thermal_time);
 
-//! Returns the heights of the collars of full-grown leaves [m]: of the plant's
-//! leaves, which are the highest, where they are inserted; of those below, in
-//! equal steps from the soil.
-//! @throws Error if the plant has more leaves than grow.
+//! Returns the heights of the collars of full-grown leaves [m]: the plant's
+//! leaves, which are the highest, have collars where they are inserted; leaves
+//! below have collars in equal steps from the soil.
+//! @throws Error if the plant has more leaves than growth tells.
 std::vector<double> final_collar_heights(const Growth& growth,
                                          const Plant& plant);
 
 //! Returns the heights of collars above the soil at a thermal time [m]. An
 //! internode grows at a steady rate from the date of its leaf's collar on, and
 //! a sheath from the date of its leaf's tip to that of its collar.
-//! @param final_heights of the collars of full-grown leaves from the lowest
-//! rank up [m]
-//! @param sheath length of sheaths that are not cut short by the soil [m]
+//! @param final_heights heights of the collars of full-grown leaves from the
+//! lowest rank up [m]
+//! @param sheath length of sheaths that the soil does not cut short [m]
 std::vector<double> collar_heights(const Growth& growth,
                                    std::span<const double> final_heights,
                                    double sheath, double thermal_time);
 
-//! Returns a full-grown plant with all of its leaves: those below the plant's
-//! are like its lowest one, with an area that follows that one's as areas of
-//! leaf_dates() do.
+//! Returns a full-grown plant with all of its leaves: added leaves below the
+//! plant's own are like its lowest leaf, and their areas relative to that leaf
+//! follow leaf_dates().
 //! @throws Error as final_collar_heights()
 Plant complete_plant(const Growth& growth, const Plant& plant);
 
 //! Returns a plant at a thermal time, with all of its leaves, out or not. The
-//! higher the visible share v of a blade, the more it leaves the stalk, by
-//! 0.3 + 0.7 v of its insertion angle, and bends, by v; of a dead one the tip
-//! hangs by 40 deg more. Organs other than leaves grow in the last 100 deg C d
-//! before silking.
-//! @param plant full-grown, whose leaves are the highest
+//! insertion angle of a blade of which the share v is visible is multiplied by
+//! 0.3 + 0.7 v, and its curvature by v; the tip of a dead blade hangs by 40 deg
+//! more. Organs other than leaves grow in the last 100 deg C d before silking.
+//! @param plant full-grown plant, whose leaves are the highest
 //! @throws Error as final_collar_heights()
 Plant plant_at(const Growth& growth, const Plant& plant, double thermal_time);
 
-//! Returns the thermal time of one day [deg C d]: the mean over its hours of
-//! how far the temperature, at most `cap`, is above `base`.
+//! Returns the thermal time of one day [deg C d]: the mean over the hours of
+//! the excess of temperature, cut at `cap`, over `base`.
 double daily_thermal_time(const Growth& growth,
                           std::span<const double> temperatures);
 

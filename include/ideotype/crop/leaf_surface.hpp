@@ -11,10 +11,10 @@
 
 namespace ideotype {
 
-//! Control points of a blade per row: a cubic B-spline has six.
+//! Control points along each line of a blade: a cubic B-spline with six.
 inline constexpr std::size_t controls_along = 6;
 
-//! One point of each line that runs from base to tip.
+//! One point of each of the three lines that run from base to tip.
 struct BladeRow {
     glm::dvec3 left;
     glm::dvec3 midrib;
@@ -32,27 +32,28 @@ struct BladeRow {
 //! length. The halves of the blade rise by `folding_angle` towards the upper
 //! side, and are turned about the midrib by roll + twist * (s - 1/2).
 //!
-//! A digitised midrib has the angles of its segments at their middles, linear
-//! in between. Where a trait changes insertion_angle or curvature, the change
-//! is added to that, as above. The surface then passes through the integral
-//! of the angle at every parameter, which no six control points could follow.
+//! A digitised midrib has the angles of its segments at the middles of the
+//! segments, and linear interpolation between them. If a trait changes
+//! insertion_angle or curvature, the change is added to these angles. The
+//! surface then passes through the integral of the angle at every parameter,
+//! which no six control points could follow.
 class LeafSurface {
   public:
-    //! The leaf grows from a stalk on the z axis, before it is turned to its
+    //! Builds the leaf on a stalk along the z axis, not yet turned to its
     //! azimuth: the midrib is in the plane x = 0, y >= 0.
-    //! @param distance of the midrib's base from the z axis [m]
+    //! @param distance distance of the midrib's base from the z axis [m]
     //! @throws Error if there are not six width controls.
     LeafSurface(const Leaf& leaf, const Blade& blade, double distance = 0);
 
     //! Returns the surface at parameter t in [0, 1] [m].
     BladeRow row(double t) const;
 
-    //! cells + 1 rows at equal parameters, stretched along and across by the
-    //! little that makes the length of the midrib polyline exactly the leaf's
-    //! length and the widest row exactly its width (measured on the blade, as
-    //! on a leaf laid flat).
-    //! @param from,to relative lengths between which rows are; the blade is
-    //! moved so that what is not hidden begins at the stalk
+    //! Returns cells + 1 rows at equal parameters, stretched along and across
+    //! just so much that the length of the midrib polyline is exactly the
+    //! leaf's length and the widest row exactly its width (measured on the
+    //! blade, as on a leaf laid flat).
+    //! @param from,to relative lengths between which rows are made; the blade
+    //! is moved so that its visible part begins at the stalk
     std::vector<BladeRow> tessellate(int cells, double from = 0,
                                      double to = 1) const;
 
@@ -60,8 +61,8 @@ class LeafSurface {
     //! Returns the midrib's angle from the vertical at relative arc length s
     //! [rad].
     double angle(double s) const;
-    //! Adds the way of the midrib, out and up, from one relative arc length to
-    //! another: the integral of its direction by Simpson's rule [m].
+    //! Moves a point by the midrib between two relative arc lengths, out and
+    //! up: the integral of the midrib's direction by Simpson's rule [m].
     void advance(glm::dvec2& end, double from, double to, int steps) const;
     //! Returns the two edges of a folded blade beside a point of the midrib.
     BladeRow across(const glm::dvec2& midrib, double angle, double width) const;
@@ -71,11 +72,11 @@ class LeafSurface {
     glm::dvec3 base_;  //!< base of the midrib
     std::array<BladeRow, controls_along> controls_;
     std::vector<glm::dvec2> digitised_;  //!< relative arc length, angle [deg]
-    std::array<glm::dvec2, 33> midrib_;  //!< of a digitised one, equal steps
+    std::array<glm::dvec2, 33> midrib_;  //!< digitised midrib in equal steps
 };
 
-//! Returns the part of a blade's length, from the tip, that has a part of its
-//! area.
+//! Returns the part of a blade's length, from the tip, that holds a part of the
+//! blade's area.
 double length_from_tip(const Blade& blade, double area);
 
 }  // namespace ideotype

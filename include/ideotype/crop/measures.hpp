@@ -11,7 +11,7 @@
 
 namespace ideotype {
 
-//! A number of a part of plants, with the limits that any plant keeps.
+//! A number that describes a part of plants, with limits for any plant.
 template <class Part>
 struct Measure {
     const char* name;
@@ -21,7 +21,7 @@ struct Measure {
     const char* meaning;
 };
 
-// Limits are wide enough for any crop plant; those of traits are narrower.
+// These limits are wide enough for any crop; limits of traits are narrower.
 
 inline constexpr std::array<Measure<Leaf>, 11> leaf_measures{
     {{"length", "m", {0.01, 3}, &Leaf::length, "arc length of the midrib"},
@@ -73,12 +73,12 @@ inline constexpr std::array<Measure<Leaf>, 11> leaf_measures{
       "height above the leaf below, or of the lowest above the soil, in the "
       "place of insertion_height"}}};
 
-//! The number of measures, the first ones, that have to be told of every leaf;
-//! the others are 0 where they are not told.
+//! The number of measures, counted from the first, that a plant file must give
+//! for every leaf; further measures are 0 where a file does not give them.
 inline constexpr std::size_t needed_leaf_measures = 6;
 
-//! The number of measures that are written of every leaf; the later ones, which
-//! grasses do not have, are written where any leaf has one.
+//! The number of measures that are written for every leaf; further measures,
+//! which grasses do not have, are written if any leaf has a value.
 inline constexpr std::size_t usual_leaf_measures = 8;
 
 inline constexpr std::array<Measure<Blade>, 5> blade_measures{
@@ -154,15 +154,15 @@ inline constexpr std::array<Measure<Organ>, 7> organ_measures{
       &Organ::azimuth,
       "of the first; 0 is along the row, or the azimuth of its leaf"}}};
 
-//! The meaning of the name of a measure in a plant, such as "leaf.length" or
-//! "stalk.height".
+//! The name of a measure in a plant, such as "leaf.length" or "stalk.height",
+//! and the measure's properties and values.
 struct MeasureInfo {
     std::string name;
     std::string unit;
     Range limits;
-    bool is_of_leaves = false;    //!< each leaf has its own
-    bool is_direction = false;    //!< 0 and 360 deg are the same
-    std::vector<double*> values;  //!< in the plant, one or one per leaf
+    bool is_of_leaves = false;    //!< whether each leaf has a value
+    bool is_direction = false;    //!< whether 0 and 360 deg are equal
+    std::vector<double*> values;  //!< values in the plant, one or one per leaf
 };
 
 //! Returns the measure of this name; nothing if the plant has none.

@@ -10,86 +10,87 @@
 
 namespace ideotype {
 
-//! One leaf: a blade, or a petiole and at its end several leaflets, whose
-//! middle one has the length and width that are told here.
+//! One leaf: a blade, or a petiole and several leaflets at its end; length and
+//! width are then those of the middle leaflet.
 struct Leaf {
     double length = 0;            //!< arc length of the midrib [m]
     double width = 0;             //!< largest width of the blade [m]
-    double insertion_angle = 0;   //!< of its base from the stalk [deg]
+    double insertion_angle = 0;   //!< angle of the base from the stalk [deg]
     double curvature = 0;         //!< how far the tip bends down [deg]
-    double azimuth = 0;           //!< about the stalk, 0: along the row [deg]
-    double insertion_height = 0;  //!< above the soil [m]
+    double azimuth = 0;           //!< about the stalk; 0: along the row [deg]
+    double insertion_height = 0;  //!< height above the soil [m]
     //! Turn of the blade about its midrib, halfway along it [deg]; a positive
-    //! one lowers the edge that is on the right, as seen from the stalk.
+    //! turn lowers the edge that is on the right as seen from the stalk.
     double roll = 0;
     //! Turn of the blade about its midrib from the base to the tip, in
     //! proportion to arc length [deg].
     double twist = 0;
-    double petiole_length = 0;  //!< [m]; 0: the blade is at the stalk
-    double petiole_angle = 0;   //!< of the petiole from the stalk [deg]
-    //! Height above the leaf below, or of the lowest one above the soil [m];
-    //! 0: insertion_height does not follow from it.
+    double petiole_length = 0;  //!< length [m]; 0: the blade is at the stalk
+    double petiole_angle = 0;   //!< angle from the stalk [deg]
+    //! Height above the leaf below, or above the soil for the lowest leaf [m];
+    //! 0: insertion_height is given instead.
     double internode = 0;
     //! Points of a digitised midrib from the base to the tip: distance from the
     //! stalk and height, in any unit and from any origin. None: the angle of
     //! the midrib follows from insertion_angle and curvature.
     std::vector<glm::dvec2> midrib{};
-    //! Parts of the length of a single blade: at its base that is not out yet,
-    //! and at its tip that is dead. The blade begins where it comes out.
+    //! Parts of the length of a single blade: the hidden part at the base that
+    //! is not out yet, and the dead part at the tip. The blade begins where it
+    //! comes out.
     double hidden = 0, dead = 0;
 };
 
-//! Sets insertion_angle and curvature of a leaf whose midrib is digitised: the
-//! angle of its first segment, and by how much that of its last one is larger
-//! [deg].
-//! @return false, and nothing changes, if no two of its points differ
+//! Sets insertion_angle and curvature of a leaf from its digitised midrib: the
+//! angle of the first segment, and the angle of the last segment less that of
+//! the first [deg].
+//! @return false, and nothing changes, if all points are at one place
 bool measure_midrib(Leaf& leaf);
 
-//! The shape that all blades share, and the leaflets of compound leaves: they
-//! begin at the end of the petiole and point to equal steps of azimuth, the
-//! middle one where the leaf does.
+//! The shape that all blades share, and the leaflets of compound leaves:
+//! leaflets begin at the end of the petiole and point to equal steps of
+//! azimuth, the middle leaflet in the azimuth of the leaf.
 struct Blade {
     //! Control values of the width profile: the width over arc length is a
     //! cubic B-spline with these six control values and knots at 1/3 and 2/3,
     //! scaled to a maximum of 1.
     std::vector<double> width_controls;
-    double folding_angle = 10;        //!< rise of each half from flat [deg]
-    double curvature_exponent = 1.5;  //!< of relative arc length
+    double folding_angle = 10;        //!< rise of each half above flat [deg]
+    double curvature_exponent = 1.5;  //!< exponent of relative arc length
     int leaflets = 1;
-    double leaflet_divergence = 0;  //!< azimuth between neighbours [deg]
-    double lateral_size = 1;        //!< of the others over the middle one
-    //! Distance along its own direction by which the middle one begins further
-    //! out [m].
+    double leaflet_divergence = 0;  //!< azimuth from leaflet to leaflet [deg]
+    double lateral_size = 1;        //!< size of lateral over middle leaflets
+    //! Distance by which the middle leaflet begins further out than the others,
+    //! along its own direction [m].
     double rachis_length = 0;
 };
 
 //! A cylinder that bears the blade of each leaf whose petiole_length is not 0,
-//! and goes on as its rachis.
+//! and continues as the rachis of the leaf.
 struct Petiole {
     bool is_present = true;
-    double diameter = 0.003;  //!< [m]
+    double diameter = 0.003;  //!< diameter [m]
 };
 
 //! The place where the midribs of leaves begin.
 enum class LeafBase { surface, axis };
 
-//! A cone without its tip that stands on the soil.
+//! A truncated cone that stands on the soil.
 struct Stalk {
     bool is_present = true;
-    double height = 2.0;           //!< [m]
-    double base_diameter = 0.024;  //!< [m]
-    double top_diameter = 0;       //!< [m]; 0: as at the base
+    double height = 2.0;           //!< height [m]
+    double base_diameter = 0.024;  //!< diameter at the soil [m]
+    double top_diameter = 0;       //!< diameter [m]; 0: as at the base
     LeafBase leaf_base = LeafBase::surface;
 
-    //! Half the diameter at a height above the soil [m].
+    //! Returns half the diameter at a height above the soil [m].
     double radius(double z) const;
 };
 
-//! The sheath of each leaf, around the stalk below its blade. Of each sheath
-//! shows what is above the insertion of the leaf below it.
+//! The sheath of each leaf, around the stalk below its blade. Only the part of
+//! a sheath above the insertion of the next lower leaf shows.
 struct Sheath {
     bool is_present = false;
-    double length = 0.18;      //!< down from the insertion of the leaf [m]
+    double length = 0.18;      //!< length down from the insertion [m]
     double thickness = 0.001;  //!< [m]
 };
 
@@ -98,29 +99,29 @@ enum class PlantMaterial : std::uint32_t { leaf, stalk, sheath };
 
 inline constexpr std::uint32_t plant_materials = 3;
 
-//! Any other organ: one or more cones without tips, on top of the stalk or at
-//! the insertion of a leaf.
+//! Another organ: one or more truncated cones, on top of the stalk or at the
+//! insertion of a leaf.
 struct Organ {
     std::string name;
     bool is_present = true;
     PlantMaterial material = PlantMaterial::stalk;  //!< material of its surface
-    int leaf = 0;       //!< rank of the leaf that it is at; 0: the stalk's top
-    double offset = 0;  //!< above that [m]
-    int count = 1;      //!< evenly spaced about the stalk
-    double spread = 0;  //!< height over which several are spread [m]
-    double length = 0;  //!< [m]
-    double base_diameter = 0;  //!< [m]
-    double top_diameter = 0;   //!< [m]
-    double inclination = 0;    //!< from the vertical [deg]
-    //! Azimuth of the first [deg]: 0 is along the row, or that of the leaf.
+    int leaf = 0;              //!< rank of the organ's leaf; 0: the stalk's top
+    double offset = 0;         //!< height above the leaf or top [m]
+    int count = 1;             //!< number, evenly about the stalk
+    double spread = 0;         //!< height over which organs spread [m]
+    double length = 0;         //!< length of each cone [m]
+    double base_diameter = 0;  //!< diameter at the base [m]
+    double top_diameter = 0;   //!< diameter at the tip [m]
+    double inclination = 0;    //!< angle from the vertical [deg]
+    //! Azimuth of the first cone [deg]; 0 is along the row or along the leaf.
     double azimuth = 0;
-    int sides = 6;  //!< faces around each
+    int sides = 6;  //!< faces around each cone
 };
 
-//! One plant: what its organs measure.
+//! One plant, described by the measures of its organs.
 struct Plant {
     std::string name;
-    std::vector<Leaf> leaves;  //!< lowest first
+    std::vector<Leaf> leaves;  //!< leaves, lowest first
     Blade blade;
     Stalk stalk;
     Sheath sheath;
@@ -136,35 +137,36 @@ double dead_area(const Mesh& mesh);
 
 //! The fineness with which curved surfaces are cut into faces.
 struct Tessellation {
-    //! Cells along a blade, which has two across; leaflets have two thirds as
-    //! many, at least 4, and four across.
+    //! Cells along a blade, which has two cells across; leaflets have two
+    //! thirds as many cells along, at least 4, and four across.
     int cells_along = 12;
     int stalk_sides = 8;
 };
 
 //! Returns the names of a plant's present organs besides its leaves, in the
-//! order of their groups: "stalk", "sheath", "petiole", "dead_leaves", then the
-//! others.
+//! order of their groups: "stalk", "sheath", "petiole", "dead_leaves", then
+//! further organs.
 std::vector<std::string> organ_names(const Plant& plant);
 
-//! Returns whether any leaf has a petiole, be it present or not.
+//! Returns whether any leaf has a petiole, even if petioles are not present.
 bool has_petioles(const Plant& plant);
 
 //! Returns whether a part of any leaf is dead. Dead parts have the optics of
 //! the stalk.
 bool has_dead_leaves(const Plant& plant);
 
-//! Puts each leaf whose internode is told so far above the leaf below it, and
-//! the top of the stalk at the highest leaf if that is one of them.
+//! Puts each leaf whose internode is given so far above the leaf below it, and
+//! then the top of the stalk at the highest leaf if its internode is given.
 void stack_internodes(Plant& plant);
 
-//! Gives a plant an organ of that name, or takes it away; nothing happens to
-//! plants that cannot have it.
+//! Gives a plant an organ of this name, or takes the organ away; plants that
+//! cannot have the organ stay as they are.
 void set_present(Plant& plant, const std::string& organ, bool is_present);
 
-//! Returns the surfaces of a plant: its foot at the origin, y along the row, z
-//! up. Group i is leaf i + 1; a group for each of organ_names() follows. The
-//! component of all groups is 0, and materials are those of PlantMaterial.
+//! Returns the surfaces of a plant, with its foot at the origin, y along the
+//! row, z up. Group i is leaf i + 1; a group for each of organ_names() follows.
+//! The component of all groups is 0, and materials are numbered as in
+//! PlantMaterial.
 //! @throws Error if a blade does not have six width controls.
 Mesh build_plant(const Plant& plant, const Tessellation& tessellation);
 

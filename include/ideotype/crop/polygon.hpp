@@ -12,12 +12,12 @@ namespace ideotype {
 //! Corners of a polygon, as indices of vertices.
 using Corners = std::vector<std::uint32_t>;
 
-//! The kind of polygon that was split.
+//! The kind of polygon that was split, and what the faces then are.
 enum class PolygonKind {
     simple,
-    without_area,  //!< there are no faces
-    crossing,      //!< its outline crosses itself: the faces may overlap
-    intricate,     //!< it would take too long: there are no faces
+    without_area,  //!< no area: there are no faces
+    crossing,      //!< the outline crosses itself: faces may overlap
+    intricate,     //!< splitting takes too long: there are no faces
 };
 
 //! The faces of a mesh that cover a polygon: one quadrilateral for four
@@ -28,9 +28,9 @@ struct SplitPolygon {
 };
 
 //! Splits a polygon of any shape. Seen along its mean normal the faces do not
-//! overlap, unless the outline crosses itself. What takes more than some
-//! seconds, with tens of thousands of corners that turn both ways, is not
-//! split.
+//! overlap, unless the outline crosses itself. A polygon that would take more
+//! than some seconds, with tens of thousands of corners that turn both ways, is
+//! not split.
 SplitPolygon split_polygon(const std::vector<glm::dvec3>& vertices,
                            Corners corners);
 

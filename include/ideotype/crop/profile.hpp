@@ -5,10 +5,10 @@
 
 namespace ideotype {
 
-//! Returns a smooth curve through values at equal distances over [0, 1], at x:
-//! the cubic Hermite interpolation that is monotone between neighbouring
-//! values, and so nowhere beyond them (Fritsch and Butland 1984,
-//! doi:10.1137/0905021; one value is a constant).
+//! Returns the value at x of a smooth curve through values at equal distances
+//! over [0, 1]: the cubic Hermite interpolation that is monotone between
+//! neighbouring values, and so never beyond them (Fritsch and Butland 1984,
+//! doi:10.1137/0905021). A single value gives a constant.
 double profile(const std::vector<double>& values, double x);
 
 }  // namespace ideotype

@@ -70,14 +70,14 @@ class Assimilation {
         const std::vector<double> sums = pair.scatter(weights_, differences_);
         const double mean = std::accumulate(sums.begin(), sums.end(), 0.) /
                             static_cast<double>(sums.size());
-        // The error of each step is taken to be in proportion to its value.
+        // The error of each step is assumed to be proportional to its value.
         for (std::vector<FluxTally>& flux : all_)
             for (std::size_t r = 0; r < sums.size(); ++r)
                 for (const std::size_t i : steps)
                     flux[r].steps[i] *= 1 + (sums[r] - mean) / whole_;
     }
 
-    //! Adds a step, and the weights of moments in it.
+    //! Adds a step, and the weights of the moments in the step.
     void add(std::size_t i, int beam, const SkyLight& sky, PairLight& pair,
              StepLight& light) {
         const TimeStep& step = light_.series.steps[i];
@@ -144,7 +144,7 @@ class Assimilation {
             if (light_.beam_of[i] < 0 && light_.sky_of[i] < 0) take_steps(i, 0);
     }
 
-    //! Finds the responses of a step leaf by leaf.
+    //! Finds how each leaf responds to light in a step.
     void respond(const TimeStep& step, StepLight& light) {
         const std::vector<PairLight::Bin>& bins = light.pair.bins();
         light.responses.clear();
@@ -165,8 +165,9 @@ class Assimilation {
         }
     }
 
-    //! Sums pseudo-values of places to those of leaves, layers and rows. Errors
-    //! of other fluxes are taken to be in proportion to those of assimilation.
+    //! Sums pseudo-values of places to pseudo-values of leaves, layers and
+    //! rows. Errors of other fluxes are assumed proportional to those of
+    //! assimilation.
     void add_up(std::size_t k) {
         for (std::size_t p = 0; p < places_.count(); ++p) {
             double flux = k == 0 ? mean_[p] : 0, times = 1;
@@ -203,13 +204,14 @@ class Assimilation {
     ExpectedLight expectation_;
     std::optional<WaterFluxes> water_{};
     std::vector<double> mean_;  //!< gross assimilation of places
-    //! [randomisation][place], without the part that all randomisations share
+    //! Differences [randomisation][place] without what all randomisations
+    //! share.
     std::vector<std::vector<double>> differences_;
     FluxTallies all_;  //!< pseudo-values of each LeafFlux
-    // Each place has the weights of its moments in the steps that share a sun
-    // and a sky.
+    // Weights of the moments of each place, summed over the steps that share a
+    // sun and a sky.
     std::vector<Moments> weights_;
-    double whole_ = 0;  //!< gross assimilation in these steps
+    double whole_ = 0;  //!< gross assimilation in steps of one sun and sky
 };
 
 }  // namespace

@@ -13,8 +13,8 @@ namespace ideotype {
 
 namespace {
 
-//! The leaf that each of some groups is, from 0 for the lowest. Where any has
-//! no rank, all are one leaf.
+//! Returns the leaf of each group, from 0 for the lowest. If any group has no
+//! rank, all groups are one leaf.
 std::vector<std::size_t> leaves_of(const std::vector<Group>& groups,
                                    const std::vector<std::size_t>& some) {
     std::vector<std::size_t> leaf;
@@ -117,7 +117,7 @@ double FluxTally::sum() const {
 
 namespace {
 
-//! Returns what leaves respire in the dark in one step of a mean day.
+//! Returns the dark respiration of leaves in one step of a mean day.
 double respiration(const LeafRates& rates, double leaf_area_index,
                    const LightSeries& series, const TimeStep& step,
                    const Photosynthesis& photosynthesis) {
@@ -126,7 +126,7 @@ double respiration(const LeafRates& rates, double leaf_area_index,
            dark_respiration(rates, air_of(step, photosynthesis).temperature);
 }
 
-//! Returns what leaves respire in the dark, over a mean day.
+//! Returns the dark respiration of leaves over a mean day.
 Respiration respiration(const LeafRates& rates, double leaf_area_index,
                         const LightSeries& series,
                         const Photosynthesis& photosynthesis) {
@@ -144,15 +144,15 @@ Respiration respiration(const LeafRates& rates, double leaf_area_index,
             result.at_night += amount;
         known += step.seconds;
     }
-    if (series.grows) return result;  // other stages have the rest
-    // Nights that are left out have no weather.
+    if (series.grows) return result;  // further stages add the rest
+    // Nights that the series leaves out have no weather.
     constexpr double day = 86400;
     result.at_night += scale * std::max(0., series.days * day - known) *
                        dark_respiration(rates, Air{}.temperature);
     return result;
 }
 
-//! Reports what leaves do after silking.
+//! Reports gross assimilation and respiration after silking.
 void report_late(const std::vector<FluxTally>& tallies,
                  const std::vector<LeafGroup>& leaves,
                  const std::vector<double>& leaf_area_index,

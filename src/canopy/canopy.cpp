@@ -13,7 +13,7 @@ namespace ideotype {
 
 namespace {
 
-//! Returns a scene of which the light of each face is counted for itself.
+//! Returns a scene in which each face is a group of its own.
 Scene with_a_group_per_face(Scene scene) {
     const auto split = [](Mesh& mesh) {
         std::vector<Group> groups;
@@ -29,8 +29,8 @@ Scene with_a_group_per_face(Scene scene) {
     return scene;
 }
 
-//! Leaf area index of each group of a scene, of plants that do not deviate from
-//! their line.
+//! Returns the leaf area index of each group of a scene, for plants that do not
+//! deviate from their line.
 std::vector<double> leaf_area_of_lines(const Scene& scene, std::size_t groups) {
     std::vector<double> index;
     index.reserve(groups);
@@ -48,7 +48,7 @@ std::vector<double> leaf_area_of_lines(const Scene& scene, std::size_t groups) {
 }
 
 //! Evaluates a request field by field.
-//! @param scene of the request, or with other groups
+//! @param scene scene of the request, perhaps with other groups
 CanopyReport evaluate(const CanopyRequest& request, const Scene& scene,
                       const Device& device, const Clock& clock) {
     const Plan plan(request);
@@ -91,7 +91,7 @@ Accuracy face_accuracy(const Accuracy& accuracy, std::size_t faces) {
     const double enough =
         std::min(paths_per_face * static_cast<double>(faces), most_paths) /
         accuracy.randomisations;
-    // Powers of two are where Sobol' nets are most even.
+    // Sobol' nets are most even at powers of two.
     const int paths = 1 << static_cast<int>(std::ceil(std::log2(enough)));
     IDEOTYPE_ENSURE(paths >= enough);
     return {std::max(accuracy.paths, paths), accuracy.randomisations, 0,

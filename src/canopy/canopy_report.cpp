@@ -13,7 +13,7 @@ namespace ideotype {
 namespace {
 
 //! The largest relative error of the energy balance of a randomised day that
-//! rounding may explain.
+//! may come from rounding.
 constexpr double balance_tolerance = 1e-9;
 
 PlantForm form_of(const Plant& plant, const Tessellation& tessellation) {
@@ -29,11 +29,11 @@ PlantForm form_of(const Plant& plant, const Tessellation& tessellation) {
     return form;
 }
 
-//! Makes the report of an evaluation from what was found in its fields.
+//! Makes the report of an evaluation from the results in its fields.
 class Reporter {
   public:
     //! Keeps references to its arguments.
-    //! @param scene of the request, or the same with other groups
+    //! @param scene scene of the request, perhaps with other groups
     Reporter(const CanopyRequest& request, const Scene& scene,
              const Lines& lines, const SharedByFields& shared,
              const FieldLight& found)
@@ -89,8 +89,8 @@ class Reporter {
             const double dead = result_.grows ? dead_area(component.mesh) /
                                                     component.ground_per_plant
                                               : 0;
-            // Dead leaves are flat, so that they count in full, but among other
-            // organs they count by half.
+            // Dead leaves are flat and count in full, but the area of organs,
+            // which contains dead leaves, counts by half.
             const double index =
                 lai + found_.areas[c].other_organs / fields + dead / 2;
             result_.components.push_back({component.name, lai, index,
@@ -104,7 +104,7 @@ class Reporter {
         for (const FixedObject& each : scene_.objects) {
             const std::vector<double> faces = face_areas(each.mesh);
             double area = 0;
-            // A face that moves has the same area in each pose.
+            // A moving object has a group per pose, all of the same area.
             for (std::size_t f = 0; f < faces.size(); ++f)
                 if (each.mesh.groups[each.mesh.face_group[f]].pose <= 1)
                     area += faces[f];
@@ -219,8 +219,8 @@ class Reporter {
             result_.light_classes = ideotype::report(found_.light_classes);
     }
 
-    //! Returns the light that falls on sides of objects per area, which follows
-    //! from the light that they absorb.
+    //! Returns the light that falls on sides of objects per area, computed from
+    //! the light that the sides absorb.
     std::vector<PartLight> light_on_objects(
         const Optics& optics, std::vector<PartLight> absorbed) const {
         absorbed.resize(2 * scene_.objects.size());
@@ -259,7 +259,7 @@ class Reporter {
         return parts;
     }
 
-    //! Returns the light of each face per area of the face. Each is a group.
+    //! Returns the light per area of each face; each face is a group.
     std::vector<Estimate> per_area(std::vector<Estimate> faces) const {
         for (std::size_t face = 0; face < faces.size(); ++face) {
             const double area = found_.areas_of_groups[face] / found_.fields;

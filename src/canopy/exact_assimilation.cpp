@@ -14,10 +14,10 @@ namespace ideotype {
 
 namespace {
 
-//! Samples of diffuse light whose mean the lowest level has.
+//! The number of samples of diffuse light at the lowest level.
 constexpr std::size_t fewest_samples = 2;
 
-//! The odds of each level over those of the one below it.
+//! The odds of each level over those of the next lower level.
 const double next_level = std::pow(2., -1.5);
 
 //! Sums of light by source.
@@ -104,7 +104,7 @@ class Referee {
                static_cast<std::uint32_t>(randomisation);
     }
 
-    //! Points of one randomisation, from a number up to another.
+    //! Adds points of one randomisation, from the first to before the last.
     void add(std::uint32_t number, int first, int last, RandomStream& random,
              FluxTally& tally) {
         PathSampler places(randomness_.seed, randomness_.generation, number, 0);
@@ -155,7 +155,7 @@ class Referee {
         return light;
     }
 
-    //! Adds so many times the response to some diffuse light and the beam.
+    //! Adds the response to diffuse light and the beam, times a weight.
     void add_rates(const LeafPoint& point, const Sums& diffuse, double weight) {
         for (std::size_t i = 0; i < rate_.size(); ++i) {
             const Irradiance& par = light_.series.steps[i].par;
@@ -181,16 +181,16 @@ class Referee {
     const SeriesIllumination& light_;
     Layers layers_;
     Randomness randomness_;
-    //! Photons that leaves of each group absorb of a unit of irradiance by the
-    //! face that absorbs most, which the light at points is relative to.
+    //! Photons that the face that absorbs most in each group of leaves absorbs
+    //! per unit of irradiance; light at points is relative to these photons.
     std::vector<double> absorbed_;
     FluxTally empty_;
-    std::vector<double> amount_;          //!< of each step [mol s umol-1]
+    std::vector<double> amount_;  //!< amount over rate, by step [mol s umol-1]
     std::vector<LeafResponse> response_;  //!< [group][step]
 
     // Sums over the beams at one point.
     Sums beam_;
-    Sums rate_;  //!< of each step [umol m-2 s-1]
+    Sums rate_;  //!< rate by step [umol m-2 s-1]
 };
 
 }  // namespace

@@ -58,7 +58,7 @@ DiffuseLight::DiffuseLight(const std::vector<Tally>& tallies, int source,
 
 namespace {
 
-//! Each place joined to so many neighbours of its leaf.
+//! Joins each place to a number of neighbours on its leaf.
 std::vector<std::uint32_t> joined(const LeafPlaces& places,
                                   std::uint32_t size) {
     std::vector<std::uint32_t> first(places.count());
@@ -72,7 +72,7 @@ std::vector<std::uint32_t> joined(const LeafPlaces& places,
     return first;
 }
 
-//! Returns all light that is not of beams, [place][randomisation].
+//! Returns all light except that of beams, [place][randomisation].
 std::vector<double> all_diffuse(const LeafPlaces& places,
                                 const std::vector<Tally>& tallies) {
     const std::size_t n = tallies.size();
@@ -84,8 +84,8 @@ std::vector<double> all_diffuse(const LeafPlaces& places,
     return light;
 }
 
-//! Returns the relative variance of the mean of diffuse light where places are
-//! joined, over leaf area.
+//! Returns the relative variance of the mean of diffuse light over joined
+//! places, weighted by leaf area.
 double relative_variance(const LeafPlaces& places,
                          const std::vector<std::uint32_t>& first,
                          const std::vector<double>& light, std::size_t n) {
@@ -99,7 +99,7 @@ double relative_variance(const LeafPlaces& places,
     for (std::size_t p = 0; p < places.count(); ++p) {
         const Estimate mean = estimate({&of_joined[p * n], n});
         all += index[p];
-        // A place that a single randomisation has met has a variance of 1.
+        // A place that paths of a single randomisation met has a variance of 1.
         sum +=
             index[p] *
             (mean.mean > 0 ? std::pow(mean.standard_error / mean.mean, 2) : 1);

@@ -20,34 +20,34 @@ struct LeafPlaces {
     std::size_t count() const { return index.size(); }
     std::size_t pieces() const { return of.size(); }
 
-    std::vector<std::uint32_t> of;     //!< the place of each piece
-    std::vector<double> per_index;     //!< 1 / leaf area index, of pieces
-    std::vector<double> index;         //!< leaf area index, of places
-    std::vector<std::uint32_t> group;  //!< group of places, each in a run
-    std::vector<std::uint32_t> row;    //!< row of places; 0 if none is told
-    std::vector<double> height;        //!< height of places [m]
-    //! The absorptance of places, of the face that absorbs more.
+    std::vector<std::uint32_t> of;     //!< place of each piece
+    std::vector<double> per_index;     //!< 1 / leaf area index, by piece
+    std::vector<double> index;         //!< leaf area index, by place
+    std::vector<std::uint32_t> group;  //!< group by place, each in a run
+    std::vector<std::uint32_t> row;    //!< row by place; 0 if not told apart
+    std::vector<double> height;        //!< height by place [m]
+    //! Absorptance by place, of the face that absorbs more.
     std::vector<double> absorptance;
 };
 
 //! Diffuse light of one source [J m-2 of ground].
 struct DiffuseLight {
     //! Collects the diffuse light of pieces.
-    //! @param source -1: none
+    //! @param source number of the source; -1: none
     DiffuseLight(const std::vector<Tally>& tallies, int source,
                  std::size_t pieces);
 
-    //! The light of each piece that has some, in each randomisation.
+    //! Light of each piece that has light, in each randomisation.
     std::vector<std::vector<LeafLight::Part>> parts;
-    std::vector<double> sum;  //!< over randomisations, of pieces
+    std::vector<double> sum;  //!< sum over randomisations, by piece
 };
 
-//! The diffuse light that is expected at each place, with which the simulated
-//! one is compared.
+//! The diffuse light that is expected at each place, with which simulated light
+//! is compared.
 class ExpectedLight {
   public:
     //! Finds the expected light of a place as a mean over the place and as many
-    //! of its neighbours as it takes to know the mean well.
+    //! neighbours as are needed to know the mean well.
     ExpectedLight(const LeafPlaces& places, const std::vector<Tally>& tallies);
 
     //! Returns the expected light by place, per area of leaf [J m-2].
@@ -55,8 +55,8 @@ class ExpectedLight {
 
   private:
     const LeafPlaces& places_;
-    std::vector<std::uint32_t> first_;  //!< that each place is joined to
-    std::vector<double> scale_;         //!< scale of sums of first places
+    std::vector<std::uint32_t> first_;  //!< first place joined to each place
+    std::vector<double> scale_;         //!< factor of sums, by first place
 };
 
 }  // namespace ideotype

@@ -11,8 +11,8 @@ namespace ideotype {
 
 namespace {
 
-//! Spread evenly over 20 umol m-2 s-1 around its light: so the classes change
-//! smoothly with light that is known only so well.
+//! Adds an area spread evenly over 20 umol m-2 s-1 around its light, so that
+//! classes change smoothly with light that is not exactly known.
 void add(std::vector<double>& classes, double ppfd, double area) {
     constexpr double reach = 10;
     const std::size_t upper = class_of(ppfd + reach);
@@ -23,15 +23,15 @@ void add(std::vector<double>& classes, double ppfd, double area) {
     classes[lower] += (1 - above) * area;
 }
 
-//! A triangle that a beam meets.
+//! A triangle that a beam meets, and the beam's light on it.
 struct Hit {
     std::uint32_t place;
     double cosine;
     double absorptance;
-    std::vector<double> area;  //!< all, and without each [m2 m-2]
+    std::vector<double> area;  //!< area of all, and without each [m2 m-2]
 };
 
-//! Numbers of randomisations: the mean of all, and that without each.
+//! Returns the mean of all randomisations, and the means without each of them.
 std::vector<double> all_and_without(const std::vector<double>& values) {
     const auto n = static_cast<double>(values.size());
     double sum = 0;
@@ -70,8 +70,8 @@ class Classification {
     }
 
   private:
-    //! Returns the diffuse light of all randomisations and without each, by
-    //! place, per area of leaf [J m-2].
+    //! Returns the diffuse light per area of leaf by place [J m-2], from all
+    //! randomisations and from all without each.
     std::vector<std::vector<double>> diffuse_of(int source) const {
         DiffuseLight all(tallies_, source, places_.pieces());
         std::vector<std::vector<double>> result{expectation_.of(all)};
@@ -144,8 +144,8 @@ class Classification {
         }
     }
 
-    //! Returns classes by randomisation: the mean is that of all, the scatter
-    //! that of the pseudo-values of a jackknife.
+    //! Returns classes by randomisation: their mean is the estimate from all
+    //! randomisations, their scatter that of the pseudo-values of a jackknife.
     std::vector<LightClasses> values() const {
         const auto n = static_cast<double>(tallies_.size());
         std::vector<LightClasses> result(tallies_.size(),
@@ -168,9 +168,9 @@ class Classification {
     const SeriesIllumination& light_;
     LeafPlaces places_;
     ExpectedLight expectation_;
-    //! Diffuse light [source][all and without each][place].
+    //! Diffuse light [source][all, and without each][place].
     std::vector<std::vector<std::vector<double>>> diffuse_;
-    std::vector<LightClasses> classes_;  //!< classes of all, and without each
+    std::vector<LightClasses> classes_;  //!< areas from all, and without each
 };
 
 }  // namespace

@@ -48,13 +48,14 @@ PairLight::PairLight(const std::vector<Tally>& tallies, const LitLeaves& lit,
     sort_hits();
 }
 
-//! Returns the product of the mean of x and that of y, without bias, from their
-//! sums and that of their products. A single randomisation is taken as it is.
+//! Returns the product of the means of x and y without bias, from the sums of
+//! x, of y and of x y. Sums of a single randomisation are multiplied as they
+//! are.
 double PairLight::product(double x, double y, double sum) const {
     return n_ > 1 ? (x * y - sum) / (n_ * (n_ - 1)) : x * y;
 }
 
-//! Diffuse light with what is expected.
+//! Compares diffuse light with the expected diffuse light.
 void PairLight::compare() {
     std::vector<double> squares(places_.pieces()), products(places_.pieces());
     for (std::size_t r = 0; r < tallies_.size(); ++r)
@@ -114,8 +115,9 @@ void PairLight::find_hits(const LitLeaves& lit, const Source& source) {
 
 namespace {
 
-//! Steps of 1/16 of a power of two: beams that differ by less have the effect
-//! of their mean. Light below the least does next to nothing.
+//! Returns the step of a cosine, 1/16 of a power of two wide: beams within a
+//! step have the effect of their mean. Beams below the least cosine have hardly
+//! any effect.
 std::uint32_t step_of(double cosine) {
     constexpr int dropped_bits = 19;
     constexpr float least = 1 / 64.f;
@@ -133,7 +135,7 @@ void PairLight::sort_hits() {
     std::partial_sum(end.begin(), end.end(), end.begin());
     std::vector<Hit*> order(hits_.size());
     for (Hit& hit : hits_) order[end[places_.of[hit.piece]]++] = &hit;
-    std::vector<std::uint32_t> steps;  // of the bins of a place
+    std::vector<std::uint32_t> steps;  // steps of the bins of a place
     std::size_t i = 0;
     for (std::uint32_t p = 0; p < places_.count(); ++p) {
         const std::size_t first = bins_.size();
@@ -162,7 +164,7 @@ void PairLight::add(const Hit& hit, Bin& bin) const {
     const double energy = hit.energy / n_;
     Moments moments = differ_[v];
     moments.one = 1;
-    // Light differs in what the beam meets.
+    // The pieces that a beam meets may differ in diffuse light.
     moments.sun =
         per * product(hit.energy, sun_.sum[v], hit.with_sun) / energy -
         expected_[bin.place];
@@ -173,13 +175,13 @@ void PairLight::add(const Hit& hit, Bin& bin) const {
     bin.cosine += energy * hit.cosine;
 }
 
-//! The variance of a product of noise is half of what a jackknife tells
-//! (Efron and Stein 1981, doi:10.1214/aos/1176345462).
+//! The factor of products: a jackknife tells twice the variance of a product of
+//! noise (Efron and Stein 1981, doi:10.1214/aos/1176345462).
 constexpr double of_products = std::numbers::sqrt2 / 2;
 
 //! Returns the weights of light itself in a randomisation, and of squares and
-//! products, where moments have weights of the differences in the mean. Light
-//! of a hit alone is left out.
+//! products, given the weights of differences in the mean that moments have.
+//! The light of a hit alone is left out.
 std::vector<Moments> PairLight::weights_of_pieces(
     const std::vector<Moments>& weights) {
     std::vector<Moments> of_pieces(places_.pieces());

@@ -7,9 +7,10 @@
 
 namespace ideotype {
 
-//! A function of diffuse light, expanded to second order about the light that
-//! is expected: what differs from that in the light of a sun and in that of a
-//! sky, and products, summed over pieces or hits; or how much each counts.
+//! The terms of a function of diffuse light, expanded to second order about the
+//! expected light: differences in the light of a sun and of a sky from the
+//! expected light, and products of differences, summed over pieces or hits; or
+//! the weights of these terms.
 struct Moments {
     double one = 0, sun = 0, sky = 0, sun2 = 0, sun_sky = 0, sky2 = 0;
 
@@ -28,7 +29,7 @@ struct Moments {
     }
 };
 
-//! Diffuse light of a sky, and what it counts for.
+//! The diffuse light of a sky, and its weight in the result.
 struct SkyLight {
     SkyLight(const std::vector<Tally>& tallies, int source,
              const LeafPlaces& places, const ExpectedLight& expectation);
@@ -37,32 +38,32 @@ struct SkyLight {
         return by_piece[r * light.sum.size() + piece];
     }
 
-    int source;  //!< -1: none
+    int source;  //!< number of the source; -1: none
     DiffuseLight light;
     std::vector<double> expected;  //!< by place, per area of leaf [J m-2]
-    std::vector<double> by_piece;  //!< [randomisation][piece]
-    std::vector<double> by_place;  //!< [randomisation][place]
+    std::vector<double> by_piece;  //!< light [randomisation][piece]
+    std::vector<double> by_place;  //!< light [randomisation][place]
     std::vector<double> squares;   //!< sums over randomisations, by piece
     //! Weights by piece of the light in a randomisation, and of its square.
     std::vector<double> weight, weight_of_square;
 };
 
 //! The light of a sun and a sky that some steps share, over all randomisations:
-//! numbers of which those of any step are sums. No product of two numbers has a
-//! bias by their noise: each is the mean product of those of two different
+//! numbers from which each step's sums follow. No product of two numbers has a
+//! bias by noise: each is the mean product of the numbers of two different
 //! randomisations (a U-statistic, Hoeffding 1948, doi:10.1214/aoms/1177730196).
 class PairLight {
   public:
-    //! Hits of beams at one place that have about the same cosine: beam on the
-    //! leaf over that on level ground, as the face that absorbs most of the
-    //! leaf's would have to have to absorb as much.
+    //! Hits of beams at one place that have about the same cosine: the beam on
+    //! the leaf over the beam on level ground that the leaf's more absorbing
+    //! face would need to absorb as much.
     struct Bin {
         std::uint32_t place = 0;
         double cosine = 0;
         Moments moments{}, weights{};
     };
 
-    //! @param beam source; -1: none
+    //! @param beam number of the beam's source; -1: none
     PairLight(const std::vector<Tally>& tallies, const LitLeaves& lit,
               const LeafPlaces& places, const ExpectedLight& expectation,
               int beam, SkyLight& sky);
@@ -70,19 +71,18 @@ class PairLight {
     const std::vector<double>& expected() const { return expected_; }
     const std::vector<Moments>& moments() const { return moments_; }
 
-    //! Returns the bins in the order of places; weights are for the caller to
-    //! set.
+    //! Returns the bins in the order of places; the caller sets their weights.
     std::vector<Bin>& bins() { return bins_; }
     const std::vector<Bin>& bins() const { return bins_; }
 
-    //! Adds the differences of the sum of all moments, by their weights, in the
+    //! Adds the differences of the weighted sum of all moments, as
     //! pseudo-values of a jackknife (Quenouille 1956,
-    //! doi:10.1093/biomet/43.3-4.353; Tukey 1958, doi:10.1214/aoms/1177706647)
-    //! to [randomisation][place]. Products differ by as much as makes their
-    //! scatter right. Differences that all randomisations share and the light
-    //! of the sky, whose weights it raises, are left out.
-    //! @param weights of moments()
-    //! @return sums, by randomisation, with the sky to first order
+    //! doi:10.1093/biomet/43.3-4.353; Tukey 1958, doi:10.1214/aoms/1177706647),
+    //! to [randomisation][place]. Differences of products are scaled so that
+    //! their scatter is right. Differences that all randomisations share are
+    //! left out, as is the light of the sky, whose weights are raised instead.
+    //! @param weights weights of moments()
+    //! @return sums by randomisation, with the light of the sky to first order
     std::vector<double> scatter(const std::vector<Moments>& weights,
                                 std::vector<std::vector<double>>& differences);
 
@@ -107,10 +107,10 @@ class PairLight {
     int beam_;
     SkyLight& sky_;
     DiffuseLight sun_;
-    std::vector<double> expected_;    //!< of the sun
+    std::vector<double> expected_;    //!< expected light of the sun
     std::vector<Moments> moments_;    //!< by place, times leaf area index
-    std::vector<Moments> differ_;     //!< by piece
-    std::vector<std::uint32_t> hit_;  //!< of triangles, from 1
+    std::vector<Moments> differ_;     //!< differences by piece
+    std::vector<std::uint32_t> hit_;  //!< number of hit by triangle, from 1
     std::vector<Hit> hits_;
     std::vector<Bin> bins_;
 };

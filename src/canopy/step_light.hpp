@@ -32,7 +32,7 @@ struct Responses {
 //! derivatives in D: f is the response, D the diffuse light and b the beam.
 inline Expansion gain(const Expansion& shaded, const Expansion& lit,
                       double beam) {
-    // The difference for a weaker beam would be mostly rounding errors.
+    // For a weaker beam the difference would be mostly rounding errors.
     constexpr double least = 0.01;
     if (beam < least)
         return {shaded.slope + beam / 2 * shaded.curvature, shaded.curvature,
@@ -42,8 +42,8 @@ inline Expansion gain(const Expansion& shaded, const Expansion& lit,
             (lit.curvature - shaded.curvature) / beam};
 }
 
-//! The diffuse light of the sun's source and of the sky's in a step, each over
-//! the energy of the source.
+//! The diffuse light of the sun's source and of the sky's source in a step,
+//! each over the energy of the source.
 struct Scales {
     double of_sun, of_sky;
 
@@ -59,16 +59,16 @@ struct Scales {
     }
 };
 
-//! The light on leaves in a step, and what they make of it at the temperature
-//! of the air.
+//! The light on leaves in a step, and the response of leaves to it at the
+//! temperature of the air.
 struct StepLight {
     const PairLight& pair;
     Scales scales{};
-    Responses shaded{};                     //!< responses of places
-    Responses lit{};                        //!< responses of bins
-    std::vector<double> beams{};            //!< beams on leaves of bins
-    std::vector<LeafResponse> responses{};  //!< responses of groups of plants
-    std::vector<double> of_places{};        //!< assimilation, in its amounts
+    Responses shaded{};                     //!< responses by place
+    Responses lit{};                        //!< responses by bin
+    std::vector<double> beams{};            //!< beams on leaves, by bin
+    std::vector<LeafResponse> responses{};  //!< responses by group of plants
+    std::vector<double> of_places{};  //!< amount of gross assimilation by place
 };
 
 }  // namespace ideotype

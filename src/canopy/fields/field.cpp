@@ -13,7 +13,7 @@ namespace ideotype {
 
 namespace {
 
-//! Random numbers of a component that no other one has.
+//! Returns a stream of random numbers that is unique to a component.
 RandomStream stream_of(const Randomness& randomness, Purpose purpose,
                        std::uint32_t component) {
     constexpr std::uint32_t apart = 1u << 24;
@@ -30,7 +30,8 @@ void shuffle(std::vector<Item>& items, RandomStream& stream) {
                   items[stream.below(static_cast<std::uint32_t>(i + 1))]);
 }
 
-//! Returns as many as this fraction of so many is on average, within one.
+//! Returns a fraction of a count rounded up or down at random, right on
+//! average.
 std::size_t number_of(double fraction, std::size_t count,
                       RandomStream& stream) {
     return static_cast<std::size_t>(fraction * static_cast<double>(count) +
@@ -51,7 +52,7 @@ std::vector<double> draw_plant_azimuths(const Component& component,
             turn = stream.uniform(-component.jitter, component.jitter);
         return turns;
     }
-    // One turn in each of equal parts of both ranges.
+    // Both ranges are divided into equal parts with one turn in each part.
     const std::size_t crossing =
         std::min(number_of(*across, turns.size(), stream), turns.size());
     for (std::size_t i = 0; i < turns.size(); ++i) {
@@ -84,7 +85,7 @@ void drop_unused_vertices(Mesh& mesh) {
         for (std::uint32_t& v : face) v = place[v];
 }
 
-//! Keeps the faces whose centre is above the ground that is kept.
+//! Keeps only the faces whose centre is above the kept ground.
 void cut_border(Field& field) {
     const auto [x, y, width, depth] = *field.cell.kept;
     Mesh& mesh = field.mesh;
@@ -108,9 +109,9 @@ void cut_border(Field& field) {
 
 enum class Emergence { usual, late, none };
 
-//! Draws which places are without a plant and which have a late one. The
-//! numbers of both differ from the fractions of the variation by less than one,
-//! and are right on average.
+//! Draws which places have no plant and which have a late plant. The numbers of
+//! such places differ from the fractions of the variation by less than one
+//! plant, and are right on average.
 std::vector<Emergence> draw_emergence(const Component& component,
                                       RandomStream& stream) {
     const std::size_t count = component.plants();
@@ -126,8 +127,8 @@ std::vector<Emergence> draw_emergence(const Component& component,
     return places;
 }
 
-//! Draws the plants of a component, place by place; those that are missing have
-//! no faces.
+//! Draws the plants of a component, place by place; missing plants have no
+//! faces.
 //! @param line mesh of a plant that does not deviate
 std::vector<Mesh> draw_plants(const Component& component, const Mesh& line,
                               const Randomness& randomness,
@@ -136,8 +137,8 @@ std::vector<Mesh> draw_plants(const Component& component, const Mesh& line,
     const PlantVariation& variation = component.variation;
     RandomStream stream = stream_of(randomness, Purpose::variation, number);
     const std::vector<Emergence> places = draw_emergence(component, stream);
-    // Plants of the second half deviate as those of the first half, but to the
-    // other side: what is linear in deviations has no noise then.
+    // Plants of the second half deviate opposite to those of the first half:
+    // effects that are linear in deviations then have no noise.
     std::vector<RandomStream> pairs;
     std::vector<Mesh> plants(places.size());
     for (std::size_t p = 0; p < places.size(); ++p) {
@@ -160,8 +161,8 @@ std::vector<Mesh> draw_plants(const Component& component, const Mesh& line,
     return plants;
 }
 
-//! Adds a turned plant.
-//! @param first_group of its component
+//! Adds a turned plant to a field.
+//! @param first_group first group of the plant's component
 void add_plant(Field& field, const Mesh& plant, const Place& place, double turn,
                std::uint32_t first_group, std::uint32_t number) {
     IDEOTYPE_EXPECT(plant.face_group.size() == plant.faces.size());
@@ -197,7 +198,7 @@ void reserve(Field& field, const Scene& scene) {
 std::vector<std::vector<Place>> draw_places(const Scene& scene,
                                             const Randomness& randomness) {
     std::vector<std::vector<Place>> all;
-    std::vector<Place> shared;  // places of the mixture that are left
+    std::vector<Place> shared;  // remaining places of the mixture
     for (const Component& each : scene.components) {
         if (each.mixed > 0 && shared.empty()) {
             shared = each.places;

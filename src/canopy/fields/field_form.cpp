@@ -11,8 +11,8 @@ namespace ideotype {
 
 namespace {
 
-//! Returns where each row of a lattice is along x: half of the distance that
-//! goes before the first one is at the edge of the cell [m].
+//! Returns the place of each row of a lattice along x [m]: the first row is
+//! half of the distance to the row before it from the edge of the cell.
 std::vector<double> row_places(const FieldForm& form) {
     std::vector<double> rows;
     const std::vector<double>& pattern = form.row_pattern;

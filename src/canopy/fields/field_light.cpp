@@ -13,7 +13,7 @@ namespace ideotype {
 
 namespace {
 
-//! Enough points to know a sunlit fraction to some 0.2 %.
+//! Number of points that gives a sunlit fraction to some 0.2 %.
 constexpr int most_sunlit_points = 2048;
 
 //! The work on one field of an evaluation.
@@ -27,7 +27,7 @@ class FieldPass {
           lines_(lines),
           shared_(shared) {}
 
-    //! Draws the field, whose surfaces are then known.
+    //! Draws the field, from which its surfaces follow.
     Field draw(int number) {
         randomness_ = plan_.of_light(number);
         Field field =
@@ -45,7 +45,7 @@ class FieldPass {
             shared_.layers.thickness =
                 surfaces.top() / static_cast<double>(shared_.layers.count);
         Accuracy accuracy = plan_.accuracy;
-        // Each source has a path of its own.
+        // Each source needs a path of its own.
         accuracy.paths =
             std::max(accuracy.paths,
                      static_cast<int>(scene_.light().light.sources.size()));
@@ -79,8 +79,8 @@ class FieldPass {
     Timing& seconds() { return found_.seconds; }
 
   private:
-    //! Takes the areas of the field per ground area, and those of groups if
-    //! they are faces.
+    //! Adds areas of the field per ground area, and areas of groups if groups
+    //! are faces.
     void measure_areas(const Mesh& mesh) {
         const double ground = scene_.cell.ground_area;
         const std::vector<double> of_faces = face_areas(mesh);
@@ -117,7 +117,7 @@ class FieldPass {
                     of_faces[f] / scene_.cell.ground_area;
     }
 
-    //! Takes as much light as the tolerance asked for in the first field.
+    //! Traces as much light as the tolerance needed in the first field.
     Simulation simulate(const RayScene& surfaces, const Mesh& mesh,
                         const Accuracy& accuracy) {
         const Subject subject{surfaces, mesh.groups, shared_.bands,
@@ -184,7 +184,7 @@ class FieldPass {
             found_.light_classes = {mean_of(found_.light_classes)};
     }
 
-    //! Returns the leaves of this field with the light that warms them.
+    //! Returns the leaves of this field with the light that warms leaves.
     WaterLeaves water_leaves(const BandTallies& tallies) const {
         WaterLeaves leaves{scene_,        shared_.leaves, lines_.groups,
                            lines_.widths, lines_.height,  randomness_};
@@ -199,7 +199,7 @@ class FieldPass {
         return leaves;
     }
 
-    //! Measures the leaf area of each layer that assimilates.
+    //! Measures the leaf area of each layer whose leaves assimilate.
     void measure_layers() {
         found_.leaf_area_of_layers.resize(shared_.layers.count);
         for (std::size_t v = 0; v < pieces_.count; ++v)
@@ -223,7 +223,7 @@ class FieldPass {
         found_.is_capped |= exact.is_capped;
     }
 
-    //! @param groups of the surfaces
+    //! @param groups groups of the surfaces
     void take_light(BandTallies tallies, const std::vector<Group>& groups) {
         for (std::vector<Tally>& band : tallies) {
             auto& rows =

@@ -14,60 +14,61 @@
 
 namespace ideotype {
 
-//! The names of bands besides PAR that warm leaves.
+//! The names of the bands besides PAR whose radiation warms leaves.
 inline constexpr auto nir = "nir", longwave = "longwave";
 
-//! One plant of each component, as fields are made of them.
+//! One plant of each component, from which fields are made.
 struct Lines {
-    //! @param scene of the request, or with other groups
+    //! @param scene scene of the request, perhaps with other groups
     Lines(const Scene& scene, const CanopyRequest& request);
 
-    //! Leaves are cut into pieces, or rows are told apart; then there are:
+    //! Whether leaves are cut into pieces or rows are told apart, so that
+    //! `pieces` is filled.
     bool are_cut = false;
     std::vector<Pieces> pieces;  //!< without their meshes
     std::vector<Mesh> meshes;    //!< meshes of the pieces
     std::vector<Group> groups;   //!< groups of the scene before leaves were cut
-    //! The width of blades of each group of plants, if leaves exchange heat
+    //! The width of the blades of each group of plants, if leaves exchange heat
     //! [m].
     std::vector<double> widths;
     double height = 0;  //!< height of the highest plant [m]
 };
 
-//! Returns the bands that light is followed in, see SharedByFields.
+//! Returns the bands in which light is followed, see SharedByFields.
 //! @throws Error if leaves have a temperature and there is no near infrared.
 Bands bands_of(const Scene& scene);
 
-//! Numbers that all fields of an evaluation share. The first field tells those
-//! that are not known before.
+//! Numbers that all fields of an evaluation share. The first field fills in the
+//! numbers that are not known before.
 struct SharedByFields {
     Layers layers;
     std::vector<LeafGroup> leaves{};  //!< leaves of each group of the lines
-    //! The bands of the scene, and the longwave radiation of the sky as one in
-    //! which surfaces are black, if leaves exchange heat.
+    //! The bands of the scene and, if leaves exchange heat, the longwave
+    //! radiation of the sky as a band in which surfaces are black.
     Bands bands;
-    std::optional<Simulation>
-        trial{};  //!< the work that the tolerance asks for
+    std::optional<Simulation> trial{};  //!< work that the tolerance needs
 };
 
-//! Light and assimilation in some fields: by randomisation of all of them, or,
+//! Light and assimilation in some fields, by randomisation of all fields or,
 //! where each field is one of many, by field. Areas are sums over fields.
 struct FieldLight {
-    //! Adds what was found in more fields.
+    //! Adds the results of more fields.
     void append(FieldLight more);
 
     BandTallies light;
     //! Light that leaves absorb by row, where rows are told apart
     //! [J m-2 of ground; band, randomisation, row].
     std::vector<std::vector<std::vector<double>>> rows;
-    FluxTallies fluxes;                       //!< if leaves assimilate
-    std::vector<double> leaf_area_of_layers;  //!< index, of those [m2 m-2]
-    SunlitFractions sunlit;                   //!< by points of leaves
-    SunlitFractions hit_by_sun;               //!< by first hits
+    FluxTallies fluxes;  //!< filled if leaves assimilate
+    //! Leaf area index by layer [m2 m-2].
+    std::vector<double> leaf_area_of_layers;
+    SunlitFractions sunlit;      //!< estimates by points of leaves
+    SunlitFractions hit_by_sun;  //!< estimates by first hits
     std::vector<LightClasses> light_classes;
     std::vector<PlantArea> areas;         //!< areas of components [m2 m-2]
-    std::vector<double> leaf_area_index;  //!< of groups of the lines
-    std::vector<double> areas_of_groups;  //!< of all copies of faces [m2]
-    //! Leaf area index of each row, where they are told apart, and group.
+    std::vector<double> leaf_area_index;  //!< index by group of the lines
+    std::vector<double> areas_of_groups;  //!< area of all copies of a face [m2]
+    //! Leaf area index by row and group, where rows are told apart.
     std::vector<double> areas_of_rows;
     std::uint64_t paths = 0;
     bool is_capped = false;
@@ -76,14 +77,14 @@ struct FieldLight {
 };
 
 //! Draws a field of a scene, and follows light and assimilation in it.
-//! @param scene that the lines are of
+//! @param scene scene of the lines
 FieldLight light_in_field(int number, const CanopyRequest& request,
                           const Scene& scene, const Plan& plan,
                           const Lines& lines, const Device& device,
                           const Clock& clock, SharedByFields& shared);
 
-//! Makes the report of an evaluation from what was found in its fields.
-//! @param scene of the request, or with other groups
+//! Makes the report of an evaluation from the results in its fields.
+//! @param scene scene of the request, perhaps with other groups
 CanopyReport report_on(const CanopyRequest& request, const Scene& scene,
                        const Lines& lines, const SharedByFields& shared,
                        const FieldLight& found);

@@ -47,7 +47,8 @@ Bands bands_of(const Scene& scene) {
             "leaves have a temperature of their own, but the scene has no near "
             "infrared; add a band \"nir\"");
     found->is_by_piece = true;
-    // It only warms leaves, which absorb a tenth of it, unless it is bounded.
+    // Near infrared only warms leaves, which absorb a tenth of it, unless its
+    // error is bounded.
     if (!found->is_bounded) found->path_share = 0.1;
     Band sky{longwave, scene.light(), {}, false, true};
     sky.optics.materials.resize(bands.front().optics.materials.size());

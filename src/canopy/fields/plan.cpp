@@ -10,7 +10,7 @@ namespace ideotype {
 
 namespace {
 
-//! Randomisations in one field that assimilation needs, see assimilate().
+//! Least number of randomisations in a field for assimilate().
 constexpr int fewest_in_field = 4;
 
 //! Tells whether fields of a scene may differ from each other.

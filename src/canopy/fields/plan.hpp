@@ -15,10 +15,10 @@ struct Plan {
     //! Returns the random numbers of the light in a field.
     Randomness of_light(int field) const;
 
-    Accuracy accuracy;  //!< in each field
+    Accuracy accuracy;  //!< accuracy in each field
     int fields = 1;
-    //! Tells whether each field counts as a single randomisation of the result,
-    //! although its light is traced in several.
+    //! Whether each field counts as a single randomisation of the result,
+    //! although its light is traced in several randomisations.
     bool is_one_of_many = false;
 
   private:

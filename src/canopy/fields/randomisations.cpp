@@ -14,7 +14,7 @@ void scale(std::vector<double>& all, double by) {
     for (double& x : all) x *= by;
 }
 
-//! Returns the mean of items that are made of these lists of numbers.
+//! Returns the mean of items that consist of the given lists of numbers.
 template <class Item, class... Parts>
 Item mean_of_parts(const std::vector<Item>& all, Parts... parts) {
     IDEOTYPE_EXPECT(!all.empty());

@@ -19,7 +19,7 @@ Tally mean_of(const std::vector<Tally>& tallies);
 FluxTally mean_of(const std::vector<FluxTally>& tallies);
 LightClasses mean_of(const std::vector<LightClasses>& classes);
 
-//! Adds numbers of the same places; the first ones are taken as they are.
+//! Adds numbers place by place; an empty sum becomes a copy of the numbers.
 template <class All>
 void add(All& all, const All& more) {
     if (all.empty()) all.resize(more.size());
@@ -41,13 +41,12 @@ inline void append(SunlitFractions& all, SunlitFractions more) {
 
 //! Sums the light that leaves absorb by row [randomisation, row]; none if rows
 //! are not told apart.
-//! @param groups of the pieces' mesh
+//! @param groups groups of the pieces' mesh
 std::vector<std::vector<double>> light_of_rows(
     const std::vector<Tally>& tallies, const Pieces& pieces,
     const std::vector<Group>& groups);
 
-//! Makes the light of pieces that of the groups that they are of.
-//! @param pieces with light
+//! Adds up the light of pieces to the light of their uncut groups.
 void add_up_pieces(std::vector<Tally>& tallies, const Pieces& pieces,
                    std::size_t groups);
 

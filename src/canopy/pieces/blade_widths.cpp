@@ -11,7 +11,7 @@ namespace ideotype {
 
 namespace {
 
-//! Returns the length of the edges that a single face of a blade has [m].
+//! Returns the length of a blade's edges that have a single face [m].
 double circumference(const Mesh& mesh, const Faces& blade) {
     using Place = std::array<double, 3>;
     std::vector<std::pair<Place, Place>> edges;

@@ -10,10 +10,10 @@
 
 namespace ideotype {
 
-//! Some faces of a mesh by their numbers.
+//! Numbers of faces of a mesh.
 using Faces = std::vector<std::uint32_t>;
 
-//! Numbers that are joined to each other.
+//! Sets of numbers that are joined to each other.
 class Joined {
   public:
     explicit Joined(std::size_t count) : parent_(count) {
@@ -35,13 +35,13 @@ class Joined {
     std::vector<std::uint32_t> parent_;
 };
 
-//! Returns whether a face is one of a leaf.
+//! Returns whether a face belongs to a leaf.
 inline bool is_leaf(const Mesh& mesh, std::uint32_t face) {
     return mesh.groups[mesh.face_group[face]].id.is_leaf();
 }
 
 //! Joins the faces of leaves that have vertices at the same place.
-//! @param part by group: faces are joined only if it is the same
+//! @param part part of each group: only faces of equal parts are joined
 Joined joined_faces(const Mesh& mesh, const Faces& part);
 
 //! Returns the faces of each blade, in the order of groups and first faces.

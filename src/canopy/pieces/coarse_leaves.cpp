@@ -15,7 +15,7 @@ namespace {
 
 using Face = std::array<std::uint32_t, 4>;
 
-//! Divides faces into four of the same shape, at the middles of their edges.
+//! Divides faces into four of similar shape, at the middles of their edges.
 class Divider {
   public:
     explicit Divider(Mesh& mesh) : mesh_(mesh) {}
@@ -35,8 +35,8 @@ class Divider {
                 add(part, times - 1);
             return;
         }
-        // The fold is from b to d, see face_areas(): the parts at both its ends
-        // keep it, the other two are flat.
+        // The fold of a face runs from b to d, see face_areas(): the two parts
+        // at its ends are folded, the two others are flat.
         const std::uint32_t cd = middle(c, d), da = middle(d, a);
         const std::uint32_t centre = middle(b, d);
         for (const Face& part :
@@ -60,12 +60,13 @@ class Divider {
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles_;
 };
 
-//! Returns the number of faces of the blade of each face that is to be divided,
-//! else 0.
+//! Returns, for each face that is to be divided, the number of faces of its
+//! blade, and 0 for other faces.
 std::vector<std::size_t> coarse_blades(const Mesh& mesh) {
-    // Leaves of built plants have as many.
+    // Leaves of built plants have this number of faces.
     constexpr std::size_t fine_enough = 24;
-    // Groups of one organ are one where the light of each face is counted.
+    // Groups of one organ count as one group if each face is a group of its
+    // own.
     using Organ = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>;
     std::map<Organ, std::uint32_t> organs;
     Faces organ;
@@ -90,9 +91,9 @@ std::vector<std::size_t> coarse_blades(const Mesh& mesh) {
 Pieces cut_coarse_leaves(const Mesh& mesh, std::size_t copies, double tolerance,
                          std::size_t per_blade) {
     IDEOTYPE_EXPECT(copies > 0 && tolerance >= 0 && per_blade > 0);
-    // With 4 pieces a leaflet assimilates .3 % too much, with 64 .06 %, with
-    // 256 next to nothing. More faces in all would take longer than they are
-    // worth.
+    // A leaflet of 4 pieces assimilates 0.3 % too much, of 64 pieces 0.06 %, of
+    // 256 pieces next to nothing. More faces in all would cost more time than
+    // their accuracy is worth.
     constexpr double low_tolerance = 0.001;
     constexpr std::size_t most_faces = 1u << 17;
     const std::vector<std::size_t> blade = coarse_blades(mesh);

@@ -15,7 +15,7 @@ struct Share {
     std::uint32_t cut_from;  //!< the first group of the meshes that were cut
     std::uint32_t pieces;    //!< the first piece
     std::uint32_t first_plant;
-    std::uint32_t others = 0;  //!< the first group that is not cut, row by row
+    std::uint32_t others = 0;  //!< first uncut group, row by row
 };
 
 //! Returns the number of plants of each component, counted up to the last one
@@ -133,9 +133,9 @@ class FieldGroups {
     const std::vector<Group>& groups_;
     Pieces& result_;
     std::vector<Share> shares_;
-    std::uint32_t first_ = 0;  //!< first of the field's groups that comes next
+    std::uint32_t first_ = 0;  //!< first group of the next component
     std::uint32_t cut_from_ = 0;
-    std::uint32_t all_ = 0;  //!< groups but those of objects
+    std::uint32_t all_ = 0;  //!< number of groups except objects
 };
 
 }  // namespace

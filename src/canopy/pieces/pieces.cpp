@@ -14,7 +14,7 @@
 namespace ideotype {
 
 Joined joined_faces(const Mesh& mesh, const Faces& part) {
-    // Corners by what they are of and where they are.
+    // A corner is a vertex by the surface it belongs to and by its place.
     using Corner =
         std::tuple<std::uint32_t, double, double, double, std::uint32_t>;
     std::vector<Corner> corners;
@@ -75,7 +75,7 @@ class Cutter {
         }
     }
 
-    //! Halves the faces until there are so many pieces.
+    //! Halves the faces until the number of pieces is reached.
     void cut(const Mesh& mesh, std::uint32_t* first, std::uint32_t* last,
              std::size_t pieces) {
         if (pieces < 2 || last - first < 2) return add(mesh, first, last);
@@ -106,7 +106,7 @@ class Cutter {
         cut(mesh, middle, last, pieces - left);
     }
 
-    //! Returns the pieces together with the groups that are no leaves.
+    //! Returns the pieces together with the groups of other organs.
     Pieces result(const Mesh& mesh) {
         result_.count = result_.group.size();
         result_.like.resize(result_.count);
@@ -153,7 +153,7 @@ class Cutter {
 
 Pieces cut_leaves(const Mesh& mesh, std::size_t per_blade) {
     IDEOTYPE_EXPECT(per_blade > 0);
-    // Pieces of very fine meshes may be small too.
+    // Blades of very fine meshes have more pieces, of this number of faces.
     constexpr std::size_t faces_of_piece = 16;
     Cutter cutter(mesh);
     for (Faces& blade : blades(mesh))

@@ -9,11 +9,10 @@ namespace {
 using Values = std::vector<Estimate>;
 
 constexpr double grams_of_co2 = 44.0095;
-//! Tonnes of carbohydrate on a hectare for each mol of carbon on a square
-//! metre.
+//! Tonnes of carbohydrate per hectare for each mol of carbon per square metre.
 constexpr double tonnes = 30e-6 * 1e4;
 
-//! Gross assimilation, by how much lower the figure is, and its scale.
+//! Returns gross assimilation lowered by a loss, times a scale.
 Randomised carbon(const CanopyReport& report, double loss = 0,
                   double scale = 1) {
     const Estimate gross = report.assimilation->gross.sum;
@@ -36,7 +35,7 @@ std::vector<Randomised> gross_of_groups(const CanopyReport& report) {
                  report.assimilation->gross.groups, &FluxTally::groups);
 }
 
-//! Each leaf lowered by its respiration in the light.
+//! Returns the assimilation of each leaf less its respiration in the light.
 std::vector<Randomised> net_by_leaf(const CanopyReport& report) {
     std::vector<Randomised> groups = gross_of_groups(report);
     for (std::size_t g = 0; g < groups.size(); ++g) {

@@ -21,13 +21,12 @@ using TakeNumber =
 //! Takes the numbers of a quantity that has axes.
 using TakeNumbers = std::function<std::vector<Estimate>(const CanopyReport&)>;
 
-//! Takes the numbers of a quantity that has axes, with those of each
-//! randomisation.
+//! Takes the numbers of a quantity with axes, by randomisation too.
 using TakeProfile = std::function<std::vector<Randomised>(const CanopyReport&)>;
 
-inline constexpr double grams_of_carbon = 12.011;  //!< grams of carbon of a mol
+inline constexpr double grams_of_carbon = 12.011;  //!< molar mass [g mol-1]
 
-// Units of light and of CO2 on a mean day, per ground area.
+// Units of light and CO2 on a mean day, per ground area.
 inline constexpr auto daily = "MJ m-2 day-1", rate = "mol m-2 day-1";
 
 //! A description of a canopy by what can be measured in it.
@@ -37,7 +36,7 @@ struct Scope {
     bool assimilates = false;
     bool has_form = false;
     bool has_lines = false;
-    bool has_rows = false;  //!< that are told apart
+    bool has_rows = false;  //!< whether rows are told apart
     bool has_objects = false;
     bool has_panels = false;
     bool grows = false;
@@ -48,13 +47,13 @@ struct Scope {
     }
 };
 
-//! A quantity: its name and unit, and how it is taken from a report.
+//! A quantity: its name and unit, and the way to take it from a report.
 struct Declaration {
     Quantity quantity;
     std::variant<TakeNumber, TakeNumbers, TakeProfile> take;
-    bool is_of_method = false;  //!< tells how light was traced
-    //! Whether a canopy has it. None: it has the quantity if it has the others
-    //! of the same list.
+    bool is_of_method = false;  //!< whether it tells how light was traced
+    //! Whether a canopy has the quantity. None: a canopy has it if it has the
+    //! other quantities of the list.
     std::function<bool(const Scope&)> is_in{};
 };
 
@@ -67,8 +66,8 @@ bool has_panels(const std::vector<Object>& objects) {
     return std::ranges::any_of(objects, &Object::is_panel);
 }
 
-// Each of these lists has its quantities in the order of their columns, and the
-// columns of one list follow those of the list before it.
+// Each of these lists has its quantities in the order of columns, and the
+// columns of one list follow those of the previous list.
 
 //! Returns quantities of PAR.
 std::vector<Declaration> light_quantities();
@@ -99,7 +98,7 @@ inline Randomised scaled(Randomised x, double factor) {
     return x;
 }
 
-//! Joins the numbers of all places with those of each randomisation
+//! Combines the numbers of all places with the numbers of each randomisation
 //! [randomisation, place].
 inline std::vector<Randomised> randomised(
     const std::vector<Estimate>& estimates,
@@ -117,7 +116,7 @@ inline std::vector<Randomised> randomised(
     return all;
 }
 
-//! Carbon that leaves of a part of the canopy lose [mol m-2 day-1].
+//! A function for the carbon that a part of the canopy loses [mol m-2 day-1].
 using Loss = double (*)(const ComponentAssimilation&);
 
 inline double no_loss(const ComponentAssimilation&) {
@@ -149,8 +148,8 @@ inline std::vector<Randomised> along(const std::vector<FluxTally>& tallies,
 }
 
 //! Returns a ratio with its error to first order.
-//! @param left difference between the numerator of a randomisation and the
-//! ratio times its denominator
+//! @param left function for the numerator of a randomisation less the ratio
+//! times its denominator
 template <class Left>
 Randomised ratio_with_error(double ratio, double denominator,
                             std::size_t randomisations, const Left& left) {

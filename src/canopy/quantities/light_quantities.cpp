@@ -33,7 +33,7 @@ Randomised absorbed_by_leaves(const CanopyReport& report) {
                          [](const Budget& day) { return day.leaves; });
 }
 
-//! Takes a part of the incident light; nothing of nothing is nothing.
+//! Takes a part of the incident light as a fraction; 0 without any light.
 TakeNumber fraction(Estimate BudgetEstimate::*part,
                     double (*of)(const Budget&)) {
     return [=](const CanopyReport& report) {
@@ -47,9 +47,9 @@ TakeNumber fapar() {
                     [](const Budget& day) { return day.leaves + day.organs; });
 }
 
-//! Returns -ln(1 - fAPAR) / LAI by the delta method. What is left of the light
-//! is taken as at least its standard error. A plot alone has none: light enters
-//! from its sides.
+//! Returns -ln(1 - fAPAR) / LAI by the delta method; 1 - fAPAR is at least its
+//! standard error. An isolated plot has no extinction coefficient, since light
+//! enters through its sides.
 std::optional<Randomised> extinction_coefficient(const CanopyReport& report) {
     if (report.boundary == Boundary::isolated) return std::nullopt;
     const Randomised absorbed = *fapar()(report);

@@ -27,8 +27,8 @@ Randomised light_on_panels(const CanopyReport& report) {
     return {mean, std::move(sums)};
 }
 
-//! Returns what falls on the ground of what it absorbs; nothing where it
-//! absorbs none.
+//! Returns the light on the ground, from the light that the ground absorbs; 0
+//! if the ground absorbs none.
 Estimate on_ground(const BandReport& band, const Estimate& absorbed) {
     const double kept = 1 - band.soil_albedo;
     return kept > 0 ? scaled(absorbed, 1 / kept) : Estimate{};

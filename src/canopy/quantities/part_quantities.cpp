@@ -29,7 +29,7 @@ bool has_parts(const Scope& scope) {
 
 using Names = std::vector<std::string>;
 
-//! Returns the mean of values, whose error is at least what paths can tell.
+//! Returns the mean of values with an error not below the least one.
 Randomised known_to(double least, Numbers values) {
     Estimate mean = estimate(values);
     mean.standard_error = std::max(mean.standard_error, least);
@@ -37,8 +37,8 @@ Randomised known_to(double least, Numbers values) {
 }
 
 //! Sums light that is absorbed over some bands [MJ m-2 day-1].
-//! @param absorbed in a band by randomisation [J m-2 day-1]
-//! @param known the same of all randomisations
+//! @param absorbed light in a band by randomisation [J m-2 day-1]
+//! @param known light in a band from all randomisations
 template <class Absorbed, class Known>
 Randomised over_bands(const CanopyReport& report, const Names& names,
                       const Absorbed& absorbed, const Known& known) {
@@ -48,7 +48,7 @@ Randomised over_bands(const CanopyReport& report, const Names& names,
         if (std::ranges::find(names, band.name) == names.end()) continue;
         for (std::size_t r = 0; r < sums.size(); ++r)
             sums[r] += absorbed(band, r);
-        // A sum may be better known than its parts only by chance.
+        // Only by chance would a sum have a smaller error than its parts.
         if (names.size() == 1) least = known(band).standard_error;
     }
     return scaled(known_to(least, std::move(sums)), 1 / joule_per_megajoule);
@@ -81,8 +81,8 @@ TakeNumber absorbed(Names names) {
     };
 }
 
-//! Declares the light that leaves absorb in some bands together, which all
-//! canopies have that have the last of these bands.
+//! Declares the light that leaves absorb in some bands together, for all
+//! canopies with the last of these bands.
 Declaration absorbed_in(const std::string& name, const Names& bands,
                         const std::string& light) {
     return {{"absorbed_" + name, daily,
@@ -94,7 +94,7 @@ Declaration absorbed_in(const std::string& name, const Names& bands,
             }};
 }
 
-//! Takes a number of each component and band, components first.
+//! Takes a number for each component and band, components first.
 template <class Take>
 TakeNumbers by_component_and_band(const Take& take) {
     return [take](const CanopyReport& report) {
@@ -141,10 +141,11 @@ std::vector<Randomised> assimilation_by_component(const CanopyReport& report,
 }
 
 //! Returns how much more the mean plant of the first component has than that of
-//! the second, relative to it: net assimilation, or light where leaves do not
-//! assimilate. Plants in deep shade lose more than they take up: relative to
-//! how much that is, whatever its sign, a plant that has more gains. The values
-//! are pseudo-values of a jackknife; 0 where the second has nothing.
+//! the second, relative to the second: net assimilation, or light where leaves
+//! do not assimilate. A plant in deep shade may lose more than it gains: the
+//! difference is relative to the absolute value, so that more is a gain
+//! whatever the sign. The values are pseudo-values of a jackknife; 0 if the
+//! second plant has nothing.
 Randomised invasion(const CanopyReport& report) {
     const std::vector<Randomised> parts = measure_parts(
         report.assimilation ? "net_assimilation" : "absorbed_par", report);

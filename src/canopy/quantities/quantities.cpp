@@ -13,7 +13,7 @@ namespace ideotype {
 
 namespace {
 
-//! The quantities of one kind, which are made once.
+//! Returns the quantities of one kind, which are made once.
 template <std::vector<Declaration> (*made)()>
 const std::vector<Declaration>& all_of() {
     static const std::vector<Declaration> all = made();
@@ -74,7 +74,7 @@ bool is_in(const std::vector<Declaration>& all, const std::string& quantity) {
     });
 }
 
-//! Returns the declaration of a quantity that a canopy has; or null.
+//! Returns the declaration of a quantity that a canopy has, or null.
 const Declaration* find(const std::string& quantity,
                         const Scope& scope = everything) {
     for (const Declaration* each : declared(scope))

@@ -44,7 +44,7 @@ Rows lai_of_rows(const CanopyReport& report) {
     return rows;
 }
 
-//! Makes what rows have per area of all ground that per area of their own.
+//! Converts figures of rows from per area of all ground to per own ground.
 Rows on_own_ground(const CanopyReport& report, Rows rows) {
     for (std::size_t row = 0; row < rows.size(); ++row)
         rows[row] = scaled(std::move(rows[row]),
@@ -52,8 +52,8 @@ Rows on_own_ground(const CanopyReport& report, Rows rows) {
     return rows;
 }
 
-//! Sums what the rows of each component have per area of all ground, and makes
-//! it that per area of the ground of those rows.
+//! Sums figures of the rows of each component per area of all ground, and
+//! converts them to per area of the ground of these rows.
 Rows on_own_strip(const CanopyReport& report, Rows rows) {
     Rows strips;
     for (std::size_t c = 0; c < report.components.size(); ++c) {
@@ -72,8 +72,8 @@ Rows on_own_strip(const CanopyReport& report, Rows rows) {
     return strips;
 }
 
-//! Takes what rows have per area of all ground, for each band of an axis or
-//! once.
+//! A function for figures of rows per area of all ground, for each band of an
+//! axis or once.
 using Take = std::function<std::vector<Rows>(const CanopyReport&)>;
 
 //! Returns numbers of places and bands, places first.
@@ -84,7 +84,7 @@ Rows places_first(const std::vector<Rows>& bands) {
     return all;
 }
 
-//! Takes a figure of rows per area of their own ground, or of the strip of
+//! Takes a figure of rows per area of the rows' own ground, or of the strip of
 //! their component.
 TakeProfile of_ground(const Take& take, Rows (*of)(const CanopyReport&, Rows)) {
     return [take, of](const CanopyReport& report) {
@@ -94,7 +94,7 @@ TakeProfile of_ground(const Take& take, Rows (*of)(const CanopyReport&, Rows)) {
     };
 }
 
-//! Declares a figure of rows by row and by strip.
+//! Declares a figure by row and by strip.
 void add_figure(std::vector<Declaration>& all, const Quantity& figure,
                 const Take& take, bool assimilates = false) {
     const auto declare =

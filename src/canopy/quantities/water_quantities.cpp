@@ -7,7 +7,7 @@ namespace {
 
 using Values = std::vector<Estimate>;
 
-constexpr auto depth = "mm day-1";  //!< of water
+constexpr auto depth = "mm day-1";  //!< depth of water
 
 bool exchanges_water(const Scope& scope) {
     return scope.has_water;
@@ -17,7 +17,7 @@ bool exchange_water(const Scope& scope) {
     return scope.has_water && scope.components > 1;
 }
 
-//! Returns a flux and what each randomisation says of it.
+//! Returns a flux and its value in each randomisation.
 Randomised flux(const FluxReport& report, double factor = 1) {
     Randomised result{report.sum, {}};
     for (const FluxTally& tally : report.tallies)
@@ -25,7 +25,7 @@ Randomised flux(const FluxReport& report, double factor = 1) {
     return scaled(std::move(result), factor);
 }
 
-//! Returns the ground per leaf area that assimilates, or 0 without any.
+//! Returns the ground area per assimilating leaf area, or 0 without leaves.
 double per_leaf_area(const CanopyReport& report) {
     return report.assimilating_lai > 0 ? 1 / report.assimilating_lai : 0;
 }
@@ -48,7 +48,7 @@ Randomised water_use(const CanopyReport& report) {
     return flux(report.water->transpiration, report.days);
 }
 
-//! Returns carbon of net assimilation over transpired water, with errors to
+//! Returns the carbon of net assimilation per transpired water, with errors to
 //! first order.
 Randomised efficiency(const CanopyReport& report) {
     const AssimilationReport& carbon = *report.assimilation;

@@ -106,7 +106,7 @@ void LeafAir::find_classes() {
     });
 }
 
-//! Gives the mean places of classes the means of their places by leaf area.
+//! Gives each class's mean place the means of its places by leaf area.
 void LeafAir::take_means(std::initializer_list<double Place::*> parts) {
     for (double Place::*const part : parts) {
         for (std::uint32_t c = 0; c < classes(); ++c)
@@ -131,7 +131,7 @@ void LeafAir::meet(int beam, int sky) {
         take_means({into});
     };
     take(beam, &Place::nir_of_sun);
-    // Suns of one sky come one after the other.
+    // Suns under one sky follow each other.
     if (is_new_sky) take(sky, &Place::nir_of_sky);
 }
 

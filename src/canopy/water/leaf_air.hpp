@@ -13,28 +13,28 @@
 
 namespace ideotype {
 
-//! The air among the leaves of a canopy over that above it.
+//! The air among the leaves of a canopy relative to the air above.
 struct CanopyAir {
-    double warmer = 0;   //!< [K]
-    double moister = 0;  //!< vapour pressure [kPa]
+    double warmer = 0;   //!< temperature difference [K]
+    double moister = 0;  //!< vapour pressure difference [kPa]
 };
 
-//! The light besides PAR that leaves of a field absorb.
+//! The light in a band besides PAR that the leaves of a field absorb.
 struct OtherLight {
     const Band& band;
-    const std::vector<Tally>& tallies;  //!< with leaf light
+    const std::vector<Tally>& tallies;  //!< tallies with leaf light
 };
 
 //! The leaves of a canopy that exchange heat and water.
 struct WaterLeaves {
-    const Scene& scene;                    //!< with water
-    const std::vector<LeafGroup>& leaves;  //!< of each group of plants
-    const std::vector<Group>& groups;      //!< of plants
-    const std::vector<double>& widths;     //!< of their blades [m]
-    double height;                         //!< of the canopy [m]
-    Randomness randomness;                 //!< of the light in the field
+    const Scene& scene;                    //!< scene with LeafWater
+    const std::vector<LeafGroup>& leaves;  //!< leaves of each group of plants
+    const std::vector<Group>& groups;      //!< groups of plants
+    const std::vector<double>& widths;     //!< blade width of each group [m]
+    double height;                         //!< height of the canopy [m]
+    Randomness randomness;                 //!< random numbers of the light
     std::optional<OtherLight> nir{}, longwave{};
-    //! Points whose balance is solved in all steps together, or more.
+    //! Least number of points whose balance is solved, in all steps together.
     double points = 6000;
 };
 
@@ -44,11 +44,9 @@ class LeafAir {
     //! A part of the leaves at a place.
     struct Point {
         std::size_t place = 0;
-        double ppfd = 0;  //!< absorbed [umol m-2 s-1]
-        double cosine =
-            0;  //!< of the beam on it, see PairLight::Bin; 0: shaded
-        Expansion
-            gross{};  //!< assimilation at the temperature of the air above
+        double ppfd = 0;    //!< absorbed light [umol m-2 s-1]
+        double cosine = 0;  //!< cosine of PairLight::Bin; 0: shaded
+        Expansion gross{};  //!< assimilation in the air above
     };
 
     //! The fluxes of a point, per area of leaf.
@@ -61,24 +59,24 @@ class LeafAir {
     //! Tells whether leaves have a temperature of their own.
     bool warms() const { return water_.has_leaf_temperature; }
 
-    //! Takes what places have that no step changes.
+    //! Takes the properties of places that are equal in all steps.
     void see(const LeafPlaces& places, const ExpectedLight& expectation);
 
-    //! Returns the class of a group: leaves of one component whose ranks are
-    //! neighbours.
+    //! Returns the class of a group: a class has leaves of one component with
+    //! neighbouring ranks.
     std::uint32_t class_of(std::uint32_t group) const { return class_[group]; }
 
-    //! Returns how many classes there are.
+    //! Returns the number of classes.
     std::size_t classes() const { return means_.size(); }
 
     //! Returns the group with the largest leaf area of a class; none if no
-    //! leaves of it assimilate.
+    //! leaves of the class assimilate.
     std::optional<std::uint32_t> largest_of(std::uint32_t number) const {
         return means_[number].largest;
     }
 
-    //! Returns a place that has the means of those of a class, in the largest
-    //! of its groups.
+    //! Returns a place in the largest group of a class that has the means of
+    //! the places of the class.
     std::size_t mean_place(std::uint32_t number) const {
         return places_->count() + number;
     }
@@ -89,23 +87,25 @@ class LeafAir {
     //! Begins a step, in the air above the canopy.
     void begin(std::size_t step);
 
-    //! Takes the air among the leaves in the step.
+    //! Sets the air among the leaves in the step.
     void set_air(const CanopyAir& air);
 
-    //! Returns how warm a leaf at the top is over which it is hot [K].
+    //! Returns by how much a leaf is warmer than the air above when it counts
+    //! as hot [K].
     double hot_over_air(std::uint32_t group) const;
 
-    //! Returns the air that leaves drive by the heat and the water that they
-    //! lose [W m-2, mmol m-2 s-1]; that above if there is no canopy air.
-    //! @param group of some of the leaves
+    //! Returns the canopy air that follows if leaves lose this heat and water
+    //! [W m-2, mmol m-2 s-1]; the air above if canopy air has no state of its
+    //! own.
+    //! @param group group of some of the leaves
     CanopyAir driven_by(std::uint32_t group, double heat, double water) const;
 
-    //! Returns what is around a point of leaves that have a temperature of
+    //! Returns the surroundings of a point of leaves that have a temperature of
     //! their own.
     LeafSurroundings around(const Point& point) const;
 
-    //! Solves a point.
-    //! @param like a point in about the same light and air; null: none
+    //! Solves the energy balance of a point.
+    //! @param like a point in similar light and air to start from; null: none
     LeafExchange solve(const Point& point, const LeafExchange* like) const;
 
     //! Returns the fluxes of a point that was solved.
@@ -113,31 +113,31 @@ class LeafAir {
 
   private:
     struct Place {
-        std::uint32_t group = 0;  //!< of plants
-        double view = 0;          //!< of the sky, by both faces together
-        double wind = 1;          //!< over that at the top
-        double nir_of_sun = 0, nir_of_sky = 0;  //!< [J m-2 of leaf]
+        std::uint32_t group = 0;  //!< group of plants
+        double view = 0;          //!< view of the sky, sum of both faces
+        double wind = 1;          //!< wind over that at the top
+        double nir_of_sun = 0, nir_of_sky = 0;  //!< energy [J m-2 of leaf]
         double nir_absorptance = 0;
     };
-    //! The light and the wind of a step, for all leaves.
+    //! The light and the wind of a step that all leaves share.
     struct Sky {
-        double longwave = 0;  //!< [W m-2]
-        double wind = 0;      //!< at the top [m s-1]
+        double longwave = 0;  //!< radiation of the sky [W m-2]
+        double wind = 0;      //!< wind at the top [m s-1]
         double nir_of_sun = 0, nir_of_sky = 0, nir_beam = 0;
     };
     //! The leaves of a group in the air of a step.
     struct Leaf {
         ThermalLeaf leaf;
-        LeafSurroundings above;     //!< without light, of a leaf at the top
-        double vapour = 0;          //!< pressure there [kPa]
-        double respiration = 0;     //!< in the dark [umol m-2 s-1]
-        LeafSurroundings within{};  //!< the canopy, at the top
-        double black = 0;           //!< radiation of a body as warm [W m-2]
+        LeafSurroundings above;     //!< surroundings at the top, without light
+        double vapour = 0;          //!< vapour pressure above [kPa]
+        double respiration = 0;     //!< dark rate [umol m-2 s-1]
+        LeafSurroundings within{};  //!< surroundings in canopy air
+        double black = 0;           //!< black body radiation [W m-2]
     };
 
-    //! Leaves of a class.
+    //! The leaves of a class.
     struct Mean {
-        double area = 0;  //!< index
+        double area = 0;  //!< leaf area index
         std::optional<std::uint32_t> largest{};
     };
 
@@ -150,14 +150,16 @@ class LeafAir {
     const LightSeries& series_;
     const LeafPlaces* places_ = nullptr;
     const ExpectedLight* expectation_ = nullptr;
-    std::vector<Place> at_;      //!< of places, and then means of classes
-    std::vector<double> index_;  //!< leaf area index of groups
-    std::vector<std::uint32_t> class_;  //!< of groups
-    std::vector<Mean> means_;           //!< of classes
+    std::vector<Place> at_;             //!< places, then means of classes
+    std::vector<double> index_;         //!< leaf area index by group
+    std::vector<std::uint32_t> class_;  //!< class by group
+    std::vector<Mean> means_;           //!< leaves by class
     int beam_ = -1, sky_ = -1;
     Sky light_;
-    double resistance_ = 0;  //!< from the canopy to the air above [s m-1]
-    std::vector<std::optional<Leaf>> leaf_;  //!< of groups that assimilate
+    //! Resistance between canopy and air above [s m-1].
+    double resistance_ = 0;
+    //! Leaves by group, if they assimilate.
+    std::vector<std::optional<Leaf>> leaf_;
 };
 
 }  // namespace ideotype

@@ -12,7 +12,7 @@ void LeafLines::clear() {
 
 void LeafLines::add(std::uint32_t group, const LeafAir::Point& point,
                     double area) {
-    // The shade of a place may be a little below 0.
+    // Rounding may make the shaded area of a place slightly negative.
     if (!(area > 0)) return;
     Mean& mean = of(group).means[point.cosine > 0 ? 1 : 0];
     mean.area += area;
@@ -20,8 +20,8 @@ void LeafLines::add(std::uint32_t group, const LeafAir::Point& point,
     mean.cosine += area * point.cosine;
 }
 
-//! Finds the mean leaves of classes. A class without sun or shade takes a leaf
-//! in the dark.
+//! Finds the mean leaves of classes. A class without leaves in sun or shade
+//! gets a leaf in the dark.
 void LeafLines::find_points(const std::vector<LeafResponse>& responses) {
     for (std::uint32_t c = 0; c < classes_.size(); ++c) {
         Class& leaves = classes_[c];
@@ -48,8 +48,8 @@ void LeafLines::draw(Class& leaves) {
     const auto& [shade, sun] = leaves.points;
     const double light = sun.ppfd - shade.ppfd;
     const double gross = sun.gross.value - shade.gross.value;
-    // The slope between leaves that are nearly alike would be mostly
-    // rounding errors.
+    // The slope between two leaves that are nearly alike would consist mostly
+    // of rounding errors.
     constexpr double least = 0.1;
     const std::size_t points =
         std::max(std::abs(light), std::abs(gross)) > least ? 2 : 1;
@@ -80,8 +80,8 @@ void LeafLines::draw(Class& leaves) {
     }
 }
 
-//! Returns the air of the canopy that follows from the fluxes of leaves in a
-//! given air.
+//! Returns the canopy air that follows from the fluxes of leaves in a given
+//! air.
 CanopyAir LeafLines::driven(const CanopyAir& in) {
     air_.set_air(in);
     CanopyAir sum;
@@ -106,10 +106,10 @@ CanopyAir LeafLines::driven(const CanopyAir& in) {
 }
 
 //! Finds how the air that follows from the fluxes of leaves depends on the air
-//! in which they are, by a secant in each of its two numbers.
+//! around the leaves, by a secant in each of its two numbers.
 //! @param first air that follows from leaves in the air above the canopy
 void LeafLines::find_slopes(const CanopyAir& first) {
-    // Steps of about the size of the answer.
+    // Steps have about the size of the expected difference.
     const double dt = std::copysign(
         std::clamp(std::abs(first.warmer) / 2, 0.1, 2.), first.warmer);
     const double de = std::copysign(
@@ -121,8 +121,8 @@ void LeafLines::find_slopes(const CanopyAir& first) {
                (moist.moister - first.moister) / de};
 }
 
-//! Moves the air so that it agrees with the air that follows from its leaves.
-//! @param left difference that is left between them
+//! Moves the air until it agrees with the air that follows from its leaves.
+//! @param left remaining difference between both
 void LeafLines::move_air(const CanopyAir& left) {
     const double a = slopes_[0] - 1, b = slopes_[1], c = slopes_[2],
                  d = slopes_[3] - 1;

@@ -10,13 +10,13 @@
 namespace ideotype {
 
 //! The fluxes of all leaves of a step to first order, and the air that follows
-//! from them. Fluxes of a class of leaves are taken as linear, those of gas in
-//! assimilation at the temperature of the air, heat and warming in absorbed
-//! light, through its mean leaf in the shade and that in the sun, which are
-//! solved.
+//! from these fluxes. Fluxes of a class of leaves are taken as linear, those of
+//! gas in assimilation at the temperature of the air, heat and warming in
+//! absorbed light, along the line through the mean leaf in the shade and the
+//! mean leaf in the sun, whose energy balances are solved.
 class LeafLines {
   public:
-    //! @param air that has seen the leaves
+    //! @param air air that has seen the leaves
     explicit LeafLines(LeafAir& air) : air_(air), classes_(air.classes()) {}
 
     //! Forgets all leaves.
@@ -30,32 +30,32 @@ class LeafLines {
         of(group).gross += gross;
     }
 
-    //! Finds lines and the air of the step, of which LeafAir is then told.
-    //! @param responses of each group; empty: no light
+    //! Finds the lines and the air of the step, and tells LeafAir the air.
+    //! @param responses response of each group; empty: no light
     void settle(const std::vector<LeafResponse>& responses);
 
-    //! Moves the air and the lines by what all leaves lose besides what their
-    //! lines tell [W m-2, mmol m-2 s-1].
+    //! Moves the air and the lines by the amounts that all leaves lose beyond
+    //! their lines [W m-2, mmol m-2 s-1].
     void correct(double heat, double water);
 
-    //! Returns a flux of a leaf by its line. Of hot area it is whether the leaf
-    //! is hot by the line of its warming.
+    //! Returns a flux of a leaf by its line. For hot area, the result is
+    //! whether the leaf is hot by the line of warming.
     double at(LeafFlux flux, std::uint32_t group,
               const LeafAir::Point& point) const;
 
-    //! Returns constant and slope of a flux in assimilation or light.
+    //! Returns the constant and the slope of a flux in assimilation or light.
     std::array<double, 2> line(LeafFlux flux, std::uint32_t group) const {
         const auto k = static_cast<std::size_t>(flux);
         return {of(group).constant[k], of(group).slope[k]};
     }
 
-    //! Tells whether a flux is linear in assimilation, and not in light.
+    //! Returns whether a flux is linear in assimilation, not in light.
     static bool is_in_gross(LeafFlux flux) {
         return flux != LeafFlux::sensible && flux != LeafFlux::warming &&
                flux != LeafFlux::hot;
     }
 
-    //! Returns what was solved of the mean leaf in the sun, or the other one.
+    //! Returns the solution for the mean leaf in the sun or in the shade.
     const LeafExchange& solved(std::uint32_t group, bool is_sunlit) const {
         return of(group).solved[is_sunlit ? 1 : 0];
     }
@@ -66,12 +66,12 @@ class LeafLines {
         double area = 0, ppfd = 0, cosine = 0;
     };
     struct Class {
-        Mean means[2]{};             //!< in the shade and in the sun
-        double gross = 0;            //!< of all its leaves
-        LeafAir::Point points[2]{};  //!< the means
+        Mean means[2]{};             //!< leaves in shade and in sun
+        double gross = 0;            //!< assimilation of all leaves
+        LeafAir::Point points[2]{};  //!< mean points
         LeafExchange solved[2]{};
-        bool is_used = false;   //!< leaves of it assimilate
-        bool is_known = false;  //!< solved in some air of the step
+        bool is_used = false;   //!< whether any leaf assimilates
+        bool is_known = false;  //!< whether solved in the step
         std::array<double, leaf_fluxes> constant{}, slope{};
     };
 
@@ -87,9 +87,9 @@ class LeafLines {
 
     LeafAir& air_;
     std::vector<Class> classes_;
-    CanopyAir in_{}, driven_{};  //!< of the step, and what leaves drive in it
-    //! Slopes of the driven air in that which leaves are in: of its warmth in
-    //! warmth and in vapour, and of its vapour in both.
+    CanopyAir in_{}, driven_{};  //!< air in the step, and air that follows
+    //! Slopes of the following air in the air around leaves: of its warmth in
+    //! warmth and in vapour, then of its vapour in both.
     std::array<double, 4> slopes_{};
 };
 

@@ -36,8 +36,8 @@ void WaterFluxes::add(std::size_t step, const StepLight* light) {
     air_.begin(step);
     find_areas(light);
     find_lines(light);
-    // The air follows from all that leaves lose; what drawn points differ from
-    // lines is taken as the same in it.
+    // The air follows from the loss of all leaves; differences of drawn points
+    // from their lines are assumed equal in the corrected air.
     drawn_sums_ = {};
     draw(step, light);
     lines_->correct(
@@ -52,7 +52,7 @@ void WaterFluxes::add_nights() {
         if (light_.beam_of[i] < 0 && light_.sky_of[i] < 0) add(i, nullptr);
 }
 
-//! Tells whether a flux is summed in a step: by night heat and water are.
+//! Returns whether a flux is summed in a step: at night, only heat and water.
 bool WaterFluxes::takes(LeafFlux flux, const StepLight* light) const {
     return light || flux == LeafFlux::transpiration ||
            flux == LeafFlux::sensible;
@@ -63,7 +63,7 @@ void WaterFluxes::find_areas(const StepLight* light) {
     if (!light) return;
     const std::vector<PairLight::Bin>& bins = light->pair.bins();
     for (std::size_t b = 0; b < bins.size(); ++b) {
-        // Sunlit leaf area is what a hit absorbs over the beam.
+        // Sunlit leaf area is the light that a hit absorbs over the beam.
         const double beam = light->beams[b];
         const double area =
             beam > 0 ? light->scales.of_sun * bins[b].moments.one / beam : 0;
@@ -82,9 +82,9 @@ LeafAir::Point WaterFluxes::point(const StepLight* light,
     return {bin.place, light->lit.light[b], bin.cosine, light->lit.at(b)};
 }
 
-//! Finds the lines of a step, and the chances of points to be drawn.
+//! Finds the lines of a step, and the probabilities of drawing points.
 void WaterFluxes::find_lines(const StepLight* light) {
-    // Points in the dark exchange something, too [umol m-2 s-1].
+    // Light [umol m-2 s-1] added to weights: dark points exchange water, too.
     constexpr double dark = 100;
     lines_->clear();
     chances_.clear();
@@ -157,9 +157,9 @@ void WaterFluxes::add_hot(std::size_t step, const StepLight* light) {
 }
 
 //! Draws points of a step at equal distances along the leaves, first in the
-//! shade and then in the sun. The beginning is random in each randomisation and
-//! goes on from step to step by the golden ratio, so that draws of all steps
-//! are even. Few steps have more points each.
+//! shade and then in the sun. The first point is random in each randomisation
+//! and moves from step to step by the golden ratio, so that draws of all steps
+//! are even. If there are few steps, each has more points.
 void WaterFluxes::draw(std::size_t step, const StepLight* light) {
     constexpr double golden_ratio = 0.6180339887498949;
     const double all = chances_.empty() ? 0 : chances_.back();
@@ -181,7 +181,7 @@ void WaterFluxes::draw(std::size_t step, const StepLight* light) {
     }
 }
 
-//! Adds what a drawn point differs from its lines.
+//! Adds the difference of a drawn point from its lines.
 void WaterFluxes::add_drawn(std::size_t step, const StepLight* light,
                             std::size_t randomisation, std::size_t area,
                             double times) {
@@ -196,7 +196,7 @@ void WaterFluxes::add_drawn(std::size_t step, const StepLight* light,
         Expansion differs = found[k];
         differs.value -= lines_->at(flux, group, drawn);
         double more = times * areas_[area] * differs.value;
-        // Other fluxes are taken at the light that is expected.
+        // Other fluxes are computed at the expected light.
         if (light && flux <= LeafFlux::transpiration) {
             const double slope = lines_->line(flux, group).back();
             differs.slope -= slope * drawn.gross.slope;
@@ -222,7 +222,7 @@ void WaterFluxes::add_drawn_to(FluxTallies& all) const {
                     (all[k][r].*part)[i] += (drawn_[k][r].*part)[i];
 }
 
-//! Returns what a function of light at one of areas_ alone adds to a flux.
+//! Returns the contribution to a flux of a function of light on one of areas_.
 double WaterFluxes::amount(const StepLight& light, std::size_t area,
                            const Expansion& at) const {
     const std::vector<PairLight::Bin>& bins = light.pair.bins();

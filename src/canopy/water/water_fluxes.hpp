@@ -12,23 +12,23 @@
 namespace ideotype {
 
 //! Fluxes of the leaves of a field that exchange heat and water. All places
-//! have those of LeafLines; what differs from them is known at few points of
-//! each step, which are drawn with chances in proportion to leaf area and
-//! light. Each counts for as many as its chance is small, so that sums have no
-//! bias (Horvitz and Thompson 1952, doi:10.1080/01621459.1952.10483446).
-//! Each randomisation draws points of its own, so that the spread over
-//! randomisations holds the error of the draw (interpenetrating samples,
-//! Mahalanobis 1946, doi:10.2307/2981330).
+//! have the fluxes of LeafLines; differences from these are found at few points
+//! of each step, which are drawn with probabilities in proportion to leaf area
+//! and light. Each point is weighted by the inverse of its probability, so that
+//! sums have no bias (Horvitz and Thompson 1952,
+//! doi:10.1080/01621459.1952.10483446). Each randomisation draws its own
+//! points, so that the spread over randomisations includes the error of the
+//! draw (interpenetrating samples, Mahalanobis 1946, doi:10.2307/2981330).
 class WaterFluxes {
   public:
-    //! One flux by lines.
+    //! One flux of all leaves by their lines.
     struct Flux {
-        std::vector<double> mean;   //!< of places, on a mean day
-        std::vector<double> size;   //!< sums of its amounts, by place
-        std::vector<double> steps;  //!< of all leaves
+        std::vector<double> mean;   //!< mean day, by place
+        std::vector<double> size;   //!< sums of amounts, by place
+        std::vector<double> steps;  //!< flux of all leaves
     };
 
-    //! @param empty tallies of each LeafFlux and randomisation
+    //! @param empty empty tallies of each LeafFlux and randomisation
     WaterFluxes(const LitLeaves& lit, const LeafPlaces& places,
                 const ExpectedLight& expectation, FluxTallies empty);
 
@@ -38,18 +38,18 @@ class WaterFluxes {
     //! Adds a step.
     void add(std::size_t step, const StepLight& light) { add(step, &light); }
 
-    //! Adds what leaves exchange in steps without light.
+    //! Adds the exchange of leaves in steps without light.
     void add_nights();
 
-    //! Adds what drawn points differ from their lines.
+    //! Adds the differences of drawn points from their lines.
     void add_drawn_to(FluxTallies& all) const;
 
-    //! Returns fluxes by LeafFlux. The first is what assimilation differs from
-    //! that at the temperature of the air.
+    //! Returns fluxes by LeafFlux. The first flux is the difference of gross
+    //! assimilation from that at the temperature of the air.
     const std::vector<Flux>& fluxes() const { return fluxes_; }
 
   private:
-    //! @param light null: none
+    //! @param light light in the step; null: none
     void add(std::size_t step, const StepLight* light);
     void find_areas(const StepLight* light);
     void find_lines(const StepLight* light);
@@ -68,14 +68,15 @@ class WaterFluxes {
     const LeafPlaces& places_;
     LeafAir& air_;
     std::optional<LeafLines> lines_{};
-    FluxTallies drawn_;  //!< what drawn points differ from their lines
+    FluxTallies drawn_;  //!< drawn points less lines
     std::vector<Flux> fluxes_;
-    std::array<double, leaf_fluxes> amounts_{};  //!< of a step, on a mean day
-    //! Differences of drawn points from lines in a step, of all leaves.
+    //! Amounts of a step on a mean day.
+    std::array<double, leaf_fluxes> amounts_{};
+    //! Sums over leaves in a step of drawn points less their lines.
     std::array<double, leaf_fluxes> drawn_sums_{};
-    std::vector<double> starts_;   //!< of the draws of randomisations
-    std::vector<double> areas_;    //!< of places in the shade, and of bins
-    std::vector<double> chances_;  //!< of those, summed up
+    std::vector<double> starts_;   //!< start of draws by randomisation
+    std::vector<double> areas_;    //!< shaded areas of places, then bins
+    std::vector<double> chances_;  //!< cumulative probabilities
 };
 
 }  // namespace ideotype

@@ -10,7 +10,7 @@ namespace ideotype {
 
 namespace {
 
-constexpr double reference = 10;  //!< height that wind is brought to [m]
+constexpr double reference = 10;  //!< reference height [m]
 constexpr double least_wind = 0.3;
 constexpr double von_karman = 0.41;
 
@@ -22,7 +22,7 @@ double roughness(double canopy) {
     return 0.1 * canopy;
 }
 
-//! Returns the height of a canopy whose profile does not reach the reference.
+//! Returns a canopy height, limited to the range of the wind profile [m].
 double canopy_in_profile(double canopy) {
     return std::clamp(canopy, 0.05, 0.7 * reference);
 }

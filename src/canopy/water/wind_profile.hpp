@@ -3,17 +3,17 @@
 
 namespace ideotype {
 
-//! The wind at the top of a canopy [m s-1], by logarithmic profiles above short
-//! grass, where wind is measured, up to 10 m, and from there down to a canopy
-//! of displacement height 0.67 h and roughness 0.1 h (Campbell and Norman
-//! 1998; Allen et al. 1998, FAO 56, equation 47). Winds below what anemometers
-//! notice count as 0.3 m s-1.
-//! @param wind [m s-1] at a height [m]
-//! @param canopy height h [m]
+//! Returns the wind at the top of a canopy [m s-1], by logarithmic profiles
+//! above short grass, where wind is measured, up to 10 m, and from there down
+//! to a canopy of displacement height 0.67 h and roughness 0.1 h (Campbell and
+//! Norman 1998; Allen et al. 1998, FAO 56, equation 47). Winds too weak for
+//! anemometers count as 0.3 m s-1.
+//! @param wind,height wind [m s-1] and the height of its measurement [m]
+//! @param canopy height h of the canopy [m]
 double wind_at_top(double wind, double height, double canopy);
 
-//! The aerodynamic resistance from a canopy to 10 m above the ground [s m-1],
-//! ln((z - d) / z0)^2 / (0.41^2 u), without the effect of stability.
+//! Returns the aerodynamic resistance from a canopy to 10 m above the ground [s
+//! m-1], ln((z - d) / z0)^2 / (0.41^2 u), without the effect of stability.
 double aerodynamic_resistance(double wind, double height, double canopy);
 
 }  // namespace ideotype

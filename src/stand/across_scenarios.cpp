@@ -13,7 +13,7 @@ namespace ideotype {
 
 namespace {
 
-//! Returns a text that tells a scenario from the others of its case.
+//! Returns a text that tells a scenario from others of the same case.
 std::string label(const Campaign& campaign, const Case& scenario) {
     std::string text;
     const auto add = [&](bool is_named, const std::string& name) {
@@ -129,7 +129,7 @@ Outcome AcrossScenarios::combine(const std::vector<Outcome>& each) const {
     std::vector<Outcome> own;
     std::span<const Outcome> left(each);
     auto over = over_stages_.begin();
-    // All climates grow or none.
+    // Either all climates have plants that grow, or none has.
     for (const std::size_t count : stages_) {
         own.push_back(over_stages_.empty()
                           ? left.front()

@@ -10,7 +10,7 @@
 
 namespace ideotype {
 
-//! Returns all that is measured in a case that is its only scenario.
+//! Returns all quantities of a case that is its own only scenario.
 QuantitySet measured_in(const Campaign& campaign, const Case& scenario);
 
 //! The outcome of a plant in all scenarios of a case, each over its stages.
@@ -18,25 +18,28 @@ class AcrossScenarios {
   public:
     AcrossScenarios(const Campaign& campaign, const Case& chosen);
 
-    //! Means over scenarios of what has the same axes in all of them: hours or
-    //! days may differ. And each objective by scenario, as
-    //! `absorbed_par_by_scenario`. All that is measured in a single one.
+    //! Returns means over scenarios of quantities with the same axes in all
+    //! scenarios (hours or days may differ), and each objective by scenario, as
+    //! `absorbed_par_by_scenario`; for a single scenario, all of its
+    //! quantities.
     const QuantitySet& measured() const { return measured_; }
 
-    //! Objectives are the means, by randomisation too, so that their standard
-    //! errors know what scenarios share; or each is that of the scenario where
-    //! it is worst. The violation is the largest. Standard errors of other
-    //! quantities are means too, which is at least what they are.
+    //! Combines the outcomes of all scenarios. Objectives are means, by
+    //! randomisation too, so that their standard errors include the random
+    //! numbers that scenarios share; or each objective is taken from the
+    //! scenario where it is worst. The violation is the largest. Standard
+    //! errors of other quantities are means too, which is an upper bound.
     //! @param each a done outcome of each of evaluated_cases()
     Outcome combine(const std::vector<Outcome>& each) const;
 
   private:
     Outcome combine_scenarios(const std::vector<Outcome>& each) const;
 
-    //! A mean over scenarios.
+    //! A quantity averaged over scenarios.
     struct Shared {
         std::size_t size;
-        std::vector<std::size_t> begins;  //!< in each scenario's quantities
+        //! Place in each scenario's quantities.
+        std::vector<std::size_t> begins;
     };
 
     void combine_objective(const std::vector<Outcome>& each,
@@ -44,7 +47,7 @@ class AcrossScenarios {
 
     Across across_;
     std::vector<std::size_t> stages_;      //!< stages of each scenario
-    std::vector<OverStages> over_stages_;  //!< of each, where plants grow
+    std::vector<OverStages> over_stages_;  //!< by scenario, if plants grow
     std::vector<ObjectiveEntry> objectives_;
     QuantitySet measured_;
     std::vector<Shared> shared_;

@@ -36,7 +36,7 @@ FieldForm& field_of(MeshOptions& options) {
     return *options.field;
 }
 
-//! Declares an option whose values are these words.
+//! Declares an option whose values are the given words.
 template <class Value, class Target>
 CLI::Option* add_choice(CLI::App& verb, const std::string& name, Target& target,
                         const std::map<std::string, Value>& choices,
@@ -126,7 +126,7 @@ void add_ground(CLI::App& verb, MeshOptions& options) {
         ->needs(field);
 }
 
-//! Adds options for what surfaces of a material do with light.
+//! Adds options for the reflectance and transmittance of a material.
 void add_surface(CLI::App& verb, const std::string& material,
                  Lambertian& surface, const std::string& meaning,
                  CLI::Option* scene) {

@@ -15,13 +15,13 @@ namespace {
 
 constexpr double most_faces = most_obj_faces;
 
-//! Crops are lower [m].
+//! A height above that of any crop [m].
 constexpr double usual_height = 20;
 
-//! Light may have to cross a periodic cell this often to get through.
+//! The most crossings of a periodic cell by light on its way out.
 constexpr double most_crossings = 1000;
 
-//! The checks of a mesh that stands so often on some ground.
+//! The checks of a mesh of which some copies stand on some ground.
 class MeshCheck {
   public:
     MeshCheck(const Mesh& mesh, double plants, const Cell& cell)
@@ -35,7 +35,7 @@ class MeshCheck {
                 plants_, mesh_.faces.size(), most_faces));
         const auto [bottom, top] = heights();
         std::vector<std::string> warnings;
-        constexpr double below = -1e-3;  // more than rounding
+        constexpr double below = -1e-3;  // lower than by rounding
         if (bottom < below)
             warnings.push_back(
                 fmt::format("the mesh reaches {:.4g} m below the soil (z = 0), "
@@ -55,7 +55,7 @@ class MeshCheck {
     }
 
   private:
-    //! Faces much larger than the period have very many images in the cell.
+    //! Checks that large faces do not have too many images in the cell.
     void check_images() const {
         double images = 0;
         for (const auto& face : mesh_.faces) {
@@ -78,7 +78,7 @@ class MeshCheck {
                 cell_.period_x, cell_.period_y, plants_ * images, most_faces));
     }
 
-    //! Heights of the lowest and the highest face, and of the soil [m].
+    //! Returns the range of heights of the mesh and of the soil [m].
     Range heights() const {
         Range all{0, 0};
         for (const auto& face : mesh_.faces)
@@ -89,8 +89,8 @@ class MeshCheck {
         return all;
     }
 
-    //! Light would have to fall almost for ever to meet so few faces, or to get
-    //! out of so many.
+    //! Checks that light need not fall almost for ever to meet so small an
+    //! area, or to leave so large an area.
     void check_area() const {
         constexpr double least = 1e-6, most = 1e4;
         double area = 0;
@@ -106,7 +106,7 @@ class MeshCheck {
                 is_much ? most : least));
     }
 
-    //! Light would take almost for ever through a tower in a narrow cell.
+    //! Checks that light need not cross a narrow cell almost for ever.
     void check_height(double height) const {
         const double period = std::min(cell_.period_x, cell_.period_y);
         if (height > most_crossings * period)

@@ -8,9 +8,9 @@
 
 namespace ideotype {
 
-//! Checks whether a mesh that stands so often on some ground can be traced.
-//! @return warnings
-//! @throws Error if it cannot.
+//! Checks whether light can be traced in copies of a mesh on some ground.
+//! @return warnings about faults that do not prevent tracing
+//! @throws Error if light cannot be traced.
 std::vector<std::string> check_mesh(const Mesh& mesh, double plants,
                                     const Cell& cell);
 

@@ -17,39 +17,40 @@ class App;
 
 namespace ideotype {
 
-//! The options of `light MESH`, the light in any mesh; x is
-//! east, y is north, z is up.
+//! The options of `light MESH`, the light in any mesh; x is east, y is north, z
+//! is up.
 struct MeshOptions {
     struct Period {
-        double x, y;  //!< [m]
+        double x, y;  //!< coordinates [m]
     };
 
     std::string path;
     std::optional<Period> period;
     Boundary boundary = Boundary::periodic;
     std::optional<double> ground_area;  //!< [m2]
-    //! Repeats the mesh, as one plant at the origin, into a field.
+    //! A field of copies of the mesh, which is one plant at the origin.
     std::optional<FieldForm> field;
 
     std::optional<SunPosition> sun;
     std::optional<SkyModel> sky;
-    std::optional<Site> site;  //!< with date: a whole clear day
+    std::optional<Site> site;  //!< set with date, for a clear day
     std::optional<Date> date;
 
-    //! On level ground above the canopy [umol m-2 s-1]: with them all light
-    //! is in this unit.
+    //! Light on level ground above the canopy [umol m-2 s-1]; if given, all
+    //! light is in this unit.
     std::optional<double> beam_ppfd, sky_ppfd;
-    std::string climate;         //!< file of a season's light; "": none
-    std::string photosynthesis;  //!< file with this table; "": none
-    std::string scene;           //!< file of materials and components; "": none
-    bool is_exact = false;       //!< assimilation without bias, slowly
-    bool is_by_face = false;     //!< also the light on each face
+    std::string climate;  //!< file of a season's light; "": none
+    //! File with the table [photosynthesis]; "": none.
+    std::string photosynthesis;
+    std::string scene;        //!< file of materials and components; "": none
+    bool is_exact = false;    //!< slow assimilation without bias
+    bool is_by_face = false;  //!< whether to report light on each face
 
     PlantOptics optics = usual_optics[0];
     double soil_albedo = usual_soil_albedo[0];
 
     double tolerance = 1e-3;             //!< relative standard error
-    std::optional<std::uint64_t> paths;  //!< instead of a tolerance
+    std::optional<std::uint64_t> paths;  //!< number instead of a tolerance
     std::uint64_t seed = 1;
     bool is_json = false;
 };
@@ -57,17 +58,17 @@ struct MeshOptions {
 //! Declares the options of meshes for a command line.
 void declare(CLI::App& verb, MeshOptions& options);
 
-//! Reads arguments as a command line has them: {"--sun", "60", "180"}.
+//! Reads arguments such as {"--sun", "60", "180"}.
 //! @throws Error of wrong usage
 MeshOptions read_mesh_options(std::vector<std::string> arguments);
 
-//! Returns whether the light is that of a mean day, not a single one.
+//! Returns whether the light is that of a mean day, not of an instant.
 inline bool has_day(const MeshOptions& options) {
     return options.site || !options.climate.empty();
 }
 
-//! @throws Error of wrong usage: options that miss, contradict each other or
-//! have impossible values.
+//! Checks options.
+//! @throws Error of wrong usage: missing, contradictory or impossible options.
 void check(const MeshOptions& options);
 
 }  // namespace ideotype

@@ -17,13 +17,13 @@ namespace ideotype {
 
 namespace {
 
-//! Errors come from this many independent repetitions: enough to know them
-//! to an eighth.
+//! The number of independent repetitions from which errors are estimated,
+//! enough to know errors to an eighth.
 constexpr std::uint64_t usual_randomisations = 32;
 
 constexpr std::size_t layers = 10;
 
-//! Returns a single light, which is that of a second, or that of a clear day.
+//! Returns a single light for one second, or the light of a clear day.
 LightSeries day_of(const MeshOptions& options) {
     constexpr double par_fraction = 0.45;
     if (options.site)
@@ -37,8 +37,8 @@ LightSeries day_of(const MeshOptions& options) {
 
 SeriesIllumination light_of(const MeshOptions& options,
                             std::vector<std::string>& warnings) {
-    constexpr double north = 0;  // the mesh's y axis
-    //! Dates of a season: more than a campaign has, which only compares plants.
+    constexpr double north = 0;  // direction of the mesh's y axis
+    //! Dates of a season: more than in a campaign, which only compares plants.
     constexpr int dates = 6;
     const SkyModel sky = options.sky.value_or(SkyModel::uniform);
     if (options.climate.empty()) return illuminate(day_of(options), sky, north);
@@ -63,7 +63,7 @@ Cell ground_of(const MeshOptions& options) {
     return cell;
 }
 
-//! Returns the faces of some groups of a mesh with the vertices that they need.
+//! Returns the faces of some groups of a mesh, with only their vertices.
 Mesh part_of(const Mesh& mesh, const std::vector<bool>& is_wanted) {
     constexpr std::uint32_t none = ~std::uint32_t{0};
     Mesh part;
@@ -89,7 +89,7 @@ Mesh part_of(const Mesh& mesh, const std::vector<bool>& is_wanted) {
     return part;
 }
 
-//! Places the parts of a mesh in a scene as a scene file tells it.
+//! Puts the parts of a mesh into a scene as a scene file describes.
 class SceneBuilder {
   public:
     SceneBuilder(Mesh mesh, const MeshScene& file,
@@ -142,7 +142,8 @@ class SceneBuilder {
                                         entries.begin());
     }
 
-    //! Tells what each group is. Where none is called a leaf, all are.
+    //! Finds the kind of each group. If no group is called a leaf, all are
+    //! leaves.
     void assign() {
         const bool has_ranks =
             std::ranges::any_of(mesh_.groups, leaf_rank, &Group::name);
@@ -173,7 +174,7 @@ class SceneBuilder {
     std::vector<std::size_t> component_;  //!< component of each group
 };
 
-//! Returns the light of a band that a scene file names.
+//! Returns the light of the band that a scene file names.
 SeriesIllumination light_in(const std::string& band, SeriesIllumination light,
                             const MeshOptions& options) {
     if (!has_day(options) || band == "par") return light;
@@ -229,7 +230,7 @@ Scene scene_of(Mesh mesh, const MeshOptions& options,
     return scene;
 }
 
-//! Returns an accuracy of at least as many paths as asked for.
+//! Returns an accuracy with at least the number of paths asked for.
 Accuracy accuracy_of(const MeshOptions& options) {
     const std::uint64_t paths = options.paths.value_or(most_tolerance_paths);
     const std::uint64_t randomisations =

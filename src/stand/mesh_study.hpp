@@ -11,21 +11,21 @@
 
 namespace ideotype {
 
-//! The light in a mesh. Level ground receives 1 of a single light.
+//! The light in a mesh. Single light is relative to 1 on level ground.
 struct MeshReport {
     CanopyReport canopy;
     std::vector<std::string> warnings;
 };
 
-//! The most paths that a tolerance may ask for.
+//! The most paths that may be traced to meet a tolerance.
 inline constexpr std::uint64_t most_tolerance_paths = std::uint64_t{1} << 28;
 
-//! Reads the mesh and traces the light. Always with the same random numbers,
-//! so that results can be repeated.
+//! Reads the mesh and traces the light, always with the same random numbers, so
+//! that results can be repeated.
 //! @throws Error, also of wrong usage.
 MeshReport study(const MeshOptions& options);
 
-//! Studies a mesh that is here; the path of the options is not used.
+//! Studies a mesh in memory; the path in the options is not used.
 MeshReport study(Mesh mesh, const MeshOptions& options);
 
 }  // namespace ideotype

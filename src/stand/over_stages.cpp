@@ -18,7 +18,7 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-//! Quantities that are told of each stage, by day in its time.
+//! Names of quantities that are reported for each stage, by day of the season.
 const Names told_by_stage{"lai",          "dead_area_index",  "fapar",
                           "absorbed_par", "net_assimilation", "carbon_balance"};
 
@@ -153,7 +153,7 @@ std::vector<double> OverStages::weights(Weights kind,
     for (std::size_t s = 0; s < each.size(); ++s) {
         all.push_back(each[s].quantities[by[s]].mean);
         if (kind == Weights::leaf_time) all.back() *= times_[s];
-        // Amounts per leaf area are in the time of the stage already.
+        // Amounts per leaf area already refer to the time of the stage.
         sum += all.back() * (kind == Weights::leaf_area ? times_[s] : 1);
     }
     for (double& x : all) x = sum > 0 ? x / sum : 0;
@@ -175,7 +175,7 @@ Outcome OverStages::combine(std::span<const Outcome> each) const {
             for (std::size_t r = 0; r < count; ++r)
                 values[r] += by[s] * each[s].randomisations[k * count + r];
         }
-        // A single stage is what it is to the last bit.
+        // The outcome of a single stage is kept to the last bit.
         all.objectives.push_back(
             {mean, each.size() == 1 ? each[0].objectives[k].standard_error
                                     : estimate(values).standard_error});

@@ -10,25 +10,26 @@
 
 namespace ideotype {
 
-//! The outcome of plants that grow, from outcomes at each stage.
+//! The outcome of plants that grow, combined from outcomes at each stage.
 class OverStages {
   public:
-    //! @param chosen has stages
+    //! @param chosen case with stages
     OverStages(const Campaign& campaign, const Case& chosen);
 
-    //! Returns the quantities of each stage but those by hour, and some of them
-    //! by stage.
+    //! Returns the quantities of each stage except those by hour, and some
+    //! quantities by stage.
     const QuantitySet& measured() const { return measured_; }
 
-    //! Amounts are sums over stages, on a mean day of the season. Fractions of
-    //! light are means by incident light, the light-use efficiency by absorbed
-    //! light, what is per leaf area and extinction by that, and all else by
-    //! time. Stages have random numbers of their own.
+    //! Combines outcomes of stages. Amounts are summed over stages, for a mean
+    //! day of the season. Fractions of light are means by incident light, the
+    //! light-use efficiency by absorbed light, quantities per leaf area and
+    //! extinction by leaf area, and all others by time. Stages have random
+    //! numbers of their own.
     //! @param each a done outcome of each stage
     Outcome combine(std::span<const Outcome> each) const;
 
   private:
-    //! The weights with which a number of a stage counts.
+    //! The quantity by which a number of a stage is weighted.
     enum class Weights {
         one,
         time,
@@ -44,19 +45,20 @@ class OverStages {
     std::vector<double> weights(Weights kind,
                                 std::span<const Outcome> each) const;
 
-    //! A quantity over stages.
+    //! A quantity combined over stages.
     struct Summed {
         Weights kind;
         std::size_t size;
-        std::vector<std::size_t> begins;  //!< in each stage's quantities
+        std::vector<std::size_t> begins;  //!< place in each stage's quantities
         //! The place of each number of each stage.
         std::vector<std::vector<std::size_t>> places;
     };
 
-    //! Adds a quantity, unless it is by hour or of other places in each stage.
+    //! Adds a quantity, unless it is by hour or its places differ between
+    //! stages.
     void add(const Quantity& quantity, const std::vector<QuantitySet>& sets);
 
-    //! A quantity of each stage.
+    //! A quantity that is reported for each stage.
     struct ByStage {
         std::vector<std::size_t> begins;
         bool is_amount;
@@ -65,8 +67,8 @@ class OverStages {
     std::vector<ObjectiveEntry> objectives_;
     std::vector<Weights> objective_weights_;
     std::vector<double> days_;   //!< days of each stage since emergence
-    std::vector<double> times_;  //!< of each stage, over that of the season
-    //! Places in quantities; transpiration only where leaves exchange water.
+    std::vector<double> times_;  //!< time of each stage over the season
+    //! Places in quantities; transpiration only if leaves exchange water.
     std::vector<std::size_t> incident_, absorbed_, lai_, transpired_;
     std::vector<Summed> summed_;
     std::vector<ByStage> by_stage_;

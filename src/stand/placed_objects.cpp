@@ -32,8 +32,8 @@ Mesh mesh_of(const ObjectEntry& object) {
     return mesh;
 }
 
-//! Returns the rows as they stand for each pose, or as they always do.
-//! @param angles of each pose [deg]
+//! Returns the rows of panels in each pose, or in their only position.
+//! @param angles angle of each pose [deg]
 Mesh mesh_of(const PanelRows& rows, const Cell& cell, double row_direction,
              const std::vector<double>& angles) {
     if (!rows.tracks) return panel_mesh(rows, cell, row_direction, rows.tilt);
@@ -56,8 +56,8 @@ Mesh mesh_of(const PanelRows& rows, const Cell& cell, double row_direction,
     return all;
 }
 
-//! Gives each source the pose that all rows which track take after its sun.
-//! @return angles of each of those rows [deg], by pose
+//! Sets the pose that all tracking rows have for the sun of each source.
+//! @return angles of each tracking row [deg], by pose
 std::vector<std::vector<double>> set_poses(Scene& scene,
                                            const std::vector<PanelRows>& all) {
     std::vector<std::vector<double>> poses;
@@ -79,7 +79,7 @@ std::vector<std::vector<double>> set_poses(Scene& scene,
     return poses;
 }
 
-//! Adds an object. Its material follows those of plants and earlier objects.
+//! Adds an object, whose material follows those of plants and earlier objects.
 void add(Scene& scene, FixedObject object) {
     const auto material = static_cast<std::uint32_t>(
         plant_materials * scene.components.size() + scene.objects.size());

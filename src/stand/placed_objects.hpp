@@ -6,12 +6,12 @@
 
 namespace ideotype {
 
-//! Returns whether any panels track the sun, so that each instant has a sky of
-//! its own.
+//! Returns whether any panels track the sun, so that each instant needs a sky
+//! of its own.
 bool has_trackers(const Campaign& campaign);
 
-//! Adds the panels and objects of a campaign to a scene whose components, cell
-//! and bands are known.
+//! Adds the panels and objects of a campaign to a scene that already has its
+//! components, cell and bands.
 void add_objects(Scene& scene, const Campaign& campaign,
                  const Spacing& spacing);
 

@@ -11,12 +11,12 @@
 
 namespace ideotype {
 
-//! Returns how accurate a task is: finalists are evaluated more finely.
+//! Returns the accuracy of a task: finalists are evaluated more accurately.
 Accuracy accuracy_of(const Task& task, const Campaign& campaign);
 
 //! Returns the random numbers of a task: common to all candidates of a
-//! generation; fresh ones for all finalists. Where each row has light of its
-//! own, they share the field.
+//! generation; fresh numbers for all finalists. If each row has light of its
+//! own, rows share only the field.
 Randomness randomness_of(const Task& task, const Campaign& campaign,
                          const Case& chosen);
 
@@ -32,17 +32,17 @@ Sampling sampling_of(const Task& task, const Campaign& campaign,
 
 //! The request of an evaluation besides its plant.
 struct SamplingRequest {
-    std::uint32_t generation = 0;  //!< of the search whose fields it has
-    bool is_final = false;         //!< as finalists are evaluated
-    //! A seed in the place of the campaign's.
+    std::uint32_t generation = 0;  //!< number in the search, for its fields
+    bool is_final = false;  //!< whether to be as accurate as for finalists
+    //! A seed that replaces the campaign's seed.
     std::optional<std::uint64_t> seed{};
-    //! Relative standard error of the leaves' light, with as few paths as that
-    //! takes; not above 0.05.
+    //! Relative standard error of the leaves' light, at most 0.05, reached with
+    //! as few paths as possible.
     std::optional<double> tolerance{};
 };
 
-//! Returns the sampling of an evaluation outside of a run. With nothing asked
-//! for, it is that of generation 0.
+//! Returns the sampling of an evaluation outside of a run. An empty request
+//! gives the sampling of generation 0.
 //! @throws Error of wrong usage if the tolerance is impossible.
 Sampling sampling_of(const SamplingRequest& request, const Campaign& campaign,
                      const Case& chosen);

@@ -23,14 +23,14 @@ std::uint32_t first_material(std::size_t component) {
     return static_cast<std::uint32_t>(plant_materials * component);
 }
 
-//! Makes a component one of a mixture that shares its places.
+//! Makes a component part of a mixture in which components share places.
 void mix(Component& component, std::size_t plants) {
     component.ground_per_plant *= static_cast<double>(component.places.size()) /
                                   static_cast<double>(plants);
     component.mixed = plants;
 }
 
-//! Sets where the plants of a component stand, and how they turn.
+//! Sets where the plants of a component stand and how they turn.
 void stand_in(Component& component, FieldForm form, const Campaign& campaign,
               const Standing& standing) {
     if (standing.plants > 0) {
@@ -48,9 +48,9 @@ void stand_in(Component& component, FieldForm form, const Campaign& campaign,
     if (is_mixed) mix(component, static_cast<std::size_t>(standing.mixed));
 }
 
-//! Gives lower leaves that a crop file leaves out the rates of its lowest one,
-//! where leaves differ by rank and assimilate.
-//! @param own leaves of the crop file
+//! Gives the rates of a crop file's lowest leaf to all lower leaves that the
+//! file leaves out, if leaves differ by rank and assimilate.
+//! @param own number of leaves in the crop file
 void complete_rates(Component& component, std::size_t own) {
     if (!component.photosynthesis) return;
     Photosynthesis& photosynthesis = *component.photosynthesis;
@@ -64,8 +64,8 @@ void complete_rates(Component& component, std::size_t own) {
     rates.insert(rates.begin(), all - own, LeafRates(rates.front()));
 }
 
-//! Makes a component that of a full-grown plant, or of one at the age that it
-//! has at a stage.
+//! Sets a component to a full-grown plant, or to a plant of the component's age
+//! at a stage.
 void set_grown(const Campaign& campaign, const Case& in, std::size_t number,
                const Plant& plant, Component& component) {
     if (!in.stage) return set_plant(component, plant, first_material(number));
@@ -93,7 +93,7 @@ void set_grown(const Campaign& campaign, const Case& in, std::size_t number,
 }
 
 //! Returns the optics of all components, panels and objects in a waveband, in
-//! that order.
+//! this order.
 Optics optics_in(const Campaign& campaign, std::size_t band) {
     Optics optics{campaign.optics[band].materials(),
                   campaign.soil_albedo[band]};
@@ -107,8 +107,8 @@ Optics optics_in(const Campaign& campaign, std::size_t band) {
     return optics;
 }
 
-//! Tells whether figures of single rows are wanted: rows are not alike, and
-//! each has plants of one component.
+//! Returns whether figures of single rows are wanted: rows are not alike, and
+//! each row has plants of one component.
 bool has_rows_apart(const Campaign& campaign) {
     const FieldForm& field = campaign.field;
     return field.boundary == Boundary::periodic && field.rows > 1 &&
@@ -118,15 +118,15 @@ bool has_rows_apart(const Campaign& campaign) {
            });
 }
 
-//! Returns how many dates have suns of their own: stages share them out.
+//! Returns the number of dates with a sun of their own, shared out to stages.
 int sun_dates_of(const Campaign& campaign, const Case& chosen) {
     return chosen.stage
                ? (campaign.sun_dates + campaign.stages - 1) / campaign.stages
                : campaign.sun_dates;
 }
 
-//! Gives a stage its part of the paths, by what it carries: errors of stages
-//! are independent, so that all of them together have the tolerance.
+//! Gives a stage its share of the paths, by its share of carbon: errors of
+//! stages are independent, so that all stages together meet the tolerance.
 void take_share(const Stage& stage, Sampling& sampling) {
     IDEOTYPE_EXPECT(stage.share > 0);
     constexpr double largest = 0.5;

@@ -15,7 +15,7 @@ double final_effort(const Campaign& campaign) {
         return static_cast<double>(accuracy.all_paths());
     };
     const Accuracy& final = campaign.final_rule.sampling;
-    // With a tolerance an evaluation may need the least that there is.
+    // With a tolerance, an evaluation may need only the fewest paths.
     Accuracy usual = campaign.sampling;
     if (usual.tolerance > 0) usual.paths = std::min(usual.paths, fewest_paths);
     return std::max<double>(paths(final) / paths(usual), final.randomisations);
@@ -35,7 +35,7 @@ OutcomeSchema outcome_schema(const Campaign& campaign, const Case& chosen,
 
 namespace {
 
-//! Returns the leaf area index that constraints are about.
+//! Returns the leaf area index that constraints limit.
 double constrained_lai(const Campaign& campaign, const Plant& plant,
                        const CanopyReport& report) {
     const ComponentReport& bred = report.components.front();
@@ -136,7 +136,8 @@ Outcome Stand::evaluate(const Plants& plants, const Sampling& sampling,
     Outcome outcome = across_.combine(outcomes);
     IDEOTYPE_ENSURE(outcome.quantities.size() == schema_.measured.size());
     if (campaign_.water_limit > 0) {
-        // The best of many that meet the limit by chance would not meet it.
+        // The best of many plants that meet the limit by chance would not meet
+        // it.
         constexpr double sure = 2;
         const Estimate& water =
             outcome.quantities[schema_.measured.offset("water_use")];

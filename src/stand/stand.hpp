@@ -13,87 +13,88 @@
 
 namespace ideotype {
 
-//! Returns about how many times longer the evaluation of a finalist takes: it
-//! has more paths, and a field for each randomisation.
+//! Returns about how many times longer the evaluation of a finalist takes, with
+//! more paths and a field for each randomisation.
 double final_effort(const Campaign& campaign);
 
-//! Layers of 0.25 m, up to what the highest leaf could reach.
+//! Returns layers of 0.25 m up to the height that the highest leaf could reach.
 Layers canopy_layers(const Campaign& campaign);
 
 //! Returns the scene of the baseline in a case, or in the first of its
-//! scenarios; worth keeping for all other plants.
+//! scenarios; the scene can be kept for all other plants.
 Scene scene_of(const Campaign& campaign, const Case& chosen);
 
-//! Returns the details that are found out about all plants of a campaign.
+//! Returns the details that are wanted of all plants of a campaign.
 Details details_of(const Campaign& campaign);
 
-//! Requests the evaluation of plants in a scene of a campaign: that of the
-//! crop, and those of components that are bred. What the list lacks stays as
-//! the scene has it.
-//! @param in the case of the scene; at a stage plants are as old as that, and
-//! have their share of all work and random numbers of their own
+//! Returns the request to evaluate plants in a scene of a campaign: the plant
+//! of the crop, then those of bred components. Components beyond the end of the
+//! list keep the plants of the scene.
+//! @param in the case of the scene; at a stage, plants have the age, the share
+//! of work and the random numbers of the stage
 CanopyRequest request_of(Sampling sampling, const Campaign& campaign,
                          const Case& in, Scene scene, const Plants& plants);
 
-//! Returns the form of a case's outcomes, with this accuracy.
+//! Returns the form of a case's outcomes at a certain accuracy.
 OutcomeSchema outcome_schema(const Campaign& campaign, const Case& chosen,
                              const Accuracy& accuracy);
 
-//! Returns an objective, of one component, weighted or of all plants together
-//! as the campaign tells, or another quantity without axes.
-//! @throws Error if the report has none of this name.
+//! Returns an objective, which may be that of one component, weighted or of all
+//! plants together as the campaign tells, or another quantity without axes.
+//! @throws Error if the report has no quantity of this name.
 Randomised measure_number(const Campaign& campaign, const std::string& name,
                           const CanopyReport& report);
 
 //! Returns the land equivalent ratio that is a campaign's objective, with a
-//! standard error that contains those of crops alone.
+//! standard error that includes the errors of the yields of crops that stand
+//! alone.
 Estimate land_equivalent_ratio(const Campaign& campaign,
                                const CanopyReport& report);
 
 //! Returns the leaf area index of plants that do not deviate from their line,
-//! so that one is within constraints or not whatever the random numbers.
-//! @param plant the mesh of one
-//! @param ground_per_plant of all ground [m2]
+//! so that random numbers do not decide whether constraints are met.
+//! @param plant mesh of one plant
+//! @param ground_per_plant all ground over all plants [m2]
 double lai_of_line(const Mesh& plant, double ground_per_plant);
 
 //! Returns the outcome that a report tells of a plant, in the form of a case
 //! with one scenario, or of one stage.
-//! @param plant of the campaign's crop, which constraints are about
+//! @param plant plant of the campaign's crop, which constraints limit
 Outcome to_outcome(const Campaign& campaign, const Plant& plant,
                    const CanopyReport& report);
 
-//! An outcome, and each of its quantities by randomisation.
+//! An outcome with each of its quantities by randomisation.
 struct RandomisedOutcome {
     Outcome outcome;
     //! Quantities [randomisation, quantity]; NaN where a quantity is not known
-    //! so.
+    //! by randomisation.
     std::vector<std::vector<double>> quantities;
 };
 
 //! The scenarios of one case, set up once for all plants that are evaluated.
 class Stand {
   public:
-    //! The campaign must outlive the stand.
+    //! Refers to the campaign, which must outlive the stand.
     Stand(const Campaign& campaign, const Case& chosen);
 
-    //! Returns the form of outcomes with the accuracy of the search, or of its
+    //! Returns the form of outcomes with the accuracy of the search or of the
     //! final evaluations.
     const OutcomeSchema& schema(bool is_final) const {
         return is_final ? final_schema_ : schema_;
     }
 
-    //! Sets up the light of all scenarios, as the first evaluation else does.
-    //! After it several threads may evaluate, each with a device of its own.
+    //! Sets up the light of all scenarios, which otherwise the first evaluation
+    //! does. Several threads may then evaluate, each with a device of its own.
     void prepare();
 
-    //! Returns the outcome in all scenarios. A pure function of plants and
+    //! Returns the outcome in all scenarios, a pure function of plants and
     //! sampling.
     //! @throws Error as ideotype::evaluate()
     Outcome evaluate(const Plants& plants, const Sampling& sampling,
                      const Device& device);
 
-    //! Returns the outcome of evaluate() with its quantities by randomisation,
-    //! which plants of the same sampling share.
+    //! Returns the outcome of evaluate() with its quantities by randomisation;
+    //! plants with equal sampling share the random numbers.
     RandomisedOutcome evaluate_by_randomisation(const Plants& plants,
                                                 const Sampling& sampling,
                                                 const Device& device);
@@ -106,7 +107,7 @@ class Stand {
 
     const Campaign& campaign_;
     std::vector<Case> cases_;    //!< cases of each scenario and stage
-    std::vector<Scene> scenes_;  //!< empty until they are set up
+    std::vector<Scene> scenes_;  //!< scenes, empty until set up
     AcrossScenarios across_;
     OutcomeSchema schema_, final_schema_;
 };

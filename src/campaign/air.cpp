@@ -13,7 +13,7 @@ namespace ideotype {
 
 namespace {
 
-//! Light over that of a clear sky; nothing where the sun is low.
+//! Returns light over clear-sky light; nothing where the sun is low.
 std::optional<double> clearness_of(const TimeStep& step, const Site& site,
                                    double par_fraction) {
     if (step.sun.zenith > 75) return std::nullopt;
@@ -22,7 +22,7 @@ std::optional<double> clearness_of(const TimeStep& step, const Site& site,
     return std::clamp((step.par.beam + step.par.diffuse) / most, 0., 1.);
 }
 
-//! Gives a value to all steps that lack one; returns whether there are any.
+//! Gives a value to all steps that lack it; returns whether any step did.
 template <class Estimate>
 bool fill(LightSeries& series, std::optional<double> TimeStep::*member,
           const Estimate& estimate) {
@@ -50,7 +50,7 @@ double sky_longwave(double temperature, double vapour, double clearness) {
 
 void estimate_air(LightSeries& series, const Site& site, double par_fraction) {
     std::vector<std::string>& names = series.estimated;
-    // All steps have wind, or none has.
+    // Either all steps have a wind, or none has.
     if (fill(series, &TimeStep::wind, [](const TimeStep&) { return 2.; })) {
         series.wind_height = 2;
         names.emplace_back("wind");

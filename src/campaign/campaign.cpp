@@ -25,8 +25,8 @@ namespace ideotype {
 
 namespace {
 
-//! As high as the highest leaf with all numbers at their upper bounds, or of
-//! the baseline, if it stood upright [m].
+//! Returns the height of the highest leaf with all numbers at their upper
+//! bounds, or of the highest leaf of the baseline, if it stood upright [m].
 double reach_of(const Crop& crop, const std::vector<Range>& bounds,
                 const PlantVariation& variation) {
     std::vector<double> most;
@@ -39,7 +39,7 @@ double reach_of(const Crop& crop, const std::vector<Range>& bounds,
     return top;
 }
 
-//! Returns the usual population for the most genes that any case has free.
+//! Returns the usual population for the most free genes of any case.
 int usual_population_of(const Campaign& campaign) {
     std::size_t most = 1;
     Case chosen;
@@ -61,7 +61,7 @@ std::vector<Range> all_bounds(const Draft& draft, const Crop& crop) {
     return bounds;
 }
 
-//! Makes a component of its draft.
+//! Makes a component from its draft.
 ComponentEntry to_neighbour(const Draft& draft, bool assimilates) {
     const Campaign& own = draft.campaign;
     ComponentEntry component;
@@ -79,8 +79,7 @@ ComponentEntry to_neighbour(const Draft& draft, bool assimilates) {
     return component;
 }
 
-//! A sensitivity study ends with the last row of its design, and with nothing
-//! else.
+//! Plans a sensitivity study, which ends only with the last row of its design.
 void plan_study(Draft& draft, Campaign& campaign) {
     SensitivitySettings& design = draft.design;
     constexpr int few = 64;
@@ -125,7 +124,8 @@ Campaign complete(Draft& draft, const std::string& source,
     draft.campaign.search = campaign.search;
     draft.campaign.stop = campaign.stop;
     draft.campaign.final_rule = campaign.final_rule;
-    // A start is a plant; keys begin where the campaign has them.
+    // A start is a plant without keys, so keys start from their campaign
+    // values.
     if (!campaign.search.start.empty())
         for (const KeyFactor& each : campaign.varied.keys)
             campaign.search.start.push_back(each.value);
@@ -150,14 +150,14 @@ Campaign complete(Draft& draft, const std::string& source,
     return campaign;
 }
 
-//! Checks a draft whose keys have other values than its file gives them.
+//! Checks a draft in which keys have other values than in its file.
 void check_again(Draft& draft) {
     Problems problems(draft.campaign.name);
     check_draft(draft, problems);
     problems.throw_if_any();
 }
 
-//! Reports ends of ranges that contradict the rest of the campaign.
+//! Reports ends of ranges that contradict other keys of the campaign.
 void try_ends(Draft& draft, const Problems& problems) {
     const std::string table = draft.is_study ? "sensitivity" : "search";
     const std::vector<KeyFactor>& factors = draft.factors();
@@ -209,7 +209,7 @@ Campaign read_campaign_text(const std::string& text, const std::string& path,
 
 Campaign read_study(const std::string& path,
                     const std::vector<std::string>& settings) {
-    // Replicates would be the same study with other random numbers.
+    // Replicates would repeat the study with other random numbers.
     std::vector<std::string> all{"replicates=1"};
     all.insert(all.end(), settings.begin(), settings.end());
     return parse(read_text(path), path, PlantSource::file_or_table, all, true);
@@ -250,7 +250,7 @@ std::string crop_text(const Campaign& campaign, const Plant& baseline,
                problems);
     Draft& own = component == 0 ? draft : *draft.components.at(component - 1);
     own.campaign.crop.baseline = baseline;
-    // A search turns leaves beyond north, and files may not.
+    // A search may turn leaves beyond north, which files may not.
     for (Leaf& leaf : own.campaign.crop.baseline.leaves)
         if (leaf.azimuth < 0 || leaf.azimuth > 360)
             leaf.azimuth -= 360 * std::floor(leaf.azimuth / 360);

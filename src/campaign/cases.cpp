@@ -16,8 +16,8 @@ namespace ideotype {
 
 namespace {
 
-//! Returns a name that does not depend on how many other cases there are: all
-//! axes are named, also those with one entry.
+//! Returns a name that does not depend on the number of other cases: all axes
+//! are named, also axes with one entry.
 std::string case_name(const std::string& site, const std::string& day,
                       const std::string& spacing, const std::string& traits,
                       int replicate) {
@@ -46,7 +46,8 @@ void add_scenario(const Campaign& campaign, const Case& scenario,
     found->scenarios.push_back(scenario);
 }
 
-//! Dates are those of the file; hours are told on the clock of the site.
+//! Returns the series of a site's weather: dates are those of the file, hours
+//! are in the time of the site.
 LightSeries to_series(const SiteWeather& weather, const Site& here) {
     Site site = here;
     site.utc_offset = weather.utc_offset;
@@ -80,7 +81,7 @@ LightSeries to_series(const SiteWeather& weather, const Site& here) {
     return series;
 }
 
-//! Names a case by its axes, its breeding and its replicate.
+//! Names a case by its axes, its trait set and its replicate.
 void complete(Case& one, const Named<TraitSet>& traits, int replicate) {
     one.traits = traits.value;
     one.trait_set_name = traits.name;
@@ -89,7 +90,7 @@ void complete(Case& one, const Named<TraitSet>& traits, int replicate) {
                          traits.name, replicate);
 }
 
-//! Cases without traits, seed and replicate.
+//! Returns all cases without traits, seed and replicate.
 std::vector<Case> stands(const Campaign& campaign) {
     std::vector<Named<DaySpan>> days = campaign.days;
     for (const auto& climate : campaign.climates)

@@ -18,43 +18,43 @@ namespace ideotype {
 
 struct Campaign;
 
-//! A canopy that grows, at one of several moments. It stands for the hours
-//! around that: by thermal time, figures are linear between stages.
+//! A canopy that grows, at one of several moments. A stage stands for the hours
+//! around this moment: figures are linear in thermal time between stages.
 struct Stage {
-    std::uint32_t number = 0;  //!< from 0
-    //! Thermal times of the campaign's crop at this stage, and at those before
-    //! and after it, if there are [deg C d].
+    std::uint32_t number = 0;  //!< number of the stage, from 0
+    //! Thermal times of the campaign's crop at this stage, at the stage before
+    //! and at the stage after, if there are such stages [deg C d].
     double at = 0;
     std::optional<double> before{}, after{};
-    double day = 0;  //!< since emergence
-    //! Thermal time of each component since its own emergence, and at the stage
-    //! before [deg C d]; the campaign's crop is the first.
+    double day = 0;  //!< days since emergence
+    //! Thermal time of each component since its own emergence at this stage,
+    //! and at the stage before [deg C d]; the campaign's crop is the first.
     std::vector<double> ages{}, ages_before{};
-    double share = 1;            //!< about the part of the season's carbon
-    std::optional<Date> date{};  //!< whose hours alone it stands for, if given
+    double share = 1;            //!< approximate share of the season's carbon
+    std::optional<Date> date{};  //!< only date of the stage, if given
 };
 
-//! A point of the sweep: a single evolution with its own history.
+//! A point of the sweep: one search with a history of its own.
 struct Case {
     int index = 0;
-    std::string name;        //!< also the name of its file
-    std::uint64_t seed = 0;  //!< a function of campaign seed and name only
+    std::string name;        //!< name, also of the case's file
+    std::uint64_t seed = 0;  //!< function of campaign seed and name
     Site site;
-    std::string day_name;  //!< or that of its climate
-    DaySpan day;           //!< without a climate
+    std::string day_name;  //!< name of the day or climate
+    DaySpan day;           //!< day, if the case has no climate
     std::string spacing_name;
     Spacing spacing;
     std::string trait_set_name;
     TraitSet traits;
     int replicate = 1;
-    //! The scenarios that each plant is evaluated in, with the random numbers
-    //! of the case; its own site, day and spacing are those of the first.
-    //! Empty: it is the only one.
+    //! The scenarios in which each plant is evaluated, with the random numbers
+    //! of the case; the case's own site, day and spacing are those of the first
+    //! scenario. Empty: the case is its only scenario.
     std::vector<Case> scenarios{};
-    //! The case at each stage, where plants grow; scenarios have stages of
-    //! their own.
+    //! The case at each stage, if plants grow; scenarios have stages of their
+    //! own.
     std::vector<Case> stages{};
-    std::optional<Stage> stage{};  //!< if it is one of those
+    std::optional<Stage> stage{};  //!< set for the case at a stage
 };
 
 //! Returns the rows of the field, from 0, in which plants are bred.
@@ -69,48 +69,48 @@ bool is_over(const Campaign& campaign, const std::string& axis);
 //! Returns the scenarios of a case, at least one.
 std::vector<Case> scenarios(const Case& chosen);
 
-//! Each scenario of a case at each of its stages.
+//! Returns each scenario of a case at each of its stages.
 std::vector<Case> evaluated_cases(const Case& chosen);
 
-//! Returns the light of a case, or of the first of its scenarios: of its clear
-//! days, or of its weather.
+//! Returns the light of a case, or of the first of its scenarios, on clear days
+//! or from its weather.
 LightSeries light_of(const Campaign& campaign, const Case& chosen);
 
 //! Returns all cases in their order: sites, then days or climates, spacings,
-//! trait sets, and replicates fastest; of axes whose entries are scenarios one,
-//! which is called "all". Adding an entry to an axis does not change the name
-//! or seed of any other case.
+//! trait sets, and replicates fastest. An axis whose entries are scenarios has
+//! a single entry "all". A new entry of an axis does not change the name or
+//! seed of any other case.
 std::vector<Case> cases(const Campaign& campaign);
 
 //! Returns the case of this index.
-//! @param path of the campaign, for the message
-//! @throws Error of wrong usage if there is none.
+//! @param path path of the campaign, for the message
+//! @throws Error of wrong usage if there is no such case.
 Case case_at(const Campaign& campaign, int index, const std::string& path);
 
 //! Returns the climate of a case.
 const Climate& climate_of(const Campaign& campaign, const Case& chosen);
 
-//! A plant for each component, that of the campaign's crop first.
+//! A plant for each component, the campaign's crop first.
 using Plants = std::vector<Plant>;
 
-//! Returns the numbers of the crop's baseline, then those of components that
-//! are bred: as gene_space().
+//! Returns the numbers of the crop's baseline, then those of bred components,
+//! in the order of gene_space().
 Genome baseline_genome(const Campaign& campaign);
 
-//! Returns the number of genes of a genome, without keys that are varied.
+//! Returns the number of genes of a genome, without varied keys.
 std::size_t count_genes(const Campaign& campaign);
 
 //! Returns the plants that a genome makes of the baselines of all components.
-//! @throws Error if it has too few or too many genes
+//! @throws Error if there are too few or too many genes
 Plants grow(const Campaign& campaign, const Genome& genome);
 
-//! Returns the genes of a case with their bounds, those of the crop first, then
-//! those of components that are bred, "soybean.petiole_length". Genes outside
-//! the trait set are not free.
+//! Returns the genes of a case with their bounds: genes of the crop, then those
+//! of bred components, such as "soybean.petiole_length". Genes outside the
+//! trait set are not free.
 GeneSpace gene_space(const Campaign& campaign, const Case& chosen);
 
-//! Returns the genes of a case and, behind them, the keys that a study or a
-//! search varies. Where traits are not varied, no gene of them is free.
+//! Returns the genes of a case and, after them, the keys that a study or search
+//! varies. If traits are not varied, no gene of a trait is free.
 GeneSpace search_genes(const Campaign& campaign, const Case& chosen);
 
 }  // namespace ideotype

@@ -13,14 +13,13 @@ namespace ideotype {
 
 //! The weather of a period from a file.
 struct Climate {
-    std::string file;  //!< as written; "" if each site has one of its own
+    std::string file;  //!< path as written; "": each site has its own
     Period period;
-    std::string stamp;  //!< "": that of the format
+    std::string stamp;  //!< time stamp; "": as in the format
     ColumnMap columns;
-    std::optional<double> wind_height;  //!< above the ground [m]
+    std::optional<double> wind_height;  //!< height above the ground [m]
     std::optional<double> co2;          //!< CO2 of the air [umol mol-1]
-    //! The day on which plants emerge that then grow; of year 0: they stand as
-    //! they are.
+    //! The day on which growing plants emerge; year 0: plants do not grow.
     Date emergence{0, 1, 1};
 
     bool grows() const { return emergence.year > 0; }
@@ -28,17 +27,17 @@ struct Climate {
 
 //! The weather of a site in a climate, as it was read.
 struct SiteWeather {
-    std::string site, climate;  //!< names
-    std::string sha256;         //!< SHA-256 of the file
-    double utc_offset = 0;      //!< offset from UTC of dates and hours [h]
+    std::string site, climate;  //!< names of the site and the climate
+    std::string sha256;         //!< SHA-256 of the weather file
+    double utc_offset = 0;      //!< time of dates and hours, from UTC [h]
     std::vector<Date> dates;
-    std::vector<double> hours;  //!< hours of each day: the middles of steps [h]
+    std::vector<double> hours;  //!< middle of each step of a day [h]
     //! Light on a horizontal plane, date by date and hour by hour [W m-2];
-    //! nothing in wavebands that the campaign does not follow.
+    //! empty in wavebands that the campaign does not follow.
     ByBand<std::vector<double>> beam, diffuse;
-    //! If they are known, in that order: temperature [deg C], relative humidity
-    //! (0 to 1), wind [m s-1], pressure [kPa] and longwave radiation of the sky
-    //! [W m-2].
+    //! Air temperature [deg C], relative humidity (0 to 1), wind [m s-1],
+    //! pressure [kPa] and longwave radiation of the sky [W m-2]; empty if not
+    //! known.
     std::vector<double> temperature, humidity, wind, pressure, longwave;
 };
 

@@ -17,13 +17,13 @@ namespace ideotype {
 //! The places of the plants of a component in the field.
 struct Standing {
     std::vector<int> rows{};  //!< rows of the field, from 0
-    //! Instead of rows: so many of the places of plants that are bred, drawn
-    //! for each field. 0: none.
+    //! Number of places of bred plants that the component takes instead of
+    //! rows, drawn for each field. 0: none.
     int mixed = 0;
-    int plants = 0;                  //!< in each of its rows; 0: as the field's
-    int later = 0;                   //!< it emerges than the crop [d]
-    std::optional<double> jitter{};  //!< in the place of the field's [deg]
-    //! Variation of its plants, in the place of that of the field.
+    int plants = 0;                  //!< plants per row; 0: as in the field
+    int later = 0;                   //!< delay of emergence after the crop [d]
+    std::optional<double> jitter{};  //!< jitter instead of the field's [deg]
+    //! Variation of the plants instead of that of the field.
     std::optional<PlantVariation> variation{};
 };
 
@@ -33,10 +33,11 @@ struct ComponentEntry {
     Standing standing;
     Crop crop;
     std::vector<Range> bounds;  //!< bounds of trait_numbers(crop)
-    TraitSet free;              //!< its bred traits; none: it stays as it is
+    TraitSet free;              //!< bred traits; none: not bred
     ByBand<PlantOptics> optics;
-    std::optional<Photosynthesis> photosynthesis{};  //!< if leaves assimilate
-    Stomata stomata{};                               //!< if they exchange water
+    //! Set if leaves assimilate.
+    std::optional<Photosynthesis> photosynthesis{};
+    Stomata stomata{};  //!< for leaves that exchange water
 };
 
 }  // namespace ideotype

@@ -40,7 +40,7 @@ double step_excess(const std::vector<double>& leaves, double limit,
 }
 
 //! Returns the sum of all rises from leaf to leaf upwards, over the largest
-//! that there could be.
+//! possible sum.
 double rise(const std::vector<double>& leaves, const Range& limits) {
     double sum = 0;
     for (std::size_t i = 1; i < leaves.size(); ++i)
@@ -49,9 +49,9 @@ double rise(const std::vector<double>& leaves, const Range& limits) {
     return sum;
 }
 
-//! Returns the plane from which the largest deviation of leaves that alternate
-//! between its two sides is least: the middle of the smallest arc that holds
-//! them all once every other leaf is turned by half a circle.
+//! Returns the azimuth of the plane with the least largest deviation of leaves
+//! that alternate between its two sides: the middle of the smallest arc that
+//! holds all leaves once every other leaf is turned by half a circle.
 double plane(std::vector<double> leaves) {
     for (std::size_t i = 0; i < leaves.size(); ++i) {
         leaves[i] =
@@ -77,13 +77,13 @@ double distichous_excess(const std::vector<double>& azimuths, double limit) {
         sum += excess(
             distance(azimuths[i], middle + (i % 2 == 0 ? 0 : circle / 2), true),
             limit);
-    // The middle of an arc is rounded; its ends may be as far as is allowed.
+    // The middle of an arc is rounded; leaves at its ends may be just allowed.
     constexpr double rounding = 1e-12;
     return sum > rounding ? sum : 0;
 }
 
-//! Relative to the limit, or to all that a measure could be where the limit
-//! is 0.
+//! Returns the excess over a range, relative to the limit, or to the whole
+//! range of the measure where the limit is 0.
 double range_excess(const std::vector<double>& leaves,
                     const TraitConstraint& limit, const Range& limits) {
     const std::size_t count = limit.highest > 0

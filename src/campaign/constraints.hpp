@@ -11,37 +11,37 @@
 
 namespace ideotype {
 
-//! The traits that may be bred; the others keep the baseline's values.
+//! The traits that may be bred; all others keep the baseline's values.
 using TraitSet = std::vector<std::string>;
 
-//! A limit of the first measure that a trait acts on, in the unit of that
-//! measure. A plant must keep to it however it is bred.
+//! A limit of the first measure that a trait acts on, in the unit of this
+//! measure. A plant must keep to the limit however it is bred.
 struct TraitConstraint {
     std::string trait;
-    double step = 0;          //!< largest between neighbouring leaves; 0: any
+    double step = 0;          //!< largest step from leaf to leaf; 0: any
     Range total{0, 1e9};      //!< total of all leaves
-    bool is_falling = false;  //!< it must not rise from leaf to leaf upwards
-    //! Leaves alternate between the two sides of one plane, and none is
-    //! further from it [deg]; 0: any.
+    bool is_falling = false;  //!< no leaf may exceed the leaf below
+    //! Largest angle between a leaf and a plane to whose two sides leaves
+    //! alternate [deg]; 0: any.
     double distichous = 0;
     Range range{-1e9, 1e9};  //!< range of each leaf
-    int highest = 0;  //!< leaves that it limits, from the top down; 0: all
+    int highest = 0;         //!< limited leaves, from the top down; 0: all
 };
 
-//! Returns whether it asks for anything.
+//! Returns whether a limit restricts anything.
 bool constrains(const TraitConstraint& limit);
 
-//! All limits that a plant must keep to. A plant that does not is worse than
-//! any that does, and the worse the more it fails: see violation().
+//! All limits that a plant must keep to. A plant that breaks limits is worse
+//! than any plant that keeps to all, by its violation().
 struct Constraints {
-    Range lai{0, 1000};  //!< one-sided [m2 m-2]
+    Range lai{0, 1000};  //!< one-sided leaf area index [m2 m-2]
     std::vector<TraitConstraint> traits;
 };
 
 //! Returns how far a plant fails its constraints: the sum of the excesses over
 //! all limits, each relative to its limit; 0 if all are met.
-//! @param traits of the plant's crop
-//! @param lai of the plant in its stand
+//! @param traits traits of the plant's crop
+//! @param lai leaf area index of the plant in its stand
 double violation(const Constraints& constraints,
                  const std::vector<Trait>& traits, const Plant& plant,
                  double lai);
@@ -49,8 +49,8 @@ double violation(const Constraints& constraints,
 //! The measured lines near which plants of the crop must stay.
 struct Feasibility {
     std::optional<MeasuredLines> lines;
-    //! Largest distance from the mean of the lines, see LineDistance; what is
-    //! beyond is a violation, relative to it. 0: none.
+    //! Largest distance from the mean of the lines, see LineDistance; the
+    //! excess over it, relative to it, is a violation. 0: no limit.
     double limit = 0;
 };
 

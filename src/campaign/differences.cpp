@@ -13,11 +13,11 @@ namespace ideotype {
 
 namespace {
 
-//! Dotted names and values in the order of a resolved text, of which every
-//! line is a header or a key.
+//! Dotted names and values in the order of a resolved text, in which every line
+//! is a header or a key.
 using Entries = std::vector<std::pair<std::string, std::string>>;
 
-//! Names of the entries of each axis that a case is made of.
+//! Names of the entries that a case has on each axis.
 using Names = std::map<std::string, std::set<std::string>>;
 
 Names names_of(const Case& chosen) {
@@ -32,7 +32,7 @@ Names names_of(const Case& chosen) {
     return names;
 }
 
-//! Returns whether a case is made of the entry of a list of tables with these
+//! Returns whether a case includes the entry of a list of tables with these
 //! keys.
 bool is_part(const std::string& list, const Entries& keys, const Names& names) {
     const auto matches = [&](const std::string& axis, const char* key) {
@@ -53,7 +53,7 @@ Entries entries(const std::string& resolved, const Names& names) {
     std::string list, prefix;
     const auto end_table = [&] {
         if (!list.empty() && is_part(list, keys, names)) {
-            // One entry is left of an axis that is not over scenarios.
+            // An axis that is not over scenarios keeps one entry.
             const bool is_one =
                 names.contains(list) && names.at(list).size() == 1;
             prefix = is_one ? list + '.'
@@ -93,7 +93,7 @@ const std::string* find(const Entries& entries, const std::string& name) {
 
 namespace {
 
-//! As it stands, but for numbers of a whole season.
+//! Returns a value as it stands, or shortened if it has a season's numbers.
 std::string shown(const std::string& value) {
     constexpr std::size_t longest = 80;
     if (value.size() <= longest) return value;

@@ -25,17 +25,17 @@ TraitEntry leaf_trait(const std::string& name, const std::string& unit,
 }  // namespace
 
 Draft::Draft() {
-    // `fidelity` recommends this accuracy; the field and the time step are so
-    // anyway.
+    // `fidelity` recommends this accuracy; the defaults of the field and the
+    // time step already fit.
     campaign.sampling = {16384, 16, 0.008};
     campaign.trait_sets = {{"all", {}}};
-    // A least-squares fit of a width profile with a maximum of 1 and an area
-    // of 0.7455 length x width.
+    // The controls are a least-squares fit of a width profile with a maximum of
+    // 1 and an area of 0.7455 length x width.
     campaign.crop.baseline.blade.width_controls = {0.28,     0.885870, 0.895017,
                                                    1.149943, 0.379696, 0.0};
     // A crop file without traits has the traits and bounds of the study
     // arXiv:2512.06064; the range of the insertion angle and the rule
-    // "biological" are our estimates.
+    // "biological" are estimates of this project.
     traits = {leaf_trait("length", "m", {0.40, 1.10}),
               leaf_trait("width", "m", {0.05, 0.14}),
               leaf_trait("insertion_angle", "deg", {10, 80}),

@@ -11,8 +11,8 @@
 
 namespace ideotype {
 
-//! One trait as a crop file gives it: it acts on the measures of one of these
-//! lists.
+//! One trait in the form of a crop file: the trait acts on the measures of one
+//! of these lists.
 struct TraitEntry {
     Trait trait;
     std::vector<std::string> sets, scales, shifts;
@@ -23,66 +23,66 @@ struct BoundsEntry {
     std::string rule;
     std::string trait;
     Range range;
-    double change = 0;  //!< from the baseline, relative to it; 0: any
-    //! Campaigns that choose the rule, but no trait set, breed such traits and
-    //! no others.
+    double change = 0;  //!< relative to the baseline; 0: any
+    //! Whether campaigns that choose the rule, but no trait set, breed the
+    //! trait.
     bool is_bred = false;
 };
 
-//! A campaign while it is read: defaults first, then what the file says.
+//! A campaign while it is read: defaults first, then values of the file.
 struct Draft {
-    //! Fills in the defaults that the structures themselves don't have.
+    //! Fills in the defaults that the structures themselves lack.
     Draft();
 
     Campaign campaign;
     std::vector<TraitEntry> traits;
     std::vector<BoundsEntry> bounds;  //!< bounds of all rules
-    //! The choice of bounds: a rule, "traits" for their own ranges, or, if it
-    //! is empty, own_bounds.
+    //! The choice of bounds: a rule, "traits" for the ranges of the traits, or,
+    //! if empty, own_bounds.
     std::string rule = "traits";
     std::vector<Range> own_bounds;    //!< own bounds of each trait
-    std::vector<std::string> organs;  //!< that plants have besides leaves
+    std::vector<std::string> organs;  //!< present organs besides leaves
     PhotosynthesisTable photosynthesis;
     WaterTable water;
     MeasuredLines lines;
     Growth growth;                    //!< growth of the crop
-    bool has_growth = false;          //!< the crop file tells it
-    bool has_photosynthesis = false;  //!< leaves assimilate
-    bool has_water = false;           //!< leaves exchange heat and water
-    bool is_crop_known = true;        //!< no file is missing
-    bool has_climate = false;         //!< instead of days
-    bool has_population = false;      //!< none that the optimizer chooses
-    bool has_finalists = false;       //!< a number of them is given
-    bool has_samples = false;         //!< none that the method chooses
-    bool is_study = false;            //!< of sensitivity, and no search
+    bool has_growth = false;          //!< whether the crop file has growth
+    bool has_photosynthesis = false;  //!< whether leaves assimilate
+    bool has_water = false;           //!< whether leaves exchange water
+    bool is_crop_known = true;        //!< whether all files were found
+    bool has_climate = false;         //!< whether days come from a climate
+    bool has_population = false;      //!< whether a file sets the population
+    bool has_finalists = false;       //!< whether a file sets finalists
+    bool has_samples = false;         //!< whether a file sets the samples
+    bool is_study = false;            //!< whether it is a sensitivity study
     SensitivitySettings design;       //!< design of studies
-    Variation varied;                 //!< by studies
-    std::vector<KeyFactor> searched;  //!< keys that searches vary
+    Variation varied;                 //!< factors of a study
+    std::vector<KeyFactor> searched;  //!< keys that a search varies
 
-    //! Returns the keys that are varied, by a study or a search.
+    //! Returns the keys that a study or a search varies.
     std::vector<KeyFactor>& factors() {
         return is_study ? varied.keys : searched;
     }
 
-    //! Components that are not bred: each has its crop and its name.
+    //! Components beside the crop, each with its own crop and name.
     std::vector<std::shared_ptr<Draft>> components;
-    std::vector<double> rows;  //!< of the field that a component has, from 1
-    Standing standing;         //!< standing of a component, without its rows
-    //! Whether plants of a component differ as its own `campaign.field` tells.
+    std::vector<double> rows;  //!< rows of a component, from 1
+    Standing standing;         //!< places of a component
+    //! Whether the component's `campaign.field` has a variation of its own.
     bool has_variation = false;
 };
 
-//! Returns the names that campaigns may choose bounds by.
+//! Returns the names by which campaigns may choose bounds.
 std::vector<std::string> rule_names(const Draft& draft);
 
 //! Returns whether campaigns without trait sets breed the trait.
 bool is_bred(const Draft& draft, const Trait& trait, const std::string& rule);
 
-//! Returns the measures that the trait acts on: the list that has any.
+//! Returns the measures that a trait acts on: the list that is not empty.
 const std::vector<std::string>& measures_of(const TraitEntry& entry);
 
-//! Returns the trait with the measures that it acts on, from the list that has
-//! any, and the way in which it does.
+//! Returns a trait with the measures that it acts on, from the list that is not
+//! empty, and with the effect that belongs to the list.
 Trait complete(const TraitEntry& entry);
 
 //! Returns whether plants grow in a climate of the campaign.
@@ -92,7 +92,7 @@ bool plants_grow(const Campaign& campaign);
 Crop crop_of(const Draft& draft);
 
 //! Returns the bounds of one number of a trait.
-//! @param baseline its value in the baseline
+//! @param baseline value of the number in the baseline
 Range bounds_of(const Draft& draft, std::size_t trait, double baseline);
 
 }  // namespace ideotype

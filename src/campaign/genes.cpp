@@ -11,7 +11,7 @@ namespace ideotype {
 namespace {
 
 //! Appends the genes of a crop.
-//! @param prefix of their names, which tells the component
+//! @param prefix prefix of the genes' names, which tells the component
 void append_genes(GeneSpace& genes, const Crop& crop,
                   const std::vector<Range>& bounds, const TraitSet& free,
                   const std::string& prefix) {

@@ -13,26 +13,26 @@
 
 namespace ideotype {
 
-//! Collects what is wrong with a campaign, and remembers where each value was
-//! written so that later checks can point at it. Values are known by the paths
-//! of their keys, such as "site[1].latitude". Copies, and the parts that in()
-//! returns, share all that they collect.
+//! Collects the problems of a campaign, and remembers where each value was
+//! written, for the messages of later checks. Values are known by the paths of
+//! their keys, such as "site[1].latitude". Copies, and the parts that in()
+//! returns, share all that is collected.
 class Problems {
   public:
     Problems();
-    //! Begins with a file that all values come from.
+    //! Begins with the file from which all values come.
     explicit Problems(const std::string& file);
 
-    //! Returns these problems as those of a table: its keys are told without
-    //! its name then.
+    //! Returns these problems for one table, whose keys are then given without
+    //! the name of the table.
     Problems in(const std::string& table) const;
-    //! Returns these problems as those of an entry of a list of tables.
+    //! Returns these problems for one entry of a list of tables.
     Problems in(const std::string& table, std::size_t entry) const;
 
-    //! Notes the place that a value comes from.
+    //! Notes the place from which a value comes.
     void locate(const std::string& key, const Location& where) const;
 
-    //! Returns where a value was written, or else the table that lacks it.
+    //! Returns where a value was written, or else where its table was.
     const Location& where(const std::string& key) const;
 
     //! Makes a value unusable for checks against other values.
@@ -42,7 +42,7 @@ class Problems {
     bool usable(std::initializer_list<const char*> keys) const;
     bool usable(const std::string& key) const;
 
-    //! Returns whether nothing is wrong so far.
+    //! Returns whether no problem has been reported so far.
     bool empty() const;
 
     void add(const Location& where, const std::string& what) const;
@@ -50,7 +50,7 @@ class Problems {
     //! Reports a problem of a value and spoils it.
     void add(const std::string& key, const std::string& what) const;
 
-    //! Reports a problem, of a place or a value, in a text for these arguments.
+    //! Reports a problem of a place or a value, with a formatted text.
     template <class Place, class... Args>
     requires(sizeof...(Args) > 0) void add(const Place& place,
                                            fmt::format_string<Args...> text,
@@ -58,26 +58,26 @@ class Problems {
         add(place, fmt::format(text, std::forward<Args>(args)...));
     }
 
-    //! Reports only the first problem of a kind in a file, but spoils the
-    //! values of all of them.
+    //! Reports only the first problem of its kind in a file, but spoils the
+    //! values of all problems of this kind.
     void add_once(const std::string& key, const std::string& kind,
                   const std::string& what) const;
 
-    //! Warns of a value that may be wrong. It stays usable.
+    //! Warns of a value that may be wrong but stays usable.
     void warn(const std::string& key, const std::string& what) const;
     void warn(const Problem& warning) const;
 
     //! Throws all problems, if there are any.
-    //! @throws InputError with the problems of each file by position, and files
-    //! in the order in which they were opened.
+    //! @throws InputError with the problems of each file by position, files in
+    //! the order in which they were opened.
     void throw_if_any() const;
 
     //! Returns the warnings in the order of files and lines.
     std::vector<Problem> warnings() const;
     std::vector<Problem> sorted(std::vector<Problem> problems) const;
 
-    //! Notes that a file is read now. Problems are told in the order in which
-    //! files were opened.
+    //! Notes that a file is read from now on. Problems are listed in the order
+    //! in which files were opened.
     void open(const std::string& file) const;
 
   private:

@@ -13,13 +13,14 @@ namespace ideotype {
 
 namespace {
 
-//! A crop that is bred, in the order of genes: the campaign's, then those of
-//! components.
+//! A crop that is bred; crops are in the order of genes: the campaign's crop,
+//! then those of components.
 struct BredCrop {
     Draft& draft;
-    std::string table;     //!< table of its bounds: "plant" or "component"
-    Problems of_table;     //!< "plant" or "component[0]"
-    Problems of_baseline;  //!< "plant.baseline" or "component[0].crop"
+    std::string table;  //!< table of bounds: "plant" or "component"
+    Problems of_table;  //!< problems of "plant" or "component[0]"
+    //! Problems of "plant.baseline" or "component[0].crop".
+    Problems of_baseline;
 
     bool is_component() const { return table == "component"; }
 };
@@ -36,7 +37,7 @@ std::vector<BredCrop> bred_crops(Draft& draft, const Problems& problems) {
     return all;
 }
 
-//! @param problems of the constraints
+//! @param problems problems of the constraints
 void check_constraints(const Draft& draft, const Problems& problems) {
     const Constraints& constraints = draft.campaign.constraints;
     if (problems.usable({"lai"}) && constraints.lai.upper <= 0)
@@ -63,7 +64,7 @@ void check_constraints(const Draft& draft, const Problems& problems) {
     }
 }
 
-//! Any trait set that breeds a trait, or nullptr.
+//! Returns a trait set that breeds a trait, or nullptr.
 const Named<TraitSet>* breeder(const Campaign& campaign,
                                const std::string& trait) {
     if (!campaign.varied.has_traits) return nullptr;
@@ -74,7 +75,7 @@ const Named<TraitSet>* breeder(const Campaign& campaign,
 
 //! Returns the path of a measure in a crop: "leaf[2].length",
 //! "organ[0].length".
-//! @param leaf rank of the leaf, if it is a measure of leaves
+//! @param leaf rank of the leaf, if leaves have the measure
 std::string key_of(const Plant& plant, const std::string& measure, int leaf) {
     const std::string part = measure.substr(0, measure.find('.')),
                       rest = measure.substr(part.size());
@@ -86,8 +87,8 @@ std::string key_of(const Plant& plant, const std::string& measure, int leaf) {
     return measure;
 }
 
-//! Notes numbers of a baseline that are outside the bounds in which they would
-//! be bred, and the bounds to write.
+//! Notes numbers of a baseline outside the bounds in which they would be bred,
+//! and the bounds to write instead.
 class BaselineCheck {
   public:
     explicit BaselineCheck(const BredCrop& bred)
@@ -163,9 +164,9 @@ class BaselineCheck {
                                       : "trait set \"" + set->name + '"')});
     }
 
-    //! Returns the bred traits whose bounds are not those that a table begins
-    //! with, and which traits are bred if the rule that the table replaces
-    //! tells.
+    //! Returns the lines of bred traits whose bounds must differ from the
+    //! bounds with which a table begins, and, if the replaced rule chose them,
+    //! the bred traits.
     std::string lines() const {
         std::string text;
         for (std::size_t t = 0; t < wider_.size(); ++t) {
@@ -192,16 +193,16 @@ class BaselineCheck {
 
     const BredCrop& bred_;
     Draft& draft_;
-    std::string table_;  //!< table of the bounds
+    std::string table_;  //!< table of bounds
     Crop crop_;
-    //! The bounds of each bred trait, widened to hold the baseline's numbers.
+    //! Bounds of each bred trait, widened to hold the baseline's numbers.
     std::vector<std::optional<Range>> wider_;
     std::vector<Problem> found_;
 };
 
-//! Tells numbers of a start that are outside the bounds of a crop.
-//! @param start its numbers begin there
-//! @returns how many numbers the crop has
+//! Reports numbers of a start that are outside the bounds of a crop.
+//! @param start numbers of the start, from the first of the crop
+//! @returns the number of genes of the crop
 std::size_t check_start_of(const Draft& draft, std::span<const double> start,
                            const Problems& problems) {
     const Crop crop = crop_of(draft);
@@ -225,7 +226,7 @@ std::size_t check_start_of(const Draft& draft, std::span<const double> start,
     return numbers.size();
 }
 
-//! A start has a number of each gene, those that are bred within their bounds.
+//! Checks that a start has a number for each gene, bred genes within bounds.
 void check_start(Draft& draft, const Problems& problems) {
     const std::vector<double>& start = draft.campaign.search.start;
     if (start.empty() || !problems.usable({"search.start", "plant.bounds"}))

@@ -65,7 +65,7 @@ namespace {
 template <class Entry>
 void check_names(const std::string& axis, const std::vector<Entry>& entries,
                  const Problems& problems) {
-    // Names of cases are lower case: they are names of files.
+    // Names of cases become file names and are in lower case.
     std::map<std::string, std::size_t> first;
     for (std::size_t i = 0; i < entries.size(); ++i) {
         const Problems own = problems.in(axis, i);
@@ -81,8 +81,7 @@ void check_names(const std::string& axis, const std::vector<Entry>& entries,
     }
 }
 
-//! Many cases are work for months, and too many to look at in time. Returns
-//! whether there are few enough.
+//! Reports too many cases to compute; returns whether there are few enough.
 bool check_count(const Campaign& campaign, const Problems& problems) {
     double count = campaign.replicates;
     const auto multiply = [&](const std::string& axis, std::size_t entries) {
@@ -100,7 +99,7 @@ bool check_count(const Campaign& campaign, const Problems& problems) {
     return false;
 }
 
-//! Names may contain the underscore that joins them to the name of a case.
+//! Reports equal names of cases: names may contain the joining underscore.
 void check_case_names(const Campaign& campaign, const Problems& problems) {
     std::set<std::string> names;
     for (const Case& chosen : cases(campaign)) {
@@ -119,7 +118,7 @@ void check_case_names(const Campaign& campaign, const Problems& problems) {
 }
 
 void check_spacing(const Spacing& spacing, const Problems& problems) {
-    // Wider than crops stand, and too wide for plants to meet.
+    // Spacings above this are wider than crops stand, and plants hardly meet.
     constexpr double usual = 2;
     for (const auto& [name, value] :
          {std::pair("row", spacing.row), std::pair("plant", spacing.plant)})
@@ -137,7 +136,7 @@ void check_spacing(const Spacing& spacing, const Problems& problems) {
                      "plants per square metre");
 }
 
-//! Warns of stands that hold more leaves of the baseline than fields have.
+//! Warns of stands in which the baseline has more leaves than fields have.
 void check_leaf_area(const Campaign& campaign, const Problems& problems) {
     const double area =
         plant_area(build_plant(campaign.crop.baseline, campaign.tessellation))
@@ -156,7 +155,7 @@ void check_leaf_area(const Campaign& campaign, const Problems& problems) {
     }
 }
 
-//! Reports a bounded waveband in which light is not followed.
+//! Reports a bounded waveband if light is not followed in the band.
 void check_bands(const Campaign& campaign, const Problems& problems) {
     for (std::size_t b = 0; b < wavebands.size(); ++b)
         if (campaign.bounded_band == wavebands[b].name && !campaign.follows[b])
@@ -166,7 +165,7 @@ void check_bands(const Campaign& campaign, const Problems& problems) {
                          wavebands[b].name);
 }
 
-//! Faces of the leaves of a field must have room in the memory.
+//! Checks that the faces of all leaves of a field fit into the memory.
 void check_faces(const Campaign& campaign, const Problems& problems) {
     constexpr double most = 20e6;
     const FieldForm& field = campaign.field;

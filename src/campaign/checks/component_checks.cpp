@@ -12,7 +12,7 @@ namespace ideotype {
 
 namespace {
 
-//! Tells a component that has the name of another one.
+//! Reports a component that has the name of another component.
 void check_name(const Draft& component, std::map<std::string, int>& names,
                 const Problems& problems) {
     const std::string& name = component.campaign.name;
@@ -23,8 +23,8 @@ void check_name(const Draft& component, std::map<std::string, int>& names,
                      name);
 }
 
-//! Tells rows that a component can't have.
-//! @param taken whether each row of the field has a component
+//! Reports rows that a component can't have.
+//! @param taken whether each row of the field has a component already
 void check_rows(const Draft& component, std::vector<bool>& taken,
                 const Problems& problems) {
     for (const double row : component.rows) {
@@ -44,7 +44,7 @@ void check_rows(const Draft& component, std::vector<bool>& taken,
     }
 }
 
-//! Tells a component that stands nowhere, or in two ways.
+//! Reports a component that stands nowhere, or is placed in two ways.
 void check_standing(const Draft& component, const Problems& problems) {
     if (!problems.usable({"rows", "mixed", "plants"})) return;
     const bool is_mixed = component.standing.mixed > 0;
@@ -61,8 +61,8 @@ void check_standing(const Draft& component, const Problems& problems) {
                      "or use `rows` in the place of `mixed`");
 }
 
-//! Components beside the crop have names and places of their own, and leave
-//! places to the plants that are bred.
+//! Checks that components beside the crop have names and places of their own,
+//! and leave places to the bred plants.
 void check_places(Draft& draft, const Problems& problems) {
     const FieldForm& field = draft.campaign.field;
     if (!problems.usable({"field.rows", "field.plants"})) return;
@@ -91,8 +91,8 @@ void check_places(Draft& draft, const Problems& problems) {
     }
 }
 
-//! Tells row distances that do not repeat in the field.
-//! @param problems of the field
+//! Reports row distances that do not repeat in the field.
+//! @param problems problems of the field
 void check_row_pattern(const FieldForm& field, const Problems& problems) {
     const auto count = static_cast<int>(field.row_pattern.size());
     if (count == 0 || !problems.usable({"row_pattern", "rows"})) return;
@@ -107,8 +107,8 @@ void check_row_pattern(const FieldForm& field, const Problems& problems) {
                      count, field.rows, count);
 }
 
-//! Tells a list of numbers that does not have one for each component.
-//! @param problems of the objectives
+//! Reports a list that does not have a number for each component.
+//! @param problems problems of the objectives
 void check_list(const std::vector<double>& list, const std::string& key,
                 std::size_t components, const Problems& problems) {
     if (list.empty()) return;
@@ -125,7 +125,7 @@ void check_list(const std::vector<double>& list, const std::string& key,
                      key, list.size(), components);
 }
 
-//! Tells what makes an objective no land equivalent ratio.
+//! Reports keys for which an objective cannot be a land equivalent ratio.
 void check_sole(const Campaign& campaign, std::size_t components,
                 const Problems& problems) {
     const bool has_sole = !campaign.sole.empty();
@@ -145,7 +145,7 @@ void check_sole(const Campaign& campaign, std::size_t components,
                      "number there, for one objective); ask for one objective");
 }
 
-//! Tells weights that do not fit components, and objectives that have no parts.
+//! Reports weights that do not fit components, and objectives without parts.
 void check_weights(const Draft& draft, const Problems& problems) {
     const Campaign& campaign = draft.campaign;
     const std::vector<double>& weights = campaign.weights;

@@ -9,7 +9,7 @@ namespace ideotype {
 
 namespace {
 
-//! @param problems of the crop
+//! @param problems problems of the crop
 void check_leaves(const Plant& plant, const Problems& problems) {
     const double stalk = plant.stalk.height;
     for (std::size_t i = 0; i < plant.leaves.size(); ++i) {
@@ -43,9 +43,9 @@ void check_leaves(const Plant& plant, const Problems& problems) {
     }
 }
 
-//! @param problems of the blade
+//! @param problems problems of the blade
 void check_blade(const Blade& blade, const Problems& problems) {
-    constexpr double least = 1e-6;  // others cannot be scaled to 1
+    constexpr double least = 1e-6;  // less cannot be scaled to 1
     if (problems.usable({"width_controls"}) &&
         std::ranges::max(blade.width_controls) < least)
         problems.add("width_controls",
@@ -59,8 +59,8 @@ void check_blade(const Blade& blade, const Problems& problems) {
                      blade.leaflets);
 }
 
-//! The names of measures begin with those of organs.
-//! @param problems of the crop
+//! Checks names of organs, with which names of measures begin.
+//! @param problems problems of the crop
 void check_organs(const Plant& plant, const Problems& problems) {
     std::set<std::string> names{"leaf", "blade", "stalk", "sheath", "petiole"};
     for (std::size_t i = 0; i < plant.organs.size(); ++i) {
@@ -80,8 +80,8 @@ void check_organs(const Plant& plant, const Problems& problems) {
     }
 }
 
-//! Tells growth whose dates contradict each other or the plant.
-//! @param problems of the growth
+//! Reports growth whose dates contradict each other or the plant.
+//! @param problems problems of the growth
 void check_growth(const Draft& draft, const Problems& problems) {
     const Growth& growth = draft.growth;
     const auto leaves =

@@ -8,9 +8,9 @@ namespace ideotype {
 
 namespace {
 
-//! Reports a day of emergence that is not of its period, or without weather
-//! that plants could grow by.
-//! @param problems of the climate
+//! Reports a day of emergence outside its period, or without the weather on
+//! which growth depends.
+//! @param problems problems of the climate
 void check_emergence(const Draft& draft, const Named<Climate>& named,
                      const Problems& problems) {
     const auto& [from, to] = named.value.period;
@@ -57,8 +57,8 @@ void check_emergence(const Draft& draft, const Named<Climate>& named,
     }
 }
 
-//! Reports leaves that do not grow by coming out of a whorl.
-//! @param problems of the crop
+//! Reports leaves that cannot grow by coming out of a whorl.
+//! @param problems problems of the crop
 void check_leaves(const Draft& crop, const Problems& problems) {
     const Plant& plant = crop.campaign.crop.baseline;
     if (crop.is_crop_known && crop.has_growth &&

@@ -15,18 +15,19 @@ namespace ideotype {
 
 namespace {
 
-//! A period of the cell: so many steps.
+//! A period of the cell, as a number of equal steps.
 struct Period {
-    std::string count_key, step_key;  //!< "field.rows", "spacing.row"
-    double step = 0;                  //!< [m]
+    //! Keys such as "field.rows", "spacing.row".
+    std::string count_key, step_key;
+    double step = 0;  //!< length of a step [m]
     int count = 0;
-    int least = 1;  //!< the count is a multiple of it
+    int least = 1;  //!< number that must divide the count
 
     double length() const { return step * count; }
 };
 
-//! Tells how a length that does not go into a period would.
-//! @param own what it consists of besides the value of the key
+//! Returns advice for a length that does not go into a period.
+//! @param own part of the length besides the value of the key
 std::string remedy(const std::string& key, double part, double own,
                    const Period& period) {
     constexpr int most = 100;
@@ -48,8 +49,8 @@ std::string remedy(const std::string& key, double part, double own,
                                   : other;
 }
 
-//! Tells a length of panels that does not go into a period.
-//! @param own what it consists of besides the value of the key
+//! Reports a length of panels that does not go into a period.
+//! @param own part of the length besides the value of the key
 void check_period(const std::string& key, double value, double own,
                   const Period& period, const Problems& problems) {
     const double part = value + own, whole = period.length();
@@ -63,7 +64,7 @@ void check_period(const std::string& key, double value, double own,
                      period.step, whole, remedy(key, part, own, period));
 }
 
-//! @param problems of the rows
+//! @param problems problems of the rows
 void check_rows(const PanelRows& rows, const FieldForm& field,
                 const Spacing& spacing, const Problems& problems) {
     Period across{"field.rows", "spacing.row", spacing.row, field.rows,
@@ -95,13 +96,13 @@ void check_rows(const PanelRows& rows, const FieldForm& field,
         check_period("gap", rows.gap, rows.module_length, along, problems);
 }
 
-//! Reports surfaces of panels and objects that do not absorb some light.
+//! Reports surfaces of panels and objects that absorb no light.
 void check_optics(const ByBand<Lambertian>& optics, const Problems& problems) {
     for (std::size_t b = 0; b < wavebands.size(); ++b)
         check_surface(wavebands[b].prefix, optics[b], .99, problems);
 }
 
-//! Tells modules that meet each other or the soil.
+//! Reports modules that touch each other or the soil.
 void check_modules(const PanelRows& rows, const Problems& problems) {
     if (!problems.usable({"width", "height", "tilt", "tracks", "max_angle"}))
         return;
@@ -121,7 +122,7 @@ void check_modules(const PanelRows& rows, const Problems& problems) {
                      rows.gap);
 }
 
-//! Tells numbers of faces that are of no vertex.
+//! Reports faces with numbers of vertices that do not exist.
 void check_faces(const ObjectEntry& object, const Problems& problems) {
     if (!problems.usable({"obj", "faces", "vertices"})) return;
     const double count = static_cast<double>(object.vertices.size()) / 3;
@@ -136,7 +137,7 @@ void check_faces(const ObjectEntry& object, const Problems& problems) {
                      object.name);
 }
 
-//! Tells panels that do not repeat with the field of any spacing.
+//! Reports panels that do not repeat with the field at any spacing.
 void check_panel(const PanelEntry& panel, const Campaign& campaign,
                  const Problems& own, const Problems& problems) {
     check_modules(panel.rows, own);

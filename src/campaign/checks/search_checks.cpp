@@ -11,7 +11,7 @@ namespace ideotype {
 
 namespace {
 
-//! A part of a campaign that some quantities need, and whether it lacks it.
+//! A part of a campaign that some quantities need, and whether it is missing.
 struct Need {
     bool (*is_of)(const std::string& quantity);
     bool is_missing;
@@ -19,7 +19,7 @@ struct Need {
 };
 
 //! Reports a quantity that this canopy does not have.
-//! @param use such as "the objective"
+//! @param use purpose of the quantity, such as "the objective"
 void check_quantity(const ByBand<bool>& follows, const std::vector<Need>& needs,
                     const std::string& key, const std::string& use,
                     const std::string& name, const Problems& problems) {
@@ -34,7 +34,7 @@ void check_quantity(const ByBand<bool>& follows, const std::vector<Need>& needs,
             problems.add(key, "{} {} {}", use, name, each.text);
 }
 
-//! Checks objectives and axes of an atlas against what is in the canopy.
+//! Checks that the canopy has the objectives and the axes of an atlas.
 void check_quantities(const Draft& draft, const Problems& problems) {
     const Campaign& campaign = draft.campaign;
     const std::vector<Need> needs{
@@ -59,7 +59,7 @@ void check_quantities(const Draft& draft, const Problems& problems) {
                        "the axis", axes[i].quantity, problems);
 }
 
-//! Checks the grid of an atlas, which no other search has.
+//! Checks the grid of an atlas, which other searches must not have.
 void check_atlas(const SearchSettings& search, const Problems& problems) {
     constexpr std::size_t most = 1000;
     const bool is_atlas = search.optimizer == OptimizerKind::atlas;
@@ -174,7 +174,7 @@ void check_search(const Draft& draft, const Problems& problems) {
     if (!draft.is_study) check_atlas(campaign.search, problems.in("search"));
     check_stop(campaign.stop, problems);
     check_scenarios(campaign, problems);
-    // Each search by CMA-ES ranks four plants or more.
+    // Each CMA-ES search needs at least four plants to rank.
     const int fewest =
         campaign.search.optimizer == OptimizerKind::automatic ? 8 : 4;
     if (uses_cma_es(campaign.search) && has_population && population < fewest)

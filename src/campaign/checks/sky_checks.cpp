@@ -13,11 +13,11 @@ namespace ideotype {
 
 namespace {
 
-//! @param problems of the site
+//! @param problems problems of the site
 void check_site(const Site& site, const Problems& problems) {
     if (!problems.usable({"longitude", "utc_offset"})) return;
-    // Real clocks are within four hours of the sun, summer time included, and
-    // few are more than two off.
+    // Real clocks differ from the sun by at most four hours, summer time
+    // included, and few differ by more than two.
     constexpr double unusual = 2, impossible = 4;
     const double ahead = clock_ahead(site);
     if (std::abs(ahead) <= unusual) return;
@@ -34,7 +34,7 @@ void check_site(const Site& site, const Problems& problems) {
                       what + "; check both, few places have such a clock");
 }
 
-//! @param problems of the day
+//! @param problems problems of the day
 void check_day(const DaySpan& day, const Problems& problems) {
     if (!problems.usable({"start", "end"})) return;
     if (day.end <= day.start)

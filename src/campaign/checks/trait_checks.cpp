@@ -12,10 +12,10 @@ namespace ideotype {
 
 namespace {
 
-//! One trait of a crop file against the measures of its plant.
+//! Checks one trait of a crop file against the measures of its plant.
 class TraitCheck {
   public:
-    //! @param problems of the trait
+    //! @param problems problems of the trait
     TraitCheck(const TraitEntry& entry, Plant& plant, const Problems& problems)
         : entry_(entry),
           trait_(complete(entry)),

@@ -8,7 +8,7 @@
 
 namespace ideotype {
 
-//! A column of a table of leaves; the measure is (zero + sign x) / per_unit.
+//! A column of a table of leaves; its measure is (zero + sign x) / per_unit.
 struct LeafColumn {
     const char* name;
     double Leaf::*value;
@@ -16,11 +16,11 @@ struct LeafColumn {
     double sign = 1;
     double zero = 0;
     bool is_from_north = false;
-    //! Whether the number is a height from which the measure follows.
+    //! The height from which the measure follows, if the number is a height.
     LeafHeight height = LeafHeight::none;
 };
 
-// Angles as exported plants have them come first of their measure.
+// Angles as in exported plants come first among columns of their measure.
 inline constexpr LeafColumn leaf_columns[]{
     {"length_cm", &Leaf::length, 100},
     {"length_m", &Leaf::length},
@@ -57,7 +57,7 @@ inline constexpr LeafColumn leaf_columns[]{
 };
 inline constexpr auto rank_column = "leaf";
 
-//! Returns the place of a measure among all.
+//! Returns the place of a measure in leaf_measures.
 inline std::size_t index_of(double Leaf::*value) {
     return static_cast<std::size_t>(
         std::find_if(

@@ -22,11 +22,11 @@ std::vector<std::string> column_names() {
     return names;
 }
 
-//! Limits above the soil [m]; a tip may hang below the foot of the plant on a
-//! ridge.
+//! Limits of heights above the soil [m]; a tip may hang below the foot of a
+//! plant on a ridge.
 constexpr Range height_limits{-1, 10};
 
-//! A column of the table; without a kind the ranks, or unknown.
+//! A column of the table; without a kind, it has ranks or is unknown.
 struct ReadColumn {
     std::string name;
     const LeafColumn* kind = nullptr;
@@ -223,10 +223,10 @@ class LeafReader {
     const std::string& text_;
     const std::string& file_;
     const Problems& problems_;
-    LeafTable table_;  //!< header in line 0: not read yet
+    LeafTable table_;  //!< table; header line 0: not read yet
     std::vector<ReadColumn> columns_;
     bool has_ranks_ = false;
-    double row_direction_ = 0;  //!< clockwise from north [deg]
+    double row_direction_ = 0;  //!< azimuth of the row [deg]
 };
 
 }  // namespace
@@ -246,7 +246,7 @@ std::optional<Written> note_of(const std::string& text, const std::string& file,
         const std::size_t begin = line.find_first_not_of(" \t", mark + 1);
         if (begin == line.npos || !line.substr(begin).starts_with(name + ':'))
             continue;
-        // Programs for tables fill up lines with commas, and quote them.
+        // Spreadsheet programs fill up lines with commas and quote texts.
         constexpr auto around = " \t\",;";
         const std::size_t from =
             line.find_first_not_of(around, begin + name.size() + 1);

@@ -11,34 +11,34 @@
 
 namespace ideotype {
 
-//! A height above the soil that tells how much a leaf bends: of its tip, or of
-//! its highest point.
+//! A height above the soil from which the bending of a leaf follows: the height
+//! of its tip, or of its highest point.
 enum class LeafHeight { none, tip, top };
 
-//! The leaf of one line.
+//! One leaf, from one line of a table.
 struct LeafRow {
     Location where;
     int rank = 0;
     Leaf leaf;
-    //! The places of the measures in their order; line 0: not told.
+    //! Places of the measures in the file, in their order; line 0: not given.
     std::array<Location, leaf_measures.size()> places;
     LeafHeight of_height = LeafHeight::none;
-    double height = 0;  //!< that is told in the place of the curvature [m]
+    double height = 0;  //!< height instead of the curvature [m]
 };
 
 //! A table of measured leaves.
 struct LeafTable {
     Location header;
-    std::vector<LeafRow> rows;  //!< the lowest leaf first
-    //! Whether there is a column of each measure, or one that may be it.
+    std::vector<LeafRow> rows;  //!< rows of the table, lowest leaf first
+    //! Whether some column has each measure, or may have it.
     std::array<bool, leaf_measures.size()> has{};
 };
 
-//! Reads a table and reports all that is wrong with it.
+//! Reads a table of measured leaves and reports all its problems.
 LeafTable read_leaf_table(const std::string& text, const std::string& file,
                           const Problems& problems);
 
-//! A text and where it is written.
+//! A text and its place in a file.
 struct Written {
     std::string text;
     Location where;

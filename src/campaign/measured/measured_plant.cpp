@@ -26,7 +26,7 @@ double highest_insertion(const Plant& plant) {
     return highest;
 }
 
-//! Reports measures that neither the table nor the crop tells.
+//! Reports measures that neither the table nor the crop has.
 void require_columns(const LeafTable& table, std::size_t leaves_of_crop,
                      const Problems& problems) {
     if (table.rows.size() == leaves_of_crop) return;
@@ -42,7 +42,7 @@ void require_columns(const LeafTable& table, std::size_t leaves_of_crop,
     }
 }
 
-//! Returns the height of the tip or of the highest point of a leaf that has no
+//! Returns the height of the tip or of the highest point of a leaf without a
 //! digitised midrib [m].
 double height_of(const Leaf& leaf, const Blade& blade, LeafHeight of) {
     constexpr int steps = 400;
@@ -62,9 +62,9 @@ double height_of(const Leaf& leaf, const Blade& blade, LeafHeight of) {
     return of == LeafHeight::tip ? height : highest;
 }
 
-//! Finds by bisection the curvature with which a leaf has the height that was
-//! measured; the more it bends the lower are its tip and its highest point.
-//! @param problems of the leaf
+//! Finds by bisection the curvature at which a leaf has the measured height;
+//! the more a leaf bends, the lower are its tip and its highest point.
+//! @param problems problems of the leaf
 void bend(const LeafRow& row, const Blade& blade, Leaf& leaf,
           const Problems& problems) {
     const std::size_t of_curvature = index_of(&Leaf::curvature);
@@ -75,7 +75,7 @@ void bend(const LeafRow& row, const Blade& blade, Leaf& leaf,
         return height_of(leaf, blade, row.of_height);
     };
     Range range = limits;
-    // A ruler is read to the nearest centimetre.
+    // Rulers are read to the nearest centimetre.
     const double lowest = height(range.upper), highest = height(range.lower);
     if (row.height < lowest - 0.01 || row.height > highest + 0.01) {
         problems.add(
@@ -95,8 +95,8 @@ void bend(const LeafRow& row, const Blade& blade, Leaf& leaf,
     leaf.curvature = (range.lower + range.upper) / 2;
 }
 
-//! Makes heights and internodes agree where the table tells one of them.
-//! @param has_internodes whether the leaves of the crop have them
+//! Makes heights and internodes agree if the table has only one of them.
+//! @param has_internodes whether leaves of the crop have internodes
 void stack(const LeafTable& table, bool has_internodes, Plant& plant) {
     if (table.has[index_of(&Leaf::internode)]) return stack_internodes(plant);
     if (!has_internodes || !table.has[index_of(&Leaf::insertion_height)])
@@ -108,7 +108,7 @@ void stack(const LeafTable& table, bool has_internodes, Plant& plant) {
     }
 }
 
-//! Puts what the table tells of each leaf in the place of what is there.
+//! Replaces measures of each leaf by those of the table.
 void overlay(const LeafTable& table, Plant& plant, const Problems& problems) {
     const bool has_same_leaves = plant.leaves.size() == table.rows.size();
     const bool has_internodes =
@@ -125,7 +125,8 @@ void overlay(const LeafTable& table, Plant& plant, const Problems& problems) {
                 plant.leaves[i].*measure.value = row.leaf.*measure.value;
             else if (table.has[m] ||
                      (!has_same_leaves && m < needed_leaf_measures))
-                own.spoil(measure.name);  // its own problem is told already
+                // The problem of the value is reported already.
+                own.spoil(measure.name);
         }
     }
     stack(table, has_internodes, plant);

@@ -8,13 +8,13 @@
 
 namespace ideotype {
 
-//! Returns whether a file is a table of measured leaves, by its name.
+//! Returns whether a file is a table of measured leaves by its name.
 bool is_measured(const std::string& path);
 
-//! Reads a table of measured leaves, a line each, into a plant, whose other
-//! measures stay: of as many leaves those that have no column too. The stalk
-//! becomes as much longer as the highest insertion is higher, and organs at a
-//! leaf keep its rank from the highest one.
+//! Reads a table of measured leaves, one leaf per line, into a plant. Measures
+//! without a column stay if the numbers of leaves are equal; all other parts of
+//! the plant stay. The stalk grows by as much as the highest insertion rises,
+//! and organs at a leaf keep their rank counted from the highest leaf.
 //! @param is_crop_known false: the plant could not be read
 void read_measured_plant(const std::string& text, const std::string& file,
                          bool is_crop_known, Plant& plant,

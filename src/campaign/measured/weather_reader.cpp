@@ -15,9 +15,9 @@ namespace ideotype {
 
 namespace {
 
-//! Reports what is wrong with a climate, so that no weather can be read by it.
-//! Returns whether nothing is wrong.
-//! @param problems of the climate
+//! Reports problems of a climate that prevent reading its weather; returns
+//! whether there are none.
+//! @param problems problems of the climate
 bool check_climate(const Climate& climate, const Problems& problems) {
     const auto& [from, to] = climate.period;
     const ColumnMap& columns = climate.columns;
@@ -85,8 +85,8 @@ SiteWeather to_site_weather(const LightSeries& series,
     return result;
 }
 
-//! Reports what is impossible in weather that a campaign contains.
-//! @param problems of the weather
+//! Reports impossible values in the weather that a campaign contains.
+//! @param problems problems of the weather
 void check_weather(const SiteWeather& weather, const Problems& problems) {
     const auto& hours = weather.hours;
     const auto check = [&](const std::string& name,
@@ -118,7 +118,7 @@ void check_weather(const SiteWeather& weather, const Problems& problems) {
     of_steps("pressure", weather.pressure, 0, 1);
     of_steps("longwave", weather.longwave, 0, 0);
     for (std::size_t b = 0; b < wavebands.size(); ++b) {
-        // There are both or neither, and those of PAR always.
+        // Beam and diffuse light are given together; for PAR always.
         const auto &beam = weather.beam[b], &diffuse = weather.diffuse[b];
         const bool is_none = b > 0 && beam.empty() && diffuse.empty();
         of_steps(wavebands[b].prefix + "beam", beam, is_none ? 0 : steps, 0);
@@ -207,7 +207,7 @@ class WeathersReader {
             found.back().climate = name;
             found.back().sha256 = sha256(file.text);
         } catch (const InputError& error) {
-            // Sites may share a file, whose problems are reported once.
+            // Sites may share a file, whose problems are reported only once.
             for (const Problem& problem : error.problems())
                 if (is_new(problem)) problems_.add(problem.where, problem.what);
         }

@@ -9,10 +9,11 @@
 
 namespace ideotype {
 
-//! Reads the weather files of a campaign, for each site in each climate, but
-//! for weather that it has already; resolved campaigns have all. What is wrong
-//! with a file is reported with its line.
-//! @param file of the campaign, which names of weather files are relative to
+//! Reads the weather files of a campaign, for each site in each climate, unless
+//! the draft has the weather already; resolved campaigns have all. Problems of
+//! a file are reported with their line.
+//! @param file path of the campaign, to which names of weather files are
+//! relative
 void read_weathers(const std::string& file, PlantSource source, Draft& draft,
                    const Problems& problems);
 

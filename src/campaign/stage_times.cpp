@@ -9,8 +9,8 @@ namespace ideotype {
 
 namespace {
 
-//! A canopy at an age, roughly: the part of light that green leaves intercept,
-//! and how much of their height and of their angles plants have.
+//! A rough description of a canopy at an age: the part of light that green
+//! leaves intercept, and the height and angles relative to full growth.
 struct Shape {
     double interception = 0, height = 0, unfolded = 0;
 };
@@ -24,7 +24,7 @@ class Shapes {
           dates_(leaf_dates(growth)),
           heights_(final_collar_heights(growth, plant)),
           sheath_(plant.sheath.length) {
-        // Areas of the plant's own leaves need not be those of its growth.
+        // Areas of the plant's own leaves may differ from those of its growth.
         double all = 0;
         for (const LeafDates& leaf : dates_) all += leaf.area;
         const Mesh mesh =
@@ -47,7 +47,7 @@ class Shapes {
                 visible > 0 ? unfolded / visible : 0};
     }
 
-    //! Returns the time when half of the first leaf is out.
+    //! Returns the time at which half of the first leaf is out.
     double first() const {
         return (dates_.front().tip + dates_.front().collar) / 2;
     }
@@ -59,12 +59,12 @@ class Shapes {
     double sheath_, index_ = 0;
 };
 
-//! Chooses so many of some points, the first and the last among them, so that
-//! straight lines between chosen ones are nearest to the values of all (by
-//! dynamic programming).
+//! Chooses a number of points, with the first and the last among them, so that
+//! straight lines between chosen points are nearest to all values (by dynamic
+//! programming).
 std::vector<std::size_t> best_knots(const std::vector<Shape>& values,
                                     std::size_t count) {
-    // Heights and angles change carbon less than leaf area does.
+    // Heights and angles affect carbon less than leaf area does.
     constexpr double of_form = 0.5;
     const std::size_t n = values.size();
     const auto error = [&](std::size_t a, std::size_t b) {
@@ -110,7 +110,7 @@ std::vector<std::size_t> best_knots(const std::vector<Shape>& values,
     return knots;
 }
 
-//! Returns the thermal times of so many stages until some time.
+//! Returns the thermal times of a number of stages up to some time.
 std::vector<double> times_of(const Shapes& shapes, double last, int count) {
     constexpr std::size_t steps = 80;
     std::vector<double> times;

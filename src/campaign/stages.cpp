@@ -11,8 +11,8 @@ namespace ideotype {
 
 namespace {
 
-//! Returns the thermal time in the middle of each hour of a series since plants
-//! emerged; negative before.
+//! Returns thermal time since emergence in the middle of each hour of a series;
+//! before emergence it is negative.
 std::vector<double> thermal_times(const Growth& growth, const Date& emergence,
                                   int later, const LightSeries& series) {
     const auto begin = day_of(emergence) + std::chrono::days(later);
@@ -34,8 +34,9 @@ std::vector<double> thermal_times(const Growth& growth, const Date& emergence,
 
 //! A season of a crop: its hours from emergence to the day of maturity.
 struct Season {
-    std::size_t begin = 0, end = 0;  //!< first step of the period, and the next
-    std::vector<double> times;       //!< times of all steps
+    //! First step, and the step after the last.
+    std::size_t begin = 0, end = 0;
+    std::vector<double> times;  //!< thermal times of all steps
 };
 
 Season season_of(const Campaign& campaign, const Case& chosen,
@@ -60,8 +61,8 @@ Season season_of(const Campaign& campaign, const Case& chosen,
     return season;
 }
 
-//! The thermal times of all steps of each component; 0 for one that does not
-//! grow.
+//! The thermal times of each component in all steps; 0 for a component that
+//! does not grow.
 class Ages {
   public:
     Ages(const Campaign& campaign, const Case& one, const Season& season,
@@ -77,8 +78,8 @@ class Ages {
                     : std::vector<double>(season.times.size()));
     }
 
-    //! Returns the thermal times of a step, where the campaign's crop has this
-    //! one.
+    //! Returns the thermal times of all components in a step, given the thermal
+    //! time of the campaign's crop.
     std::vector<double> at(std::size_t step, double of_crop) const {
         std::vector<double> ages;
         for (const std::vector<double>& each : times_)
@@ -87,7 +88,7 @@ class Ages {
         return ages;
     }
 
-    //! Returns thermal times before plants emerge.
+    //! Returns the thermal times of all components before emergence.
     std::vector<double> before() const {
         return std::vector<double>(times_.size(), -1);
     }
@@ -124,7 +125,7 @@ const Growth* growth_of(const Campaign& campaign, std::size_t component) {
 }
 
 void add_stages(const Campaign& campaign, Case& one) {
-    // A draft does not have it yet.
+    // A draft has not set crop.growth yet.
     if (!campaign.crop.growth || campaign.climates.empty() ||
         !climate_of(campaign, one).grows())
         return;

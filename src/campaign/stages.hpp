@@ -9,25 +9,25 @@
 namespace ideotype {
 
 //! Adds stages to a case whose plants grow, from the first leaf to maturity or
-//! to the end of the period. They are at the ages from which straight lines
-//! follow best how much light leaves intercept.
+//! to the end of the period. The ages of stages are chosen so that straight
+//! lines between them follow best how much light leaves intercept.
 void add_stages(const Campaign& campaign, Case& one);
 
 //! Returns the stage of plants at noon of a date, or at a thermal time of the
-//! campaign's crop [deg C d]. It stands for the hours of that day.
+//! campaign's crop [deg C d]. The stage stands for the hours of the day.
 //! @param one a case without scenarios, or a single scenario of a case
-//! @throws Error (usage) if plants do not grow, or if the time is not in their
-//! season.
+//! @throws Error of wrong usage if plants do not grow or the time is not in
+//! their season.
 Stage stage_on(const Campaign& campaign, const Case& one,
                const std::variant<Date, double>& when);
 
-//! Returns the hours of a period for which a stage stands, each with the part
+//! Returns the hours of a period for which a stage stands, each with the share
 //! of its time that belongs to the stage.
 LightSeries at_stage(const Campaign& campaign, const Case& chosen,
                      LightSeries series);
 
-//! Returns the growth of a component, that of the campaign's crop first; null
-//! if it does not grow.
+//! Returns the growth of a component, number 0 being the campaign's crop; null
+//! if the component does not grow.
 const Growth* growth_of(const Campaign& campaign, std::size_t component);
 
 }  // namespace ideotype

@@ -39,7 +39,7 @@ void CropReader::read_key(const toml::node& baseline, const std::string& key) {
 
 void CropReader::read_plant(const toml::table& table, const std::string& file) {
     draft_.has_growth = table.contains("growth");
-    // The bounds of the usual traits are not those of others.
+    // The bounds of the usual traits do not apply to other traits.
     if (table.contains("trait")) draft_.bounds.clear();
     Plant& plant = draft_.campaign.crop.baseline;
     const TableReader tables(file, of_crop_), shared(file, problems_);
@@ -49,7 +49,7 @@ void CropReader::read_plant(const toml::table& table, const std::string& file) {
     all.insert(all.end(), defaults.begin(), defaults.end());
     tables.read(table, plant_file_section(plant), all);
     for (const Table& part : own) tables.read(table, part);
-    // Campaigns have these tables too.
+    // Campaigns also have these tables.
     for (const Table& part : defaults) shared.read(table, part);
     for (Leaf& leaf : plant.leaves)
         if (leaf.insertion_angle == 0 && leaf.curvature == 0)
@@ -99,7 +99,7 @@ void CropReader::read_crop_of_table(const std::string& file,
         });
     if (first == tables_above_.end())
         return read_plant_file(file, "# crop", named_at);
-    // The circle begins and ends with the file that the message names.
+    // The circle of names begins and ends with the file named in the message.
     std::rotate(first, tables_above_.end() - 1, tables_above_.end());
     problems_.add(named_at,
                   "the table takes its crop from itself ({} -> {}); name a "

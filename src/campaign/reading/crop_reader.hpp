@@ -11,18 +11,18 @@
 
 namespace ideotype {
 
-//! The kinds of text that may give the plant.
+//! The kinds of text from which a plant may be read.
 enum class PlantSource {
-    file_or_table,  //!< as users write it
-    table,          //!< as in resolved campaigns, which stand alone
+    file_or_table,  //!< form in which users write the plant
+    table,          //!< form in resolved campaigns, without files
 };
 
 //! Reads the crop of a campaign or of a component into a draft: from a table,
 //! a crop file, or a table of measured leaves.
 class CropReader {
   public:
-    //! @param file of the campaign
-    //! @param of_crop the problems of the keys of the crop
+    //! @param file path of the campaign
+    //! @param of_crop problems of the keys of the crop
     CropReader(const std::string& file, PlantSource source, Draft& draft,
                const Problems& problems, const Problems& of_crop)
         : file_(file),
@@ -31,17 +31,17 @@ class CropReader {
           problems_(problems),
           of_crop_(of_crop) {}
 
-    //! Reads the crop that a key has or names.
+    //! Reads the crop that a key contains or names.
     //! @param key such as "plant.baseline"
     void read_key(const toml::node& baseline, const std::string& key);
 
     //! Reads the tables of a crop.
-    //! @param file that they are in
+    //! @param file path of the file with the tables
     void read_plant(const toml::table& table, const std::string& file);
 
-    //! Reads a table of measured leaves. What it does not tell is as in the
-    //! crop that it names, or, if it names none, in the plant that the draft
-    //! has.
+    //! Reads a table of measured leaves. Values that the table lacks come from
+    //! the crop that the table names or, if it names none, from the draft's
+    //! plant.
     void read_measured(const std::string& text, const std::string& file);
 
   private:
@@ -54,7 +54,8 @@ class CropReader {
     PlantSource source_;
     Draft& draft_;
     Problems problems_, of_crop_;
-    std::vector<std::string> tables_above_;  //!< each names the next as crop
+    //! Tables that each name the next as crop.
+    std::vector<std::string> tables_above_;
 };
 
 }  // namespace ideotype

@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-//! Another file in the folder whose name is nearest, or "".
+//! Returns another file of the same folder with the nearest name, or "".
 std::string nearest_file(const fs::path& missing) {
     std::vector<std::string> names;
     std::error_code none;
@@ -21,7 +21,7 @@ std::string nearest_file(const fs::path& missing) {
          fs::directory_iterator(missing.parent_path(), none))
         if (entry.path().extension() == ".toml")
             names.push_back(entry.path().stem().string());
-    // The order of a folder is not defined; that of the advice is.
+    // Folders have no defined order, but advice must.
     std::sort(names.begin(), names.end());
     return nearest_name(missing.stem().string(), names);
 }

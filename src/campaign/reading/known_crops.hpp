@@ -7,11 +7,11 @@
 
 namespace ideotype {
 
-//! Returns the crops that the program knows by name: those of campaigns/crops.
+//! Returns the names of the crops in campaigns/crops, known to the program.
 std::vector<std::string> known_crop_names();
 
-//! Returns the text of the crop file of one of them; nothing if there is none
-//! of this name.
+//! Returns the text of the crop file of a known crop; nothing if there is no
+//! crop of this name.
 std::optional<std::string> known_crop(const std::string& name);
 
 }  // namespace ideotype

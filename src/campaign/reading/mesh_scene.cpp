@@ -18,7 +18,7 @@ namespace ideotype {
 
 namespace {
 
-//! Numbers of a material in the bands that its table names.
+//! The optical numbers of a material in the bands that its table names.
 struct Entry {
     MeshScene::Matter matter;
     std::vector<std::string> names;
@@ -42,7 +42,7 @@ class SceneReader {
                                 key.str()));
         for (const toml::table* each : entries(top, "material"))
             read_material(*each);
-        // Assimilation follows from the first band.
+        // Assimilation is computed from the first band.
         std::stable_partition(
             scene_.bands.begin(), scene_.bands.end(),
             [](const std::string& band) { return band == "par"; });
@@ -83,7 +83,7 @@ class SceneReader {
         return all;
     }
 
-    //! Reads what names of groups begin with: a text or a list of texts.
+    //! Reads prefixes of group names: a text or a list of texts.
     std::vector<std::string> read_groups(const toml::table& table,
                                          const std::string& in,
                                          const std::string& initial) {
@@ -113,7 +113,7 @@ class SceneReader {
         return groups;
     }
 
-    //! Reads a part of light; NaN if it is none.
+    //! Reads a fraction of light; returns NaN if it is not a fraction.
     double read_part(const toml::node& node, const std::string& what) {
         const std::optional<double> part = node.value<double>();
         if (part && *part >= 0 && *part <= 1) return *part;
@@ -164,7 +164,7 @@ class SceneReader {
                                  : Material(parts[0], parts[1], parts[2]);
     }
 
-    //! Puts the bands of a material into the order of those of the scene.
+    //! Puts the bands of a material into the order of the scene's bands.
     void order(Entry& entry) {
         MeshScene::Matter matter{std::move(entry.matter.groups)};
         for (const std::string& band : scene_.bands) {

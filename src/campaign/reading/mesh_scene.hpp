@@ -10,23 +10,24 @@
 
 namespace ideotype {
 
-//! A file that tells what the groups of a mesh are: which material each is made
-//! of in each waveband, and which component it belongs to.
+//! A file that describes the groups of a mesh: the material of each group in
+//! each waveband, and the component of each group.
 struct MeshScene {
-    //! A material. Of all that fit a group, the first one counts.
+    //! A material; the first material that fits a group counts.
     struct Matter {
-        std::vector<std::string> groups;  //!< what names of groups begin with
+        std::vector<std::string> groups;  //!< prefixes of group names
         std::vector<Material> bands{};
     };
-    //! A component; the same rule holds.
+    //! A component; the first component that fits a group counts.
     struct Kind {
         std::string name;
-        std::vector<std::string> groups;  //!< what names of groups begin with
+        std::vector<std::string> groups;  //!< prefixes of group names
         std::optional<Photosynthesis> photosynthesis{};
     };
 
     std::string file;
-    std::vector<std::string> bands;   //!< "par" first, if it is one of them
+    //! Bands of the file, "par" first if present.
+    std::vector<std::string> bands;
     std::vector<double> soil_albedo;  //!< in each band
     std::vector<Matter> materials;
     std::vector<Kind> components;

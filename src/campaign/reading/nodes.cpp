@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t longest_name = 64;
 
-// Names are on any file system, and so in ASCII.
+// Names use ASCII only, so that they work as file names on any system.
 bool is_letter_or_digit(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
            (c >= '0' && c <= '9');
@@ -24,7 +24,7 @@ bool is_allowed(char c) {
 Location location(const toml::source_region& source, const std::string& file) {
     if (source.path && source.path->starts_with(command_line_mark))
         return {*source.path};
-    // The table of a whole file has no place of its own.
+    // The table of a whole file has no line, so line 1 stands for it.
     return {file, std::max(1, static_cast<int>(source.begin.line)),
             std::max(1, static_cast<int>(source.begin.column))};
 }
@@ -39,7 +39,7 @@ std::string kind(const toml::node& node) {
 }
 
 bool is_name(const std::string& text) {
-    // A leading sign would read as an option on a command line.
+    // A leading sign would look like an option on a command line.
     return !text.empty() && text.size() <= longest_name &&
            is_letter_or_digit(text[0]) && std::ranges::all_of(text, is_allowed);
 }

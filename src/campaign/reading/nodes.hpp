@@ -10,7 +10,7 @@
 
 namespace ideotype {
 
-//! The beginning of the name of a source that is the command line, and no file.
+//! The prefix that marks a source as the command line instead of a file.
 inline constexpr std::string_view command_line_mark = "--set ";
 
 //! Returns the place where a node or key begins: in a file, or on the command
@@ -23,7 +23,7 @@ std::string kind(const toml::node& node);
 //! Returns whether a text may be part of the name of a file on any system.
 bool is_name(const std::string& text);
 
-//! Makes a name of any text: other characters than those of names become _.
+//! Makes a name from any text: characters that names lack become _.
 std::string make_name(const std::string& text);
 
 }  // namespace ideotype

@@ -16,7 +16,7 @@ namespace ideotype {
 
 namespace {
 
-//! Returns whether it is a plant: it has leaves and no sites.
+//! Returns whether a table is a plant: whether it has leaves and no sites.
 bool is_plant(const toml::table& top) {
     return top.contains("leaf") && !top.contains("site");
 }
@@ -25,8 +25,8 @@ std::string month_and_day(const Date& date) {
     return fmt::format("{:02}{:02}", date.month, date.day);
 }
 
-//! Sorts the traits of a set as the crop file does: their order in a campaign
-//! is of no account.
+//! Sorts the traits of a set in the order of the crop file: their order in a
+//! campaign does not matter.
 void sort_traits(const Draft& draft, TraitSet& free) {
     std::ranges::sort(free, {}, [&](const std::string& name) {
         return std::ranges::find(
@@ -37,7 +37,7 @@ void sort_traits(const Draft& draft, TraitSet& free) {
 
 class DraftReader {
   public:
-    //! @param of_crop the problems of the keys of the crop
+    //! @param of_crop problems of the keys of the crop
     DraftReader(const std::string& file, PlantSource source, Draft& draft,
                 const Problems& problems, const Problems& of_crop)
         : file_(file),
@@ -74,7 +74,7 @@ class DraftReader {
                                     asks_for_assimilation(campaign);
         draft_.has_population = top["search"]["population"].node() != nullptr;
         draft_.has_finalists = top["final"]["candidates"].node() != nullptr;
-        // Resolved campaigns have it if nothing is searched for.
+        // Resolved campaigns lack this table if they search for nothing.
         if (source_ == PlantSource::table)
             draft_.is_study = top.contains("sensitivity");
         if (draft_.is_study)
@@ -85,7 +85,7 @@ class DraftReader {
             sort_traits(draft_, free);
         for (const std::shared_ptr<Draft>& each : draft_.components)
             sort_traits(*each, each->campaign.trait_sets.front().value);
-        // A number of paths alone means all of them.
+        // If a file sets paths but no tolerance, all paths are traced.
         if (top["light"]["paths"] && !top["light"]["tolerance"])
             campaign.sampling.tolerance = 0;
         for (auto& [name, span] : campaign.days)
@@ -110,9 +110,9 @@ class DraftReader {
     }
 
   private:
-    //! Derives from the crop what the rest of a campaign needs before it is
-    //! read.
-    //! @param rule that bounds are chosen by
+    //! Derives values from the crop that the rest of a campaign needs before it
+    //! is read.
+    //! @param rule rule by which bounds are chosen
     void prepare(const std::string& rule) {
         Campaign& campaign = draft_.campaign;
         for (const TraitEntry& entry : draft_.traits) {
@@ -134,7 +134,7 @@ class DraftReader {
         draft_.organs = organ_names(plant);
     }
 
-    //! Reads how the plants of a component differ.
+    //! Reads how the plants of a component differ from each other.
     void read_variation(const toml::node& node) {
         const Section section = variation_section(
             draft_.campaign.field.variation, "component.variation");
@@ -148,8 +148,8 @@ class DraftReader {
                           kind(node));
     }
 
-    //! Reads what the other keys of a component follow from: its name, its
-    //! crop and its own bounds.
+    //! Reads the keys of a component on which its other keys depend: its name,
+    //! its crop and its own bounds.
     void read_component(const toml::table& table) {
         draft_.campaign.name = table["name"].value_or<std::string>("");
         draft_.is_crop_known = false;
@@ -199,7 +199,7 @@ class DraftReader {
     TableReader tables_;
 };
 
-//! A study has no optimizer. Histories of version 0.2.0 name it as one.
+//! Removes the optimizer of a study, which histories of version 0.2.0 name.
 void leave_out_study(toml::table& top, const std::string& file,
                      PlantSource source, Draft& draft,
                      const Problems& problems) {

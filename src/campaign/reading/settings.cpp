@@ -12,7 +12,7 @@ namespace ideotype {
 
 namespace {
 
-//! TOML recurses by the parts of a key; those of a campaign have at most 4.
+//! TOML recurses by the parts of a key; keys of campaigns have at most 4.
 constexpr auto most_dots = 8;
 
 std::optional<toml::table> parsed(const std::string& text,
@@ -24,7 +24,7 @@ std::optional<toml::table> parsed(const std::string& text,
     }
 }
 
-//! Returns the table with one key that a setting stands for.
+//! Returns a table with the one key that a setting contains.
 std::optional<toml::table> read(const std::string& setting,
                                 const std::string& name) {
     const std::size_t end = setting.find('=');
@@ -59,7 +59,7 @@ class Merger {
             if (known)
                 merge(*known, *given, name);
             else if (!is_refused_)
-                // A moved node keeps the place that it was read from.
+                // A moved node still has the place where it was read.
                 node.visit([&, at = key](auto& value) {
                     into.insert_or_assign(at, std::move(value));
                 });
@@ -67,7 +67,7 @@ class Merger {
     }
 
   private:
-    //! Returns the table itself, or the only one of a list.
+    //! Returns the table itself, or the only table of a list.
     toml::table* table_at(toml::node* node, const std::string& name) {
         if (!node) return nullptr;
         if (toml::table* const table = node->as_table()) return table;

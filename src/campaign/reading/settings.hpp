@@ -10,9 +10,9 @@
 
 namespace ideotype {
 
-//! Puts values from the command line, each as "table.key=value", in the place
-//! of those of a file. A value is read as TOML and, where it is none, as text.
-//! What is wrong with one is reported at "--set table.key=value".
+//! Replaces values of a file by values from the command line, each given as
+//! "table.key=value". A value is read as TOML or, if it is not valid TOML, as
+//! text. Problems of a value are reported at "--set table.key=value".
 void apply_settings(const std::vector<std::string>& settings,
                     toml::table& campaign, const Problems& problems);
 

@@ -28,7 +28,7 @@ SeasonLight read_climate(const std::string& path) {
     Campaign& campaign = draft.campaign;
     campaign.sites.assign(1, {});
     campaign.climates.assign(1, {});
-    // A file of a climate has no table [optics].
+    // A file of a climate has no table [optics], so line 1 stands for it.
     problems.locate("optics.par_fraction", {path, 1, 1});
     read_tables(read_text(path), path, climate_file_tables(campaign), problems);
     read_weathers(path, PlantSource::file_or_table, draft, problems);

@@ -26,7 +26,7 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(0, text.find_last_not_of(spaces) + 1);
 }
 
-//! Writes a date as in TOML, if there is such a day in some month.
+//! Returns a date as TOML, if a month can have such a day.
 std::optional<std::string> date_of(int year, int month, int day) {
     if (month < 1 || month > 12 || day < 1 || day > 31) return {};
     return fmt::format("{:04}-{:02}-{:02}", year, month, day);

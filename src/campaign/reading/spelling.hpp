@@ -6,8 +6,8 @@
 
 namespace ideotype {
 
-//! Returns the TOML that a value was meant to be: "5:00" is 05:00:00,
-//! "15.07.2025" is 2025-07-15, ".8" is 0.8. Nothing if it can't be told.
+//! Returns the TOML value that a text was meant to be: 05:00:00 for "5:00",
+//! 2025-07-15 for "15.07.2025", 0.8 for ".8". Nothing if there is no guess.
 std::optional<std::string> meant_time(const std::string& text);
 std::optional<std::string> meant_date(const std::string& text);
 std::optional<std::string> meant_number(const std::string& text);
@@ -15,7 +15,7 @@ std::optional<std::string> meant_number(const std::string& text);
 //! Returns whether a text is the time at which a day ends: "24:00".
 bool is_midnight(const std::string& text);
 
-//! Returns advice how to correct a line that is not valid TOML.
+//! Returns advice on how to correct a line that is not valid TOML.
 std::string line_advice(const std::string& line);
 
 }  // namespace ideotype

@@ -14,11 +14,11 @@ namespace ideotype {
 
 namespace {
 
-//! The parser and its tables recurse by the parts of a key, and have a limit
-//! of their own for nested values only. Campaigns need four parts.
+//! The most parts of a key; campaigns need four. The parser recurses by the
+//! parts, but limits only the depth of nested values.
 constexpr int most_parts = 8;
 
-//! Returns the end of a comment or text that begins at a place.
+//! Returns the end of a comment or text that begins at a position.
 std::size_t end_of_opaque(std::string_view text, std::size_t begin) {
     const char quote = text[begin];
     if (quote == '#') return std::min(text.find('\n', begin), text.size());
@@ -73,14 +73,14 @@ std::string line_of(const std::string& text, std::uint32_t number) {
 std::string reason(const toml::parse_error& error) {
     std::string text(error.description());
     if (!text.empty()) text[0] = static_cast<char>(std::tolower(text[0]));
-    // toml++ 3.3 names the wrong limit of hours.
+    // toml++ 3.3 gives a wrong limit of hours in its message.
     const std::string wrong = "hour between 0 to 59";
     if (const std::size_t at = text.find(wrong); at != std::string::npos)
         text.replace(at, wrong.size(), "hour between 0 and 23");
     return text;
 }
 
-//! Returns the problem of a line, its reason and its remedy.
+//! Returns the problem of a line, with its reason and a remedy.
 std::string problem(const toml::parse_error& error, const std::string& line) {
     const std::string why = reason(error);
     const bool is_twice = why.find("cannot redefine") != std::string::npos;

@@ -10,8 +10,8 @@
 
 namespace ideotype {
 
-//! Parses TOML text; if its syntax is wrong, reports where first and returns
-//! nothing.
+//! Parses TOML text; if its syntax is wrong, reports the first place and
+//! returns nothing.
 std::optional<toml::table> parse_toml(const std::string& text,
                                       const std::string& file,
                                       const Problems& problems);

@@ -27,7 +27,7 @@ bool is_of_plant_file(const std::string& section) {
     return false;
 }
 
-//! Sections of the same file that have a key of this name.
+//! Returns the sections of the same file that have a key of this name.
 std::vector<std::string> owners(const std::string& name,
                                 const std::string& section) {
     std::vector<std::string> places;
@@ -38,7 +38,7 @@ std::vector<std::string> owners(const std::string& name,
     return places;
 }
 
-//! Returns advice on the key that an unknown one may have been meant to be.
+//! Returns advice on the known key that an unknown key may stand for.
 std::string advice(const std::string& name, const std::string& nearest,
                    const std::string& section,
                    const std::vector<std::string>& known) {
@@ -88,7 +88,7 @@ void TableReader::read(const toml::table& parent, const Table& table) const {
     if (!node) report_missing(parent, table);
     auto found =
         node ? entries(*node, table) : std::vector<const toml::table*>{};
-    // Checks of entries against each other would take for ever.
+    // Checking so many entries against each other would take too long.
     if (found.size() > table.most) {
         problems_.add(where(*found[table.most]),
                       "there are {} tables [[{}]] (the limit is {}); remove "
@@ -139,7 +139,7 @@ std::vector<const toml::table*> TableReader::entries(const toml::node& node,
 
 void TableReader::report_missing(const toml::table& parent,
                                  const Table& table) const {
-    // Entries that are there already are the default.
+    // Existing entries are the default.
     if (table.is_optional || (table.resize && table.size() > 0)) return;
     if (table.resize) table.resize(1);
     std::vector<std::string> needed;
@@ -154,7 +154,7 @@ void TableReader::report_missing(const toml::table& parent,
 
 namespace {
 
-//! A key that a version after 0.2.3 no longer has, and what took its place.
+//! A key that versions after 0.2.3 no longer have, and its replacement.
 struct GoneKey {
     std::string section, name, instead;
 };
@@ -168,7 +168,7 @@ const std::vector<GoneKey> gone_keys{
     {"stop", "stagnation", "stop.no_gain"},
     {"stop", "target", "stop.evaluations"}};
 
-//! Names of keys and tables in earlier versions, and those that they have now.
+//! A key's or table's name in earlier versions, and the present name.
 struct FormerName {
     std::string section, was, is;
 };
@@ -182,7 +182,7 @@ const std::vector<FormerName> former_names{
     {"leaf", "droop", "curvature"},
     {"leaf", "inclination", "insertion_angle"}};
 
-//! Returns the name that one most likely stands for, or "".
+//! Returns the name that an unknown name most likely stands for, or "".
 std::string meant_name(const std::string& section, const std::string& name,
                        const std::vector<std::string>& known) {
     for (const FormerName& former : former_names)
@@ -196,8 +196,9 @@ bool TableReader::is_gone(const std::string& section, const toml::key& key,
                           const toml::node& value) const {
     for (const GoneKey& gone : gone_keys) {
         if (gone.section != section || gone.name != key.str()) continue;
-        // Histories tell how they were searched, which nobody does again; a
-        // plant is evaluated otherwise with another tolerance.
+        // Histories may keep keys of how they were searched, since the search
+        // is over; but another tolerance would change the evaluation of a
+        // plant.
         const bool is_off = gone.name == "smallest_step" ||
                             (value.value_or(0.) == 0 && !value.value_or(false));
         const bool is_history = file_.ends_with(".h5") && section != "light";

@@ -15,8 +15,7 @@ namespace ideotype {
 
 namespace {
 
-//! Returns the text without its quotes as TOML, if that is of the right
-//! type.
+//! Returns a text without its quotes as TOML, if it then has the right type.
 std::optional<std::string> without_quotes(const toml::node& found,
                                           const Key& key) {
     const auto text = found.value<std::string>();
@@ -50,7 +49,7 @@ void ValueFaults::fail_type(const toml::node& found) const {
                      kind(found), key.type, key.name, example));
 }
 
-//! Returns the fault of a number, or "".
+//! Returns the fault of a number, or "" if it has none.
 std::string ValueFaults::fault(double value) const {
     const std::string unit = key.unit.empty() ? "" : ' ' + key.unit;
     if (!std::isfinite(value))
@@ -67,8 +66,8 @@ std::string ValueFaults::fault(double value) const {
     return "";
 }
 
-//! Reports a number that is in the range in another unit; other entries of
-//! a file most likely have that key in the same unit.
+//! Reports a number that is in the range if it is in another unit; other
+//! entries of a file most likely give this key in the same unit.
 bool ValueFaults::is_mistaken(double value) const {
     if (!(value > key.upper)) return false;
     std::vector<std::string> units, values;

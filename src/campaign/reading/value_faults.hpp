@@ -10,20 +10,20 @@
 
 namespace ideotype {
 
-//! Reports what is wrong with the value of one key.
+//! Reports faults of the value of one key.
 struct ValueFaults {
     const std::string& section;
     const Key& key;
     const Problems& problems;
 
-    //! Returns the name of the key in messages.
+    //! Returns the name of the key for messages.
     std::string name() const;
-    //! Reports a fault, which follows the name of the key.
+    //! Reports a fault as a text that follows the name of the key.
     void fail(const std::string& what) const;
-    //! Reports a value of another type, and a text that would be of the right
-    //! type without its quotes.
+    //! Reports a value of a wrong type, or a text that without its quotes would
+    //! have the right type.
     void fail_type(const toml::node& found) const;
-    //! Returns whether a number is in the range; otherwise reports it.
+    //! Returns whether a number is in the range; reports a number that is not.
     bool accepts(double value) const;
 
   private:

@@ -21,7 +21,7 @@ namespace {
 struct Reader : ValueFaults {
     const toml::node& node;
 
-    //! Returns a number of either TOML type, in range; otherwise reports.
+    //! Returns a number of either TOML type in the range, or reports a fault.
     std::optional<double> number(const toml::node& found) const {
         double plain = 0;
         if (const auto* integer = found.as_integer())
@@ -30,13 +30,13 @@ struct Reader : ValueFaults {
             plain = decimal->get();
         else
             return fail_type(found), std::nullopt;
-        // Adding zero turns -0 into 0, which has only one text.
+        // Adding zero turns -0 into 0, so that equal values have equal texts.
         const double value = plain + 0.0;
         if (!accepts(value)) return std::nullopt;
         return value;
     }
 
-    //! Returns the texts of an array; otherwise reports.
+    //! Returns the texts of an array, or reports a fault.
     std::optional<std::vector<std::string>> texts(std::size_t count) const {
         const toml::array* array = node.as_array();
         if (!array || array->size() != count)
@@ -50,7 +50,7 @@ struct Reader : ValueFaults {
         return values;
     }
 
-    //! Returns the numbers of an array; otherwise reports.
+    //! Returns the numbers of an array, or reports a fault.
     std::optional<std::vector<double>> numbers(std::size_t count) const {
         const toml::array* array = node.as_array();
         if (!array && count == any_count && node.is_number()) {
@@ -75,7 +75,7 @@ struct Reader : ValueFaults {
 
     void operator()(std::monostate) const {}
 
-    //! Returns a text that is one of the choices; otherwise reports.
+    //! Returns a text that is one of the choices, or reports a fault.
     std::optional<std::string> one_of_choices() const {
         const auto text = node.value<std::string>();
         if (!text) return fail_type(node), std::nullopt;
@@ -173,7 +173,7 @@ struct Reader : ValueFaults {
         *value = *found;
     }
 
-    //! Returns a date in the range; otherwise reports.
+    //! Returns a date in the range, or reports a fault.
     std::optional<Date> date(const toml::node& from) const {
         const toml::value<toml::date>* found = from.as_date();
         if (!found) return fail_type(from), std::nullopt;

@@ -31,7 +31,7 @@ Section traits_section(const Draft& draft, Named<TraitSet>& traits) {
     Section section("traits",
                     {{"name", &traits.name}, {"free", &traits.value}});
     Key& free = section["free"].one_of(trait_names(draft));
-    // Components may be bred in the place of the crop.
+    // Components may be bred instead of the crop.
     free.is_required = draft.components.empty();
     free.written_if(!traits.value.empty());
     return section;
@@ -54,7 +54,7 @@ Section field_section(FieldForm& field) {
     return section;
 }
 
-//! Returns the optics of plants.
+//! Returns the section with the optics of plants.
 Section plant_optics_section(const std::string& name, PlantOptics& optics) {
     return {name,
             {{"leaf_reflectance", &optics.leaf.reflectance},

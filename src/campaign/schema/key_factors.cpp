@@ -15,18 +15,18 @@ namespace ideotype {
 
 namespace {
 
-//! A key of the campaign under the name that --set has for it.
+//! A key of the campaign, under its name in --set.
 struct NamedKey {
-    std::string section;  //!< section of messages
+    std::string section;  //!< section name for messages
     std::string name;
     Key key;
-    std::size_t tables;  //!< tables of its kind
-    bool is_there;       //!< in the campaign
+    std::size_t tables;  //!< number of tables of this kind
+    bool is_there;       //!< whether the campaign has it
 };
 
 constexpr const char* plant_prefix = "plant.baseline.";
 
-//! Keys of the tables that describe what plants live in and on.
+//! Returns keys of the tables that describe the surroundings of plants.
 std::vector<NamedKey> variable_keys(Draft& draft) {
     std::vector<NamedKey> keys;
     const auto add = [&](const std::vector<Table>& tables,
@@ -48,7 +48,7 @@ std::vector<NamedKey> variable_keys(Draft& draft) {
     return keys;
 }
 
-//! Returns the numbers of a key; none if it is anything else.
+//! Returns the numbers of a key; nothing if its value is not numeric.
 std::optional<std::vector<double>> numbers_of(const Key& key) {
     if (key.is_clock() || key.is_duration()) return std::nullopt;
     if (const auto* number = std::get_if<double*>(&key.value))
@@ -69,7 +69,7 @@ std::string advice(const std::string& name, const std::vector<NamedKey>& keys) {
                            : "did you mean \"" + nearest + "\"?";
 }
 
-//! Returns why this key cannot be varied, or "".
+//! Returns the reason why a key cannot be varied, or "".
 std::string fault(const NamedKey& found) {
     if (!found.is_there)
         return fmt::format("(this campaign has no [{}])", found.section);
@@ -85,8 +85,8 @@ std::string fault(const NamedKey& found) {
     return "";
 }
 
-//! Returns whether a range lies in that of a key; otherwise reports.
-//! @param problems of the factor
+//! Returns whether a range lies within that of its key, or reports a fault.
+//! @param problems problems of the factor
 bool is_in_range(const KeyFactor& factor, const NamedKey& found,
                  const Problems& problems) {
     for (const double bound : {factor.range.lower, factor.range.upper}) {
@@ -107,8 +107,8 @@ bool is_in_range(const KeyFactor& factor, const NamedKey& found,
     return true;
 }
 
-//! @param table of the study or search
-//! @param problems of the factor
+//! @param table name of the table of the study or search
+//! @param problems problems of the factor
 void check_key(const std::string& table, KeyFactor& factor,
                const std::vector<NamedKey>& keys, const Problems& problems) {
     const auto found = std::ranges::find(keys, factor.key, &NamedKey::name);
@@ -127,7 +127,7 @@ void check_key(const std::string& table, KeyFactor& factor,
     factor.value = numbers.empty() ? (lower + upper) / 2 : numbers.front();
 }
 
-//! Checks the keys [[TABLE.keys]].
+//! Checks the entries of [[TABLE.keys]].
 void check_keys(const std::string& table, std::vector<KeyFactor>& factors,
                 Draft& draft, const Problems& problems) {
     std::set<std::string> seen;
@@ -135,7 +135,7 @@ void check_keys(const std::string& table, std::vector<KeyFactor>& factors,
     for (std::size_t i = 0; i < factors.size(); ++i) {
         KeyFactor& factor = factors[i];
         const Problems own = problems.in(table).in("keys", i);
-        // Without its file nothing is known of the plant.
+        // Without its crop file, nothing is known about the plant.
         if (!own.usable({"key"}) ||
             (!draft.is_crop_known && factor.key.starts_with(plant_prefix)))
             continue;

@@ -6,12 +6,12 @@
 
 namespace ideotype {
 
-//! Reports keys of a sensitivity study that are no numbers of this campaign,
-//! ranges that leave those of the keys, and settings that contradict each
-//! other. Completes what is known of the keys.
+//! Reports keys of a sensitivity study that are not numbers of this campaign,
+//! ranges that exceed those of their keys, and contradicting settings.
+//! Completes the values and units of the keys.
 void check_sensitivity(Draft& draft, const Problems& problems);
 
-//! Gives a draft another value of a factor that check_sensitivity() has passed.
+//! Sets a factor that check_sensitivity() has accepted to another value.
 void set_key(Draft& draft, const KeyFactor& factor, double value);
 
 }  // namespace ideotype

@@ -6,21 +6,21 @@
 
 namespace ideotype {
 
-//! A key of a campaign or crop file as docs/campaign_files.md declares it,
-//! whose tables the program has with it.
+//! A key of a campaign or crop file as docs/campaign_files.md declares it; the
+//! program contains the tables of this document.
 struct KeyInfo {
     std::string section;  //!< "top", "site", ..., "crop file", ..., "leaf"
     std::string name;
-    std::string type;  //!< "integer", "number", "local date", ...
-    std::string unit;  //!< "-" if it has none
-    //! The range "-90 .. 90", the texts that are allowed, words, or "-" if it
-    //! has none.
+    std::string type;  //!< type, "integer", "local date", ...
+    std::string unit;  //!< unit; "-": none
+    //! The range "-90 .. 90", the allowed texts, a description, or "-" if the
+    //! key has no range.
     std::string range;
-    std::string initial;  //!< the default in TOML or words, or "required"
+    std::string initial;  //!< default as TOML or in words, or "required"
     std::string meaning;
-    std::string example;             //!< as TOML, if messages need one
-    double lower = 0, upper = 0;     //!< limits of numbers; none if equal
-    std::vector<std::string> texts;  //!< that are allowed; none: any
+    std::string example;             //!< example as TOML for messages, or ""
+    double lower = 0, upper = 0;     //!< limits; none if equal
+    std::vector<std::string> texts;  //!< allowed texts; none: any
 
     bool is_required() const { return initial == "required"; }
 };
@@ -29,8 +29,8 @@ struct KeyInfo {
 const std::vector<KeyInfo>& campaign_keys();
 
 //! Returns the declaration of a key.
-//! @throws Error if the documentation has none, so that nobody can write a key
-//! that it does not tell.
+//! @throws Error if the documentation has no such key, so that no key can stay
+//! undocumented.
 const KeyInfo& key_info(const std::string& section, const std::string& name);
 
 }  // namespace ideotype

@@ -40,7 +40,7 @@ Section light_section(Campaign& campaign) {
     return section;
 }
 
-//! Returns the names of all objectives, those of single components too.
+//! Returns the names of all objectives, including those of components.
 std::vector<std::string> objectives_of(const Draft& draft) {
     std::vector<std::string> names = objective_names();
     if (draft.components.empty()) return names;

@@ -16,8 +16,8 @@ namespace {
 using All = PhotosynthesisTable;
 using Numbers = std::vector<double> All::*;
 
-//! Calls a function with the lists of numbers that leaves of a model have, and
-//! with where a leaf keeps each: an overload for each model.
+//! Calls a function with each list of numbers of a model's leaves and the
+//! member of a leaf that holds such a number; each model has an overload.
 void each_number(HyperbolaLeaf& leaf, const auto& with) {
     with(&All::phi, leaf.response.phi);
     with(&All::theta, leaf.response.theta);
@@ -47,7 +47,7 @@ void each_number(FarquharLeaf& leaf, const auto& with) {
 struct Model {
     const char* name;
     LeafModel kind;
-    LeafRates leaf;  //!< where a table has no numbers
+    LeafRates leaf;  //!< numbers where a table has none
 };
 
 constexpr Model models[] = {
@@ -60,7 +60,7 @@ const Model& model_of(const PhotosynthesisTable& table) {
     return *std::ranges::find(models, table.model, &Model::kind);
 }
 
-//! Returns a leaf with what each_number() tells such a function to fill in.
+//! Returns a leaf whose numbers a function fills in by each_number().
 LeafRates filled(LeafRates leaf, const auto& with) {
     std::visit([&](auto& each) { each_number(each, with); }, leaf);
     return leaf;

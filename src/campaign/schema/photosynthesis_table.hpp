@@ -11,29 +11,30 @@ namespace ideotype {
 enum class LeafModel { hyperbola, collatz, farquhar };
 
 //! The table [photosynthesis] as it is written. A list has one number for all
-//! leaves, or one for each, the lowest first; the model's own number is taken
-//! where a list is empty.
+//! leaves, or one for each leaf, the lowest first; an empty list stands for the
+//! model's default.
 struct PhotosynthesisTable {
     LeafModel model = LeafModel::hyperbola;
-    std::vector<double> theta, rd;             //!< of all models
-    std::vector<double> phi, amax;             //!< hyperbola
-    std::vector<double> vmax, alpha, beta, k;  //!< Collatz
-    std::vector<double> vcmax, jmax, tpu, g1;  //!< Farquhar, which has beta too
+    std::vector<double> theta, rd;             //!< numbers of all models
+    std::vector<double> phi, amax;             //!< numbers of the hyperbola
+    std::vector<double> vmax, alpha, beta, k;  //!< numbers of Collatz
+    //! Numbers of Farquhar, with beta.
+    std::vector<double> vcmax, jmax, tpu, g1;
     CapacityProfile profile = CapacityProfile::exponential;
     double kn = CanopyNitrogen{}.kn;
     double nitrogen = CanopyNitrogen{}.total;
     std::vector<double> rank_capacity{1};
     bool follows_weather = true;
     double building_days = Photosynthesis{}.building_days;
-    double building_cost = 45;  //!< [g m-2 of leaf]
+    double building_cost = 45;  //!< cost [g m-2 of leaf]
 };
 
-//! Returns the defaults of the table for meshes: leaves do not differ by depth,
+//! Returns the defaults of the table for meshes: leaves do not differ by depth
 //! and do not follow the weather.
 PhotosynthesisTable photosynthesis_of_meshes();
 
-//! Returns the photosynthesis that a table tells.
-//! @param table without problems
+//! Returns the photosynthesis that a table describes.
+//! @param table table without problems
 Photosynthesis to_photosynthesis(const PhotosynthesisTable& table);
 
 }  // namespace ideotype

@@ -15,7 +15,7 @@ void add_measures(Section& section, const auto& measures, Part& part) {
     }
 }
 
-//! Returns a part that a plant has once, or does not have.
+//! Returns the section of a part that a plant has at most once.
 template <class Part>
 Section part_section(const std::string& name, const auto& measures,
                      Part& part) {
@@ -61,7 +61,7 @@ Section blade_section(Blade& blade) {
     Section section("blade", {});
     add_measures(section, blade_measures, blade);
     section.add("leaflets", &blade.leaflets);
-    // A single blade has the first two.
+    // A single blade has only the first two keys.
     for (std::size_t i = 2; i < section.keys.size(); ++i)
         section.keys[i].written_if(blade.leaflets > 1);
     section.add("width_controls", &blade.width_controls);
@@ -86,7 +86,7 @@ Section organ_section(Organ& organ) {
 Section leaf_section(Leaf& leaf) {
     Section section("leaf", {});
     add_measures(section, leaf_measures, leaf);
-    // Blades that are neither rolled nor twisted need not say so.
+    // Blades that are neither rolled nor twisted may leave these keys out.
     for (std::size_t i = needed_leaf_measures; i < leaf_measures.size(); ++i)
         section.keys[i].written_if(leaf.*leaf_measures[i].value != 0);
     for (const char* key : {"insertion_angle", "curvature"})
@@ -128,7 +128,7 @@ Section bounds_section(BoundsEntry& bounds) {
              {"bred", &bounds.is_bred}}};
 }
 
-//! Returns the bounds of a trait, which are those of the measure that it sets.
+//! Returns the key for the bounds of a trait, in the range of its measure.
 Key own_bounds_key(const Trait& trait, Range& range, Plant& plant) {
     Key key(trait.name, &range, key_info("plant.bounds", "TRAIT"));
     const auto measure =

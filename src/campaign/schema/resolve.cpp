@@ -9,8 +9,8 @@ namespace ideotype {
 
 namespace {
 
-//! Returns whether a key need not be there: it has nothing, or a form of its
-//! own.
+//! Returns whether a key may be left out, because it has no value or has a form
+//! of its own.
 bool is_empty(const Key& key) {
     if (!key.is_written) return true;
     return std::visit(
@@ -37,7 +37,7 @@ void append_keys(std::string& text, const Section& section) {
             text += fmt::format("{} = {}\n", key.name, toml_text(key));
 }
 
-//! A table under the name that its file's tables begin with.
+//! Appends a table under a name with the prefix of the tables of its file.
 void append_table(std::string& text, const std::string& prefix,
                   const Table& table) {
     if (table.is_default) return;
@@ -62,7 +62,7 @@ void append_crop(std::string& text, const std::string& prefix, Draft& draft) {
         append_table(text, prefix, table);
 }
 
-//! Appends the components beside the campaign's crop, each with its own.
+//! Appends the components beside the crop, each with its own tables.
 void append_components(std::string& text, const Table& components,
                        Draft& draft) {
     for (std::size_t i = 0; i < draft.components.size(); ++i) {
@@ -94,7 +94,7 @@ std::string resolved_text(Draft& draft) {
             append_components(text, table, draft);
             continue;
         }
-        // A study searches for nothing.
+        // A study has no search.
         if (!draft.is_study || table.name != "search")
             append_table(text, "", table);
         if (table.name != "plant") continue;

@@ -8,14 +8,14 @@
 namespace ideotype {
 
 //! Returns the whole campaign as canonical TOML: every key in a fixed order,
-//! axes as arrays of tables, the plant inlined.
+//! axes as arrays of tables, and the plant inlined.
 std::string resolved_text(Draft& draft);
 
-//! Returns the keys that are declared as a matter of accuracy, but for those of
-//! tables that there are several of.
+//! Returns the keys that trade speed for accuracy, except in tables that may
+//! occur several times.
 std::vector<AccuracyKey> accuracy_keys(Draft& draft);
 
-//! Returns a crop file: the plant of a draft alone.
+//! Returns the text of a crop file with the plant of a draft.
 std::string resolved_plant_text(Draft& draft);
 
 }  // namespace ideotype

@@ -6,7 +6,7 @@ namespace ideotype {
 
 namespace {
 
-//! Returns the tables [[TABLE.keys]] of keys that are varied.
+//! Returns the tables [[TABLE.keys]] with the varied keys.
 Table keys_table(const std::string& table, std::vector<KeyFactor>& factors) {
     const auto section_of = [=](KeyFactor& factor) {
         Section section(table + ".keys",

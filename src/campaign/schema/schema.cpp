@@ -9,9 +9,9 @@ namespace ideotype {
 
 namespace {
 
-//! Returns whether a documented type is that of the place of a value.
+//! Returns whether a documented type is the type of a value's place.
 bool fits(const Target& place, const std::string& type) {
-    // The beginnings of types, in the order of the alternatives of a place.
+    // Beginnings of the names of types, in the order of Target's alternatives.
     static const std::vector<std::string> beginnings[] = {
         {""},
         {"text", "path"},

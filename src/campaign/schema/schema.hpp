@@ -15,7 +15,7 @@
 
 namespace ideotype {
 
-//! The place of an enumeration, which is written by the names of its values.
+//! The place of an enumeration whose values are written by their names.
 struct Choice {
     std::function<std::string()> get;
     std::function<void(const std::string&)> set;
@@ -23,7 +23,7 @@ struct Choice {
 };
 
 //! Returns the place of an enumeration.
-//! @param names beside its values, in the order of messages
+//! @param names names beside the values, in the order of messages
 template <class Enum>
 Choice choice(Enum& value,
               const std::vector<std::pair<std::string, Enum>>& names) {
@@ -41,8 +41,8 @@ Choice choice(Enum& value,
     return place;
 }
 
-//! The place of the value of a key, which also fixes its type. None: the value
-//! has a form of its own and is read and written by hand.
+//! The place of the value of a key, which also fixes the type of the value.
+//! None: the value has a form of its own and is read and written by hand.
 using Target =
     std::variant<std::monostate, std::string*, std::uint64_t*, int*, long long*,
                  double*, std::optional<double>*, bool*, Date*,
@@ -50,13 +50,14 @@ using Target =
                  std::vector<double>*, std::vector<std::string>*,
                  std::optional<Column>*, Choice>;
 
-//! A unit that numbers are given in by mistake, and what it is in the key's.
+//! A unit in which numbers are given by mistake, and its size in the key's
+//! unit.
 struct MistakenUnit {
     const char* name;
     double value;
 };
 
-//! Stands for one number or text, or a list of any length.
+//! The count of a list of any length, or of one number or text.
 inline constexpr std::size_t any_count = ~std::size_t{0};
 
 //! One key, bound to the place of its value. docs/campaign_files.md declares
@@ -64,47 +65,48 @@ inline constexpr std::size_t any_count = ~std::size_t{0};
 struct Key {
     Key(const std::string& key, Target place, const KeyInfo& declared);
 
-    //! Lengths above the range may have been given in other units.
+    //! Recognises lengths above the range that may be in other units.
     Key& in_metres(const std::vector<MistakenUnit>& others = {
                        {"centimetres", 0.01}});
-    //! Allows one of these texts.
+    //! Allows only these texts.
     Key& one_of(const std::vector<std::string>& names);
-    //! Makes it a list, or one number alone, that is written if it has any.
+    //! Makes the value a list or a single number, written only if not empty.
     Key& optional_list();
-    //! Leaves it out of resolved campaigns where that is not so.
+    //! Writes the key in resolved campaigns only if a condition holds.
     Key& written_if(bool is_so);
-    //! Says that it trades speed for accuracy, where that is so.
-    //! @param values that `fidelity` tries, the most accurate last
+    //! Marks the key as one that trades speed for accuracy, if a condition
+    //! holds.
+    //! @param values values that `fidelity` tries, the most accurate last
     Key& trades(const std::vector<double>& values, bool is_so = true);
 
-    //! Returns whether the key is a local time, which is kept in hours.
+    //! Returns whether the key is a local time, stored in hours.
     bool is_clock() const { return type == "local time"; }
-    //! Returns whether the key may be text such as "1h30m", kept in
+    //! Returns whether the key may be a text such as "1h30m", stored in
     //! seconds.
     bool is_duration() const { return type.starts_with("number or \""); }
 
     std::string name;
     Target value;
     std::string type, unit;
-    double lower = 0, upper = 0;  //!< limits of numbers; none if equal
-    std::string range;            //!< in words, if it is no numbers or texts
-    std::vector<std::string> choices;  //!< texts that are allowed; none: any
-    std::string example;               //!< as TOML, shown in messages
+    double lower = 0, upper = 0;  //!< limits; none if equal
+    std::string range;            //!< range in words, if not numbers or texts
+    std::vector<std::string> choices;  //!< allowed texts; none: any
+    std::string example;               //!< example as TOML for messages
     bool is_required = false;
-    bool is_any_text = false;  //!< not only a name
-    bool is_written = true;    //!< in resolved campaigns
-    std::size_t count = 0;     //!< count of the numbers of a list; 0: any
-    //! Units that a number above the range may have been given in.
+    bool is_any_text = false;  //!< whether texts other than names fit
+    bool is_written = true;    //!< whether resolved campaigns have it
+    std::size_t count = 0;     //!< length of a list; 0: any
+    //! Units in which a number above the range may have been given.
     std::vector<MistakenUnit> mistaken{};
-    std::vector<double> accuracy{};  //!< see trades()
-    //! A key of the same table beside which this one is not required.
+    std::vector<double> accuracy{};  //!< values for `fidelity`
+    //! Name of a key of the same table that makes this key optional.
     std::string unless{};
 };
 
 //! The keys of one table.
 struct Section {
-    //! @param places of the values of keys
-    //! @param like section of the documentation that declares them
+    //! @param places places of the values of keys
+    //! @param like section of the documentation that declares the keys
     Section(std::string table,
             const std::vector<std::pair<std::string, Target>>& places,
             const std::string& like = "");
@@ -113,7 +115,7 @@ struct Section {
         keys.emplace_back(key, std::move(place), key_info(name, key));
     }
 
-    //! The key of this name.
+    //! Returns the key of this name.
     Key& operator[](const std::string& key);
 
     std::string name;
@@ -122,25 +124,25 @@ struct Section {
 
 //! A table that is written once, or any number of times as [[name]].
 struct Table {
-    //! There may be no entry.
+    //! Allows the table to have no entry.
     Table& optional();
-    //! Nothing of it needs to be written where that is so.
+    //! Lets the table be left out if a condition holds.
     Table& left_out_if(bool is_so);
-    //! There are so many entries at most.
+    //! Sets the largest number of entries.
     Table& at_most(std::size_t entries);
-    //! Adds a table in this one, under a name that need not be its section's.
+    //! Adds a table inside this table, under a name of its own.
     Table& with(Table child, const std::string& child_name);
 
     std::string name;
-    std::function<Section(std::size_t)> section;  //!< of an entry
+    std::function<Section(std::size_t)> section;  //!< section of an entry
     std::function<std::size_t()> size;
-    //! Makes all entries again. None if there is one entry.
+    //! Makes a number of new entries. None if the table has exactly one entry.
     std::function<void(std::size_t)> resize;
-    std::vector<Table> children{};  //!< tables in it, if there is one entry
-    bool is_default = false;        //!< nothing of it needs to be written
-    bool is_optional = false;       //!< there may be no entry
-    std::size_t most = 1000;        //!< entries
-    //! The paths of its keys are those of the first of a list, "site[0]".
+    std::vector<Table> children{};  //!< tables inside a single entry
+    bool is_default = false;        //!< whether it may be left out
+    bool is_optional = false;       //!< whether it may have no entry
+    std::size_t most = 1000;        //!< largest number of entries
+    //! Whether its keys have the paths of a list's first entry, as "site[0]".
     bool is_first_of_list = false;
 };
 
@@ -163,8 +165,8 @@ Table list_of_tables(const std::string& name,
 //! Returns the keys before the first table.
 Section top_section(Campaign& campaign);
 
-//! [site] and [climate] of a file that has nothing else; names may be left
-//! out.
+//! Returns [site] and [climate] of a file without other tables, in which names
+//! may be left out.
 std::vector<Table> climate_file_tables(Campaign& campaign);
 
 //! Returns all tables of a campaign in the order of its resolved text.
@@ -174,33 +176,33 @@ std::vector<Table> campaign_tables(Draft& draft);
 //! table.
 Section plant_file_section(Plant& plant);
 
-//! Returns the names of all organs besides leaves that plants may have.
+//! Returns the names of all organs that plants may have besides leaves.
 std::vector<std::string> all_organs(const Plant& plant);
 
 //! Returns all tables of a crop file.
 std::vector<Table> plant_tables(Draft& draft);
 
-//! Returns the tables of a crop file that campaigns have too, which go before
-//! it.
+//! Returns the tables that both crop files and campaigns have, which precede
+//! the other tables of a crop file.
 std::vector<Table> crop_defaults(Draft& draft);
 
-//! Returns the keys of a file of measured lines, before its first table.
+//! Returns the keys before the first table of a file of measured lines.
 Section lines_section(MeasuredLines& known);
-//! Returns all tables of such a file.
+//! Returns all tables of a file of measured lines.
 std::vector<Table> lines_tables(MeasuredLines& known);
 
-// Parts of the tables of a campaign and of a crop file.
+// The functions below return parts of the tables of campaigns or crop files.
 Section site_section(Site& site);
 Section day_section(Named<DaySpan>& day);
 Section climate_section(Named<Climate>& named);
 Section weather_section(SiteWeather& weather);
-//! Returns the keys of how plants of a field, or of a component, differ.
+//! Returns the keys of the variation of plants in a field or component.
 Section variation_section(PlantVariation& variation, const std::string& name);
 Section photosynthesis_section(PhotosynthesisTable& table);
-//! Returns the optics of plants in each waveband, and in a campaign those of
-//! the soil.
+//! Returns the table of the optics of plants in each waveband and, in a
+//! campaign, of the soil.
 Table optics_table(Campaign& campaign, bool has_soil);
-//! Returns the place of the rule of bounds; none where a table has them.
+//! Returns the place of the rule of bounds; none if a table gives bounds.
 Target place_of_rule(Draft& draft);
 //! Returns the bounds of each trait of the crop, as a table of [plant] or
 //! [component].
@@ -211,22 +213,23 @@ Table feasibility_table(Draft& draft);
 std::vector<Table> object_tables(Campaign& campaign);
 //! Returns the tables [light] and [objective].
 std::vector<Table> measured_tables(Draft& draft);
-//! Returns the table of constraints, with a table in it for each trait that has
-//! any.
+//! Returns the table of constraints, with a table inside for each constrained
+//! trait.
 Table constraints_table(Constraints& constraints);
-//! Returns the tables of searches and studies, with tables in them for each key
-//! that is varied, and those of how a run ends and works.
+//! Returns the tables of searches and studies, with tables inside for each
+//! varied key, and the tables for the end and the work of a run.
 std::vector<Table> run_tables(Draft& draft);
 
 inline constexpr std::size_t most_components = 20;
 inline constexpr std::size_t most_leaves = 40;
 inline constexpr std::size_t most_organs = 40;
 inline constexpr std::size_t most_traits = 100;
-inline constexpr std::size_t most_entries = 10'000;  //!< of an axis
+//! Most entries of an axis.
+inline constexpr std::size_t most_entries = 10'000;
 inline constexpr std::size_t most_cases = 100'000;
 
-//! Returns the value of a key as canonical TOML: shortest text that reads back
-//! to the same value.
+//! Returns the value of a key as canonical TOML: the shortest text from which
+//! the same value is read.
 std::string toml_text(const Key& key);
 
 //! Returns a local clock time [h] as TOML: "07:00:00".

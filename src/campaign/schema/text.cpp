@@ -10,7 +10,7 @@ namespace ideotype {
 
 namespace {
 
-//! As a TOML string.
+//! Returns a text as a TOML string.
 std::string quoted(const std::string& text) {
     std::string escaped;
     for (const char c : text) {
@@ -35,7 +35,7 @@ struct Writer {
     }
     std::string operator()(const double* number) const {
         if (key.is_clock()) {
-            // TOML's days end before that.
+            // Days of TOML end before 24:00:00.
             const std::string text = clock_text(*number);
             return *number < 24 ? text : quoted(text);
         }

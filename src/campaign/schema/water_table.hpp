@@ -17,19 +17,19 @@ struct WaterTable {
     LeafWater rules;
     Stomata::Model model = Stomata::Model::medlyn;
     std::optional<double> intercept{}, slope{};
-    double limit = 0;  //!< limit of transpiration on all days; 0: none [mm]
+    double limit = 0;  //!< most transpiration on all days [mm]; 0: any
 };
 
 Section water_section(WaterTable& table);
 
-//! Returns the stomata of leaves whose photosynthesis is known, with numbers of
-//! their kind where the table has none: Medlyn's slope of C4 plants, or that of
-//! the leaf by Farquhar, and those of maize by Ball and Berry.
+//! Returns the stomata of leaves of some photosynthesis. Numbers that the table
+//! lacks are those of the kind of leaf: Medlyn's slope of C4 plants, or of the
+//! leaf by Farquhar, and those of maize by Ball and Berry.
 Stomata to_stomata(const WaterTable& table,
                    const Photosynthesis& photosynthesis);
 
-//! Reports leaves whose photosynthesis does not follow CO2, and objectives that
-//! need the table where there is none.
+//! Reports leaves whose photosynthesis does not depend on CO2, and objectives
+//! that need the table [water] where it is missing.
 void check_water(const Draft& draft, const Problems& problems);
 
 }  // namespace ideotype

@@ -26,8 +26,7 @@ double sky_longwave(double temperature, double vapour, double clearness);
 //! not tell: a wind of 2 m s-1 at a height of 2 m (Allen et al. 1998, FAO 56),
 //! the pressure at the elevation, and sky_longwave(), at night and with a low
 //! sun with the clearness of the daylight before. If temperature or humidity is
-//! unknown, the air of clear days is taken. The series then tells what has been
-//! estimated.
+//! unknown, air is that of clear days. The series then lists the estimates.
 //! @param par_fraction PAR over all solar radiation of the clear sky
 void estimate_air(LightSeries& series, const Site& site, double par_fraction);
 

@@ -124,8 +124,7 @@ Campaign complete(Draft& draft, const std::string& source,
     draft.campaign.search = campaign.search;
     draft.campaign.stop = campaign.stop;
     draft.campaign.final_rule = campaign.final_rule;
-    // A start is a plant without keys, so keys start from their campaign
-    // values.
+    // A start is a plant; keys start from their values in the campaign.
     if (!campaign.search.start.empty())
         for (const KeyFactor& each : campaign.varied.keys)
             campaign.search.start.push_back(each.value);

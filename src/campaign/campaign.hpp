@@ -45,8 +45,7 @@ struct KeyFactor {
     std::string key;  //!< key such as "optics.soil_albedo"
     Range range;
     std::string unit{};  //!< unit; "1": none
-    //! Value in the campaign, or the middle of the range if the campaign has
-    //! none.
+    //! Value in the campaign; without one, the middle of the range.
     double value = 0;
 };
 
@@ -89,8 +88,7 @@ struct AccuracyKey {
 //! with its unit, range and default, is listed in docs/campaign_files.md.
 struct Campaign {
     std::string source;  //!< text of the campaign file as read
-    //! The complete campaign in canonical form: every key, with the plant
-    //! inlined.
+    //! The complete campaign in canonical form, with the plant inlined.
     std::string resolved;
     std::string sha256;  //!< SHA-256 of the resolved text
     std::vector<AccuracyKey> accuracy;
@@ -131,8 +129,7 @@ struct Campaign {
     std::vector<PanelEntry> panels;
     std::vector<ObjectEntry> objects;
     SkyModel sky_model = SkyModel::uniform;  //!< sky model of diffuse light
-    //! Number of dates of a climate whose suns stand for all dates; 0 without a
-    //! climate.
+    //! Number of dates of a climate whose suns stand for all; else 0.
     int sun_dates = 3;
     int stages = 10;    //!< stages of canopies that grow
     Accuracy sampling;  //!< accuracy of evaluations in the search
@@ -184,12 +181,10 @@ std::vector<ObjectiveEntry> objectives_of(const Campaign& campaign);
 //! those of all plants together.
 std::vector<double> component_weights(const Campaign& campaign);
 
-//! Returns the unit of a quantity, or of the ratio that replaces the quantity
-//! as an objective.
+//! Returns the unit of a quantity, or of the ratio that an objective is.
 std::string unit_of(const Campaign& campaign, const std::string& quantity);
 
-//! Returns whether a quantity of some kind is an objective or an axis of an
-//! atlas.
+//! Returns whether a kind of quantity is an objective or an axis of an atlas.
 bool asks_for(const Campaign& campaign, bool (*is_of)(const std::string&));
 
 //! Returns whether an objective depends on the assimilation of leaves.
@@ -202,8 +197,7 @@ bool asks_for_assimilation(const Campaign& campaign);
 Campaign read_campaign(const std::string& path,
                        const std::vector<std::string>& settings = {});
 
-//! Reads and checks the text of a campaign file; paths in the text are relative
-//! to the given path.
+//! Reads and checks the text of a campaign file, whose own path paths refer to.
 Campaign read_campaign_text(const std::string& text, const std::string& path,
                             const std::vector<std::string>& settings = {});
 
@@ -224,8 +218,7 @@ void require_breedable(const Campaign& campaign);
 
 //! Reads a crop file, a table of measured leaves (.csv) with the crop that the
 //! table names, or the crop of a campaign file.
-//! @param other plant with measures that a table lacks, if the table names no
-//! crop
+//! @param other plant with the measures that a table without crop lacks
 //! @throws InputError with all problems.
 //! @throws Error if a file cannot be read.
 Crop read_crop(const std::string& path, const Plant* other = nullptr);

@@ -51,8 +51,7 @@ struct Case {
     //! of the case; the case's own site, day and spacing are those of the first
     //! scenario. Empty: the case is its only scenario.
     std::vector<Case> scenarios{};
-    //! The case at each stage, if plants grow; scenarios have stages of their
-    //! own.
+    //! The case at each stage, if plants grow; scenarios have their own.
     std::vector<Case> stages{};
     std::optional<Stage> stage{};  //!< set for the case at a stage
 };
@@ -72,8 +71,8 @@ std::vector<Case> scenarios(const Case& chosen);
 //! Returns each scenario of a case at each of its stages.
 std::vector<Case> evaluated_cases(const Case& chosen);
 
-//! Returns the light of a case, or of the first of its scenarios, on clear days
-//! or from its weather.
+//! Returns the light of a case or its first scenario, on clear days or by
+//! weather.
 LightSeries light_of(const Campaign& campaign, const Case& chosen);
 
 //! Returns all cases in their order: sites, then days or climates, spacings,

@@ -36,8 +36,7 @@ struct SiteWeather {
     //! empty in wavebands that the campaign does not follow.
     ByBand<std::vector<double>> beam, diffuse;
     //! Air temperature [deg C], relative humidity (0 to 1), wind [m s-1],
-    //! pressure [kPa] and longwave radiation of the sky [W m-2]; empty if not
-    //! known.
+    //! pressure [kPa] and longwave radiation of the sky [W m-2]; may be empty.
     std::vector<double> temperature, humidity, wind, pressure, longwave;
 };
 

@@ -39,8 +39,7 @@ double step_excess(const std::vector<double>& leaves, double limit,
     return sum;
 }
 
-//! Returns the sum of all rises from leaf to leaf upwards, over the largest
-//! possible sum.
+//! Returns the sum of all rises from leaf to leaf, over the largest possible.
 double rise(const std::vector<double>& leaves, const Range& limits) {
     double sum = 0;
     for (std::size_t i = 1; i < leaves.size(); ++i)

@@ -32,8 +32,7 @@ Names names_of(const Case& chosen) {
     return names;
 }
 
-//! Returns whether a case includes the entry of a list of tables with these
-//! keys.
+//! Returns whether a case includes a list's entry that has these keys.
 bool is_part(const std::string& list, const Entries& keys, const Names& names) {
     const auto matches = [&](const std::string& axis, const char* key) {
         return std::ranges::any_of(keys, [&](const auto& entry) {

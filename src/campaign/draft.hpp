@@ -24,8 +24,7 @@ struct BoundsEntry {
     std::string trait;
     Range range;
     double change = 0;  //!< relative to the baseline; 0: any
-    //! Whether campaigns that choose the rule, but no trait set, breed the
-    //! trait.
+    //! Whether campaigns that choose only the rule breed the trait.
     bool is_bred = false;
 };
 

@@ -61,8 +61,7 @@ Season season_of(const Campaign& campaign, const Case& chosen,
     return season;
 }
 
-//! The thermal times of each component in all steps; 0 for a component that
-//! does not grow.
+//! The thermal times of each component in all steps; 0 without growth.
 class Ages {
   public:
     Ages(const Campaign& campaign, const Case& one, const Season& season,

@@ -16,8 +16,8 @@ void add_stages(const Campaign& campaign, Case& one);
 //! Returns the stage of plants at noon of a date, or at a thermal time of the
 //! campaign's crop [deg C d]. The stage stands for the hours of the day.
 //! @param one a case without scenarios, or a single scenario of a case
-//! @throws Error of wrong usage if plants do not grow or the time is not in
-//! their season.
+//! @throws Error of wrong usage if plants do not grow or it is not their
+//! season.
 Stage stage_on(const Campaign& campaign, const Case& one,
                const std::variant<Date, double>& when);
 

@@ -165,9 +165,8 @@ class Assimilation {
         }
     }
 
-    //! Sums pseudo-values of places to pseudo-values of leaves, layers and
-    //! rows. Errors of other fluxes are assumed proportional to those of
-    //! assimilation.
+    //! Sums pseudo-values of places to those of leaves, layers and rows. Errors
+    //! of other fluxes are assumed proportional to assimilation's errors.
     void add_up(std::size_t k) {
         for (std::size_t p = 0; p < places_.count(); ++p) {
             double flux = k == 0 ? mean_[p] : 0, times = 1;
@@ -204,8 +203,7 @@ class Assimilation {
     ExpectedLight expectation_;
     std::optional<WaterFluxes> water_{};
     std::vector<double> mean_;  //!< gross assimilation of places
-    //! Differences [randomisation][place] without what all randomisations
-    //! share.
+    //! Differences [randomisation][place] from the mean of randomisations.
     std::vector<std::vector<double>> differences_;
     FluxTallies all_;  //!< pseudo-values of each LeafFlux
     // Weights of the moments of each place, summed over the steps that share a

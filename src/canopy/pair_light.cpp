@@ -49,8 +49,7 @@ PairLight::PairLight(const std::vector<Tally>& tallies, const LitLeaves& lit,
 }
 
 //! Returns the product of the means of x and y without bias, from the sums of
-//! x, of y and of x y. Sums of a single randomisation are multiplied as they
-//! are.
+//! x, y and x y. Sums of a single randomisation are multiplied as they are.
 double PairLight::product(double x, double y, double sum) const {
     return n_ > 1 ? (x * y - sum) / (n_ * (n_ - 1)) : x * y;
 }
@@ -115,9 +114,8 @@ void PairLight::find_hits(const LitLeaves& lit, const Source& source) {
 
 namespace {
 
-//! Returns the step of a cosine, 1/16 of a power of two wide: beams within a
-//! step have the effect of their mean. Beams below the least cosine have hardly
-//! any effect.
+//! Returns the step of a cosine, 1/16 of a power of two wide: beams in a step
+//! act by their mean. Beams below the least cosine have hardly any effect.
 std::uint32_t step_of(double cosine) {
     constexpr int dropped_bits = 19;
     constexpr float least = 1 / 64.f;

@@ -63,8 +63,7 @@ std::vector<std::vector<Estimate>> light_on_sensors(
             for (int i = 0; i < points; ++i) {
                 const double row = cell.rows[random.below(
                     static_cast<std::uint32_t>(cell.rows.size()))];
-                // Either side of the row is drawn, since the mean of both is
-                // wanted.
+                // A side of the row is drawn, since the mean of both counts.
                 const double side = random.bits() % 2 == 0 ? 1 : -1;
                 const double across = random.uniform(0, cell.row_distance);
                 const double position = sensors[s].position;

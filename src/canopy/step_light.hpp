@@ -47,8 +47,7 @@ inline Expansion gain(const Expansion& shaded, const Expansion& lit,
 struct Scales {
     double of_sun, of_sky;
 
-    //! Returns the weights of moments of light in a Taylor series of a
-    //! response.
+    //! Returns the weights of moments in a Taylor series of a response.
     Moments weigh(const Expansion& at, double times) const {
         return {times * at.value,
                 times * at.slope * of_sun,

@@ -21,8 +21,7 @@ double ramp(double value, double from, double to) {
     return value >= to ? 1 : (value - from) / (to - from);
 }
 
-//! Returns the thermal time from tip to collar of a rank, which is piecewise
-//! linear in the rank.
+//! Returns the thermal time from tip to collar, piecewise linear in rank.
 double extension(const Growth& growth, double rank) {
     const double slowest = growth.slowest * growth.leaves;
     if (rank <= slowest)

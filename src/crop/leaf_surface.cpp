@@ -45,9 +45,8 @@ std::array<double, controls_along> basis(double t) {
     return values;
 }
 
-//! Returns control points of the cubic that passes through the given points at
-//! the Greville abscissae. The first and last control points are the end
-//! points.
+//! Returns control points of the cubic through the given points at the Greville
+//! abscissae. The first and last control points are the end points.
 std::array<glm::dvec2, controls_along> interpolate(
     const std::array<glm::dvec2, controls_along>& points) {
     glm::dmat4 collocation(0);  // column-major matrix: [control][abscissa]

@@ -11,8 +11,7 @@ namespace ideotype {
 //! row (+y), 90 across it (+x).
 glm::dvec3 about_stalk(const glm::dvec3& v, double azimuth);
 
-//! Returns the end of a leaf's petiole, out from the axis of the stalk and up
-//! [m].
+//! Returns the end of a leaf's petiole, out from the stalk's axis and up [m].
 glm::dvec2 petiole_end(const Plant& plant, const Leaf& leaf);
 
 //! Returns the end of a leaf's rachis, where its middle leaflet begins, out

@@ -66,8 +66,7 @@ class ObjBuilder {
         result_.mesh.vertices.reserve(statements.vertex_lines.size());
     }
 
-    //! Returns the functions that the library calls, with this builder as
-    //! `self`.
+    //! Returns functions for the library, with this builder as `self`.
     static tinyobj::callback_t callbacks() {
         tinyobj::callback_t calls;
         calls.vertex_cb = [](void* self, double x, double y, double z, double) {
@@ -152,8 +151,7 @@ class ObjBuilder {
         name_ = name.empty() ? "unnamed" : std::move(name);
     }
 
-    //! Returns the index of the current group, which is made for its first
-    //! face.
+    //! Returns the current group, which is made for its first face.
     std::uint32_t group() {
         std::vector<Group>& groups = result_.mesh.groups;
         const auto [found, is_new] = index_of_.try_emplace(

@@ -18,10 +18,9 @@ class AcrossScenarios {
   public:
     AcrossScenarios(const Campaign& campaign, const Case& chosen);
 
-    //! Returns means over scenarios of quantities with the same axes in all
+    //! Returns means over scenarios of quantities with equal axes in all
     //! scenarios (hours or days may differ), and each objective by scenario, as
-    //! `absorbed_par_by_scenario`; for a single scenario, all of its
-    //! quantities.
+    //! `absorbed_par_by_scenario`; for a single scenario, all quantities.
     const QuantitySet& measured() const { return measured_; }
 
     //! Combines the outcomes of all scenarios. Objectives are means, by

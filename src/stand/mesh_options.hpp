@@ -17,8 +17,7 @@ class App;
 
 namespace ideotype {
 
-//! The options of `light MESH`, the light in any mesh; x is east, y is north, z
-//! is up.
+//! The options of `light MESH`, the light in a mesh; x is east, y north, z up.
 struct MeshOptions {
     struct Period {
         double x, y;  //!< coordinates [m]

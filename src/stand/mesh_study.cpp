@@ -142,8 +142,7 @@ class SceneBuilder {
                                         entries.begin());
     }
 
-    //! Finds the kind of each group. If no group is called a leaf, all are
-    //! leaves.
+    //! Finds the kind of each group. If none is called a leaf, all are.
     void assign() {
         const bool has_ranks =
             std::ranges::any_of(mesh_.groups, leaf_rank, &Group::name);

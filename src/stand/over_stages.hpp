@@ -23,8 +23,8 @@ class OverStages {
     //! Combines outcomes of stages. Amounts are summed over stages, for a mean
     //! day of the season. Fractions of light are means by incident light, the
     //! light-use efficiency by absorbed light, quantities per leaf area and
-    //! extinction by leaf area, and all others by time. Stages have random
-    //! numbers of their own.
+    //! extinction by leaf area, all others by time. Stages have their own
+    //! random numbers.
     //! @param each a done outcome of each stage
     Outcome combine(std::span<const Outcome> each) const;
 
@@ -54,8 +54,7 @@ class OverStages {
         std::vector<std::vector<std::size_t>> places;
     };
 
-    //! Adds a quantity, unless it is by hour or its places differ between
-    //! stages.
+    //! Adds a quantity, unless it is by hour or differs in its places.
     void add(const Quantity& quantity, const std::vector<QuantitySet>& sets);
 
     //! A quantity that is reported for each stage.

@@ -6,8 +6,7 @@
 
 namespace ideotype {
 
-//! Returns whether any panels track the sun, so that each instant needs a sky
-//! of its own.
+//! Returns whether any panels track the sun: each instant then has its own sky.
 bool has_trackers(const Campaign& campaign);
 
 //! Adds the panels and objects of a campaign to a scene that already has its

@@ -64,8 +64,7 @@ void complete_rates(Component& component, std::size_t own) {
     rates.insert(rates.begin(), all - own, LeafRates(rates.front()));
 }
 
-//! Sets a component to a full-grown plant, or to a plant of the component's age
-//! at a stage.
+//! Sets a component to a full-grown plant, or to its plant at a stage.
 void set_grown(const Campaign& campaign, const Case& in, std::size_t number,
                const Plant& plant, Component& component) {
     if (!in.stage) return set_plant(component, plant, first_material(number));

@@ -136,8 +136,7 @@ Outcome Stand::evaluate(const Plants& plants, const Sampling& sampling,
     Outcome outcome = across_.combine(outcomes);
     IDEOTYPE_ENSURE(outcome.quantities.size() == schema_.measured.size());
     if (campaign_.water_limit > 0) {
-        // The best of many plants that meet the limit by chance would not meet
-        // it.
+        // The best of many plants that meet a limit by chance would exceed it.
         constexpr double sure = 2;
         const Estimate& water =
             outcome.quantities[schema_.measured.offset("water_use")];

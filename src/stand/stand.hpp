@@ -46,8 +46,7 @@ Randomised measure_number(const Campaign& campaign, const std::string& name,
                           const CanopyReport& report);
 
 //! Returns the land equivalent ratio that is a campaign's objective, with a
-//! standard error that includes the errors of the yields of crops that stand
-//! alone.
+//! standard error that includes the errors of the sole crops' yields.
 Estimate land_equivalent_ratio(const Campaign& campaign,
                                const CanopyReport& report);
 
@@ -87,8 +86,7 @@ class Stand {
     //! does. Several threads may then evaluate, each with a device of its own.
     void prepare();
 
-    //! Returns the outcome in all scenarios, a pure function of plants and
-    //! sampling.
+    //! Returns the outcome in all scenarios, a function of its arguments.
     //! @throws Error as ideotype::evaluate()
     Outcome evaluate(const Plants& plants, const Sampling& sampling,
                      const Device& device);

@@ -29,8 +29,7 @@ struct FluxTally {
     double sum() const;  //!< amount of all leaves
 };
 
-//! A flux of leaves on a mean day, estimated from all independent
-//! randomisations.
+//! A flux of leaves on a mean day, from all independent randomisations.
 struct FluxReport {
     std::vector<FluxTally> tallies;
     Estimate sum;
@@ -76,8 +75,7 @@ struct AssimilationReport {
     double carbon_loss() const;
 };
 
-//! Assimilation of the leaves of one component or row, in the units of
-//! AssimilationReport.
+//! Assimilation of one component or row, in units of AssimilationReport.
 struct ComponentAssimilation {
     Estimate gross;
     Respiration respiration{};
@@ -110,8 +108,7 @@ std::vector<LeafGroup> leaf_groups(const Scene& scene,
 
 //! Reports assimilation, respiration and the building of leaves from tallies
 //! of gross assimilation.
-//! @param leaves,leaf_area_index leaves and their area index by group of the
-//! mesh
+//! @param leaves,leaf_area_index rates and area index of the mesh's groups
 AssimilationReport report(std::vector<FluxTally> tallies,
                           const std::vector<LeafGroup>& leaves,
                           const std::vector<double>& leaf_area_index,

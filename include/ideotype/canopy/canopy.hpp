@@ -63,8 +63,7 @@ struct BandReport {
     //! The light that falls on fixed objects, per area of a side that absorbs
     //! some light: the adaxial, then the abaxial side of each object.
     std::vector<PartLight> objects;
-    //! Light of each component, then of each fixed object, if there are
-    //! several.
+    //! Light of each component, then of each object, if there are several.
     std::vector<PartReport> parts;
     //! Light that leaves of each row absorb, where rows are told apart [J m-2
     //! of all ground], as means and by randomisation.
@@ -161,9 +160,8 @@ struct CanopyReport {
 //! Tells a time [s].
 using Clock = std::function<double()>;
 
-//! Evaluates a canopy, always in this order: scene -> fields -> light ->
-//! assimilation -> report. At least as many paths are traced as there are
-//! sources of light.
+//! Evaluates a canopy, always as scene -> fields -> light -> assimilation ->
+//! report. At least as many paths are traced as there are sources of light.
 //! @throws Error if the numbers of leaves differ, a scene cannot be built, or
 //! the energy balance does not close.
 CanopyReport evaluate(const CanopyRequest& request, const Device& device,

@@ -14,10 +14,9 @@ struct ExactAssimilation {
     bool is_capped = false;          //!< too few points for the tolerance
 };
 
-//! Finds the gross assimilation of leaves in one field without any bias, as a
-//! check of assimilate(): it takes random points of leaves, each with its own
-//! ray to each sun and its own paths of diffuse light D, and no pieces of
-//! leaves.
+//! Finds the gross assimilation of leaves in one field without bias, as a check
+//! of assimilate(): it takes random points of leaves, each with its own ray to
+//! each sun and its own paths of diffuse light D, and no pieces of leaves.
 //!
 //! The response f to the mean of D is higher than the mean of f over noisy
 //! samples of D. The limit of many samples is estimated from few: by the
@@ -30,8 +29,7 @@ struct ExactAssimilation {
 //! keep variance and cost finite.
 //!
 //! @param lit lit leaves with the scene of the mesh
-//! @param accuracy accuracy with as many points as paths; its tolerance is that
-//! of gross assimilation
+//! @param accuracy accuracy whose paths are points, for gross assimilation
 ExactAssimilation assimilate_exactly(const Mesh& mesh, const LitLeaves& lit,
                                      const Accuracy& accuracy,
                                      const Randomness& randomness);

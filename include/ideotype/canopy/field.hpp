@@ -40,8 +40,8 @@ struct FieldForm {
 //! @throws Error if nothing is left of a plot.
 Cell cell_of(const FieldForm& form);
 
-//! Returns the area of the ground that is nearer to each row of a lattice than
-//! to other rows [m2].
+//! Returns the area of the ground that is nearest to each row of a lattice
+//! [m2].
 std::vector<double> ground_of_rows(const FieldForm& form);
 
 //! Returns the places of a lattice row by row.
@@ -96,9 +96,8 @@ std::vector<std::vector<Place>> draw_places(const Scene& scene,
 Field draw_field(const Scene& scene, const Randomness& randomness,
                  std::span<const Mesh> lines = {});
 
-//! Returns a scene whose plants stand as in a drawn field of the given scene
-//! and are not drawn again: each component is a single mesh. Leaves do not
-//! assimilate.
+//! Returns a scene whose plants stand as in a drawn field of the given scene,
+//! not drawn again: each component is one mesh. Leaves do not assimilate.
 Scene as_drawn(Scene scene, const Field& field);
 
 }  // namespace ideotype

@@ -20,8 +20,7 @@ struct PanelRows {
     double offset = 0;   //!< distance of the first row from the cell's edge [m]
     double module_length = 0;  //!< length along the row [m]; 0: endless
     double gap = 0;            //!< distance between modules of a row [m]
-    //! True if modules turn about the axis of their row after the sun, which
-    //! replaces the tilt.
+    //! Whether modules turn after the sun about the row's axis, without tilt.
     bool tracks = false;
     //! Largest turn of tracking modules from level [deg].
     double max_angle = 60;
@@ -34,8 +33,7 @@ struct PanelRows {
 //! tracking.singleaxis(); modules lie level when the sun is down.
 double tracker_angle(const PanelRows& panels, const SunPosition& sun);
 
-//! The layout of rows of panels in a cell; panel rows are parallel to its
-//! edges.
+//! The layout of rows of panels in a cell, parallel to edges of the cell.
 struct PanelLayout {
     bool is_along = true;  //!< whether panel rows are parallel to plant rows
     double across = 0;     //!< period of the cell across panel rows [m]
@@ -43,7 +41,7 @@ struct PanelLayout {
 };
 
 //! Returns how rows of panels lie in a cell.
-//! @param row_direction direction of the cell's y axis, clockwise from north
+//! @param row_direction azimuth of the cell's y axis, clockwise from north
 //! [deg]
 //! @return nothing if panel rows are neither parallel nor at right angles to
 //! the rows of plants

@@ -21,8 +21,7 @@ struct Pieces {
     std::vector<std::uint32_t> group;
     //! Number of groups of the uncut mesh that stay.
     std::size_t uncut_groups = 0;
-    //! The first piece that is the same part of a plant that is alike, by
-    //! piece.
+    //! First of the pieces that are the same part of plants that are alike.
     std::vector<std::uint32_t> like;
     //! The row of each group, where rows are told apart; plants of different
     //! rows are then not alike. The row of an object has no meaning.
@@ -32,8 +31,7 @@ struct Pieces {
     std::vector<double> height;  //!< height of the centre of each piece [m]
 };
 
-//! The usual largest number of pieces of a blade; blades of very many faces
-//! have more.
+//! The usual largest number of pieces of a blade; very fine blades have more.
 inline constexpr std::size_t pieces_of_blade = 48;
 
 //! Cuts each blade along and across: its faces are halved by area, repeatedly,
@@ -62,8 +60,7 @@ Pieces uncut(const Mesh& mesh);
 
 //! Makes the pieces of all plants of a field.
 //! @param lines pieces of one plant of each component
-//! @param field field drawn with the meshes of the lines; its mesh is moved
-//! into the result
+//! @param field field drawn with the meshes of the lines; its mesh is moved out
 Pieces pieces_of_field(std::span<const Pieces> lines, Field& field);
 
 }  // namespace ideotype

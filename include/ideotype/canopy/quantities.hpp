@@ -35,29 +35,16 @@ std::vector<Measured> measure_numbers(const CanopyReport& report);
 //! those that describe only the method: each name can be an objective.
 std::vector<std::string> objective_names();
 
-//! Returns whether only reports with assimilation have a quantity.
+//! Returns whether only certain reports have a quantity: those with
+//! assimilation, the form of plants, measured lines, light in a band, leaves
+//! that exchange heat and water, plants that grow, panels, or two components.
 bool is_of_assimilation(const std::string& quantity);
-
-//! Returns whether only reports with the form of plants have a quantity.
 bool is_of_form(const std::string& quantity);
-
-//! Returns whether only reports with measured lines have a quantity.
 bool is_of_lines(const std::string& quantity);
-
-//! Returns whether only reports with light in a certain band have a quantity.
 bool is_of_band(const std::string& quantity, const std::string& band);
-
-//! Returns whether only reports on leaves that exchange heat and water have a
-//! quantity.
 bool is_of_water(const std::string& quantity);
-
-//! Returns whether only reports on plants that grow have a quantity.
 bool is_of_growth(const std::string& quantity);
-
-//! Returns whether only reports with panels have a quantity.
 bool is_of_panels(const std::string& quantity);
-
-//! Returns whether only reports with two components have a quantity.
 bool is_of_two_components(const std::string& quantity);
 
 //! Returns the unit of a quantity.
@@ -91,7 +78,7 @@ std::vector<Randomised> measure_parts(const std::string& name,
 Randomised weighted_sum(const std::vector<Randomised>& parts,
                         const std::vector<double>& weights);
 
-//! Returns a quantity along leaf, layer, component or field_row alone, place by
+//! Returns a quantity along leaf, layer, component or field_row, place by
 //! place.
 //! @throws Error if the report has no quantity of this name.
 std::vector<Randomised> measure_profile(const std::string& name,

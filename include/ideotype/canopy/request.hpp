@@ -19,8 +19,7 @@ struct Details {
     //! Whether to find the sunlit leaf area, which costs more rays, and, if
     //! leaves assimilate, leaf area by the light that it absorbs.
     bool sunlit = false;
-    //! Whether to find the light on each face: groups are then faces, not
-    //! organs.
+    //! Whether to find the light on each face: each face is then a group.
     bool faces = false;
     //! Number of pieces of a blade; diffuse light is taken as even over each.
     std::size_t pieces = pieces_of_blade;
@@ -28,8 +27,7 @@ struct Details {
     bool exact = false;
     //! Whether to find the form of the plant of the first component.
     bool form = false;
-    //! Measured lines whose distance from the plant of the first component is
-    //! wanted.
+    //! Lines whose distance from the plant of the first component is wanted.
     std::optional<MeasuredLines> lines{};
 };
 

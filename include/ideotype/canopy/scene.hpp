@@ -35,8 +35,7 @@ struct Cell {
     std::vector<double> rows{};  //!< places of rows along x, if any [m]
     double row_distance = 0;  //!< mean distance between neighbouring rows [m]
     //! Area of the ground that is nearest to each row [m2], where rows are told
-    //! apart and each row has plants of one component. Empty: rows are not told
-    //! apart.
+    //! apart and each row has one component. Empty: rows are not told apart.
     std::vector<double> row_ground{};
 };
 
@@ -49,9 +48,8 @@ struct Place {
 //! A kind of plant and where its plants stand.
 struct Component {
     std::string name;
-    //! One plant with its foot at the origin, y along the row. Component
-    //! numbers in the mesh's groups have no meaning: the scene numbers its
-    //! components.
+    //! One plant with its foot at the origin, y along the row. The mesh's
+    //! component numbers have no meaning: the scene numbers its components.
     Mesh mesh;
     std::vector<Place> places{{}};
     //! Number of plants in a mixture: so many of the places are drawn for each
@@ -91,8 +89,7 @@ struct FixedObject {
 //! The exchange of heat and water of leaves with the air, see leaf_exchange().
 struct LeafWater {
     //! True if leaves have a temperature of their own, by their energy balance;
-    //! else they have the air's temperature and transpire without a boundary
-    //! layer.
+    //! else they are as warm as the air and transpire without a boundary layer.
     bool has_leaf_temperature = true;
     //! True if the air within the canopy has a state of its own: one node,
     //! which the canopy warms and moistens. Else it is the air above.
@@ -122,8 +119,7 @@ struct Scene {
         return bands.front().light;
     }
 
-    //! Returns whether plants of any component differ in more than their
-    //! direction.
+    //! Returns whether plants of any component differ besides their direction.
     bool varies() const;
     //! Returns whether leaves of any component assimilate.
     bool assimilates() const;

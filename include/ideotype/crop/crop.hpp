@@ -40,8 +40,7 @@ struct Crop {
     std::vector<Trait> traits;
     //! Names of the sets of bounds in the crop file that campaigns can choose.
     std::vector<std::string> rules{};
-    //! Growth and ageing of plants of the crop; none: only the baseline is
-    //! known.
+    //! Growth and ageing of plants; none: only the baseline is known.
     std::optional<Growth> growth{};
 };
 
@@ -61,9 +60,8 @@ std::vector<TraitNumber> trait_numbers(const Crop& crop);
 //! for a trait that scales and 0 for a trait that shifts measures.
 std::vector<double> baseline_numbers(const Crop& crop);
 
-//! Returns the plant that numbers of traits make of the baseline; traits act on
-//! the plant in their order. A measure beyond its limits is moved to the
-//! nearest limit.
+//! Returns the plant that numbers of traits make of the baseline; traits act in
+//! their order. A measure beyond its limits is moved to the nearest limit.
 //! @param numbers numbers in the order of trait_numbers()
 //! @throws Error if there are too few or too many numbers, or a trait acts on a
 //! measure that the plant does not have.

@@ -64,8 +64,7 @@ double maturity_time(const Growth& growth);
 std::vector<LeafDates> leaf_dates(const Growth& growth);
 
 //! Returns the share of a blade that is out at a thermal time, 0 to 1: the
-//! blade appears tip first, steadily from the date of the tip to that of the
-//! collar.
+//! blade appears tip first, steadily from the tip's date to the collar's date.
 double visible_share(const LeafDates& leaf, double thermal_time);
 
 //! Returns the share of a blade that has faded, 0 to 1.

@@ -49,8 +49,7 @@ struct LineDistance {
 //! Returns whether a text names a leaf in the form of LineTrait::leaf.
 bool names_leaf(const std::string& leaf);
 
-//! Returns whether the correlations are possible: whether their matrix is
-//! positive definite.
+//! Returns whether the matrix of correlations is positive definite.
 bool are_correlations(const MeasuredLines& known);
 
 //! Returns the distance of a plant from measured lines (Mahalanobis 1936,

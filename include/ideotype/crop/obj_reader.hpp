@@ -42,8 +42,8 @@ inline constexpr std::size_t most_obj_faces = 20'000'000;
 //! @throws Error if the file cannot be read.
 //! @throws InputError with the place of the first fault: a word that is no
 //! number, a number that is not finite or too large, a corner without vertex, a
-//! face with fewer than three corners; or if no face has an area or there are
-//! too many faces.
+//! face of fewer than three corners; or if there are no areas or too many
+//! faces.
 ObjMesh read_obj(const std::string& path);
 
 //! Reads the text of an OBJ file, as read_obj(); messages name the file.

@@ -34,15 +34,15 @@ struct Leaf {
     //! stalk and height, in any unit and from any origin. None: the angle of
     //! the midrib follows from insertion_angle and curvature.
     std::vector<glm::dvec2> midrib{};
-    //! Parts of the length of a single blade: the hidden part at the base that
-    //! is not out yet, and the dead part at the tip. The blade begins where it
-    //! comes out.
+    //! Parts of the length of a single blade: the part at the base that is not
+    //! out yet, and the dead part at the tip. The blade begins where it comes
+    //! out.
     double hidden = 0, dead = 0;
 };
 
 //! Sets insertion_angle and curvature of a leaf from its digitised midrib: the
-//! angle of the first segment, and the angle of the last segment less that of
-//! the first [deg].
+//! angle of the first segment, and the last segment's angle less the first's
+//! [deg].
 //! @return false, and nothing changes, if all points are at one place
 bool measure_midrib(Leaf& leaf);
 
@@ -165,8 +165,7 @@ void set_present(Plant& plant, const std::string& organ, bool is_present);
 
 //! Returns the surfaces of a plant, with its foot at the origin, y along the
 //! row, z up. Group i is leaf i + 1; a group for each of organ_names() follows.
-//! The component of all groups is 0, and materials are numbered as in
-//! PlantMaterial.
+//! All groups have component 0, and materials are numbered as in PlantMaterial.
 //! @throws Error if a blade does not have six width controls.
 Mesh build_plant(const Plant& plant, const Tessellation& tessellation);
 

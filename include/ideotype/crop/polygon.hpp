@@ -28,9 +28,9 @@ struct SplitPolygon {
 };
 
 //! Splits a polygon of any shape. Seen along its mean normal the faces do not
-//! overlap, unless the outline crosses itself. A polygon that would take more
-//! than some seconds, with tens of thousands of corners that turn both ways, is
-//! not split.
+//! overlap, unless the outline crosses itself. Polygons of tens of thousands of
+//! corners that turn both ways, which would take more than seconds, are not
+//! split.
 SplitPolygon split_polygon(const std::vector<glm::dvec3>& vertices,
                            Corners corners);
 

@@ -73,8 +73,7 @@ const Named<TraitSet>* breeder(const Campaign& campaign,
     return nullptr;
 }
 
-//! Returns the path of a measure in a crop: "leaf[2].length",
-//! "organ[0].length".
+//! Returns the path of a measure in a crop, such as "leaf[2].length".
 //! @param leaf rank of the leaf, if leaves have the measure
 std::string key_of(const Plant& plant, const std::string& measure, int leaf) {
     const std::string part = measure.substr(0, measure.find('.')),

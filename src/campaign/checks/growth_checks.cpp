@@ -8,8 +8,7 @@ namespace ideotype {
 
 namespace {
 
-//! Reports a day of emergence outside its period, or without the weather on
-//! which growth depends.
+//! Reports a day of emergence outside its period or without needed weather.
 //! @param problems problems of the climate
 void check_emergence(const Draft& draft, const Named<Climate>& named,
                      const Problems& problems) {

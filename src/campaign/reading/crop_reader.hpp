@@ -40,8 +40,7 @@ class CropReader {
     void read_plant(const toml::table& table, const std::string& file);
 
     //! Reads a table of measured leaves. Values that the table lacks come from
-    //! the crop that the table names or, if it names none, from the draft's
-    //! plant.
+    //! the crop that the table names or, without one, from the draft's plant.
     void read_measured(const std::string& text, const std::string& file);
 
   private:

@@ -13,8 +13,7 @@ namespace ideotype {
 //! The prefix that marks a source as the command line instead of a file.
 inline constexpr std::string_view command_line_mark = "--set ";
 
-//! Returns the place where a node or key begins: in a file, or on the command
-//! line.
+//! Returns where a node or key begins, in a file or on the command line.
 Location location(const toml::source_region& source, const std::string& file);
 
 //! Returns the kind of a node in words: "an integer", "a table", ...

@@ -110,8 +110,7 @@ class DraftReader {
     }
 
   private:
-    //! Derives values from the crop that the rest of a campaign needs before it
-    //! is read.
+    //! Derives from the crop what must be known to read the campaign.
     //! @param rule rule by which bounds are chosen
     void prepare(const std::string& rule) {
         Campaign& campaign = draft_.campaign;

@@ -10,8 +10,7 @@
 
 namespace ideotype {
 
-//! Parses TOML text; if its syntax is wrong, reports the first place and
-//! returns nothing.
+//! Parses TOML text, or reports the first place of wrong syntax.
 std::optional<toml::table> parse_toml(const std::string& text,
                                       const std::string& file,
                                       const Problems& problems);

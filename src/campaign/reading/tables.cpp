@@ -196,9 +196,8 @@ bool TableReader::is_gone(const std::string& section, const toml::key& key,
                           const toml::node& value) const {
     for (const GoneKey& gone : gone_keys) {
         if (gone.section != section || gone.name != key.str()) continue;
-        // Histories may keep keys of how they were searched, since the search
-        // is over; but another tolerance would change the evaluation of a
-        // plant.
+        // Histories may keep keys of their search, which is over; but another
+        // tolerance would change the evaluation of a plant.
         const bool is_off = gone.name == "smallest_step" ||
                             (value.value_or(0.) == 0 && !value.value_or(false));
         const bool is_history = file_.ends_with(".h5") && section != "light";

@@ -29,8 +29,7 @@ struct KeyInfo {
 const std::vector<KeyInfo>& campaign_keys();
 
 //! Returns the declaration of a key.
-//! @throws Error if the documentation has no such key, so that no key can stay
-//! undocumented.
+//! @throws Error if the documentation lacks the key.
 const KeyInfo& key_info(const std::string& section, const std::string& name);
 
 }  // namespace ideotype

@@ -11,8 +11,7 @@ namespace ideotype {
 //! axes as arrays of tables, and the plant inlined.
 std::string resolved_text(Draft& draft);
 
-//! Returns the keys that trade speed for accuracy, except in tables that may
-//! occur several times.
+//! Returns the keys that trade speed for accuracy, in tables that occur once.
 std::vector<AccuracyKey> accuracy_keys(Draft& draft);
 
 //! Returns the text of a crop file with the plant of a draft.

@@ -50,8 +50,7 @@ using Target =
                  std::vector<double>*, std::vector<std::string>*,
                  std::optional<Column>*, Choice>;
 
-//! A unit in which numbers are given by mistake, and its size in the key's
-//! unit.
+//! A unit in which numbers are given by mistake, in units of the key.
 struct MistakenUnit {
     const char* name;
     double value;
@@ -74,15 +73,13 @@ struct Key {
     Key& optional_list();
     //! Writes the key in resolved campaigns only if a condition holds.
     Key& written_if(bool is_so);
-    //! Marks the key as one that trades speed for accuracy, if a condition
-    //! holds.
+    //! Marks the key as one that trades speed for accuracy, if so.
     //! @param values values that `fidelity` tries, the most accurate last
     Key& trades(const std::vector<double>& values, bool is_so = true);
 
     //! Returns whether the key is a local time, stored in hours.
     bool is_clock() const { return type == "local time"; }
-    //! Returns whether the key may be a text such as "1h30m", stored in
-    //! seconds.
+    //! Returns whether the key may be text such as "1h30m", in seconds.
     bool is_duration() const { return type.starts_with("number or \""); }
 
     std::string name;
@@ -172,8 +169,7 @@ std::vector<Table> climate_file_tables(Campaign& campaign);
 //! Returns all tables of a campaign in the order of its resolved text.
 std::vector<Table> campaign_tables(Draft& draft);
 
-//! Returns the keys of a crop file, or of [plant.baseline], before the first
-//! table.
+//! Returns the keys of a crop file or [plant.baseline] before the first table.
 Section plant_file_section(Plant& plant);
 
 //! Returns the names of all organs that plants may have besides leaves.
@@ -204,8 +200,7 @@ Section photosynthesis_section(PhotosynthesisTable& table);
 Table optics_table(Campaign& campaign, bool has_soil);
 //! Returns the place of the rule of bounds; none if a table gives bounds.
 Target place_of_rule(Draft& draft);
-//! Returns the bounds of each trait of the crop, as a table of [plant] or
-//! [component].
+//! Returns the bounds of each trait as a table of [plant] or [component].
 Table own_bounds_table(Draft& draft, const std::string& parent);
 Table plant_table(Draft& draft);
 Table feasibility_table(Draft& draft);
@@ -213,8 +208,7 @@ Table feasibility_table(Draft& draft);
 std::vector<Table> object_tables(Campaign& campaign);
 //! Returns the tables [light] and [objective].
 std::vector<Table> measured_tables(Draft& draft);
-//! Returns the table of constraints, with a table inside for each constrained
-//! trait.
+//! Returns the table of constraints, with one inside per constrained trait.
 Table constraints_table(Constraints& constraints);
 //! Returns the tables of searches and studies, with tables inside for each
 //! varied key, and the tables for the end and the work of a run.

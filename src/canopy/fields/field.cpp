@@ -30,8 +30,7 @@ void shuffle(std::vector<Item>& items, RandomStream& stream) {
                   items[stream.below(static_cast<std::uint32_t>(i + 1))]);
 }
 
-//! Returns a fraction of a count rounded up or down at random, right on
-//! average.
+//! Returns a fraction of a count, rounded at random without bias.
 std::size_t number_of(double fraction, std::size_t count,
                       RandomStream& stream) {
     return static_cast<std::size_t>(fraction * static_cast<double>(count) +
@@ -127,8 +126,7 @@ std::vector<Emergence> draw_emergence(const Component& component,
     return places;
 }
 
-//! Draws the plants of a component, place by place; missing plants have no
-//! faces.
+//! Draws the plants of a component by place; missing plants have no faces.
 //! @param line mesh of a plant that does not deviate
 std::vector<Mesh> draw_plants(const Component& component, const Mesh& line,
                               const Randomness& randomness,

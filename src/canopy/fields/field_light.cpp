@@ -79,8 +79,7 @@ class FieldPass {
     Timing& seconds() { return found_.seconds; }
 
   private:
-    //! Adds areas of the field per ground area, and areas of groups if groups
-    //! are faces.
+    //! Adds areas per ground area, and areas of groups if groups are faces.
     void measure_areas(const Mesh& mesh) {
         const double ground = scene_.cell.ground_area;
         const std::vector<double> of_faces = face_areas(mesh);

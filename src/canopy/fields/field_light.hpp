@@ -22,14 +22,12 @@ struct Lines {
     //! @param scene scene of the request, perhaps with other groups
     Lines(const Scene& scene, const CanopyRequest& request);
 
-    //! Whether leaves are cut into pieces or rows are told apart, so that
-    //! `pieces` is filled.
+    //! Whether leaves are cut or rows told apart, and `pieces` is filled.
     bool are_cut = false;
     std::vector<Pieces> pieces;  //!< without their meshes
     std::vector<Mesh> meshes;    //!< meshes of the pieces
     std::vector<Group> groups;   //!< groups of the scene before leaves were cut
-    //! The width of the blades of each group of plants, if leaves exchange heat
-    //! [m].
+    //! Blade width of each group of plants, if leaves exchange heat [m].
     std::vector<double> widths;
     double height = 0;  //!< height of the highest plant [m]
 };

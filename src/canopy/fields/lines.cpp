@@ -47,8 +47,7 @@ Bands bands_of(const Scene& scene) {
             "leaves have a temperature of their own, but the scene has no near "
             "infrared; add a band \"nir\"");
     found->is_by_piece = true;
-    // Near infrared only warms leaves, which absorb a tenth of it, unless its
-    // error is bounded.
+    // Near infrared only warms leaves: a tenth of the paths is enough.
     if (!found->is_bounded) found->path_share = 0.1;
     Band sky{longwave, scene.light(), {}, false, true};
     sky.optics.materials.resize(bands.front().optics.materials.size());

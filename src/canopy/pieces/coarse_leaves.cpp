@@ -65,8 +65,7 @@ class Divider {
 std::vector<std::size_t> coarse_blades(const Mesh& mesh) {
     // Leaves of built plants have this number of faces.
     constexpr std::size_t fine_enough = 24;
-    // Groups of one organ count as one group if each face is a group of its
-    // own.
+    // If each face is a group, groups of one organ count as one group.
     using Organ = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>;
     std::map<Organ, std::uint32_t> organs;
     Faces organ;

@@ -66,30 +66,16 @@ bool has_panels(const std::vector<Object>& objects) {
     return std::ranges::any_of(objects, &Object::is_panel);
 }
 
-// Each of these lists has its quantities in the order of columns, and the
-// columns of one list follow those of the previous list.
-
-//! Returns quantities of PAR.
+//! Returns the quantities of one kind in the order of columns; the columns of
+//! one list follow those of the previous list. Light is PAR, parts are several
+//! components or bands, and objects include the ground beside them.
 std::vector<Declaration> light_quantities();
-
-//! Returns quantities of leaves that assimilate.
 std::vector<Declaration> assimilation_quantities();
-
-//! Returns quantities of the form of plants.
 std::vector<Declaration> form_quantities();
-
-//! Returns distances from measured lines.
 std::vector<Declaration> line_quantities();
-
-//! Returns quantities of several components or wavebands.
 std::vector<Declaration> part_quantities();
-
-//! Returns quantities by row and by strip.
 std::vector<Declaration> row_quantities();
-//! Returns quantities of fixed objects, and of the ground beside them.
 std::vector<Declaration> object_quantities();
-
-//! Returns quantities of leaves that exchange heat and water.
 std::vector<Declaration> water_quantities();
 
 inline Randomised scaled(Randomised x, double factor) {

@@ -54,8 +54,7 @@ Randomised over_bands(const CanopyReport& report, const Names& names,
     return scaled(known_to(least, std::move(sums)), 1 / joule_per_megajoule);
 }
 
-//! Returns the light that the leaves of each component absorb in some bands
-//! together.
+//! Returns the light that leaves of each component absorb in some bands.
 std::vector<Randomised> absorbed_by_component(const CanopyReport& report,
                                               const Names& names) {
     std::vector<Randomised> parts;

@@ -81,8 +81,7 @@ void LeafAir::see(const LeafPlaces& places, const ExpectedLight& expectation) {
     take_means({&Place::view, &Place::wind, &Place::nir_absorptance});
 }
 
-//! Divides the leaves of each component that assimilate into classes of about
-//! equal area.
+//! Divides assimilating leaves of each component into classes of similar area.
 void LeafAir::find_classes() {
     constexpr std::uint32_t most = 4;
     const std::size_t components = leaves_.scene.components.size();

@@ -90,18 +90,15 @@ class LeafAir {
     //! Sets the air among the leaves in the step.
     void set_air(const CanopyAir& air);
 
-    //! Returns by how much a leaf is warmer than the air above when it counts
-    //! as hot [K].
+    //! Returns how much warmer than the air above a hot leaf is at least [K].
     double hot_over_air(std::uint32_t group) const;
 
     //! Returns the canopy air that follows if leaves lose this heat and water
-    //! [W m-2, mmol m-2 s-1]; the air above if canopy air has no state of its
-    //! own.
+    //! [W m-2, mmol m-2 s-1]; the air above if canopy air has no own state.
     //! @param group group of some of the leaves
     CanopyAir driven_by(std::uint32_t group, double heat, double water) const;
 
-    //! Returns the surroundings of a point of leaves that have a temperature of
-    //! their own.
+    //! Returns the surroundings of a point of leaves with own temperature.
     LeafSurroundings around(const Point& point) const;
 
     //! Solves the energy balance of a point.

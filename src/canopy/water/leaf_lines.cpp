@@ -80,8 +80,7 @@ void LeafLines::draw(Class& leaves) {
     }
 }
 
-//! Returns the canopy air that follows from the fluxes of leaves in a given
-//! air.
+//! Returns the canopy air that follows from the fluxes of leaves in some air.
 CanopyAir LeafLines::driven(const CanopyAir& in) {
     air_.set_air(in);
     CanopyAir sum;

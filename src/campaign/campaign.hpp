@@ -181,7 +181,8 @@ std::vector<ObjectiveEntry> objectives_of(const Campaign& campaign);
 //! those of all plants together.
 std::vector<double> component_weights(const Campaign& campaign);
 
-//! Returns the unit of a quantity, or of the ratio that an objective is.
+//! Returns the unit of a quantity, or of the ratio that replaces the quantity
+//! as an objective.
 std::string unit_of(const Campaign& campaign, const std::string& quantity);
 
 //! Returns whether a kind of quantity is an objective or an axis of an atlas.
@@ -197,7 +198,8 @@ bool asks_for_assimilation(const Campaign& campaign);
 Campaign read_campaign(const std::string& path,
                        const std::vector<std::string>& settings = {});
 
-//! Reads and checks the text of a campaign file, whose own path paths refer to.
+//! Reads and checks the text of a campaign file; paths in the text are relative
+//! to the given path.
 Campaign read_campaign_text(const std::string& text, const std::string& path,
                             const std::vector<std::string>& settings = {});
 

@@ -51,7 +51,8 @@ struct Case {
     //! of the case; the case's own site, day and spacing are those of the first
     //! scenario. Empty: the case is its only scenario.
     std::vector<Case> scenarios{};
-    //! The case at each stage, if plants grow; scenarios have their own.
+    //! The case at each stage, if plants grow; scenarios have stages of their
+    //! own.
     std::vector<Case> stages{};
     std::optional<Stage> stage{};  //!< set for the case at a stage
 };

@@ -203,7 +203,8 @@ class Assimilation {
     ExpectedLight expectation_;
     std::optional<WaterFluxes> water_{};
     std::vector<double> mean_;  //!< gross assimilation of places
-    //! Differences [randomisation][place] from the mean of randomisations.
+    //! Differences [randomisation][place], without the part that all
+    //! randomisations share.
     std::vector<std::vector<double>> differences_;
     FluxTallies all_;  //!< pseudo-values of each LeafFlux
     // Weights of the moments of each place, summed over the steps that share a

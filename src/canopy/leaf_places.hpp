@@ -42,7 +42,8 @@ struct DiffuseLight {
     std::vector<double> sum;  //!< sum over randomisations, by piece
 };
 
-//! The expected diffuse light of each place, to which simulated light compares.
+//! The diffuse light that is expected at each place, with which simulated light
+//! is compared.
 class ExpectedLight {
   public:
     //! Finds the expected light of a place as a mean over the place and as many

@@ -142,7 +142,8 @@ class SceneBuilder {
                                         entries.begin());
     }
 
-    //! Finds the kind of each group. If none is called a leaf, all are.
+    //! Finds the kind of each group. If no group is called a leaf, all groups
+    //! are leaves.
     void assign() {
         const bool has_ranks =
             std::ranges::any_of(mesh_.groups, leaf_rank, &Group::name);

@@ -54,7 +54,8 @@ class OverStages {
         std::vector<std::vector<std::size_t>> places;
     };
 
-    //! Adds a quantity, unless it is by hour or differs in its places.
+    //! Adds a quantity, unless the quantity is by hour or has other places in
+    //! each stage.
     void add(const Quantity& quantity, const std::vector<QuantitySet>& sets);
 
     //! A quantity that is reported for each stage.

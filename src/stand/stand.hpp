@@ -86,7 +86,8 @@ class Stand {
     //! does. Several threads may then evaluate, each with a device of its own.
     void prepare();
 
-    //! Returns the outcome in all scenarios, a function of its arguments.
+    //! Returns the outcome in all scenarios, a pure function of plants and
+    //! sampling.
     //! @throws Error as ideotype::evaluate()
     Outcome evaluate(const Plants& plants, const Sampling& sampling,
                      const Device& device);

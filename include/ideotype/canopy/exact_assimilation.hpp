@@ -29,7 +29,8 @@ struct ExactAssimilation {
 //! keep variance and cost finite.
 //!
 //! @param lit lit leaves with the scene of the mesh
-//! @param accuracy accuracy whose paths are points, for gross assimilation
+//! @param accuracy accuracy with as many points as paths; its tolerance is that
+//! of gross assimilation
 ExactAssimilation assimilate_exactly(const Mesh& mesh, const LitLeaves& lit,
                                      const Accuracy& accuracy,
                                      const Randomness& randomness);

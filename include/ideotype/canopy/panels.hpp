@@ -20,7 +20,8 @@ struct PanelRows {
     double offset = 0;   //!< distance of the first row from the cell's edge [m]
     double module_length = 0;  //!< length along the row [m]; 0: endless
     double gap = 0;            //!< distance between modules of a row [m]
-    //! Whether modules turn after the sun about the row's axis, without tilt.
+    //! Whether modules turn about the axis of their row after the sun; the tilt
+    //! is then unused.
     bool tracks = false;
     //! Largest turn of tracking modules from level [deg].
     double max_angle = 60;

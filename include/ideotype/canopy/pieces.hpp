@@ -60,7 +60,8 @@ Pieces uncut(const Mesh& mesh);
 
 //! Makes the pieces of all plants of a field.
 //! @param lines pieces of one plant of each component
-//! @param field field drawn with the meshes of the lines; its mesh is moved out
+//! @param field field drawn with the meshes of the lines; its mesh is moved
+//! into the result
 Pieces pieces_of_field(std::span<const Pieces> lines, Field& field);
 
 }  // namespace ideotype

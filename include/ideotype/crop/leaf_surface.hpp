@@ -58,7 +58,8 @@ class LeafSurface {
                                      double to = 1) const;
 
   private:
-    //! Returns the midrib's angle from the vertical at relative length s [rad].
+    //! Returns the midrib's angle from the vertical at relative arc length s
+    //! [rad].
     double angle(double s) const;
     //! Moves a point by the midrib between two relative arc lengths, out and
     //! up: the integral of the midrib's direction by Simpson's rule [m].
@@ -74,7 +75,8 @@ class LeafSurface {
     std::array<glm::dvec2, 33> midrib_;  //!< digitised midrib in equal steps
 };
 
-//! Returns the part of a blade's length, from the tip, with a part of its area.
+//! Returns the part of a blade's length, from the tip, that holds a part of the
+//! blade's area.
 double length_from_tip(const Blade& blade, double area);
 
 }  // namespace ideotype

@@ -9,7 +9,8 @@ namespace ideotype {
 
 namespace {
 
-//! Returns whether a key is left out, without value or with a form of its own.
+//! Returns whether a key may be left out, because it has no value or has a form
+//! of its own.
 bool is_empty(const Key& key) {
     if (!key.is_written) return true;
     return std::visit(

@@ -73,7 +73,8 @@ struct Key {
     Key& optional_list();
     //! Writes the key in resolved campaigns only if a condition holds.
     Key& written_if(bool is_so);
-    //! Marks the key as one that trades speed for accuracy, if so.
+    //! Marks the key as one that trades speed for accuracy, if a condition
+    //! holds.
     //! @param values values that `fidelity` tries, the most accurate last
     Key& trades(const std::vector<double>& values, bool is_so = true);
 
@@ -208,7 +209,8 @@ Table feasibility_table(Draft& draft);
 std::vector<Table> object_tables(Campaign& campaign);
 //! Returns the tables [light] and [objective].
 std::vector<Table> measured_tables(Draft& draft);
-//! Returns the table of constraints, with one inside per constrained trait.
+//! Returns the table of constraints, with a table inside for each constrained
+//! trait.
 Table constraints_table(Constraints& constraints);
 //! Returns the tables of searches and studies, with tables inside for each
 //! varied key, and the tables for the end and the work of a run.

@@ -98,7 +98,8 @@ class LeafAir {
     //! @param group group of some of the leaves
     CanopyAir driven_by(std::uint32_t group, double heat, double water) const;
 
-    //! Returns the surroundings of a point of leaves with own temperature.
+    //! Returns the surroundings of a point of leaves that have a temperature of
+    //! their own.
     LeafSurroundings around(const Point& point) const;
 
     //! Solves the energy balance of a point.

@@ -81,7 +81,8 @@ enum class Across { mean, worst };
 struct AccuracyKey {
     std::string path;
     double value = 0;
-    std::vector<double> values;  //!< values to try, the most accurate last
+    //! Values for `fidelity`, the most accurate last.
+    std::vector<double> values;
 };
 
 //! A whole study as written in a TOML file: immutable once read. Every key,
@@ -115,8 +116,9 @@ struct Campaign {
     Tessellation tessellation;
     ByBand<PlantOptics> optics = usual_optics;  //!< optics of plants
     ByBand<double> soil_albedo = usual_soil_albedo;
-    std::optional<Photosynthesis> photosynthesis;  //!< set if leaves assimilate
-    //! Set if leaves exchange heat and water.
+    //! Model, if leaves assimilate.
+    std::optional<Photosynthesis> photosynthesis;
+    //! Rules of the exchange, if leaves exchange heat and water.
     std::optional<LeafWater> water{};
     Stomata stomata{};       //!< stomata of the leaves of the crop
     double water_limit = 0;  //!< most transpiration [mm]; 0: any
@@ -161,7 +163,7 @@ struct Campaign {
 
 //! An objective in the form in which a campaign names it.
 struct ObjectiveEntry {
-    std::string name;      //!< such as "soybean.net_assimilation"
+    std::string name;      //!< name such as "soybean.net_assimilation"
     std::string quantity;  //!< name without a component
     std::optional<std::size_t> component{};  //!< component, if only one counts
     Sense sense = Sense::maximise;

@@ -54,7 +54,8 @@ struct Case {
     //! The case at each stage, if plants grow; scenarios have stages of their
     //! own.
     std::vector<Case> stages{};
-    std::optional<Stage> stage{};  //!< set for the case at a stage
+    //! Stage of the case, if the case is at one stage.
+    std::optional<Stage> stage{};
 };
 
 //! Returns the rows of the field, from 0, in which plants are bred.

@@ -35,9 +35,9 @@ struct ComponentEntry {
     std::vector<Range> bounds;  //!< bounds of trait_numbers(crop)
     TraitSet free;              //!< bred traits; none: not bred
     ByBand<PlantOptics> optics;
-    //! Set if leaves assimilate.
+    //! Model of assimilation, if leaves assimilate.
     std::optional<Photosynthesis> photosynthesis{};
-    Stomata stomata{};  //!< for leaves that exchange water
+    Stomata stomata{};  //!< stomata, if leaves exchange water
 };
 
 }  // namespace ideotype

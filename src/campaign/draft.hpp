@@ -53,7 +53,7 @@ struct Draft {
     bool has_population = false;      //!< whether a file sets the population
     bool has_finalists = false;       //!< whether a file sets finalists
     bool has_samples = false;         //!< whether a file sets the samples
-    bool is_study = false;            //!< whether it is a sensitivity study
+    bool is_study = false;  //!< whether the campaign is a sensitivity study
     SensitivitySettings design;       //!< design of studies
     Variation varied;                 //!< factors of a study
     std::vector<KeyFactor> searched;  //!< keys that a search varies

@@ -186,7 +186,7 @@ class Referee {
     std::vector<double> absorbed_;
     FluxTally empty_;
     std::vector<double> amount_;  //!< amount over rate, by step [mol s umol-1]
-    std::vector<LeafResponse> response_;  //!< [group][step]
+    std::vector<LeafResponse> response_;  //!< responses [group][step]
 
     // Sums over the beams at one point.
     Sums beam_;

@@ -40,7 +40,7 @@ struct SkyLight {
 
     int source;  //!< number of the source; -1: none
     DiffuseLight light;
-    std::vector<double> expected;  //!< by place, per area of leaf [J m-2]
+    std::vector<double> expected;  //!< light by place, per area of leaf [J m-2]
     std::vector<double> by_piece;  //!< light [randomisation][piece]
     std::vector<double> by_place;  //!< light [randomisation][place]
     std::vector<double> squares;   //!< sums over randomisations, by piece
@@ -107,9 +107,9 @@ class PairLight {
     int beam_;
     SkyLight& sky_;
     DiffuseLight sun_;
-    std::vector<double> expected_;    //!< expected light of the sun
-    std::vector<Moments> moments_;    //!< by place, times leaf area index
-    std::vector<Moments> differ_;     //!< differences by piece
+    std::vector<double> expected_;  //!< expected light of the sun
+    std::vector<Moments> moments_;  //!< moments by place, times leaf area index
+    std::vector<Moments> differ_;   //!< differences by piece
     std::vector<std::uint32_t> hit_;  //!< number of hit by triangle, from 1
     std::vector<Hit> hits_;
     std::vector<Bin> bins_;

@@ -45,8 +45,9 @@ class AcrossScenarios {
                            std::size_t objective, Outcome& all) const;
 
     Across across_;
-    std::vector<std::size_t> stages_;      //!< stages of each scenario
-    std::vector<OverStages> over_stages_;  //!< by scenario, if plants grow
+    std::vector<std::size_t> stages_;  //!< stages of each scenario
+    //! Stages by scenario, if plants grow.
+    std::vector<OverStages> over_stages_;
     std::vector<ObjectiveEntry> objectives_;
     QuantitySet measured_;
     std::vector<Shared> shared_;

@@ -26,13 +26,13 @@ struct MeshOptions {
     std::string path;
     std::optional<Period> period;
     Boundary boundary = Boundary::periodic;
-    std::optional<double> ground_area;  //!< [m2]
+    std::optional<double> ground_area;  //!< area of ground [m2]
     //! A field of copies of the mesh, which is one plant at the origin.
     std::optional<FieldForm> field;
 
     std::optional<SunPosition> sun;
     std::optional<SkyModel> sky;
-    std::optional<Site> site;  //!< set with date, for a clear day
+    std::optional<Site> site;  //!< site of a clear day, if date is set
     std::optional<Date> date;
 
     //! Light on level ground above the canopy [umol m-2 s-1]; if given, all

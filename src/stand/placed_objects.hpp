@@ -6,7 +6,8 @@
 
 namespace ideotype {
 
-//! Returns whether any panels track the sun: each instant then has its own sky.
+//! Returns whether any panels track the sun, so that each instant needs a sky
+//! of its own.
 bool has_trackers(const Campaign& campaign);
 
 //! Adds the panels and objects of a campaign to a scene that already has its

@@ -126,8 +126,8 @@ struct CanopyReport {
     std::vector<ComponentReport> components;
     std::vector<RowReport> rows;  //!< rows, if told apart
     std::vector<ObjectReport> objects;
-    std::optional<AssimilationReport> assimilation;  //!< if leaves assimilate
-    std::optional<WaterReport> water;  //!< set if leaves exchange water
+    std::optional<AssimilationReport> assimilation;  //!< assimilation, if any
+    std::optional<WaterReport> water;  //!< water, if leaves exchange water
     //! Sunlit leaf area in pieces of leaves, from the first hits of beams that
     //! assimilation is computed from.
     std::optional<SunlitReport> hit_by_sun;

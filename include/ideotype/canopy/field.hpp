@@ -31,8 +31,9 @@ struct FieldForm {
     //! Rows, and plants of each row, that are cut away on all sides of an
     //! isolated plot; parts of other plants beyond the new edge are cut too.
     int border_rows = 0;
-    //! Distances from each row to the next, relative to their mean, which is
-    //! `spacing.row`; they repeat. Empty: all distances are equal.
+    //! Distances from each row to the next, relative to their mean
+    //! `spacing.row`, as a pattern that repeats. Empty: all distances are
+    //! equal.
     std::vector<double> row_pattern{};
 };
 

@@ -38,7 +38,7 @@ struct LightClasses {
         : sunlit(classes), shaded(classes) {}
 };
 
-//! Finds the leaf area in one field by the light that it absorbs, as a mean
+//! Finds the leaf area in one field by the light that leaves absorb, as a mean
 //! over the time with any light, by randomisation; all classes sum to the leaf
 //! area index. Diffuse light is computed as in assimilate(), as a mean over
 //! plants that are alike. Leaves that absorb nothing are shaded.

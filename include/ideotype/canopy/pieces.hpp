@@ -21,7 +21,8 @@ struct Pieces {
     std::vector<std::uint32_t> group;
     //! Number of groups of the uncut mesh that stay.
     std::size_t uncut_groups = 0;
-    //! First of the pieces that are the same part of plants that are alike.
+    //! For each piece, the first piece that is the same part of a plant that is
+    //! alike.
     std::vector<std::uint32_t> like;
     //! The row of each group, where rows are told apart; plants of different
     //! rows are then not alike. The row of an object has no meaning.

@@ -63,7 +63,7 @@ struct Component {
     std::optional<Plant> plant{};
     Tessellation tessellation{};  //!< tessellation of the plants
     PlantVariation variation{};
-    //! Set if leaves assimilate.
+    //! Model of assimilation, if leaves assimilate.
     std::optional<Photosynthesis> photosynthesis{};
     double ground_per_plant = 0;  //!< all ground over all plants [m2]
     //! The full-grown plant, if the component's plant has another age.
@@ -83,7 +83,7 @@ struct Component {
 struct FixedObject {
     std::string name;
     Mesh mesh;
-    bool is_panel = false;  //!< whether it is a panel, with an adaxial front
+    bool is_panel = false;  //!< whether the object is a panel
 };
 
 //! The exchange of heat and water of leaves with the air, see leaf_exchange().
@@ -92,7 +92,7 @@ struct LeafWater {
     //! else they are as warm as the air and transpire without a boundary layer.
     bool has_leaf_temperature = true;
     //! True if the air within the canopy has a state of its own: one node,
-    //! which the canopy warms and moistens. Else it is the air above.
+    //! which the canopy warms and moistens. Else leaves are in the air above.
     bool has_canopy_air = true;
     double emissivity = 0.96;     //!< emissivity of leaves
     double stomatal_ratio = 1;    //!< conductance of lower over upper face
@@ -111,7 +111,7 @@ struct Scene {
     //! Photons per unit of irradiance of the first band [umol J-1]; 1 if the
     //! irradiance is in umol m-2 s-1.
     double photons = 4.57;
-    //! Set if leaves exchange heat and water.
+    //! Rules of the exchange, if leaves exchange heat and water.
     std::optional<LeafWater> water{};
 
     const SeriesIllumination& light() const {

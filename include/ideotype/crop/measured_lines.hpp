@@ -38,8 +38,8 @@ struct MeasuredLines {
 
 //! The distance of a plant from measured lines.
 struct LineDistance {
-    //! Mahalanobis distance from the mean of the lines [standard deviations].
-    //! The mean of its square over the lines is the number of traits.
+    //! Mahalanobis distance from the mean of the lines [standard deviations];
+    //! its mean square over the lines is the number of traits.
     double from_mean = 0;
     //! Mahalanobis distance from the nearest line; 0 if no line is known.
     double from_line = 0;

@@ -91,7 +91,7 @@ struct Stalk {
 struct Sheath {
     bool is_present = false;
     double length = 0.18;      //!< length down from the insertion [m]
-    double thickness = 0.001;  //!< [m]
+    double thickness = 0.001;  //!< thickness [m]
 };
 
 //! Materials of a plant, in the order in which scenes list them.

@@ -8,7 +8,7 @@ namespace ideotype {
 
 namespace {
 
-//! Reports a day of emergence outside its period or without needed weather.
+//! Reports emergence outside of its period, or without weather to grow by.
 //! @param problems problems of the climate
 void check_emergence(const Draft& draft, const Named<Climate>& named,
                      const Problems& problems) {

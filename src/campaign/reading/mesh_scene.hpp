@@ -28,7 +28,7 @@ struct MeshScene {
     std::string file;
     //! Bands of the file, "par" first if present.
     std::vector<std::string> bands;
-    std::vector<double> soil_albedo;  //!< in each band
+    std::vector<double> soil_albedo;  //!< albedo in each band
     std::vector<Matter> materials;
     std::vector<Kind> components;
 };

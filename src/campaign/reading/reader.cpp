@@ -74,7 +74,7 @@ class DraftReader {
                                     asks_for_assimilation(campaign);
         draft_.has_population = top["search"]["population"].node() != nullptr;
         draft_.has_finalists = top["final"]["candidates"].node() != nullptr;
-        // Resolved campaigns lack this table if they search for nothing.
+        // Resolved campaigns have [sensitivity] if they search for nothing.
         if (source_ == PlantSource::table)
             draft_.is_study = top.contains("sensitivity");
         if (draft_.is_study)

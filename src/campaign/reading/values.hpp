@@ -10,9 +10,9 @@
 
 namespace ideotype {
 
-//! Reads one value to the place to which its key is bound, and checks type and
-//! range. section names the key in messages. Problems must know the value's
-//! place.
+//! Reads one value to the place to which its key is bound, and checks the
+//! value's type and range. section names the key in messages. The problems must
+//! know the place of the value.
 void read_value(const toml::node& node, const std::string& section,
                 const Key& key, const Problems& problems);
 

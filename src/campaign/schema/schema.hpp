@@ -92,7 +92,7 @@ struct Key {
     std::string example;               //!< example as TOML for messages
     bool is_required = false;
     bool is_any_text = false;  //!< whether texts other than names fit
-    bool is_written = true;    //!< whether resolved campaigns have it
+    bool is_written = true;    //!< whether resolved campaigns have the key
     std::size_t count = 0;     //!< length of a list; 0: any
     //! Units in which a number above the range may have been given.
     std::vector<MistakenUnit> mistaken{};
@@ -137,8 +137,8 @@ struct Table {
     //! Makes a number of new entries. None if the table has exactly one entry.
     std::function<void(std::size_t)> resize;
     std::vector<Table> children{};  //!< tables inside a single entry
-    bool is_default = false;        //!< whether it may be left out
-    bool is_optional = false;       //!< whether it may have no entry
+    bool is_default = false;        //!< whether the table may be left out
+    bool is_optional = false;       //!< whether a list may be empty
     std::size_t most = 1000;        //!< largest number of entries
     //! Whether its keys have the paths of a list's first entry, as "site[0]".
     bool is_first_of_list = false;

@@ -138,7 +138,7 @@ class FieldPass {
     }
 
     LitLeaves lit(const RayScene& surfaces, const Mesh& mesh) {
-        // Groups of leaves are the same in all fields.
+        // All fields have equal groups of leaves.
         if (shared_.leaves.empty())
             shared_.leaves =
                 leaf_groups(scene_, lines_.groups, found_.leaf_area_index);

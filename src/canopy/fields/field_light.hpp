@@ -57,7 +57,7 @@ struct FieldLight {
     //! Light that leaves absorb by row, where rows are told apart
     //! [J m-2 of ground; band, randomisation, row].
     std::vector<std::vector<std::vector<double>>> rows;
-    FluxTallies fluxes;  //!< filled if leaves assimilate
+    FluxTallies fluxes;  //!< tallies of fluxes, if leaves assimilate
     //! Leaf area index by layer [m2 m-2].
     std::vector<double> leaf_area_of_layers;
     SunlitFractions sunlit;      //!< estimates by points of leaves

@@ -35,7 +35,7 @@ std::vector<std::uint32_t> plants_of(const Field& field, std::size_t lines) {
 //! plant, then the surfaces that are not cut, then fixed objects.
 class FieldGroups {
   public:
-    //! @param groups of the field
+    //! @param groups groups of the field
     FieldGroups(std::span<const Pieces> lines, const Field& field,
                 const std::vector<Group>& groups, Pieces& result)
         : lines_(lines), field_(field), groups_(groups), result_(result) {

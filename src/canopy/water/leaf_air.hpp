@@ -90,11 +90,13 @@ class LeafAir {
     //! Sets the air among the leaves in the step.
     void set_air(const CanopyAir& air);
 
-    //! Returns how much warmer than the air above a hot leaf is at least [K].
+    //! Returns by how much a leaf is warmer than the air above when it counts
+    //! as hot [K].
     double hot_over_air(std::uint32_t group) const;
 
     //! Returns the canopy air that follows if leaves lose this heat and water
-    //! [W m-2, mmol m-2 s-1]; the air above if canopy air has no own state.
+    //! [W m-2, mmol m-2 s-1]; the air above if canopy air has no state of its
+    //! own.
     //! @param group group of some of the leaves
     CanopyAir driven_by(std::uint32_t group, double heat, double water) const;
 

@@ -88,8 +88,8 @@ class LeafLines {
     LeafAir& air_;
     std::vector<Class> classes_;
     CanopyAir in_{}, driven_{};  //!< air in the step, and air that follows
-    //! Slopes of the following air in the air around leaves: of its warmth in
-    //! warmth and in vapour, then of its vapour in both.
+    //! Slopes of the air that leaves drive in the air around leaves: of its
+    //! warmth in warmth and in vapour, then of its vapour in both.
     std::array<double, 4> slopes_{};
 };
 

@@ -19,7 +19,7 @@ namespace {
 struct Frustum {
     glm::dvec3 base, top;                     //!< ends of the axis [m]
     double base_radius, top_radius;           //!< radii of both ends [m]
-    glm::dvec3 right{1, 0, 0}, far{0, 1, 0};  //!< unit lengths across the axis
+    glm::dvec3 right{1, 0, 0}, far{0, 1, 0};  //!< unit vectors across the axis
 };
 
 //! Adds a prism with the perimeter of the circle, closed by a flat top unless a

@@ -35,7 +35,7 @@ class MeshCheck {
                 plants_, mesh_.faces.size(), most_faces));
         const auto [bottom, top] = heights();
         std::vector<std::string> warnings;
-        constexpr double below = -1e-3;  // lower than by rounding
+        constexpr double below = -1e-3;  // depth beyond rounding
         if (bottom < below)
             warnings.push_back(
                 fmt::format("the mesh reaches {:.4g} m below the soil (z = 0), "

@@ -49,7 +49,7 @@ struct MeshOptions {
     double soil_albedo = usual_soil_albedo[0];
 
     double tolerance = 1e-3;             //!< relative standard error
-    std::optional<std::uint64_t> paths;  //!< number instead of a tolerance
+    std::optional<std::uint64_t> paths;  //!< paths, not a tolerance
     std::uint64_t seed = 1;
     bool is_json = false;
 };

@@ -51,7 +51,7 @@ Sampling sampling_of(const SamplingRequest& request, const Campaign& campaign,
                                 *request.tolerance, largest),
                     ExitCode::usage);
     Accuracy& accuracy = sampling.accuracy;
-    constexpr int fewest = 8;  // enough to test a tolerance
+    constexpr int fewest = 8;  // fewest that test a tolerance
     accuracy.randomisations = std::max(accuracy.randomisations, fewest);
     if (request.is_final) accuracy.fields = accuracy.randomisations;
     accuracy.paths = std::max(accuracy.paths, most_paths);

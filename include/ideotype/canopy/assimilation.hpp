@@ -53,7 +53,7 @@ struct Respiration {
 //! Assimilation of the leaves of a canopy on a mean day [mol m-2 of ground
 //! day-1], or in a second if the light is that of an instant.
 struct AssimilationReport {
-    FluxReport gross;                      //!< hours are in [umol m-2 s-1]
+    FluxReport gross;                      //!< flux; hours in [umol m-2 s-1]
     std::vector<Respiration> respiration;  //!< loss of each group of the mesh
     //! Carbon in the tissue of the leaves of each group, and of all leaves.
     std::vector<double> building_of_groups;

@@ -33,7 +33,7 @@ struct MeasuredLines {
     //! Correlation of each pair of traits: the first trait with all later ones,
     //! then the second trait with all later ones, and so on.
     std::vector<double> correlations;
-    std::vector<MeasuredLine> lines{};  //!< empty: only means are known
+    std::vector<MeasuredLine> lines{};  //!< lines; none: only means known
 };
 
 //! The distance of a plant from measured lines.

@@ -22,7 +22,7 @@ std::uint32_t leaf_rank(std::string_view name);
 //! Surfaces read from a file, and warnings for the user.
 struct ObjMesh {
     Mesh mesh;
-    std::vector<std::string> warnings;  //!< one of each kind, with a count
+    std::vector<std::string> warnings;  //!< warnings, one per kind with a count
 };
 
 //! Largest absolute coordinate that is accepted as a length in metres [m].

@@ -45,7 +45,7 @@ void check_leaves(const Plant& plant, const Problems& problems) {
 
 //! @param problems problems of the blade
 void check_blade(const Blade& blade, const Problems& problems) {
-    constexpr double least = 1e-6;  // less cannot be scaled to 1
+    constexpr double least = 1e-6;  // smaller maxima cannot be scaled
     if (problems.usable({"width_controls"}) &&
         std::ranges::max(blade.width_controls) < least)
         problems.add("width_controls",

@@ -21,7 +21,7 @@ struct NamedKey {
     std::string name;
     Key key;
     std::size_t tables;  //!< number of tables of this kind
-    bool is_there;       //!< whether the campaign has it
+    bool is_there;       //!< whether the campaign has the key
 };
 
 constexpr const char* plant_prefix = "plant.baseline.";

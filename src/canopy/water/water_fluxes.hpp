@@ -23,7 +23,7 @@ class WaterFluxes {
   public:
     //! One flux of all leaves by their lines.
     struct Flux {
-        std::vector<double> mean;   //!< mean day, by place
+        std::vector<double> mean;   //!< amount on a mean day, by place
         std::vector<double> size;   //!< sums of amounts, by place
         std::vector<double> steps;  //!< flux of all leaves
     };
@@ -68,7 +68,7 @@ class WaterFluxes {
     const LeafPlaces& places_;
     LeafAir& air_;
     std::optional<LeafLines> lines_{};
-    FluxTallies drawn_;  //!< drawn points less lines
+    FluxTallies drawn_;  //!< fluxes of drawn points less lines
     std::vector<Flux> fluxes_;
     //! Amounts of a step on a mean day.
     std::array<double, leaf_fluxes> amounts_{};

@@ -21,7 +21,7 @@ double processor_seconds() {
     return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-//! Under which light and with which surfaces.
+//! A stand with its light and its surfaces.
 struct Setting {
     const char* name;
     bool has_sky;
@@ -59,13 +59,13 @@ void change(BenchStand& stand, const Setting& setting) {
     }
 }
 
-//! Relative standard errors of the leaves' light: by what of beams and of skies
-//! meets leaves, and by what becomes of scattered light.
+//! Relative standard errors of the leaves' light: the part by the beams and
+//! skies that meet leaves, and the part by scattered light.
 struct Origins {
     double beams, skies, scattered;
 };
 
-//! With the workload that a tolerance takes.
+//! Returns the errors with the workload that a tolerance takes.
 Origins origins_of(const BenchStand& stand, const Accuracy& accuracy) {
     const Field field = stand.field(stand.baseline);
     const RayScene scene = stand.scene(field);

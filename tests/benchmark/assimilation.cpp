@@ -27,12 +27,12 @@ namespace ideotype {
 
 namespace {
 
-//! The stand of a case of campaigns/NAME.toml, of its baseline or another
+//! The stand of a case of campaigns/NAME.toml, with its baseline or another
 //! plant.
 struct Stands {
     const char* name;
     const char* campaign = "ames";
-    int plants = 0;  //!< rows, and plants in each; 0: those of the campaign
+    int plants = 0;  //!< rows, and plants in each row; 0: as in the campaign
     const char* plant = nullptr;
     std::optional<double> azimuth{};  //!< azimuth of the leaves [deg]
     std::optional<Spacing> spacing{};

@@ -6,7 +6,7 @@
 namespace ideotype {
 namespace {
 
-//! Leaf points a second, from darkness to full light.
+//! Measures how many leaf points a second solves, from darkness to full light.
 template <auto balance>
 void leaf_points(benchmark::State& state) {
     ThermalLeaf leaf;

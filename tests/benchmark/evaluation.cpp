@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-//! The parts of an evaluation, whole evaluations to a tolerance, a generation.
+//! Measures the parts of an evaluation, whole evaluations to a tolerance, and a
+//! generation.
 #include <cmath>
 
 #include <benchmark/benchmark.h>
@@ -68,7 +69,7 @@ int paths_for(const BenchStand& stand, double tolerance) {
                 trial * std::pow(std::sqrt(squares) / tolerance, 1 / slope)));
 }
 
-//! 10^-2, 10^-3, 10^-4 as the relative standard error of the leaves' light.
+//! Measures relative standard errors of the leaves' light of 10^-2 to 10^-4.
 void evaluation(benchmark::State& state) {
     const BenchStand stand(BenchStand::ames());
     const double tolerance = std::pow(10, -static_cast<double>(state.range(0)));
@@ -83,7 +84,7 @@ BENCHMARK(evaluation)
     ->ArgName("tolerance_1e-")
     ->Unit(benchmark::kMillisecond);
 
-//! As a worker does it: a population with the campaign's accuracy.
+//! Evaluates a population as a worker does: with the campaign's accuracy.
 void generation(benchmark::State& state) {
     const Campaign campaign = BenchStand::ames();
     CanopyEvaluator evaluator(campaign, Device::supported_isas().back());
@@ -100,8 +101,8 @@ void generation(benchmark::State& state) {
 }
 BENCHMARK(generation)->Unit(benchmark::kMillisecond)->Iterations(1);
 
-//! Peak of a process that does nothing but evaluate [MiB]; run it alone, as
-//! table.sh does.
+//! Measures the peak memory of a process that does nothing but evaluate [MiB];
+//! run it alone, as table.sh does.
 void memory(benchmark::State& state) {
     const Campaign campaign = BenchStand::ames();
     CanopyEvaluator evaluator(campaign, Device::supported_isas().back());

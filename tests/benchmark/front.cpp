@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// front SEED... : a front of absorbed light against leaf area at Ames by
-// NSGA-II, when parents are evaluated again in each generation, under the
-// random numbers of their children, and when they keep what they had; after the
-// same number of evaluations. Of the last front evaluated again with much
-// light: how many of its plants stay in it, and its hypervolume.
+// front SEED... : breeds a front of absorbed light against leaf area at Ames by
+// NSGA-II in two ways: parents are evaluated again in each generation, under
+// the random numbers of their children, or keep their outcomes; both take as
+// many evaluations. Evaluates the last front again with much light, and prints
+// how many of its plants stay in it, and its hypervolume.
 
 #include <algorithm>
 #include <cstdio>
@@ -21,7 +21,7 @@ namespace {
 using namespace ideotype;
 
 constexpr std::size_t all_evaluations = 2500;
-const std::vector<double> reference{5, 7};  // MJ m-2 day-1, m2 m-2
+const std::vector<double> reference{5, 7};  // units: MJ m-2 day-1, m2 m-2
 
 Campaign campaign_of_seed(const std::string& seed) {
     return read_campaign(

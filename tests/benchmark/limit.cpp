@@ -73,7 +73,7 @@ class RawScene {
     std::vector<std::array<float, 4>> corners_;
 };
 
-//! Rays of one sun, in tiles of 4 x 4, through a square of the top.
+//! Traces rays of one sun, in tiles of 4 x 4, through a square of the top.
 struct Rays {
     static constexpr int side = 512;
 
@@ -95,7 +95,7 @@ struct Rays {
     std::vector<std::array<float, 2>> origins;
 };
 
-//! Puts the ray of a number in a lane of a packet.
+//! Puts the ray with this number into a lane of a packet.
 template <class RayHit>
 void set_lane(RayHit& packet, std::size_t lane, const Rays& rays,
               std::size_t number) {
@@ -148,8 +148,8 @@ void raw_packets_16(benchmark::State& state) {
 }
 BENCHMARK(raw_packets_16)->Unit(benchmark::kMillisecond);
 
-//! The order of rays: in tiles, rays that follow each other are also neighbours
-//! in space.
+//! The order of rays: in tiles, so that consecutive rays are neighbours in
+//! space.
 enum class Order { tiles, shuffled };
 
 void trace_single(benchmark::State& state, RTCSceneFlags flags,
@@ -158,8 +158,7 @@ void trace_single(benchmark::State& state, RTCSceneFlags flags,
     const Field field = stand.field(stand.baseline);
     const RawScene raw(field, flags, quality);
     const Rays rays(field);
-    // The stride is coprime to the number of rays, so that each is visited
-    // once.
+    // The stride is coprime to the number of rays: each ray is visited once.
     const std::size_t stride = order == Order::tiles ? 1 : 100003;
     for (auto _ : state)
         for (std::size_t i = 0; i < rays.origins.size(); ++i) {

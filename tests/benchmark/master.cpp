@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-//! Where the time of rank 0 goes: evolves a case with outcomes that are there
-//! at once and prints the processor time of each part [us per evaluation].
-//! Usage: master FOLDER [POPULATION...]
+//! Measures where the time of rank 0 goes: evolves a case whose outcomes are
+//! there at once and prints the processor time of each part [us per
+//! evaluation]. Usage: master FOLDER [POPULATION...]
 #include <ctime>
 #include <filesystem>
 #include <string>

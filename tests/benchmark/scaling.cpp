@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-//! Cost against plants, leaves, faces, hours and sites; table.sh fits the
-//! exponents.
+//! Measures cost against plants, leaves, faces, hours and sites; table.sh fits
+//! the exponents.
 #include <string>
 
 #include <benchmark/benchmark.h>
@@ -29,7 +29,7 @@ void plants(benchmark::State& state) {
 BENCHMARK(plants)->Arg(1)->Arg(3)->Arg(10)->Arg(32)->Arg(100)->Unit(
     benchmark::kMillisecond);
 
-//! The baseline's leaves several times over, each time a little turned.
+//! The leaves of the baseline several times over, each copy a little turned.
 void leaves(benchmark::State& state) {
     Campaign campaign = BenchStand::ames();
     std::vector<Leaf>& leaves = campaign.crop.baseline.leaves;
@@ -46,7 +46,7 @@ void leaves(benchmark::State& state) {
 BENCHMARK(leaves)->RangeMultiplier(2)->Range(5, 80)->Unit(
     benchmark::kMillisecond);
 
-//! Cells along a leaf, two faces each.
+//! The number of cells along a leaf; each cell has two faces.
 void faces(benchmark::State& state) {
     Campaign campaign = BenchStand::ames();
     campaign.tessellation.cells_along = static_cast<int>(state.range(0));
@@ -55,7 +55,7 @@ void faces(benchmark::State& state) {
 BENCHMARK(faces)->RangeMultiplier(2)->Range(4, 64)->Unit(
     benchmark::kMillisecond);
 
-//! Instants of the day, with the same number of paths in all.
+//! The number of instants of a day, which share the same number of paths.
 void hours(benchmark::State& state) {
     Campaign campaign = BenchStand::ames();
     campaign.days[0].value.step_minutes =
@@ -65,8 +65,8 @@ void hours(benchmark::State& state) {
 BENCHMARK(hours)->RangeMultiplier(2)->Range(6, 208)->Unit(
     benchmark::kMillisecond);
 
-//! A worker's whole work for a campaign of so many sites: their light, and one
-//! evaluation for each.
+//! The whole work of a worker for a campaign of several sites: the light of
+//! each site, and one evaluation in it.
 void sites(benchmark::State& state) {
     Campaign campaign = BenchStand::ames();
     campaign.replicates = 1;

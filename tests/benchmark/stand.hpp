@@ -7,8 +7,8 @@
 
 namespace ideotype {
 
-//! The baseline at Ames under its day, with what may be changed about it
-//! first.
+//! The baseline at Ames in the light of its day; settings may be changed before
+//! it is evaluated.
 struct BenchStand {
     //! campaigns/ames.toml
     static Campaign ames();
@@ -21,11 +21,11 @@ struct BenchStand {
     Campaign campaign;
     Case chosen;
     Genome baseline;
-    CanopyRequest request;  //!< request of the baseline in the first generation
+    CanopyRequest request;  //!< request of the baseline in generation 0
     Device device;
 };
 
-//! Relative standard error of the leaves' light.
+//! Returns the relative standard error of the leaves' light.
 double relative_error(const CanopyReport& report);
 
 }  // namespace ideotype

@@ -9,8 +9,8 @@
 
 namespace ideotype {
 
-//! Returns a small complete campaign with a plant of one leaf inline. top is
-//! put before the first table, more after the last.
+//! Returns a small complete campaign with a plant of one leaf inline. `top` is
+//! put before the first table, `more` after the last one.
 inline std::string sample_text(const std::string& top = "",
                                const std::string& more = "",
                                const std::string& bounds = "\"paper\"") {
@@ -52,7 +52,7 @@ inline Campaign ames() {
     return read_campaign(IDEOTYPE_CAMPAIGNS "/ames.toml");
 }
 
-//! Returns a text with another part in the place of its first such one.
+//! Returns a text in which another part replaces the first place of a part.
 inline std::string replaced(std::string text, const std::string& from,
                             const std::string& to) {
     const std::size_t at = text.find(from);
@@ -60,7 +60,7 @@ inline std::string replaced(std::string text, const std::string& from,
     return text.replace(at, from.size(), to);
 }
 
-//! Returns what is wrong with the text of a campaign; "" if nothing is.
+//! Returns the message of the error that the text of a campaign has, or "".
 inline std::string problem_of(const std::string& text) {
     try {
         parse_campaign(text, "sample.toml");

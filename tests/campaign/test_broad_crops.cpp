@@ -13,7 +13,7 @@ std::string crop_file(const std::string& name) {
     return IDEOTYPE_CAMPAIGNS "/crops/" + name + ".toml";
 }
 
-//! One leaf with a petiole and no insertion height.
+//! A crop of one leaf with a petiole and without an insertion height.
 std::string broad_text(const std::string& leaf, const std::string& more) {
     std::string text = sample_text("", more);
     const std::string height = "insertion_height = 0.2\n";

@@ -30,8 +30,8 @@ std::string without(std::string text, const std::string& unwanted) {
     return text;
 }
 
-//! Returns the messages of a campaign file, with the names of files as seen
-//! from its folder; empty if nothing is wrong.
+//! Returns the messages of a campaign file, with names of files relative to its
+//! folder; empty if there is no error.
 std::string messages(const fs::path& path) {
     try {
         require_breedable(read_campaign(path.string()));

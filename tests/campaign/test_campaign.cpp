@@ -272,8 +272,8 @@ TEST(Campaign, AnySingleNumberOfTheCanopyMayBeAnObjective) {
     EXPECT_NE(problem_of(text("net_assimilaton"))
                   .find("did you mean 'net_assimilation'?"),
               std::string::npos);
-    // A name with nothing near is answered with all names but those that tell
-    // of the method alone.
+    // A name that resembles no quantity is answered with the names of all
+    // quantities but those of the method.
     const std::string all = problem_of(text("xyz"));
     EXPECT_NE(all.find("use one of absorbed_par, "), std::string::npos) << all;
     for (const char* own : {"paths", "capped", "balance_error"})

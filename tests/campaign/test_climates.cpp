@@ -115,7 +115,7 @@ TEST(Climates, WindIsReadAndTheRestOfTheAirEstimated) {
     EXPECT_EQ(light.wind_height, 9);
     EXPECT_EQ(light.steps[1].wind, 2.42);
     for (const TimeStep& step : light.steps) {
-        EXPECT_NEAR(step.pressure.value(), 98.8, .1);  // Bondville: 99.0
+        EXPECT_NEAR(step.pressure.value(), 98.8, .1);  // Bondville has 99.0
         const double black =
             5.670374419e-8 * std::pow(*step.temperature + 273.15, 4);
         EXPECT_LE(step.longwave.value(), black * 1.01);
@@ -165,7 +165,7 @@ TEST(Climates, NearInfraredIsStoredIfItIsFollowed) {
         EXPECT_EQ(step.par.beam, usual.weathers[0].beam[0][i]);
         EXPECT_EQ(step.par.diffuse, usual.weathers[0].diffuse[0][i]);
     }
-    // There is more of it than of PAR, of which there are 8.681 MJ m-2 a day.
+    // Near infrared exceeds PAR, which is 8.681 MJ m-2 a day.
     EXPECT_NEAR(nir * 3600 / light.days / light.incident(), 1.287, .01);
     EXPECT_NE(problem_of(replaced(resolved, "nir_beam = [0, ", "nir_beam = ["))
                   .find("weather.nir_beam has 1487 values"),
@@ -190,7 +190,7 @@ TEST(Climates, SitesMayHaveFilesOfTheirOwn) {
     std::ofstream(other) << text;
     const Campaign campaign = read_campaign(other);
     EXPECT_NE(campaign.resolved.find("weather = \"" + file), std::string::npos);
-    // The place decides the sun, not its height the measured light.
+    // The place decides where the sun stands; its elevation changes no light.
     const Campaign usual = bondville();
     expect_same(light_of(campaign, cases(campaign)[0]),
                 light_of(usual, cases(usual)[0]));
@@ -205,7 +205,7 @@ TEST(Climates, AnotherFileIsAnotherCampaign) {
     const auto lines = differences(was, is, cases(bondville()).front());
     ASSERT_EQ(lines.size(), 2u);
     EXPECT_EQ(lines[0].substr(0, 22), "weather[0].sha256 was ");
-    // Not all 1488 numbers.
+    // The message does not list all 1488 numbers.
     EXPECT_LT(lines[1].size(), 200u);
 }
 

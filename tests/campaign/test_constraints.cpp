@@ -105,14 +105,15 @@ TEST(Constraints, LeavesMayBeAskedToStandInTwoRanks) {
         return excess(limit, plant_of(leaves));
     };
     EXPECT_EQ(of({90, 270, 90, 270}), 0);
-    // Any plane will do, and one that is no leaf's.
+    // Any plane will do, even one in which no leaf lies.
     for (const double plane : {0., 47., 175., 200., 359.})
         EXPECT_EQ(of({plane - 10, plane + 190, plane + 10, plane - 190}), 0)
             << plane;
-    // All are 15 deg from the plane in their middle: half of the limit more.
+    // All leaves are 15 deg from the plane in their middle: half of the limit
+    // more.
     EXPECT_NEAR(of({90, 270, 120, 270}), 2, 1e-9);
     EXPECT_NEAR(of({350, 170, 20, 170}), 2, 1e-9);
-    // All on one side.
+    // All leaves point to one side.
     EXPECT_GT(of({90, 90}), 10);
 }
 

@@ -41,7 +41,7 @@ TEST(Campaign, PlantFilesHoldTheKnownPlants) {
     EXPECT_EQ(b73.leaves[1].insertion_angle, 31.4);
     EXPECT_EQ(b73.leaves[0].curvature, 125);
     EXPECT_EQ(b73.leaves[9].insertion_height, 1.61);
-    // Leaf area index at 86,111 plants per hectare.
+    // The leaf area index is that of 86,111 plants per hectare.
     double area = 0;
     for (const Leaf& leaf : b73.leaves)
         area += 0.7455 * leaf.length * leaf.width;
@@ -56,7 +56,7 @@ TEST(Campaign, ElitePlantIsLargerAndInsideThePaperBounds) {
     for (const Leaf& leaf : elite.leaves)
         area += 0.7455 * leaf.length * leaf.width;
     EXPECT_NEAR(area / (0.762 * 0.1524), 4.7, 0.05);
-    // Its droops are those of version 0.2.
+    // The droops of this plant are those of version 0.2.
     const Plant b73 = read_plant(IDEOTYPE_CAMPAIGNS "/plants/maize_v02.toml");
     for (std::size_t i = 0; i < 10; ++i) {
         EXPECT_EQ(elite.leaves[i].azimuth, b73.leaves[i].azimuth);
@@ -91,7 +91,7 @@ TEST(Campaign, CropsTellTheOpticsAndTheCapacityOfTheirLeaves) {
     ASSERT_TRUE(campaign.photosynthesis);
     EXPECT_EQ(campaign.photosynthesis->profile, CapacityProfile::rank);
     EXPECT_EQ(campaign.photosynthesis->rank_capacity.size(), 13u);
-    // The campaign goes before, and light alone needs no photosynthesis.
+    // Optics of a campaign replace the crop's; light alone needs no rates.
     EXPECT_EQ(ames().optics[0].leaf.reflectance, .05);
     EXPECT_FALSE(ames().photosynthesis);
 }
@@ -116,7 +116,7 @@ TEST(Campaign, BiologicalBoundsFollowEachLeaf) {
     EXPECT_DOUBLE_EQ(bounds("leaf10_length").upper, 1.35 * 0.50);
 }
 
-//! Returns the sample, whose leaf has these lines in the place of its angles.
+//! Returns the sample whose leaf has these lines in place of its angles.
 std::string with_leaf(const std::string& lines) {
     std::string text = sample_text();
     for (const char* key : {"insertion_angle = ", "curvature = "}) {

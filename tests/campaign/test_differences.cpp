@@ -67,7 +67,7 @@ TEST(Differences, OtherCasesAreNoPartOfACase) {
         "[[traits]]\nname = \"all\"\nfree = [\"length\", \"width\", "
         "\"insertion_angle\", \"azimuth\"]\n";
     const std::string was = sample().resolved;
-    // Before and behind the entries that were there.
+    // New entries stand before and behind the old ones.
     const std::string before =
         sample("replicates = 3\n" + site, more + all).resolved;
     const std::string behind = sample("", all + more + site).resolved;

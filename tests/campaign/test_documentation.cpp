@@ -16,7 +16,7 @@ namespace ideotype {
 
 namespace {
 
-//! Calls a function with each key that the program reads, whose value is the
+//! Calls a function with each key that the program reads; its value is the
 //! default.
 void for_each_key(
     const std::function<void(const std::string&, const Key&)>& use) {
@@ -28,7 +28,7 @@ void for_each_key(
         if (table.resize) table.resize(1);
         use_section(table.section(0));
     };
-    // One trait stands for all.
+    // One trait stands for all traits.
     draft.traits.resize(1);
     draft.traits[0].trait.name = "TRAIT";
     draft.traits[0].sets = {};
@@ -45,7 +45,7 @@ void for_each_key(
 }
 
 //! Returns whether the default of a key is told in words, because it depends on
-//! others.
+//! other keys.
 bool is_in_words(const std::string& initial) {
     return initial.find("; ") != initial.npos ||
            initial.find(" if ") != initial.npos ||
@@ -53,7 +53,7 @@ bool is_in_words(const std::string& initial) {
             initial != "true" && initial != "false");
 }
 
-//! Returns the sample with all that a climate may have, in place of a day.
+//! Returns the sample with all keys that a climate may have, in place of a day.
 std::string with_climate(const std::string& more) {
     std::string text = sample_text("", more);
     const std::size_t begin = text.find("[[day]]");
@@ -128,8 +128,8 @@ TEST(Documentation, EveryKeySaysWhatItMeans) {
 }
 
 TEST(Documentation, ResolvedTextHasExactlyTheDeclaredKeys) {
-    // Bounds given by name and constraints that ask for nothing have no table,
-    // and a trait does only one thing; the plant has a table of its own.
+    // Bounds given by name and constraints without limits have no table; a
+    // trait does only one thing; the plant has a table of its own.
     const std::set<std::string> left_out{"plant.bounds", "constraints.TRAIT"};
     const std::set<std::string> of_plant{"stalk", "sheath", "petiole",
                                          "blade", "growth", "leaf",
@@ -244,7 +244,7 @@ TEST(Documentation, ResolvedTextHasExactlyTheDeclaredKeys) {
     }
     // The number of replicates is no part of a case.
     declared.erase("replicates");
-    // Distances between plants follow from it.
+    // Distances between plants follow from the number of plants.
     declared.erase("spacing.density");
     // A search begins at the baseline, unless it is given a plant.
     declared.erase("search.start");

@@ -8,8 +8,8 @@
 namespace ideotype {
 namespace {
 
-//! Returns a table of two traits, with what is wrong in a test in the place of
-//! a part.
+//! Returns a table of two traits, in which a test may replace a part by a
+//! mistake.
 std::string lines(const std::string& part = "", const std::string& wrong = "") {
     std::string text = R"([feasibility]
 limit = 2

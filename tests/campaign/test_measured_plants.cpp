@@ -38,7 +38,7 @@ class MeasuredPlants : public ::testing::Test {
         return read_crop(written(text), &other_).baseline;
     }
 
-    //! Returns what is wrong, without the folder.
+    //! Returns the message of the error, without the folder.
     std::string problems_of(const std::string& text) {
         try {
             read(text);
@@ -90,7 +90,7 @@ TEST_F(MeasuredPlants, ColumnsTellTheirUnitsAndConventions) {
     EXPECT_EQ(high.length, .705);
     EXPECT_EQ(high.azimuth, 280);
     EXPECT_EQ(high.insertion_angle, 30);
-    // As in the other plant.
+    // Curvatures are those of the other plant.
     EXPECT_EQ(low.curvature, 60);
     EXPECT_EQ(high.curvature, 50);
 }
@@ -215,7 +215,8 @@ TEST_F(MeasuredPlants, ATableNamesItsCrop) {
     EXPECT_EQ(maize.baseline.leaves[9].length, .6);
     EXPECT_EQ(maize.baseline.organs.size(), 4u);
     EXPECT_FALSE(maize.traits.empty());
-    // Or a file, from the folder of the table; the one that is named counts.
+    // A file may be named too, relative to the folder of the table; the named
+    // file counts.
     written(*known_crop("maize"), "mine.toml");
     EXPECT_EQ(read("# crop: mine.toml,,\n" + lengths).organs.size(), 4u);
     const std::string problems = problems_of("# crop: mime.toml\n" + lengths);
@@ -223,7 +224,7 @@ TEST_F(MeasuredPlants, ATableNamesItsCrop) {
     EXPECT_NE(problems.find("(named by # crop); did you mean 'mine.toml'?"),
               std::string::npos)
         << problems;
-    // Nothing tells the rest.
+    // Nothing tells the remaining measures.
     try {
         read_plant(written(lengths));
         FAIL() << "a table without a crop is a plant";
@@ -247,7 +248,8 @@ TEST_F(MeasuredPlants, TablesThatNameEachOtherAreToldAsOneCircle) {
               "b.csv:1:9: the table takes its crop from itself (b.csv -> "
               "field.csv -> b.csv); name a crop such as maize, or a crop file "
               "(.toml)");
-    // Whoever begins it; a table that leads to the circle is no part of it.
+    // Any file of the circle may begin it; a table that leads to the circle is
+    // no part of it.
     written("# crop: c.csv\n" + leaf, "c.csv");
     fs::create_directory_symlink(folder_, folder_ / "same");
     EXPECT_EQ(problems_of("# crop: same/c.csv\n" + leaf),
@@ -275,7 +277,7 @@ TEST_F(MeasuredPlants, ATableCanBeTheBaselineOfACampaign) {
                               "[plant]\nbaseline = \"field.csv\"\n",
                               "mine.toml"));
     EXPECT_EQ(campaign.crop.baseline.leaves[3].length, .55);
-    // A history stands alone.
+    // A history needs no other file.
     const Campaign again = parse_campaign(campaign.resolved, "resolved");
     EXPECT_EQ(again.resolved, campaign.resolved);
     EXPECT_EQ(again.crop.baseline.name, "field");
@@ -298,7 +300,7 @@ TEST_F(MeasuredPlants, BoundsAreForWhatIsBred) {
     for (int leaf = 1; leaf <= 10; ++leaf)
         table += leaf == 9 ? "4.2,5\n" : "8,30\n";
     written(table);
-    // Whatever breeds nothing takes the plant.
+    // Commands that breed nothing take the plant.
     const Campaign mine = campaign_with("bounds = \"biological\"\n");
     EXPECT_EQ(mine.crop.baseline.leaves[8].width, .042);
     try {
@@ -307,7 +309,7 @@ TEST_F(MeasuredPlants, BoundsAreForWhatIsBred) {
     } catch (const InputError& error) {
         EXPECT_EQ(error.problems().size(), 2u) << error.what();
     }
-    // The lines to write are ready.
+    // The message has the lines to write.
     const std::string advice = mine.outside_bounds.back().what;
     EXPECT_EQ(advice,
               "plant.bounds leave the baseline out (what is bred begins with "

@@ -47,7 +47,7 @@ TEST(Settings, ThatTradeAccuracyAreDeclared) {
               "day.step_minutes=30 field.rows=5 field.plants=4 "
               "plant.cells_along=12 plant.stalk_sides=8 "
               "light.tolerance=0.01 ");
-    // A plot alone has the plants that it has.
+    // The plants of an isolated plot are no matter of accuracy.
     EXPECT_EQ(accuracy_keys({"light.tolerance=0", "light.paths=512",
                              "field.boundary=isolated", "plant.organs=[]"}),
               "day.step_minutes=30 plant.cells_along=12 light.paths=512 ");
@@ -117,7 +117,7 @@ TEST(Settings, AStartIsAWholeGenomeWithinItsBounds) {
     EXPECT_THROW(read_campaign(ames, {cma, start()}), InputError);
 }
 
-// Histories and files of earlier versions have them.
+// Histories and files of earlier versions have these keys.
 TEST(Settings, KeysThatAreGoneMayBeSwitchedOff) {
     const std::string text = read_campaign(ames).resolved;
     const auto with = [&](const std::string& key, const std::string& file) {

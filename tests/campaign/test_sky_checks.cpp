@@ -11,7 +11,7 @@ namespace ideotype {
 
 namespace {
 
-//! Returns the sample with another value in a line.
+//! Returns the sample with another value in one of its lines.
 std::string with(const std::string& line, const std::string& other) {
     return replaced(sample_text(), line, other);
 }

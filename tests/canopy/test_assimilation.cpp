@@ -39,7 +39,7 @@ TEST_F(Assimilating, FewPathsDoNotBiasAssimilation) {
     constexpr int runs = 1000;
     std::vector<double> found;
     double variance = 0;
-    int beyond = 0;  // by two standard errors
+    int beyond = 0;  // runs off by more than two standard errors
     for (int seed = 1; seed <= runs; ++seed) {
         const Estimate one = gross({128, 16}, static_cast<std::uint64_t>(seed));
         found.push_back(one.mean);
@@ -55,7 +55,7 @@ TEST_F(Assimilating, FewPathsDoNotBiasAssimilation) {
     EXPECT_LT(beyond, .09 * runs);
 }
 
-//! Leaves of two triangles each, in the shade of each other.
+//! Leaves of two triangles each, which shade each other.
 Mesh small_leaves() {
     Mesh mesh;
     mesh.groups = {{"leaf01", {0, 0, 1}}};
@@ -81,7 +81,7 @@ Mesh small_leaves() {
     return mesh;
 }
 
-//! Pieces as large as the faces would assimilate 1 % too much.
+//! Pieces as large as the faces would make assimilation 1 % too high.
 TEST(SmallLeaves, AssimilateAsTheirPointsDo) {
     const Device device(Device::supported_isas().back());
     CanopyRequest request = two_leaves({1 << 20, 16, 3e-4});
@@ -104,7 +104,7 @@ TEST(SmallLeaves, AssimilateAsTheirPointsDo) {
     EXPECT_NEAR(found.mean, exact.mean, 3 * error + 1e-3 * exact.mean);
 }
 
-//! Each by the model of its own component.
+//! Each component assimilates by its own model.
 TEST(SmallLeaves, OfC3AmongC4AssimilateAsTheirPointsDo) {
     const Device device(Device::supported_isas().back());
     CanopyRequest request = two_leaves({1 << 20, 16, 3e-4});
@@ -250,7 +250,8 @@ TEST_F(TwoLeaves, LightDoesNotDependOnWhetherLeavesAssimilate) {
     }
 }
 
-//! Plants that differ from each other, where even pieces of the same place do.
+//! Plants that differ from each other, so that even pieces at the same place
+//! differ.
 TEST_F(TwoLeaves, PiecesOfPlantsThatDifferAssimilateAsExactly) {
     request.scene.components[0].variation = {.15,  .15,  {15}, {20}, .1,
                                              {20}, {30}, {86}, .3,   .3};

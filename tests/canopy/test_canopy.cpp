@@ -224,7 +224,7 @@ TEST_F(TwoLeaves, LeafAreaByLightSumsToAllLeafArea) {
         EXPECT_NEAR((sunlit + shaded) / report.lai, 1, 1e-12);
         EXPECT_NEAR(sunlit / (report.hit_by_sun->mean.mean * report.lai), 1,
                     1e-12);
-        // The middles of classes tell the light that leaves absorb.
+        // The midpoints of classes tell the light that leaves absorb.
         const double light = 4.57 * report.par().light.day.leaves.mean /
                              request.scene.bands[0].light.series.lit_seconds();
         EXPECT_NEAR(absorbed / light, 1, .05);
@@ -232,7 +232,7 @@ TEST_F(TwoLeaves, LeafAreaByLightSumsToAllLeafArea) {
 }
 
 TEST_F(TwoLeaves, AClockTimesGeometrySceneAndLightApart) {
-    // Each look at it is a second later than the one before.
+    // Each look at the clock is a second later than the look before.
     double now = 100;
     const Clock clock = [&] { return now++; };
     request.accuracy = {64, 3, 0, 3};

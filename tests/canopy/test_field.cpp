@@ -88,7 +88,7 @@ TEST(Field, AFractionOfPlantsIsMissingOrLate) {
             plant_area(field.mesh).leaves / plant_area(plant).leaves / fields;
     }
     EXPECT_EQ(numbers, (std::set<std::size_t>{21, 22}));
-    EXPECT_GT(places.size(), 1u);  // the first plant is missing in some
+    EXPECT_GT(places.size(), 1u);  // fields without the first
     EXPECT_NEAR(plants, 24 - 2.4, 4 * .5 / std::sqrt(fields));
     EXPECT_NEAR(area, 24 - 2.4 - 6 * .75, .2);
 }
@@ -136,7 +136,7 @@ TEST(Field, ACutPlotEndsAtItsEdge) {
     const Mesh plant = build_plant(sample, {});
     const Field field = drawn(sample, plot, {1, 0, 0});
     EXPECT_NEAR(field.cell.ground_area, 4 * 2 * 0.762 * 0.1524, 1e-12);
-    // Plants lose as much at the edge as their neighbours hang over it.
+    // The edge cuts off as much leaf area as neighbours reach across it.
     EXPECT_NEAR(plant_area(field.mesh).leaves / (8 * plant_area(plant).leaves),
                 1, .2);
     const double half_a_face = 0.1;
@@ -227,7 +227,7 @@ TEST_F(TwoLeaves, PlantsThatDifferHaveTheMeanLeafAreaOfTheirFields) {
     const double one = evaluated().lai;
     EXPECT_NE(one, line);
     EXPECT_NEAR(one, line, .3 * line);
-    // 8 fields of 8 leaves.
+    // Eight fields have 8 leaves each.
     const CanopyReport many = evaluated(Fields::each);
     EXPECT_NEAR(many.lai, line, 3 * .3 * line / 8);
     EXPECT_NE(many.lai, one);
@@ -235,7 +235,7 @@ TEST_F(TwoLeaves, PlantsThatDifferHaveTheMeanLeafAreaOfTheirFields) {
     EXPECT_NE(evaluated().lai, one);
 }
 
-//! The standard error knows of fields that differ more than their light does.
+//! The standard error contains the differences between fields.
 TEST_F(TwoLeaves, FieldsOfPlantsThatDifferAreLessCertain) {
     request.accuracy = {4096, 16};
     const Estimate alike = evaluated(Fields::each).par().light.day.leaves;
@@ -263,7 +263,7 @@ TEST_F(TwoLeaves, RandomisationsAreDividedAmongFields) {
         4 * std::hypot(of_eight.standard_error, of_each.standard_error));
 }
 
-//! The error that fields add is no part of what a tolerance asks for.
+//! A tolerance does not limit the error that fields add to that of light.
 TEST_F(TwoLeaves, AToleranceHoldsForAllFieldsTogether) {
     request.accuracy = {1 << 16, 16, .004};
     const std::uint64_t one = evaluate(request, device).paths;

@@ -67,7 +67,7 @@ FixedObject strip(int number, double from, double to, double length,
     return {mesh.groups[0].name, mesh};
 }
 
-//! One instant of light on rows of panels over strips of ground.
+//! Light of one instant on rows of panels over strips of ground.
 //! @param turn of the cell's y axis from the rows of panels [deg]
 CanopyReport panels_over_ground(const Json& config, double panel, double albedo,
                                 double turn) {
@@ -119,7 +119,7 @@ TEST_P(Panels, ShadeTheGroundAsPvlibTells) {
     EXPECT_NEAR(mean_of_strips(report) /
                     array["ground_irradiance_mean_w_m2"].get<double>(),
                 1, .003);
-    // Strips begin under the middle of a row, to where the front looks.
+    // Strips follow from the middle of a row to the side that the front faces.
     for (int i = 0; i < strips; ++i) {
         const double exact =
             array["exact_radiosity_black_panel_albedo_0.2"]["ground_profile"]

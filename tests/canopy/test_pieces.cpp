@@ -12,7 +12,7 @@
 namespace ideotype {
 namespace {
 
-//! Blades of so many square cells along x and across y, each of 1 cm.
+//! Blades of several square cells of 1 cm along x and across y.
 Mesh blades(int count, int along, int across) {
     Mesh mesh;
     mesh.groups = {{"leaf01"}, {"stalk", {0, 1}, 1}};
@@ -71,7 +71,7 @@ TEST(Pieces, OfAFieldAreThoseOfEachPlantThenWhatIsNotCut) {
         Component& one = scene.components.emplace_back();
         one.mesh = blades(1, along, 2);
         one.places = {{0, 0}, {1, 0}};
-        // A face of the stalk.
+        // The stalk has one face.
         one.mesh.faces.push_back(one.mesh.faces.front());
         one.mesh.face_group.push_back(1);
     }
@@ -83,10 +83,11 @@ TEST(Pieces, OfAFieldAreThoseOfEachPlantThenWhatIsNotCut) {
     const Pieces all = pieces_of_field(lines, field);
     ASSERT_EQ(all.count, 2u * (4 + 6));
     ASSERT_EQ(all.mesh.groups.size(), all.count + 2 + 2);
-    std::map<std::uint32_t, int> faces;  // of each group that was cut
+    std::map<std::uint32_t, int> faces;  // by the group before the cut
     for (const std::uint32_t group : all.mesh.face_group)
         ++faces[all.group[group]];
-    // Leaf and stalk of both components, then of the post, which is not cut.
+    // Groups are leaf and stalk of both components, then the post, which is not
+    // cut.
     EXPECT_EQ(faces, (std::map<std::uint32_t, int>{
                          {0, 8}, {1, 2}, {2, 12}, {3, 2}, {4, 4}, {5, 1}}));
     for (std::size_t g = 0; g < all.mesh.groups.size(); ++g) {
@@ -115,7 +116,7 @@ std::vector<double> area_from_above(const Mesh& mesh) {
 }
 
 TEST(CoarseLeaves, AreDividedAsTheyLie) {
-    // Joined, a folded quadrilateral and a triangle; then a face of the stalk.
+    // A folded quadrilateral joins a triangle; a face of the stalk follows.
     Mesh mesh;
     mesh.vertices = {
         {0, 0, 1}, {.1, 0, 1}, {.12, .1, 1.04}, {0, .08, 1.1}, {.2, .05, .95}};

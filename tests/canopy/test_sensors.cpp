@@ -35,7 +35,7 @@ TEST_F(Sensors, AboveThePlantsReceiveAllLight) {
     }
 }
 
-//! On the ground, sensors all over the row distance know what the soil absorbs.
+//! Sensors on the ground over a row distance receive what meets the soil.
 TEST_F(Sensors, OnTheSoilReceiveWhatItAbsorbs) {
     const double row = request.scene.cell.row_distance;
     std::vector<Sensor> sensors;

@@ -66,7 +66,8 @@ class WaterOfTwoLeaves : public FieldOfTwoLeaves {
             step(each);
     }
 
-    //! Returns how warm the upper leaves are over the air, times seconds [K s].
+    //! Returns the excess of the upper leaves over the temperature of the air,
+    //! times seconds [K s].
     double warming_of_top() const {
         std::size_t top = 0;
         for (std::size_t g = 0; g < leaves.size(); ++g)
@@ -82,7 +83,7 @@ class WaterOfTwoLeaves : public FieldOfTwoLeaves {
         return sum / area;
     }
 
-    //! Returns each flux of a day, with as many solved points.
+    //! Returns each flux of a day, with this many solved points.
     std::vector<Estimate> fluxes(std::uint64_t seed, double points) const {
         std::vector<Estimate> sums;
         for (const auto& flux : tally(seed, points)) {
@@ -99,7 +100,8 @@ class WaterOfTwoLeaves : public FieldOfTwoLeaves {
     std::vector<Tally> tallies, nir_tallies, longwave_tallies;
 };
 
-//! The light is the same in all: what scatters is the draw alone.
+//! All evaluations have the same light: fluxes scatter by the draw of points
+//! alone.
 TEST_F(WaterOfTwoLeaves, FewPointsStandForAllAndTellTheirError) {
     const std::vector<Estimate> all = fluxes(1, 1e6);
     constexpr int runs = 100;
@@ -109,7 +111,7 @@ TEST_F(WaterOfTwoLeaves, FewPointsStandForAllAndTellTheirError) {
         const std::vector<Estimate> one = fluxes(seed, 1);
         for (std::size_t k = 0; k < leaf_fluxes; ++k) {
             found[k].push_back(one[k].mean);
-            // The variance of light is in both.
+            // The variance of light is part of both variances.
             variance[k] += (std::pow(one[k].standard_error, 2) -
                             std::pow(all[k].standard_error, 2)) /
                            runs;
@@ -186,7 +188,7 @@ TEST_F(WaterOfTwoLeaves, EnergyOfTheCanopyCloses) {
 }
 
 TEST_F(WaterOfTwoLeaves, Co2ShutsStomataAndWarms) {
-    // Warmer leaves that are hot already would assimilate less.
+    // Leaves that are hot already would assimilate less if they were warmer.
     change([](TimeStep& step) { step.temperature = 24; });
     const auto warming = flux(LeafFlux::warming);
     const auto water = flux(LeafFlux::transpiration);

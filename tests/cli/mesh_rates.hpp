@@ -19,7 +19,7 @@ inline MeshOptions reference(const std::string& name,
     return options;
 }
 
-//! Returns the options of such a mesh whose leaves scatter a tenth of the
+//! Returns the options of a reference mesh whose leaves scatter a tenth of the
 //! light.
 inline MeshOptions mesh(const std::string& name, MeshOptions::Period period) {
     MeshOptions options = reference(name, period);
@@ -28,7 +28,7 @@ inline MeshOptions mesh(const std::string& name, MeshOptions::Period period) {
     return options;
 }
 
-//! Returns a file with this [photosynthesis] table.
+//! Returns a file that has this [photosynthesis] table.
 inline std::string table(const std::string& name, const std::string& keys) {
     const std::string path = temporary_file(name + ".toml");
     std::ofstream(path) << "[photosynthesis]\n" << keys;

@@ -32,7 +32,7 @@ void set_light(MeshOptions& options, const Json& input, const char* beam,
     }
 }
 
-//! The rule of the reference values.
+//! Checks a value by the rule of references.
 void expect_agreement(Estimate ours, const Json& reference,
                       const std::string& what) {
     const double mean = reference.at(0), error = reference.at(1);
@@ -122,7 +122,7 @@ TEST_P(ExactAssimilation, AgreesWithPieces) {
     options.is_exact = true;
     options.tolerance = 6e-3;
     const Estimate exact = rates(options).gross;
-    // Pieces have a bias, of noise in their light and of its shape.
+    // Pieces have a bias, by noise in their light and by their shape.
     EXPECT_NEAR(usual.mean, exact.mean,
                 4 * std::hypot(usual.standard_error, exact.standard_error) +
                     1e-3 * exact.mean);

@@ -78,7 +78,7 @@ TEST(Assimilation, OfBlackSphericalLeavesIsExact) {
         options.beam_ppfd =
             normal * std::sin(elevation * 3.14159265358979 / 180);
         const Estimate found = rates(options).gross;
-        // The mesh is finite.
+        // A mesh of finitely many leaves deviates from theory.
         EXPECT_NEAR(found.mean, exact, 4 * found.standard_error + .005 * exact);
     }
 }
@@ -114,7 +114,8 @@ TEST(Assimilation, ByCollatzFollowsTheWeather) {
     MeshOptions options = mesh("maize1", {.76, .15});
     options.climate = season("2011-07-23");
     options.tolerance = 3e-3;
-    // Only if asked for: else a mesh has the response of the table.
+    // The response follows weather only if the options say so: else it is that
+    // of the table.
     options.photosynthesis = table("still", "model = 'collatz'\n");
     const CanopyReport still = study(options).canopy;
     options.photosynthesis =
@@ -123,7 +124,7 @@ TEST(Assimilation, ByCollatzFollowsTheWeather) {
     const double linear = .067 * 4.57e-6 * moved.par().light.day.leaves.mean;
     EXPECT_LT(moved.assimilation->gross.sum.mean, .9 * linear);
     EXPECT_GT(moved.assimilation->gross.sum.mean, .4 * linear);
-    // In the same light: a night below 30 deg C costs less, the day gives less.
+    // In the same light, nights below 30 deg C cost less and days yield less.
     EXPECT_LT(moved.assimilation->all_respiration().at_night,
               .9 * still.assimilation->all_respiration().at_night);
     EXPECT_GT(std::abs(moved.assimilation->gross.sum.mean -
@@ -139,8 +140,8 @@ TEST(Assimilation, OfASeasonIsThatOfItsHours) {
     options.tolerance = 2e-3;
     const CanopyReport report = study(options).canopy;
     EXPECT_EQ(report.days, 62);
-    // The reference leaves out the hours around sunrise and sunset, which have
-    // some 0.3 % of it.
+    // The reference leaves out the hours around sunrise and sunset, which
+    // contribute some 0.3 %.
     const Estimate gross = report.assimilation->gross.sum;
     EXPECT_NEAR(gross.mean, 1.5318 * 1.003,
                 4 * std::hypot(gross.standard_error, .0009) + .002 * 1.5318);
@@ -148,7 +149,7 @@ TEST(Assimilation, OfASeasonIsThatOfItsHours) {
     EXPECT_THROW(check(options), Error);
 }
 
-//! Two sheets over half of the ground each, side by side, in these groups.
+//! Two sheets side by side over half of the ground each, in these groups.
 MeshOptions halves(const std::string& first, const std::string& second) {
     MeshOptions options = mesh("sheets1", {1, 1});
     options.path = temporary_file("two_groups.obj");

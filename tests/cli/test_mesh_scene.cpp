@@ -89,7 +89,7 @@ void expect_within(Estimate ours, const Ordered& reference, double more,
 
 TEST(MeshScene, HasTheLightOfEveryReferenceInEveryBand) {
     const Ordered all = stands("light");
-    std::map<std::string, CanopyReport> found;  // both bands in one run
+    std::map<std::string, CanopyReport> found;  // one run for both bands
     int values = 0;
     for (const auto& [name, expected] : all.at("cases").items()) {
         const std::string scene = name.substr(0, name.find('/'));
@@ -165,7 +165,7 @@ TEST(MeshScene, FacesOfASheetMayReflectDifferently) {
         "soil_albedo = 0.5\n[[material]]\ngroups = \"\"\n"
         "par = [0.1, 0.6, 0.2]\n");
     const BudgetEstimate day = study(options).canopy.par().light.day;
-    // Light goes back and forth between soil and the lower face.
+    // Light is reflected back and forth between the soil and the lower face.
     const double onto_soil = .2 / (1 - .5 * .6);
     const double leaf = .7 + .5 * onto_soil * .2;
     EXPECT_NEAR(day.leaves.mean, leaf, 4 * day.leaves.standard_error + 1e-9);

@@ -71,7 +71,7 @@ TEST(MeshStudy, ExtinctionOfBlackHorizontalLeavesIsThatOfBeersLaw) {
     options.sky = SkyModel::uniform;
     for (const Measured& each : measure_numbers(study(options).canopy))
         if (each.quantity.name == "extinction_coefficient") {
-            // The mesh is finite.
+            // A mesh of finitely many leaves deviates from theory.
             EXPECT_NEAR(each.estimate.mean, 1,
                         4 * each.estimate.standard_error + .01);
             EXPECT_LT(each.estimate.standard_error, .01);
@@ -81,7 +81,8 @@ TEST(MeshStudy, ExtinctionOfBlackHorizontalLeavesIsThatOfBeersLaw) {
 }
 
 TEST(MeshStudy, StalksAreNoLeavesAndHaveTheirOwnOptics) {
-    // A sheet of leaf over half of the ground, one of stalk over the other.
+    // A sheet of leaf covers half of the ground, and a sheet of stalk the other
+    // half.
     const std::string path = temporary_file("halves.obj");
     std::ofstream(path) << "v 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
                            "v .5 0 1\nv .5 1 1\n"
@@ -119,7 +120,7 @@ TEST(MeshStudy, AMeshInCentimetresIsWarnedOf) {
     EXPECT_TRUE(warnings(19).empty());
     ASSERT_EQ(warnings(230).size(), 1u);
     EXPECT_NE(warnings(230)[0].find("230 m high"), std::string::npos);
-    // Light would cross the cell a million times.
+    // Nearly horizontal light would cross the cell a million times.
     EXPECT_THROW(warnings(1e6), Error);
 }
 

@@ -12,14 +12,14 @@
 
 namespace ideotype {
 
-//! A mistake of a caller, and the condition that notices it.
+//! A mistake of a caller, and the condition that notices the mistake.
 struct Mistake {
     std::string condition;
     std::function<void()> make;
 };
 
-//! Expects that each mistake is noticed by its condition, in builds that look
-//! at contracts.
+//! Expects that the condition of each mistake notices it, in builds that check
+//! contracts.
 inline void expect_noticed(const std::vector<Mistake>& mistakes) {
 #ifndef IDEOTYPE_CONTRACTS
     GTEST_SKIP() << "this build does not look at contracts";

@@ -6,7 +6,8 @@
 namespace ideotype {
 namespace {
 
-//! Measures how many leaf points a second solves, from darkness to full light.
+//! Measures how many leaf points are solved per second, from dark to full
+//! light.
 template <auto balance>
 void leaf_points(benchmark::State& state) {
     ThermalLeaf leaf;

@@ -69,7 +69,7 @@ int paths_for(const BenchStand& stand, double tolerance) {
                 trial * std::pow(std::sqrt(squares) / tolerance, 1 / slope)));
 }
 
-//! Measures relative standard errors of the leaves' light of 10^-2 to 10^-4.
+//! Measures evaluations to relative errors of 10^-2 to 10^-4 in leaves' light.
 void evaluation(benchmark::State& state) {
     const BenchStand stand(BenchStand::ames());
     const double tolerance = std::pow(10, -static_cast<double>(state.range(0)));

@@ -12,14 +12,14 @@
 
 namespace ideotype {
 
-//! A site whose clock is the sun's, but for the equation of time.
+//! A site whose clock shows solar time, but for the equation of time.
 inline const Site middle_west{"middle west", 42.0, -90.0, -6, 300};
 
-//! Rows of a table for a test to break: half of the light that there is
-//! outside the atmosphere at middle_west, hour by hour from some date.
+//! Rows of a table for a test to break: half of the light outside of the
+//! atmosphere at middle_west, hour by hour from a date.
 class MadeCsv {
   public:
-    //! @param stamp of each row, after the beginning of its hour [h]
+    //! @param stamp the time of each row after the beginning of its hour [h]
     explicit MadeCsv(int days = 12, const Date& first = {2011, 7, 1},
                      double stamp = 0.5)
         : first_(first) {
@@ -27,7 +27,7 @@ class MadeCsv {
             rows.push_back(row(hour, stamp));
     }
 
-    //! @param stamp of the row, after the beginning of its hour [h]
+    //! @param stamp the time of the row after the beginning of its hour [h]
     std::string row(int hour, double stamp) const {
         const double light = global(hour);
         return fmt::format("{},{:.6f},20.5,60", time(hour + stamp), light);
@@ -55,7 +55,7 @@ class MadeCsv {
         return all + "\n";
     }
 
-    //! Returns the line of a row, from 1.
+    //! Returns the line of a row, counted from 1.
     static int line(std::size_t row) { return static_cast<int>(row) + 2; }
 
     std::string header = "time,ghi,t,rh";
@@ -78,7 +78,7 @@ inline WeatherRequest made_request() {
     return request;
 }
 
-//! Returns the message of the error that a text has; "" if it has none.
+//! Returns the message of the error that a text has, or "".
 inline std::string error_of(const std::string& text,
                             const WeatherRequest& request) {
     try {

@@ -32,7 +32,8 @@ TEST(ExtraterrestrialNormal, IsDefinedOnTheLastDayOfALeapYear) {
 }
 
 TEST(ClearSky, AgreesWithTheEquationsWorkedByHand) {
-    // Zenith sun at sea level: air mass 0.99971, fh1 = fh2 = 1, turbidity 3.
+    // The sun is in the zenith at sea level: air mass 0.99971, fh1 = fh2 = 1,
+    // turbidity 3.
     const double outside = extraterrestrial_normal(august);
     const Irradiance sky = clear_sky(with_turbidity(3), august, {0, 0});
     const double global = 0.868 * outside * std::exp(-0.0387 * 0.99971 * 3);

@@ -49,7 +49,7 @@ TEST(Daylight, PolarDaysAndNightsHaveNoSunrise) {
 TEST(ClockAhead, IsTheOffsetLessFourMinutesPerDegree) {
     EXPECT_NEAR(clock_ahead(ames), 1.24, 1e-12);
     EXPECT_NEAR(clock_ahead(tromso), 1 - 1.264, 1e-12);
-    // East of the date line in the time zone west of it.
+    // The place lies east of the date line in the time zone west of the line.
     EXPECT_NEAR(clock_ahead({"Kiritimati", 1.87, -157.4, 14}), 0.49333, 1e-5);
 }
 

@@ -9,7 +9,8 @@
 namespace ideotype {
 namespace {
 
-// Equation 1 of Erbs et al., by hand; test_weather_formats.cpp has pvlib's.
+// Values of equation 1 of Erbs et al. by hand; test_weather_formats.cpp has
+// those of pvlib.
 TEST(DiffuseFraction, IsThatOfErbs) {
     const double normal = 1000 / std::cos(40 * degree);
     EXPECT_DOUBLE_EQ(diffuse_fraction(0, normal, 40), 1);
@@ -23,7 +24,7 @@ TEST(DiffuseFraction, IsThatOfErbs) {
 TEST(DiffuseFraction, HasNoBeamFromALowSun) {
     EXPECT_EQ(diffuse_fraction(20, 1361, 87.1), 1);
     EXPECT_EQ(diffuse_fraction(20, 1361, 120), 1);
-    // The cosine is at least .065.
+    // The equation takes a cosine of at least .065.
     EXPECT_NEAR(diffuse_fraction(.1 * .065 * 1361, 1361, 86.9), 1 - .009,
                 1e-12);
 }

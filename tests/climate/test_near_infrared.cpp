@@ -57,7 +57,7 @@ TEST(ParShare, FallsAsTheSkyClears) {
         EXPECT_LT(share_at(par), before);
         before = share_at(par);
     }
-    // The sky is clear, half clear and overcast.
+    // The sky is clear, then half clear, then overcast.
     EXPECT_NEAR(share_at(340), .43, .01);
     EXPECT_NEAR(share_at(235), .445, .01);
     EXPECT_NEAR(share_at(50), .51, .01);
@@ -91,7 +91,7 @@ TEST(NearInfrared, IsTheRestOfSolarRadiation) {
     for (std::size_t i = 0; i < 24; ++i) {
         const TimeStep& step = series.steps[i];
         const double global = made.global(static_cast<int>(i));
-        // The file has six decimals.
+        // The file has six decimals only.
         EXPECT_NEAR(sum(step.par) + sum(step.nir), global, 1e-6);
         EXPECT_NEAR(sum(step.nir), .55 * global, 1e-6);
         EXPECT_DOUBLE_EQ(step.nir.beam * step.par.diffuse,
@@ -125,7 +125,8 @@ TEST(NearInfrared, FollowsFromPhotons) {
 }
 
 TEST(NearInfrared, LeavesParAsItWas) {
-    // The program printed this of noon on 21 July before it had near infrared.
+    // The program printed these values of noon on 21 July before it had near
+    // infrared.
     const TimeStep noon = season("umol/m2/s", .45).steps.at(12);
     EXPECT_EQ(noon.par.beam, 0x1.2357f28e48d29p+8);
     EXPECT_EQ(noon.par.diffuse, 0x1.889cd959115d8p+6);
@@ -137,7 +138,8 @@ TEST(NearInfrared, LeavesParAsItWas) {
 }
 
 TEST(NearInfrared, TakesTheUnitOfGlobalLight) {
-    // Diffuse light in photons beside solar radiation changes nothing in sum.
+    // Diffuse light in photons beside global solar radiation does not change
+    // the sum.
     MadeCsv made;
     made.header += ",sky";
     for (std::string& row : made.rows) row += ",0";

@@ -51,7 +51,7 @@ std::size_t bin_of(const glm::dvec3& travel) {
     return index(zenith / (pi / 2), rings) * sectors + index(turn, sectors);
 }
 
-//! Integrals over a sky, each weighted with cos z, by the midpoint rule.
+//! Integrals over a sky, weighted with cos z, by the midpoint rule.
 struct SkyIntegrals {
     std::vector<double> bins = std::vector<double>(rings * sectors);
     double irradiance = 0;
@@ -91,7 +91,8 @@ double p_value(double chi_square, double k) {
     return std::erfc(z / std::sqrt(2)) / 2;
 }
 
-//! p-value of random directions from one sky under the hypothesis of another.
+//! Returns the p-value of random directions from one sky under the hypothesis
+//! of another sky.
 double compare(const SkyRadiance& sampled, const SkyRadiance& hypothesis,
                std::uint32_t slot) {
     constexpr int count = 400000;
@@ -121,8 +122,8 @@ TEST(RelativeRadiance, FollowsTheStandards) {
     EXPECT_DOUBLE_EQ(relative_radiance({SkyModel::overcast, {}}, zenith), 1);
     EXPECT_DOUBLE_EQ(relative_radiance({SkyModel::overcast, {}}, horizon),
                      1. / 3);
-    // Light that comes from the west at 60 deg from the zenith, the sun in the
-    // same place, then in the zenith.
+    // Light comes from the west at 60 deg from the zenith; the sun stands
+    // there, then in the zenith.
     EXPECT_NEAR(relative_radiance(clear_sky_with(60, 270), half),
                 11.36 * (1 - std::exp(-.64)), 1e-6);
     EXPECT_NEAR(relative_radiance(clear_sky_with(0), half),
@@ -141,7 +142,7 @@ TEST(SkySampler, KnowsTheIrradianceOfItsSky) {
         EXPECT_NEAR(SkySampler(sky).horizontal_irradiance() / integral, 1, 2e-5)
             << name_of(sky);
     }
-    // A finer run of the same scheme.
+    // The expected value is that of a finer run of the same scheme.
     EXPECT_NEAR(SkySampler(clear_sky_with(50)).horizontal_irradiance(),
                 2.702100010077, 1e-10);
 }

@@ -18,7 +18,7 @@ using ::testing::HasSubstr;
 
 const Site greensboro{"greensboro", 36.1, -79.95, -5, 273};
 
-//! The numbers that pvlib reads and computes; data/weather/make.py.
+//! The numbers that pvlib reads and computes, by data/weather/make.py.
 struct Expected {
     Date date;
     double hour, zenith, azimuth, ghi, dni, dhi, erbs_dhi, temperature,
@@ -42,7 +42,7 @@ std::vector<Expected> expected() {
     return all;
 }
 
-//! Those days as `ideotype weather` writes them.
+//! The same days in the form that `ideotype weather` writes.
 std::string table_of(const std::vector<Expected>& all, bool has_parts) {
     std::string text = "time,global,temperature,humidity";
     if (has_parts) text += ",beam_normal,diffuse";
@@ -73,7 +73,7 @@ TEST_P(WeatherLight, IsWhatPvlibComputes) {
         EXPECT_EQ(step.date, e.date);
         EXPECT_EQ(step.hour, e.hour);
         EXPECT_EQ(step.seconds, 3600);
-        // Our sun is exact from 2020 on.
+        // The position of the sun is exact from 2020 on.
         EXPECT_NEAR(step.sun.zenith, e.zenith, .01);
         EXPECT_NEAR(
             (step.sun.azimuth - e.azimuth) * std::sin(e.zenith * degree), 0,
@@ -139,11 +139,11 @@ TEST(Weather, SeasonOfBondvilleHasItsLight) {
     EXPECT_TRUE(weather.warnings.empty());
     EXPECT_EQ(weather.series.days, 62);
     EXPECT_EQ(weather.series.steps.size(), 62U * 24);
-    // The sum of the column: 39.6742 mol m-2 d-1 of photons.
+    // The sum of the column is 39.6742 mol m-2 d-1 of photons.
     const double photons =
         weather.series.incident() * mol_per_mj_par / joule_per_megajoule;
     EXPECT_NEAR(photons, 39.6742, 1e-4);
-    // 798 hours with the sun above 2 deg and light.
+    // The sun is above 2 deg, and there is light, in 798 hours.
     int lit = 0;
     for (const TimeStep& step : weather.series.steps)
         lit += step.sun.zenith < 88 &&

@@ -18,7 +18,7 @@ TEST(WeatherPlace, AnotherLongitudeIsAnError) {
     request.site.longitude = -75;
     EXPECT_THAT(error_of(MadeCsv().text(), request),
                 HasSubstr("the light comes 1 h later"));
-    // Half an hour may be the weather.
+    // A difference of half an hour may come from the weather.
     request.site.longitude = -82.5;
     const auto warnings = parse_weather(MadeCsv().text(), request).warnings;
     ASSERT_EQ(warnings.size(), 1U);
@@ -28,11 +28,11 @@ TEST(WeatherPlace, AnotherLongitudeIsAnError) {
 TEST(WeatherPlace, AWrongStampIsAnError) {
     WeatherRequest request = made_request();
     request.columns.stamp = Stamp::end;
-    // Half an hour may be the weather.
+    // A difference of half an hour may come from the weather.
     const auto warnings = parse_weather(MadeCsv().text(), request).warnings;
     ASSERT_EQ(warnings.size(), 1U);
     EXPECT_THAT(warnings[0].what, HasSubstr("the light comes 0.5 h earlier"));
-    // The ends of hours as if they were beginnings.
+    // Ends of hours are taken for beginnings.
     request.columns.stamp = Stamp::beginning;
     EXPECT_THAT(error_of(MadeCsv(12, {2011, 7, 1}, 1).text(), request),
                 HasSubstr("1 h later"));

@@ -9,7 +9,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-//! Returns what is wrong with a table after some change.
+//! Returns the message of the error that a table has after a change.
 template <class Change>
 std::string problem(Change&& change) {
     MadeCsv made;
@@ -17,13 +17,13 @@ std::string problem(Change&& change) {
     return error_of(made.text(), made_request());
 }
 
-//! The light of a row becomes this.
+//! Replaces the light of a row.
 void set_light(MadeCsv& made, int row, const std::string& light) {
     made.rows[static_cast<std::size_t>(row)] =
         made.time(row + .5) + "," + light + ",20.5,60";
 }
 
-constexpr int noon = 36, midnight = 24;  //!< rows
+constexpr int noon = 36, midnight = 24;  //!< numbers of rows
 
 TEST(WeatherProblems, MissingLightByDayIsAnError) {
     for (const char* missing : {"-999", "-9999", "9999", "NaN", "NA", ""})
@@ -32,7 +32,7 @@ TEST(WeatherProblems, MissingLightByDayIsAnError) {
             HasSubstr("made.csv:38:1: the light of 2011-07-02 12:30 is not "
                       "known"))
             << missing;
-    // One problem for hours in a row.
+    // Consecutive hours without light are one problem.
     const std::string several = problem([](MadeCsv& made) {
         for (int i = noon; i < noon + 3; ++i) set_light(made, i, "-999");
     });
@@ -163,7 +163,7 @@ TEST(WeatherProblems, NumbersAreRead) {
                     made.rows.push_back("9999-07-02 12:30,0,20,60");
                 }),
                 HasSubstr("the file has only 289 of the"));
-    // Only the first twenty of many are told.
+    // Only the first twenty of many problems are told.
     EXPECT_THAT(problem([](MadeCsv& made) {
                     for (int i = 0; i < 50; ++i) set_light(made, i, "x");
                 }),

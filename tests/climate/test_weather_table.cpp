@@ -16,7 +16,7 @@ Weather weather_of(const MadeCsv& made, const WeatherRequest& request) {
     return parse_weather(made.text(), request);
 }
 
-//! Whether two weathers are the same, but for rounding.
+//! Returns whether two weathers are equal within rounding.
 void expect_same(const Weather& a, const Weather& b) {
     ASSERT_EQ(a.series.steps.size(), b.series.steps.size());
     for (std::size_t i = 0; i < a.series.steps.size(); ++i) {
@@ -154,7 +154,7 @@ TEST(WeatherTable, HalfHoursAreSteps) {
 }
 
 TEST(WeatherTable, GivenPartsOfTheLightAreKept) {
-    // The step around noon.
+    // The step is that around noon.
     const auto with = [](const std::string& parts, auto&& set) {
         MadeCsv made;
         made.header = "time,ghi,t,rh,x,y";
@@ -180,7 +180,7 @@ TEST(WeatherTable, GivenPartsOfTheLightAreKept) {
     });
     EXPECT_NEAR(normal.par.beam, 225 * cosine, 1e-5);
     EXPECT_NEAR(normal.par.diffuse, global - 225 * cosine, 1e-5);
-    // Unknown where it would be wanted: as without the column.
+    // Values that are not known count as if there were no column.
     const TimeStep erbs = with("-999,", [](ColumnMap& columns) {
         columns.diffuse = Column{"x", "W/m2"};
     });

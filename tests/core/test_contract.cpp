@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Contracts are looked at here, whatever the build says.
+// Contracts are checked in this file, whatever the build says.
 #ifndef IDEOTYPE_CONTRACTS
 #define IDEOTYPE_CONTRACTS
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Contracts are not looked at here, whatever the build says.
+// Contracts are not checked in this file, whatever the build says.
 #undef IDEOTYPE_CONTRACTS
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ TEST(ContractOff, MayNotHold) {
     EXPECT_NO_THROW(IDEOTYPE_ENSURE(1 + 1 == 3));
 }
 
-// It is an expression that a constant function may have.
+// A contract is an expression that a constant function may have.
 constexpr int half(int n) {
     IDEOTYPE_EXPECT(n % 2 == 0);
     return n / 2;

@@ -77,13 +77,13 @@ TEST(ShortQuotes, AreOfLongTextsOnly) {
     EXPECT_EQ(with_short_quotes("\"" + name.substr(0, 50) + ' ' + name + '"'),
               '"' + std::string(50, 'n') + ' ' + std::string(9, 'n') +
                   "... (151 bytes)\"");
-    // The program's own words and paths stay whole.
+    // The program's own words and paths are not cut.
     std::string lists;
     for (int i = 0; i < 9; ++i) lists += list;
     EXPECT_EQ(with_short_quotes(lists), lists);
     const std::string path = "cannot read /" + name + "/x.toml";
     EXPECT_EQ(with_short_quotes(path), path);
-    // No character is cut in two.
+    // No character is split.
     std::string umlauts = "\"n";
     for (int i = 0; i < 50; ++i) umlauts += "\u00e4";
     EXPECT_EQ(with_short_quotes(umlauts).substr(0, 63),

@@ -63,7 +63,7 @@ double root_mean_square(const std::vector<double>& values) {
 }  // namespace
 
 TEST(RelativeGain, HasTheErrorOfTheRatio) {
-    // A baseline of .171 and a plant four times as good, which share part of
+    // The baseline has .171 and a plant four times as much; they share part of
     // their noise, as carbon balances at 15 x 3 inches do.
     RandomStream random(2, Purpose::jitter);
     const auto noise = [&] { return random.uniform() - 0.5; };

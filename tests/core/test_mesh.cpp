@@ -35,7 +35,8 @@ TEST(FaceAreas, FollowATwistedFaceAlongOneDiagonal) {
     Mesh mesh;
     mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {1, 1, 1}, {0, 1, 0}};
     mesh.faces = {{0, 1, 2, 3}};
-    // The flat half, and half of a square seen from its folded corner.
+    // The face has a flat half, and half of a square seen from its folded
+    // corner.
     EXPECT_DOUBLE_EQ(face_areas(mesh)[0], 0.5 + std::sqrt(3.0) / 2);
 }
 

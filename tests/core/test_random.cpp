@@ -79,7 +79,7 @@ TEST(RandomStream, UniformHasTheRightMomentsAndRange) {
         sum += x;
         squares += x * x;
     }
-    // Four standard errors.
+    // The bound is four standard errors.
     EXPECT_NEAR(sum / n, 1.0 / 2, 4 * std::sqrt(1.0 / 12 / n));
     EXPECT_NEAR(squares / n, 1.0 / 3, 4 * std::sqrt(4.0 / 45 / n));
 }
@@ -113,13 +113,14 @@ TEST(RandomStream, BelowIsEquallyLikelyEverywhere) {
         double chi_squared = 0;
         for (const double count : counts)
             chi_squared += (count - expected) * (count - expected) / expected;
-        // Mean n - 1 and variance 2 (n - 1); four standard deviations.
+        // The mean is n - 1 and the variance 2 (n - 1); bounds are four
+        // standard deviations.
         EXPECT_LE(chi_squared, n - 1 + 4 * std::sqrt(2.0 * (n - 1))) << n;
     }
 }
 
 TEST(RandomStream, BelowHasNoBiasNearTheLargestNumber) {
-    // Taking the remainder would draw the lower half twice as often.
+    // Remainders of a division would draw the lower half twice as often.
     constexpr std::uint32_t n = 0xaaaaaaab;
     RandomStream stream(seed, Purpose::selection);
     int lower = 0;

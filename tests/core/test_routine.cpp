@@ -12,7 +12,7 @@ namespace ideotype {
 
 namespace {
 
-//! Pauses whoever awaits it until go_on().
+//! Pauses every routine that awaits it until go_on() is called.
 struct Gate {
     bool await_ready() const { return false; }
     void await_suspend(std::coroutine_handle<> handle) { awaiting = handle; }

@@ -11,7 +11,7 @@ namespace ideotype {
 
 namespace {
 
-//! Returns the status of a child process that runs this.
+//! Returns the exit status of a child process that runs a function.
 template <class Function>
 int status_of_child(Function run) {
     const pid_t child = fork();
@@ -88,7 +88,7 @@ TEST(StopFlag, IsDownAgainAfterAnotherOneWasUp) {
     const StopFlag stop;
     EXPECT_FALSE(stop.requested());
     EXPECT_EQ(stop.signal(), 0);
-    // Only one interrupt so far has come to this one.
+    // This flag has seen only one interrupt so far.
     raise(SIGINT);
     EXPECT_EQ(stop.signal(), SIGINT);
 }
@@ -132,7 +132,7 @@ TEST(StopFlag, AnInterruptedReadGoesOn) {
     const StopFlag stop;
     const pid_t child = fork();
     if (child == 0) {
-        // Give the parent time to begin its read.
+        // The parent gets time to begin its read.
         usleep(100'000);
         kill(getppid(), SIGUSR1);
         usleep(100'000);

@@ -75,7 +75,7 @@ TEST(Growth, StemsGrowToTheHeightsOfThePlant) {
     }
 }
 
-//! Returns the sum of a group of leaves of a plant at an age [m2].
+//! Returns the area of green leaves, or of dead ones, in a mesh [m2].
 double mesh_area(const Mesh& mesh, bool are_leaves) {
     double sum = 0;
     const std::vector<double> areas = face_areas(mesh);
@@ -89,7 +89,7 @@ double mesh_area(const Mesh& mesh, bool are_leaves) {
 TEST(Growth, TheMeshOfAPlantHasItsGreenAndDeadAreaAtEachAge) {
     const Plant plant = complete_plant(hybrid, sample_plant());
     ASSERT_EQ(plant.leaves.size(), 19u);
-    // A blade is 0.7455 length x width; its area in the plant follows.
+    // A complete blade has the area 0.7455 length x width.
     const std::vector<LeafDates> dates = leaf_dates(hybrid);
     for (const double tau : {60., 300., 700., 887., 1100., 1500., 2100.}) {
         double green = 0, dead = 0;

@@ -96,7 +96,7 @@ TEST(LeafSurface, FoldRaisesTheEdgesTowardsTheUpperSide) {
     EXPECT_NEAR(blade_width(folded), blade_width(flat), 1e-9);
 }
 
-//! Returns a leaf with all that may be told of a blade.
+//! Returns a leaf whose blade is rolled and twisted.
 Leaf rolled_leaf() {
     Leaf leaf = sample_plant().leaves[1];
     leaf.roll = 40;

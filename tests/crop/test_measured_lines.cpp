@@ -10,8 +10,8 @@
 namespace ideotype {
 namespace {
 
-//! Angles of the leaf below the highest one, whose means are those of the
-//! sample, and heights.
+//! Lines with two traits, the angle of the leaf below the highest one and the
+//! height of the stalk, whose means are those of the sample.
 MeasuredLines two_traits(double correlation) {
     const Plant plant = sample_plant();
     return {
@@ -62,7 +62,8 @@ TEST(MeasuredLines, LeavesAreCountedFromTheEarOrTheTop) {
     };
     EXPECT_EQ(angle("ear"), 10);
     EXPECT_EQ(angle("ear+1"), 20);
-    EXPECT_EQ(angle("ear-7"), 0);  // no plant has it: the lowest
+    EXPECT_EQ(angle("ear-7"),
+              0);  // no such leaf: the lowest counts
     EXPECT_EQ(angle("top"), 20);
     EXPECT_EQ(angle("top-1"), 10);
     EXPECT_TRUE(names_leaf("ear-12"));

@@ -96,7 +96,8 @@ TEST(Plant, StalksTaper) {
     EXPECT_DOUBLE_EQ(sample.stalk.radius(0), 0.012);
     EXPECT_DOUBLE_EQ(sample.stalk.radius(0.8), 0.00875);
     EXPECT_DOUBLE_EQ(sample.stalk.radius(9), 0.0055);
-    // Side of a cone without its tip: pi (r + R) times its slant height.
+    // The side of a truncated cone has the area pi (r + R) times its slant
+    // height.
     const double slant = std::hypot(1.6, 0.0065);
     EXPECT_NEAR(area_of(build_plant(sample, {12, 200}), "stalk") /
                     (std::numbers::pi * 0.0175 * slant +
@@ -143,7 +144,7 @@ TEST(Plant, SheathsCoverTheStalkBelowEachLeafAndAreNoLeaves) {
     EXPECT_NEAR(area_of(mesh, "sheath"),
                 std::numbers::pi * 0.022 * 1.1 + tops(0.011, 3), 1e-9);
     EXPECT_NEAR(area_of(mesh, "stalk"), std::numbers::pi * 0.02 * 0.5, 1e-9);
-    // Sheaths that are longer than all internodes leave nothing bare.
+    // Sheaths that are longer than all internodes leave no stalk bare.
     sample.sheath.length = 0.81;
     EXPECT_EQ(area_of(build_plant(sample, {}), "stalk"), 0);
 }

@@ -16,7 +16,7 @@ RandomStream stream(std::uint64_t seed = 1) {
     return {seed, Purpose::variation};
 }
 
-//! The spread of what so many plants have, over their mean or in its unit.
+//! The mean of a measure over many plants, and its standard deviation.
 struct Spread {
     double mean, deviation;
 };
@@ -98,7 +98,8 @@ TEST(PlantVariation, LeansNoLeafToTheOtherSideOfTheStalk) {
 }
 
 TEST(PlantVariation, MostBladesAreHardlyTwistedAndSomeAlot) {
-    // Measured: a standard deviation of 86 deg, and 43 deg for half of them.
+    // The measured standard deviation is 86 deg, and 43 deg for half of the
+    // plants.
     RandomStream random = stream();
     std::vector<double> sizes;
     double squares = 0;

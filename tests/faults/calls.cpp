@@ -25,7 +25,7 @@ using faults::next_of_file;
 
 namespace {
 
-//! Returns the function of this name that ours hides.
+//! Returns the function of this name that the function of this file hides.
 template <typename Function>
 Function* hidden(const char* name) {
     return reinterpret_cast<Function*>(dlsym(RTLD_NEXT, name));
@@ -35,7 +35,7 @@ std::size_t half(std::size_t size) {
     return std::max<std::size_t>(size / 2, std::min<std::size_t>(size, 1));
 }
 
-//! Transfers bytes by a call, or fails, or transfers half of them.
+//! Transfers bytes by a call, or fails, or transfers half of the bytes.
 template <typename Call>
 ssize_t transfer(Kind kind, int file, std::size_t size, Call call) {
     const Fault fault = next_of_file(kind, file);
@@ -120,7 +120,8 @@ ssize_t pwrite64(int file, const void* bytes, std::size_t size, off64_t at) {
                     [&](std::size_t n) { return real(file, bytes, n, at); });
 }
 
-// The C++ library writes files with it: the first part alone is a short write.
+// The C++ library writes files with writev: writing the first part alone is a
+// short write.
 ssize_t writev(int file, const iovec* parts, int count) {
     static auto* const real = hidden<decltype(writev)>("writev");
     return transfer(
@@ -257,7 +258,7 @@ int pthread_create(pthread_t* thread, const pthread_attr_t* attributes,
                             : real(thread, attributes, action, argument);
 }
 
-// Allocations of C: those of `operator new` are counted by themselves.
+// Allocations of C; `operator new` is counted separately.
 void* malloc(std::size_t size) {
     return fails(next(Kind::grow)) ? nullptr : __libc_malloc(size);
 }

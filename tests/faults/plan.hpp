@@ -3,7 +3,7 @@
 
 namespace faults {
 
-//! Calls that are counted, and fail, together.
+//! Kinds of calls that are counted, and fail, together.
 enum class Kind {
     write,
     reserve,
@@ -22,23 +22,24 @@ enum class Kind {
 
 //! The treatment of a call.
 struct Fault {
-    int error = 0;            //!< errno of the call that fails; 0 if it is cut
-    bool is_short = false;    //!< it transfers half of its bytes
-    bool is_delayed = false;  //!< it takes half a second longer
+    int error = 0;            //!< errno of a call that fails, or 0
+    bool is_short = false;    //!< the call transfers half of its bytes
+    bool is_delayed = false;  //!< the call takes half a second longer
     explicit operator bool() const {
         return error != 0 || is_short || is_delayed;
     }
 };
 
-//! Tells that main() begins, before which no allocation is counted: of what
-//! constructors of libraries and static objects lack, nobody can tell.
+//! Tells that main() begins. Allocations before main() are not counted: no
+//! program can report that constructors of static objects lack memory.
 void begin_main();
 
-//! Counts a call of this kind and returns what is to be done to it.
-//! \param what the file, if any; null otherwise
+//! Counts a call of this kind and returns its treatment.
+//! \param what the path of the call's file; null if it has none
 Fault next(Kind kind, const char* what = nullptr);
 
-//! As next(), for an open file: its name is asked only if somebody wants it.
+//! Counts a call on an open file as next() does, and asks for the file's name
+//! only if the plan needs it.
 Fault next_of_file(Kind kind, int descriptor);
 
 }  // namespace faults

@@ -32,7 +32,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
     read(text, request);
     request.period = ideotype::Period{{1981, 7, 2}, {1981, 7, 3}};
     read(text, request);
-    // The columns of nsrdb.csv.
+    // These are the columns of nsrdb.csv.
     auto& columns = request.columns;
     columns.time = {"Year", "Month", "Day", "Hour", "Minute"};
     columns.stamp = ideotype::Stamp::middle;

@@ -39,7 +39,8 @@ class Mutator {
         return all[below(all.size())];
     }
 
-    //! One byte, a word that is likely to hurt, or a part moved or removed.
+    //! Changes one byte, inserts a word that is likely to hurt, or moves or
+    //! removes a part.
     void change(Text& text) {
         static const std::vector<Text> words{
             "-1",  "0",    "nan", "1e999",       "99999999999", "\n",

@@ -45,7 +45,7 @@ inline HistoryHeader sample_header() {
     return header;
 }
 
-//! Any numbers, the same for the same generation and slot.
+//! Returns numbers that follow from generation and slot alone.
 inline Candidate sample_candidate(std::uint32_t generation,
                                   std::uint32_t slot) {
     Candidate candidate;
@@ -83,7 +83,7 @@ inline std::size_t propose(History& history, std::uint32_t generation,
     return history.propose(generation, candidates.size(), 0, candidates);
 }
 
-//! Slots of a generation that are proposed, and not done or failed yet.
+//! Returns slots of a generation that are proposed, and not done or failed yet.
 inline std::vector<std::uint32_t> pending(const History& history,
                                           std::uint32_t generation) {
     std::vector<std::uint32_t> slots;
@@ -93,7 +93,7 @@ inline std::vector<std::uint32_t> pending(const History& history,
     return slots;
 }
 
-//! Records all that is pending of a generation.
+//! Records all pending slots of a generation.
 inline void record_pending(History& history, std::uint32_t generation) {
     for (const std::uint32_t slot : pending(history, generation))
         history.record(generation, slot, sample_outcome(generation, slot), 1);
@@ -106,8 +106,8 @@ inline void complete(History& history, std::uint32_t generation) {
     history.commit(generation, {.best_slot = 3, .best = generation + 0.5});
 }
 
-//! Exit code of a process that runs action, 99 if it threw. HDF5 does not let
-//! one process have a file open to read and to write.
+//! Returns the exit code of a process that runs an action, or 99 if the action
+//! threw. HDF5 does not let one process have a file open to read and to write.
 template <class Action>
 int in_other_process(Action action) {
     const pid_t child = fork();
@@ -140,7 +140,7 @@ class HistoryTest : public testing::Test {
         std::make_unique<History>(History::create(path, sample_header()));
 };
 
-//! Returns what an action is refused with.
+//! Returns the message with which an action is refused.
 inline std::string refusal(const std::function<void()>& action) {
     try {
         action();

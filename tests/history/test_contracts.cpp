@@ -19,7 +19,8 @@ namespace ideotype {
 
 namespace {
 
-//! The parts of a history, open to write, of which generation 0 is proposed.
+//! The parts of a history that is open for writing and whose generation 0 is
+//! proposed.
 class Parts {
   public:
     Parts() {
@@ -34,7 +35,7 @@ class Parts {
     const std::string path_ = folder_ / "case.h5";
 };
 
-//! Breaks a contract of the generations of a history.
+//! Breaks a contract of a history's generations.
 template <class Action>
 void with_generations(Action action) {
     const Parts parts;
@@ -43,7 +44,7 @@ void with_generations(Action action) {
     action(generations);
 }
 
-//! Breaks a contract of the rows of a history.
+//! Breaks a contract of a history's rows.
 template <class Action>
 void with_columns(Action action) {
     const Parts parts;

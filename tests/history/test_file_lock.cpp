@@ -19,12 +19,12 @@
 
 namespace {
 
-// The errno of locks on a file system without them; 0: they work.
+// The errno of locks on a file system without locks; 0 if locks work.
 int lock_failure = 0;
 
 }  // namespace
 
-// In place of the C library's.
+// Stands in for the C library's fcntl.
 extern "C" int fcntl(int descriptor, int command, ...) {
     va_list arguments;
     va_start(arguments, command);
@@ -165,7 +165,7 @@ TEST(FileLock, OverwritesNothingThatAnotherNameLeadsTo) {
     expect_refused();
     ASSERT_EQ(mkfifo(unfinished.c_str(), 0600), 0);
     expect_refused();
-    // Version 0.2.0 followed this one.
+    // Version 0.2.0 followed this link.
     std::filesystem::create_symlink(precious, path + ".lock");
     History::create(path, sample_header());
     EXPECT_EQ(text_of(precious), "hi");
@@ -193,7 +193,7 @@ TEST(FileLock, FolderThatCannotBeWrittenIsNamedWithARemedy) {
     History::create(path, sample_header());
     chmod((folder / "").c_str(), 0555);
     const int code = in_other_process([&] {
-        // To root no folder is read-only.
+        // No folder is read-only to root.
         if (geteuid() == 0 && setuid(65534) != 0) return 1;
         if (History::read(path).next_generation() != 0) return 2;
         for (const auto& open : std::vector<std::function<void()>>{

@@ -87,7 +87,7 @@ TEST_F(HistoryTest, ChangedProposalIsRefusedByName) {
         << message;
 
     candidates = sample_candidates(0);
-    candidates[3].genome[2] = 0.0;  // was -0.0
+    candidates[3].genome[2] = 0.0;  // the value was -0.0
     message = refusal([&] { propose(*history, 0, candidates); });
     EXPECT_NE(message.find("slot 3"), std::string::npos) << message;
 

@@ -98,7 +98,8 @@ TEST_F(HistoryTest, FailedRowKeepsItsReasonAndNoNumbers) {
     propose(*history, 0, sample_candidates(0));
     Outcome outcome = sample_outcome(0, 1);
     outcome.status = Status::failed;
-    // 159 bytes and a character of two: it would end in its middle.
+    // The message has 159 bytes and a character of two bytes, which the end of
+    // the field would split.
     outcome.message = std::string(159, 'x') + "\u00e9";
     history->record(0, 1, outcome, 3);
     reopen();
@@ -207,7 +208,7 @@ TEST_F(HistoryTest, ClockThatJumpsDoesNoHarm) {
          {"2025-08-07T12:00:00Z", "1970-01-01T00:00:00Z",
           "2125-08-07T12:00:00Z", "2025-08-07T12:00:01Z"}) {
         history->begin_session({started, "node", "run", 1});
-        // Nor does a time that runs backwards.
+        // A time that runs backwards does no harm either.
         history->set_wall_time(100.0 - g);
         complete(*history, g++);
         reopen();
@@ -218,8 +219,8 @@ TEST_F(HistoryTest, ClockThatJumpsDoesNoHarm) {
 }
 
 TEST_F(HistoryTest, OnlyValuesChange) {
-    // Were the file to grow, HDF5 would have to change its own structures,
-    // and a kill could leave them unreadable.
+    // If the file grew, HDF5 would have to change its own structures, and a
+    // kill could leave them unreadable.
     const auto size = std::filesystem::file_size(path);
     history->begin_session({"2025-08-07T12:00:00Z", "node1", "run", 4});
     for (std::uint32_t g = 0; g < 5; ++g) complete(*history, g);

@@ -7,7 +7,7 @@
 namespace ideotype {
 namespace {
 
-// All texts of a list, as analysis/FORMAT.md lays them out.
+// Returns all texts of a list, as analysis/FORMAT.md lays them out.
 std::vector<std::string> read_texts(const std::string& path, const char* name,
                                     std::size_t size) {
     const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);

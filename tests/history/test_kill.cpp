@@ -23,14 +23,13 @@ HistoryHeader long_header() {
     return header;
 }
 
-// A row or generation that is reported once it is durable; generation alone
-// means committed.
+// A report of a durable row, or of a committed generation, whose slot is -1.
 struct Report {
     std::uint32_t generation = 0;
     std::int32_t slot = -1;
 };
 
-// Evolves until the end or the kill, and reports through a pipe.
+// Evolves until the end or a kill, and reports through a pipe.
 [[noreturn]] void write_history(const std::string& path, int pipe) {
     const auto report = [&](const Report& what) {
         if (write(pipe, &what, sizeof what) != sizeof what) _exit(3);
@@ -98,7 +97,8 @@ void expect_outcome(const Row& row, std::uint32_t g, std::uint32_t slot) {
     EXPECT_EQ(row.outcome.randomisations, outcome.randomisations);
 }
 
-// Every row that claims to be there is right, finished or not.
+// Expects that finished rows are right, and that only the last generation has
+// unfinished rows.
 void expect_sound(const History& history) {
     for (std::uint32_t g = 0; g <= history.next_generation(); ++g) {
         if (g == generations) break;

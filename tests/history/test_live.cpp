@@ -10,13 +10,13 @@
 namespace ideotype {
 namespace {
 
-//! Is called before each read of a file, also of HDF5.
+//! A function that is called before each read of a file, also by HDF5.
 std::function<void()> before_read;
 
 }  // namespace
 }  // namespace ideotype
 
-//! Stands in for that of the system.
+//! Stands in for the system's pread.
 extern "C" [[gnu::visibility("default")]] ssize_t pread(int file, void* bytes,
                                                         std::size_t count,
                                                         off_t first) {
@@ -27,9 +27,9 @@ extern "C" [[gnu::visibility("default")]] ssize_t pread(int file, void* bytes,
 namespace ideotype {
 namespace {
 
-// A writer in a process of its own that goes on step by step. The reader is
-// this process: a copy of a process that has the file open would not read the
-// file but inherit what HDF5 remembers of it.
+// A writer in a process of its own that goes on step by step. The reader is the
+// test's process: a copy of a process that has the file open would not read the
+// file but inherit HDF5's memory of it.
 class Writer {
   public:
     using Step = std::function<void(History&)>;
@@ -63,7 +63,7 @@ class Writer {
     Writer(const Writer&) = delete;
     Writer& operator=(const Writer&) = delete;
 
-    //! Takes one step.
+    //! Makes the writer take one step.
     void step() {
         ASSERT_EQ(::write(go_[1], "g", 1), 1);
         ASSERT_TRUE(wait(done_[0]));
@@ -132,7 +132,7 @@ TEST(Live, ReaderThatStaysOpenSeesWhatIsWrittenLater) {
 }
 
 TEST(Live, CaseMayBeOverBetweenTwoReads) {
-    constexpr int apart = 5;  // so that it is quick
+    constexpr int apart = 5;  // a small history, so that the test is quick
     int reads = 0;
     for (int at = 0; at <= reads; at += apart) {
         const Folder folder;

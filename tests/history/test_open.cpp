@@ -29,7 +29,8 @@ Failure failure_of(const std::function<void()>& action) {
     return {};
 }
 
-// Opening in both ways is refused with the file's name and this reason.
+// Expects that opening in either way is refused with the file's name and this
+// reason.
 void expect_refused(const std::string& path, const std::string& reason) {
     for (const auto open : {History::read, History::resume}) {
         const Failure failure = failure_of([&] { open(path); });

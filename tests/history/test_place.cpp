@@ -13,7 +13,7 @@
 namespace ideotype {
 namespace {
 
-// Whoever opens it must say that there is such a thing instead of a history.
+// Opening the path must say that there is such a thing instead of a history.
 void expect_no_history(const std::string& path, const std::string& thing) {
     for (const auto& open : std::vector<std::function<void()>>{
              [&] { History::create(path, sample_header()); },

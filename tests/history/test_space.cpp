@@ -33,7 +33,8 @@ std::intmax_t hole_bytes(const std::string& path) {
     return status.st_size - status.st_blocks * 512;
 }
 
-// Returns what action says in a process with a limit on the size of files.
+// Returns the message of an action in a process with a limit on the size of
+// files.
 std::string message_under_limit(const Folder& folder, std::uintmax_t bytes,
                                 const std::function<void()>& action) {
     const int code = in_other_process([&] {
@@ -101,7 +102,7 @@ TEST(Space, IsTakenAnewForACopyWithHoles) {
         History history = History::create(path, large_header());
         propose(history, 0, sample_candidates(0, 1000));
     }
-    // Only what is written: the rest of the copy is a hole.
+    // Only written parts are copied: the rest of the copy is a hole.
     constexpr std::uintmax_t written = 2'000'000;
     {
         std::ifstream in(path, std::ios::binary);

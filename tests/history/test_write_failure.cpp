@@ -41,7 +41,8 @@ TEST(WriteFailure, NamesTheFileAndKeepsWhatWasRecorded) {
             if (!what.starts_with(path)) return 2;
             if (what.find("File too large") == std::string::npos) return 3;
         }
-        // After that it stores nothing more, and does not pretend to.
+        // After the failure the history stores nothing more, and does not
+        // pretend to.
         try {
             history.message("still here?");
             return 4;
@@ -61,8 +62,7 @@ TEST(WriteFailure, NamesTheFileAndKeepsWhatWasRecorded) {
     EXPECT_EQ(history.next_generation(), 2U);
 }
 
-// Returns what a history says when it is to commit a generation; empty if it
-// does.
+// Returns the message of a history that fails to commit a generation, or "".
 std::string message_of_commit(History& history) {
     try {
         complete(history, 0);
@@ -109,7 +109,7 @@ TEST(WriteFailure, ReplacedFileTakesNoMoreAndTheNewOneIsLeftAlone) {
     std::filesystem::copy_file(folder / "away.h5", path);
     EXPECT_NE(message_of_commit(history), "");
     EXPECT_EQ(History::read(path).evaluated(), 0U);
-    // Put back in its place, it goes on.
+    // Once the file is back in its place, the history goes on.
     std::filesystem::rename(folder / "away.h5", path);
     EXPECT_EQ(message_of_commit(history), "");
     EXPECT_EQ(history.next_generation(), 1U);

@@ -9,8 +9,8 @@
 
 namespace ideotype {
 
-//! Expects ours within four combined standard errors of a reference, and the
-//! standard error of ours below a bound.
+//! Expects our value within four combined standard errors of a reference, and
+//! our standard error below a bound.
 void expect_agreement(Estimate ours, Estimate reference, double bound,
                       const std::string& what);
 

@@ -108,8 +108,8 @@ void edges_and_vertices(Findings& findings) {
                     const glm::dvec3 d{slope * std::sin(a) / length,
                                        slope * std::cos(a) / length,
                                        -1 / length};
-                    // ObjectiveEntry from a hair above, so that the ray stays
-                    // in the cell.
+                    // Rays begin slightly above the sheet, so that they stay in
+                    // the cell.
                     const double up = 1e-4;
                     const glm::dvec3 from{own_cell.x * i / 14 - d.x / -d.z * up,
                                           own_cell.y * j / 14 - d.y / -d.z * up,
@@ -158,8 +158,8 @@ void one_centimetre_apart(Findings& findings) {
 }
 
 void fifty_metres_apart(Findings& findings) {
-    // From the zenith a black plant far from all others takes its projected
-    // area; so do four of them in a field of two rows.
+    // Under the zenith a black plant far from all others absorbs the light on
+    // its projected area; so do four such plants in a field of two rows.
     Mesh mesh = leaves_only();
     add_leaf(mesh, {-2, -2, .4}, {4, 0, 0}, {0, 4, 1});
     const Mesh field = in_lattice(mesh, {2, 2, {50, 50}, 0});

@@ -103,7 +103,7 @@ void one_path(Findings& findings) {
 }
 
 void paths_beyond_two_to_the_32(Findings& findings) {
-    // Path p of randomisation r is path r x paths + p of all.
+    // Path p of randomisation r has the number r x paths + p.
     const Mesh mesh = load_reference_mesh("maize1");
     const RayScene scene(widest_device(), mesh, own_cell.x, own_cell.y);
     const Accuracy accuracy{4096, 16};
@@ -126,8 +126,9 @@ void paths_beyond_two_to_the_32(Findings& findings) {
 }
 
 void last_paths_of_the_largest_net(Findings& findings) {
-    // The ends of a net of 2^31 paths; any 2^16 in a row that start at a
-    // multiple of that are themselves a net in every dimension.
+    // The first and the last points of a net of 2^31 paths; any 2^16
+    // consecutive points from a multiple of 2^16 on are a net in every
+    // dimension.
     constexpr std::uint32_t paths = std::uint32_t{1} << 31;
     constexpr std::uint32_t some = 1 << 16;
     PathSampler sampler(1, 0, 0, paths);
@@ -141,7 +142,7 @@ void last_paths_of_the_largest_net(Findings& findings) {
                 sum += x / some;
             }
         }
-        // Independent numbers deviate by .0011.
+        // Means of independent numbers deviate by .0011.
         for (const double mean : sums)
             findings.require(std::abs(mean - .5) < .005, "means are 1/2");
     }

@@ -12,7 +12,7 @@ inline constexpr GroundPeriod own_cell{0.76, 0.15};
 inline const Optics par = leaf_optics(.05, .05, .1);
 inline const Optics black = leaf_optics(0, 0, 0);
 
-//! Collects what one extreme case shows.
+//! Collects the results of one extreme case.
 class Findings {
   public:
     //! Traces, and requires that all figures are finite fractions and that
@@ -21,26 +21,26 @@ class Findings {
                       const Optics& optics, const Illumination& light,
                       Accuracy accuracy = {256, 4});
 
-    //! As above, for fractions that come from elsewhere.
+    //! Requires the same as closing() of fractions that come from elsewhere.
     void require_closed(const Fractions& fractions);
 
     //! Notes a condition that must hold.
     void require(bool holds, const std::string& what);
 
-    //! Requires ours within four combined standard errors of a reference, and
-    //! ours to have a standard error below a bound.
+    //! Requires our value within four combined standard errors of a reference,
+    //! and our standard error below a bound.
     void require_agreement(Estimate ours, Estimate reference, double bound,
                            const std::string& what);
 
-    //! Notes in words what came out.
+    //! Notes a result in words.
     void say(const std::string& words);
 
     const std::vector<std::string>& failures() const { return failures_; }
-    //! Returns the number of balances that were looked at.
+    //! Returns the number of balances that were checked.
     int traces() const { return traces_; }
-    //! Largest in any randomisation of any trace.
+    //! Returns the largest balance error in any randomisation of any trace.
     double balance_error() const { return balance_error_; }
-    //! Returns what was said, or how far agreements were off.
+    //! Returns the noted words, or how far values were from references.
     std::string result() const;
 
   private:
@@ -52,9 +52,9 @@ class Findings {
     std::vector<std::string> failures_;
 };
 
-//! Something at the limits of what can be asked for.
+//! A case at the limits of the valid input.
 struct ExtremeCase {
-    std::string name;  //!< unique
+    std::string name;  //!< unique name
     std::string expectation;
     void (*run)(Findings&);
 };
@@ -66,10 +66,10 @@ std::vector<ExtremeCase> extreme_days_and_paths();
 //! Returns all extreme cases.
 std::vector<ExtremeCase> extreme_cases();
 
-//! One group of leaves, still without faces.
+//! Returns a mesh of one group of leaves that has no faces yet.
 Mesh leaves_only();
 
-//! A parallelogram from a corner along two edges.
+//! Adds a parallelogram that two edges span from a corner.
 void add_leaf(Mesh& mesh, glm::dvec3 corner, glm::dvec3 u, glm::dvec3 v);
 
 //! Returns a plant of two leaves, the upper one across the row.

@@ -25,14 +25,15 @@ struct Seen {
     double height;
 };
 
-//! Within what float coordinates and distances are good for.
+//! Returns whether two surfaces agree within the precision of float coordinates
+//! and distances.
 bool is_same(const Seen& a, const Seen& b) {
     if (a.is_soil || b.is_soil) return a.is_soil == b.is_soil;
     return a.group == b.group && a.is_adaxial == b.is_adaxial &&
            std::abs(a.height - b.height) < 1e-4;
 }
 
-//! By a ray from above through a point of the beam.
+//! Finds the surface by a ray from above through a point of the beam.
 Seen by_ray(const RayScene& scene, const glm::dvec3& direction,
             const glm::dvec3& point) {
     const double up = (scene.top() - point.z) / direction.z;
@@ -48,7 +49,8 @@ double cross(const glm::dvec2& a, const glm::dvec2& b) {
     return a.x * b.y - a.y * b.x;
 }
 
-//! By looking through all images of all faces in double precision.
+//! Finds the surface by looking through all images of all faces in double
+//! precision.
 class Exact {
   public:
     Exact(const RayScene& scene, const glm::dvec3& direction,
@@ -117,7 +119,7 @@ class Referee {
         const glm::dvec3 direction =
             not_level(*sun_from(elevation, azimuth).sources[0].direction);
         const std::vector<glm::dvec2> shifts{{.123, .777}, {.61, .05}};
-        // Where the sun is low each point has many faces in its way.
+        // Each point has many faces in its way where the sun is low.
         const double fewer = std::min(1., 20 * -direction.z);
         const DepthBuffer buffer(
             scene_, direction,
@@ -161,7 +163,8 @@ Mesh vertical() {
     return mesh;
 }
 
-//! Level ones that end where others begin, at edges and corners of the cell.
+//! Returns level leaves that end where others begin, at edges and corners of
+//! the cell.
 Mesh tiles() {
     Mesh mesh = leaves_only();
     for (const double x : {0., .25, .5, .75})
@@ -170,7 +173,7 @@ Mesh tiles() {
     return mesh;
 }
 
-//! On the soil, through it and below it.
+//! Returns leaves on the soil, through the soil and below the soil.
 Mesh at_the_soil() {
     Mesh mesh = leaves_only();
     add_leaf(mesh, {.1, .1, 0}, {.3, 0, 0}, {0, .3, 0});
@@ -179,7 +182,8 @@ Mesh at_the_soil() {
     return mesh;
 }
 
-//! Faces on each other: with the same corners, the first one is met.
+//! Returns faces on each other: of faces with the same corners, light meets the
+//! first.
 Mesh on_each_other() {
     Mesh mesh = leaves_only();
     mesh.groups.push_back({"again"});
@@ -191,7 +195,7 @@ Mesh on_each_other() {
     return mesh;
 }
 
-//! Longer than the cell, so that it lies above itself.
+//! Returns a leaf that is longer than the cell, so that it lies above itself.
 Mesh overhanging() {
     Mesh mesh = leaves_only();
     add_leaf(mesh, {.9, .2, .1}, {2.6, 0, .8}, {.1, .4, 0});

@@ -8,17 +8,18 @@
 
 namespace ideotype {
 
-//! The surfaces that depth buffer and rays see at the same points of a beam.
+//! Counts of points of a beam at which the surfaces that depth buffer and ray
+//! see were compared.
 struct FirstHitsCompared {
     std::string name;
     std::size_t points = 0;
-    std::size_t differ = 0;  //!< in group, side or height
-    std::size_t wrong = 0;   //!< of these in the depth buffer, exactly seen
+    std::size_t differ = 0;  //!< points at which group, side or height differ
+    std::size_t wrong = 0;   //!< differing points where the buffer is wrong
 };
 
-//! Every reference mesh and meshes at the limits, under suns from .01 to 90
-//! deg.
-//! @param points of each lattice, about
+//! Compares every reference mesh and meshes at the limits, under suns from .01
+//! to 90 deg.
+//! @param points about the number of points of each lattice
 std::vector<FirstHitsCompared> compare_first_hits(int points);
 
 }  // namespace ideotype

@@ -10,7 +10,7 @@
 namespace ideotype {
 
 //! Returns the surfaces of copies of a plant in a lattice.
-//! @param turns of the plants, row by row [deg]; empty: none
+//! @param turns azimuths of the plants, row by row [deg]; empty: none
 inline Mesh in_lattice(const Mesh& plant, const FieldForm& form,
                        const std::vector<double>& turns = {}) {
     Scene scene;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Writes README.md of this folder: light_report > tests/light/README.md. With
-// names of sections only these; `quick` takes 16 times fewer
-// paths for the table of references, `thorough` as many for all setups as for
-// that.
+// names of sections it writes only these; `quick` takes 16 times fewer paths
+// for the table of references, `thorough` takes as many for all setups as for
+// that table.
 #include "light_report.hpp"
 
 #include <algorithm>

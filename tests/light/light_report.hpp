@@ -5,26 +5,26 @@
 
 namespace ideotype {
 
-//! Sections of README.md, each written to standard output as it is found.
+//! Sections of README.md; each is written to standard output when it is found.
 
-//! Every known value against ours in the usual setup.
+//! Writes every known value against ours in the usual setup.
 //! @param thrift see compare()
 void report_references(int thrift);
 
-//! The deviations in all ways to set up the engine.
+//! Writes the deviations in all setups of the engine.
 //! @param thrift see compare()
 void report_setups(int thrift);
 
-//! Every extreme: expectation, balance error, result.
+//! Writes expectation, balance error and result of every extreme case.
 void report_extremes();
 
-//! The spread of many estimates over the error that each reports.
+//! Writes the spread of many estimates over the error that each reports.
 void report_honesty();
 
-//! Depth buffers against rays.
+//! Writes how depth buffers compare with rays.
 void report_first_hits();
 
-//! The standard error of the baseline at Ames against paths.
+//! Writes the standard error of the baseline at Ames against paths.
 //! @param campaigns folder of the campaign files
 void report_convergence(const std::string& campaigns);
 

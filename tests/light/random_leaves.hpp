@@ -19,10 +19,10 @@ enum class LeafAngles {
     horizontal
 };
 
-//! Square leaves of 2 cm at independent places over a period of 1 x 1 m, a
-//! turbid medium but for the size of the leaves. The angles are an even sample
-//! of their distribution, so that two realisations differ in places only.
-//!
+//! Returns square leaves of 2 cm at independent places over a period of 1 x 1
+//! m, a turbid medium but for the size of the leaves. The angles are an even
+//! sample of their distribution, so that two realisations differ in places
+//! only.
 //! @param height of the stand [m]. In a higher stand, less of the light that a
 //! leaf scatters leaves through the gap by which it came.
 Mesh random_leaves(LeafAngles angles, double lai, double height,

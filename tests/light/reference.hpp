@@ -18,17 +18,18 @@ const Device& widest_device();
 //! Returns a mesh of tests/data/reference; one group per OBJ group.
 Mesh load_reference_mesh(const std::string& name);
 
-//! The period that belongs to a reference mesh.
+//! Returns the period of a reference mesh.
 struct GroundPeriod {
     double x, y;
 };
 
 inline constexpr GroundPeriod unit_cell{1, 1};
 
-//! One unit of light on horizontal ground from a sun, azimuth from +y.
+//! Returns one unit of light on horizontal ground from a sun, with the azimuth
+//! from +y.
 Illumination sun_from(double elevation, double azimuth);
 
-//! One unit of light on horizontal ground from a sky.
+//! Returns one unit of light on horizontal ground from a sky.
 Illumination sky_of(const SkyRadiance& sky);
 Illumination uniform_sky();
 Illumination overcast_sky();
@@ -48,14 +49,15 @@ Fractions trace(const Mesh& mesh, GroundPeriod period, const Optics& optics,
                 const Illumination& light, Accuracy accuracy = {16384, 16},
                 std::uint64_t seed = 1);
 
-//! Leaves with these reflectance and transmittance over soil, no stalks.
+//! Returns the optics of leaves with a reflectance and a transmittance over
+//! soil, without stalks.
 Optics leaf_optics(double reflectance, double transmittance,
                    double soil_albedo);
 
-//! Returns how far ours is from a reference in combined standard errors.
+//! Returns the deviation from a reference in combined standard errors.
 double deviation(Estimate ours, Estimate reference);
 
-//! A horizontal square that covers a period.
+//! Adds a horizontal square that covers a period.
 void add_sheet(Mesh& mesh, GroundPeriod period, double height,
                std::uint32_t group);
 

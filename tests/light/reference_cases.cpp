@@ -56,7 +56,7 @@ std::function<Mesh(std::uint32_t)> random_mesh(LeafAngles angles,
     };
 }
 
-//! The cases of a file of values from an independent tracer.
+//! Returns the cases of a file of values from an independent tracer.
 void add_file(std::vector<ReferenceScene>& scenes, const std::string& file,
               GroundPeriod period, int paths) {
     std::ifstream stream(std::string(IDEOTYPE_TEST_DATA) + "/reference/" +
@@ -93,7 +93,7 @@ void add_file(std::vector<ReferenceScene>& scenes, const std::string& file,
     }
 }
 
-//! Black leaves: 1 - exp(-G LAI / cos z) and its means over two skies.
+//! Adds black leaves: 1 - exp(-G LAI / cos z) and its means over two skies.
 void add_beers_law(std::vector<ReferenceScene>& scenes) {
     struct Row {
         LeafAngles angles;
@@ -131,18 +131,17 @@ void add_beers_law(std::vector<ReferenceScene>& scenes) {
     }
 }
 
-//! Horizontal leaves scatter light by the two-stream equations, whatever the
-//! light.
+//! Adds horizontal leaves, which scatter any light by the two-stream equations.
 void add_two_stream(std::vector<ReferenceScene>& scenes) {
     struct Row {
         std::string name;
         double scattering, soil_albedo;
         double leaves, reflected, soil;
-        double of_size;  //!< what leaves of 2 cm in 10 m do to the theory
+        double of_size;  //!< error of the theory for leaves of 2 cm in 10 m
     };
-    // Light that a leaf scatters finds the way free that it came by: stands of
-    // 1, 3 and 10 m reflect .0025, .0010, .0004 too much in the near infrared,
-    // and a quarter of that in PAR.
+    // Light that a leaf scatters finds its way back free: stands of 1, 3 and 10
+    // m reflect .0025, .0010, .0004 too much in the near infrared, and a
+    // quarter of that in PAR.
     for (const Row& row :
          {Row{"par", .05, 0, .915722, .026245, .058033, 6e-5},
           {"nir", .42, 0, .353665, .396296, .250039, 25e-5},
@@ -156,7 +155,8 @@ void add_two_stream(std::vector<ReferenceScene>& scenes) {
                           optics,
                           {},
                           {32768, 256}});
-        // A sample of 7,500 leaves is good to .003, which is four of these.
+        // A sample of 7,500 leaves is good to .003, which is four of these
+        // errors.
         scenes.push_back({"two-stream, to .003",
                           mesh_of("poisson_horizontal_L3"),
                           Kind::fixed,
@@ -182,7 +182,7 @@ void add_two_stream(std::vector<ReferenceScene>& scenes) {
     }
 }
 
-//! Spherical leaves of a turbid medium, from a Monte Carlo solution.
+//! Adds spherical leaves of a turbid medium, from a Monte Carlo solution.
 void add_turbid(std::vector<ReferenceScene>& scenes) {
     const auto known = [](double leaves, double reflected, double soil) {
         const double error = std::hypot(2e-4, rounding(4));
@@ -203,7 +203,7 @@ void add_turbid(std::vector<ReferenceScene>& scenes) {
 }
 
 void add_sheets(std::vector<ReferenceScene>& scenes) {
-    // Half of what the sheet lets through comes back to it, and so on.
+    // Half of the light that the sheet transmits comes back to it, and so on.
     const std::vector<KnownValue> one{{"leaves", {1 / 1.1, 0}},
                                       {"soil", {.04 / .99, 0}},
                                       {"reflected", {.05 / .99, 0}}};
@@ -230,7 +230,7 @@ void add_sheets(std::vector<ReferenceScene>& scenes) {
          {65536, 64}});
 }
 
-//! Where nothing absorbs, irradiance is 1 on both faces of everything.
+//! Adds a furnace: where nothing absorbs, irradiance is 1 on all faces.
 void add_furnace(std::vector<ReferenceScene>& scenes) {
     const GroundPeriod period{.76, .15};
     const auto mesh = mesh_of("maize1");
@@ -244,8 +244,8 @@ void add_furnace(std::vector<ReferenceScene>& scenes) {
            sky(SkyModel::uniform),
            {{"leaves", {0, 0}}, {"soil", {0, 0}}, {"reflected", {1, 0}}}}},
          {1024, 64}});
-    // A little absorption shows the irradiance. It takes at most twice the
-    // leaf area of it away from the light, here 7e-4.
+    // A little absorption shows the irradiance. Leaves take at most twice their
+    // area times the absorptance away from the light, here 7e-4.
     const double absorptance = 1e-4;
     ReferenceCase grey{"furnace/grey", sky(SkyModel::uniform), {}};
     const Mesh maize = mesh(0);

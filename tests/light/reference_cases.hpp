@@ -10,16 +10,16 @@
 
 namespace ideotype {
 
-//! A value that is known of one light in a scene: of "leaves", "soil",
-//! "reflected" or a group of the mesh, as a fraction of the incident light.
+//! A known value of one light in a scene: of "leaves", "soil", "reflected" or a
+//! group of the mesh, as a fraction of the incident light.
 struct KnownValue {
     std::string quantity;
     Estimate value;
 };
 
-//! One case: a light and what is known of it.
+//! One case: a light and the known values under it.
 struct ReferenceCase {
-    std::string name;  //!< unique
+    std::string name;  //!< unique name
     Source light;
     std::vector<KnownValue> known;
 };
@@ -36,17 +36,17 @@ struct ReferenceScene {
     GroundPeriod period{};
     Optics optics;
     std::vector<ReferenceCase> cases;
-    Accuracy accuracy;    //!< that gets every standard error below the bound
-    double bound = 2e-4;  //!< bound of our error
+    Accuracy accuracy;    //!< accuracy by which standard errors meet the bound
+    double bound = 2e-4;  //!< bound of our standard error
 };
 
-//! Every value of the exact and trusted references.
+//! Returns the scenes of all exact and trusted references.
 std::vector<ReferenceScene> reference_scenes();
 
 //! Returns the number of cases.
 std::size_t count_cases(const std::vector<ReferenceScene>& scenes);
 
-//! One known value against ours.
+//! One known value beside our value.
 struct Comparison {
     std::string name;
     std::string quantity;
@@ -55,7 +55,7 @@ struct Comparison {
     Estimate ours;
     double bound = 0;  //!< bound of our standard error
 
-    //! Returns the difference in combined standard errors.
+    //! Returns the difference of both values in combined standard errors.
     double off() const;
 };
 
@@ -64,7 +64,7 @@ struct SceneResult {
     double balance_error = 0;
 };
 
-//! Traces a scene in one setup and compares all that is known.
+//! Traces a scene in one setup and compares all known values.
 //! @param thrift how many times fewer paths than it takes to meet the bound,
 //! a power of two; the bound grows with its power 3/4, as errors of nets do
 SceneResult compare(const ReferenceScene& scene, const Setup& setup,

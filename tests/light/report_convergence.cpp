@@ -23,7 +23,7 @@ Campaign ames(const std::string& campaigns) {
     return campaign;
 }
 
-//! The baseline's field under its day at Ames.
+//! The field of the baseline in the light of its day at Ames.
 struct Baseline {
     explicit Baseline(const std::string& campaigns)
         : campaign(ames(campaigns)),
@@ -51,7 +51,7 @@ struct Baseline {
     RayScene surfaces;
 };
 
-//! A straight line by least squares.
+//! Fits a straight line by least squares.
 class Line {
   public:
     void add(double x, double y) {

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint32_t runs = 1000;
 
-//! Many randomisations, and few with many points.
+//! Accuracies with many randomisations, and with few of many points.
 constexpr Accuracy accuracies[] = {{256, 32}, {2048, 8}};
 
 using Figure = std::function<double(const Tally&)>;

@@ -16,7 +16,7 @@ namespace {
 struct Deviations {
     std::vector<Comparison> all;
     double balance_error = 0;
-    double standard_error = 0;  //!< largest of ours over its bound
+    double standard_error = 0;  //!< the largest ratio of our error to its bound
 
     void add(const SceneResult& result) {
         balance_error = std::max(balance_error, result.balance_error);
@@ -35,7 +35,7 @@ struct Deviations {
                                  });
     }
 
-    //! Share of the comparisons that are off by more.
+    //! Returns the share of comparisons off by more than so many errors.
     double beyond(double errors) const {
         const auto count = std::count_if(
             all.begin(), all.end(),

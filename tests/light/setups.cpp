@@ -34,7 +34,7 @@ Polygon clipped(const Polygon& polygon, double glm::dvec3::*axis, double at,
 }
 
 //! Returns the parts of a polygon in strips of a width, each moved into the
-//! first.
+//! first strip.
 std::vector<Polygon> wrapped(const Polygon& polygon, double glm::dvec3::*axis,
                              double width) {
     const auto [least, most] =
@@ -136,7 +136,7 @@ Mesh as_triangles(const Mesh& mesh) {
             result.faces.push_back({a, b, middle, middle});
             result.faces.push_back({a, middle, c, c});
         } else {
-            // The diagonal along which the ray tracer folds a quadrilateral.
+            // The ray tracer folds a quadrilateral along this diagonal.
             result.faces.push_back({a, b, d, d});
             result.faces.push_back({c, d, b, b});
         }

@@ -10,7 +10,7 @@
 
 namespace ideotype {
 
-//! A mesh, how it repeats, and what lights it.
+//! A mesh, its period and its light.
 struct Setting {
     Mesh mesh;
     GroundPeriod period{};
@@ -20,21 +20,22 @@ struct Setting {
 //! One of the ways in which the engine can be asked for the same answer.
 struct Setup {
     std::string name;
-    std::string isa;         //!< which sets the width of the tree of boxes
+    std::string isa;  //!< instruction set, which sets the width of the tree
     std::uint64_t seed = 1;  //!< seed of the light's paths
-    //! More randomisations of fewer paths each, by this factor.
+    //! The factor by which there are more randomisations of fewer paths each.
     int split = 1;
     //! Describes the same stand in another way.
     void (*rewrite)(Setting&) = nullptr;
 };
 
-//! First the usual one: the widest instruction set and the mesh as it is.
+//! Returns all setups; the first is the usual one, with the widest instruction
+//! set and the mesh as it is.
 std::vector<Setup> setups();
 
-//! Every face as two triangles with the same surface.
+//! Cuts every face into two triangles with the same surface.
 Mesh as_triangles(const Mesh& mesh);
 
-//! Every face cut along the sides of the cells and its parts moved into the
+//! Cuts every face along the sides of the cells and moves its parts into the
 //! cell at the origin.
 Mesh cut_and_wrapped(const Mesh& mesh, GroundPeriod period);
 

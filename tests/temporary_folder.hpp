@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-//! Where tests write: they run at the same time.
+//! Folders for the files of tests, which run at the same time.
 #pragma once
 
 #include <cstdlib>
@@ -8,7 +8,7 @@
 
 namespace ideotype {
 
-//! A new folder that is removed with everything in it.
+//! A new folder that is removed with all of its files.
 class Folder {
   public:
     Folder() {
@@ -29,7 +29,7 @@ class Folder {
     std::filesystem::path path_;
 };
 
-//! In a folder of this process.
+//! Returns a path in a folder of this process.
 inline std::string temporary_file(const std::string& name) {
     static const Folder folder;
     return folder / name;

@@ -42,7 +42,7 @@ std::vector<Expected> expected() {
     return all;
 }
 
-//! The same days in the form that `ideotype weather` writes.
+//! Returns the days in the form that `ideotype weather` writes.
 std::string table_of(const std::vector<Expected>& all, bool has_parts) {
     std::string text = "time,global,temperature,humidity";
     if (has_parts) text += ",beam_normal,diffuse";

@@ -62,8 +62,7 @@ TEST(MeasuredLines, LeavesAreCountedFromTheEarOrTheTop) {
     };
     EXPECT_EQ(angle("ear"), 10);
     EXPECT_EQ(angle("ear+1"), 20);
-    EXPECT_EQ(angle("ear-7"),
-              0);  // no such leaf: the lowest counts
+    EXPECT_EQ(angle("ear-7"), 0);  // no such leaf: the lowest one
     EXPECT_EQ(angle("top"), 20);
     EXPECT_EQ(angle("top-1"), 10);
     EXPECT_TRUE(names_leaf("ear-12"));

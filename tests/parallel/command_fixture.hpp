@@ -7,13 +7,13 @@
 
 namespace ideotype {
 
-//! Rank 0 gives orders, the others serve.
+//! A test in which rank 0 gives orders and the other ranks serve.
 class Commanded : public OnAllRanks {
   protected:
     explicit Commanded(FakeEvaluator evaluator = FakeEvaluator())
         : evaluator_(std::move(evaluator)) {}
 
-    //! Runs on rank 0 what the test commands, while the others serve.
+    //! Runs the commands of a test on rank 0 while the other ranks serve.
     template <class Command>
     void command(Command give_orders, const AnswerRules& rules = {}) {
         if (!is_master()) return serve(session(), {&evaluator_});

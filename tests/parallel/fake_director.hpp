@@ -10,7 +10,7 @@
 
 namespace ideotype {
 
-//! Starts some routines one after the other, and keeps what it hears.
+//! Starts some routines one after the other, and keeps all messages.
 class FakeDirector : public Director {
   public:
     void add(Routine<bool> routine) { waiting_.push_back(std::move(routine)); }
@@ -42,7 +42,7 @@ inline Routine<bool> batch_routine(Dispatcher& dispatcher,
     co_return true;
 }
 
-//! Evaluates one batch and nothing else; rethrows what its record throws.
+//! Evaluates one batch and nothing else; rethrows the errors of its record.
 inline void evaluate(Dispatcher& dispatcher, std::vector<Work> work,
                      Record record) {
     FakeDirector director;

@@ -14,7 +14,7 @@
 
 namespace ideotype {
 
-//! Time that passes only where a test, or a fake worker, lets it pass.
+//! A clock that runs only when a test, or a fake worker, lets time pass.
 class FakeClock : public RankClock {
   public:
     double now() const override { return now_; }
@@ -24,7 +24,7 @@ class FakeClock : public RankClock {
     mutable double now_ = 100;
 };
 
-//! Workers that answer after as much of a fake clock's time as a test decides.
+//! Workers that answer after a time on a fake clock that a test decides.
 class FakeWorkers : public Workers {
   public:
     //! The time that a worker takes for this work [s].
@@ -50,7 +50,7 @@ class FakeWorkers : public Workers {
     }
 
     std::optional<Answer> wait(double seconds) override {
-        // No clock stands still between two looks at it.
+        // A clock never stands still between two readings.
         const double latest = clock_.now() + std::max(seconds, 1e-6);
         int first = -1;
         double end = latest;
@@ -77,7 +77,7 @@ class FakeWorkers : public Workers {
     struct Seat {
         std::optional<Work> work;
         double seconds = 0;
-        double end = 0;  //!< on the clock [s]
+        double end = 0;  //!< end of the work on the clock [s]
     };
 
     const FakeClock& clock_;
@@ -86,8 +86,8 @@ class FakeWorkers : public Workers {
     std::vector<Seat> seats_;
 };
 
-//! A dispatcher of fake workers, each of whose evaluations takes 10 ms if
-//! nothing else is said.
+//! A dispatcher of fake workers, whose evaluations take 10 ms unless a test
+//! says otherwise.
 class WithFakeWorkers : public testing::Test {
   protected:
     Dispatcher make(int width, const AnswerRules& rules = {}) {
@@ -105,7 +105,7 @@ class WithFakeWorkers : public testing::Test {
     FakeDirector director_;
 };
 
-//! The cost with several numbers of workers.
+//! Tests that run with several numbers of workers.
 class WithAnyWorkers : public WithFakeWorkers,
                        public testing::WithParamInterface<int> {};
 

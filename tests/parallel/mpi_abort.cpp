@@ -5,7 +5,7 @@
 
 #include "parallel/session.hpp"
 
-//! One rank gives up while the others would go on for long.
+//! Ends one rank by an error while the other ranks would go on for long.
 int main() {
     const ideotype::Session session;
     if (session.rank() != 1) {

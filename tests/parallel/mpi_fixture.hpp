@@ -9,7 +9,7 @@
 
 namespace ideotype {
 
-//! Every rank runs every test; this is the session that they share.
+//! The session that all tests share; every rank runs every test.
 class OnAllRanks : public testing::Test {
   public:
     static void share(const Session& session) { shared_ = &session; }
@@ -22,7 +22,7 @@ class OnAllRanks : public testing::Test {
     static inline const Session* shared_ = nullptr;
 };
 
-//! Seconds that this process has computed.
+//! Returns the seconds that this process has computed.
 inline double cpu_seconds() {
     return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }

@@ -11,7 +11,7 @@
 
 namespace ideotype {
 
-//! Work of one generation, every fifth of it a finalist.
+//! Returns work of one generation; every fifth candidate is a finalist.
 inline std::vector<Work> sample_work(std::uint32_t count,
                                      std::size_t genes = 40) {
     std::vector<Work> work;
@@ -24,7 +24,7 @@ inline std::vector<Work> sample_work(std::uint32_t count,
     return work;
 }
 
-//! Compares with what it would be on any number of workers, bit for bit.
+//! Expects the outcome that any number of workers gives, bit for bit.
 inline void expect_right_numbers(const Work& work, const Outcome& outcome) {
     const Outcome expected = FakeEvaluator().evaluate(work.task, work.genome);
     EXPECT_EQ(outcome.status, Status::done) << outcome.message;
@@ -41,7 +41,7 @@ inline void expect_right_numbers(const Work& work, const Outcome& outcome) {
     compare(outcome.quantities, expected.quantities);
 }
 
-//! Keeps what arrives, and notices what arrives twice.
+//! Keeps all outcomes, and notices an outcome that arrives twice.
 class Kept {
   public:
     Record keep() {
@@ -51,14 +51,14 @@ class Kept {
         };
     }
 
-    //! All of the work, and nothing else, with the right numbers.
+    //! Expects the outcomes of all of the work, and no others.
     void expect_all_of(const std::vector<Work>& work) const {
         ASSERT_EQ(outcomes.size(), work.size());
         for (const Work& each : work)
             expect_right_numbers(each, outcomes.at(each.task.slot));
     }
 
-    std::map<std::uint32_t, Outcome> outcomes;  //!< by slot
+    std::map<std::uint32_t, Outcome> outcomes;  //!< outcomes by slot
 };
 
 }  // namespace ideotype

@@ -23,14 +23,14 @@ std::vector<Work> generation_of(std::uint32_t case_index,
 //! Several routines in one run, as cases of a sweep.
 class Cases : public WithAnyWorkers {
   protected:
-    //! The calls that the dispatcher of a test makes.
+    //! Gives orders to a new dispatcher of fake workers.
     template <class Command>
     void command(Command give_orders) {
         Dispatcher dispatcher = make(GetParam());
         give_orders(dispatcher);
     }
 
-    //! Awaits one generation after the other, and notes when what arrived.
+    //! Awaits one generation after the other, and notes the order of outcomes.
     Routine<bool> evolve(Dispatcher& dispatcher, std::uint32_t case_index,
                          std::uint32_t generations, std::uint32_t population) {
         for (std::uint32_t g = 0; g < generations; ++g) {
@@ -54,7 +54,7 @@ class Cases : public WithAnyWorkers {
             std::count(order_.begin(), order_.end(), case_index));
     }
 
-    std::vector<std::uint32_t> order_;  //!< cases of outcomes as they arrived
+    std::vector<std::uint32_t> order_;  //!< cases by the arrival of outcomes
 };
 
 INSTANTIATE_TEST_SUITE_P(Workers, Cases, testing::Values(1, 2, 8));

@@ -12,7 +12,7 @@ namespace ideotype {
 
 namespace {
 
-//! A worker whose first answer is what a test decides; all others are honest.
+//! A worker whose first answer a test decides; later answers are correct.
 class LyingWorkers : public Workers {
   public:
     explicit LyingWorkers(Answer lie) : lie_(std::move(lie)) {}
@@ -57,7 +57,7 @@ std::unique_ptr<Workers> no_workers(const FakeClock& clock) {
                                          [](int, const Work&) { return 1.; });
 }
 
-//! A clock that runs back each time that it is looked at.
+//! A clock that runs back each time that it is read.
 class BackwardClock : public RankClock {
   public:
     double now() const override { return --now_; }

@@ -7,7 +7,7 @@
 
 namespace ideotype {
 
-//! Workers that do not answer in time. Slow is what takes 6 deadlines.
+//! Workers that do not answer in time. Slow work takes 6 deadlines.
 class Deadline : public WithFakeWorkers {
   protected:
     static constexpr std::uint32_t slow_once = 4, slow = 5;
@@ -43,7 +43,7 @@ class Deadline : public WithFakeWorkers {
         Outcome outcome;
     };
 
-    std::map<std::uint32_t, Answered> answers_;  //!< by slot
+    std::map<std::uint32_t, Answered> answers_;  //!< answers by slot
 };
 
 TEST_F(Deadline, ALateEvaluationIsTriedElsewhere) {
@@ -64,7 +64,7 @@ TEST_F(Deadline, ALateEvaluationIsTriedElsewhere) {
 TEST_F(Deadline, ALateAnswerIsDroppedAndItsWorkerIsBack) {
     Dispatcher dispatcher = make(2, impatient);
     run(dispatcher, {slow_once, 1});
-    // Until the late one answers it gets no work.
+    // The late worker gets no work until it answers.
     run(dispatcher, {10, 11, 12, 13});
     ASSERT_EQ(answers_.size(), 4u);
     for (const auto& [slot, answer] : answers_)
@@ -107,7 +107,7 @@ TEST_F(Deadline, TheFirstAnswerCountsEvenIfLate) {
 TEST_F(Deadline, EndsWithAnErrorWhenNobodyAnswers) {
     for (const int width : {1, 2, 8}) {
         director_.silences.clear();
-        // As many attempts as workers: still no failed row.
+        // There are as many attempts as workers: still no row fails.
         Dispatcher dispatcher = make(width, {0.1, width, 1});
         try {
             run(dispatcher, {slow});
@@ -119,7 +119,7 @@ TEST_F(Deadline, EndsWithAnErrorWhenNobodyAnswers) {
         EXPECT_TRUE(answers_.empty());
         EXPECT_EQ(static_cast<int>(director_.silences.size()), width);
         EXPECT_FALSE(dispatcher.dismiss());
-        // A coroutine that pauses must not outlive what it waits for.
+        // A paused coroutine must not outlive the dispatcher that it awaits.
         director_.started.clear();
     }
 }
@@ -134,7 +134,7 @@ TEST_F(Deadline, ADrainWaitsForAHungWorkerUntilItsDeadlineOnly) {
     EXPECT_TRUE(answers_.empty());
     EXPECT_TRUE(director_.started.front().has_ended());
     EXPECT_NEAR(clock_.now(), 100.2, 1e-6);
-    // It hangs still.
+    // The worker still hangs.
     EXPECT_FALSE(dispatcher.dismiss());
 }
 
@@ -144,7 +144,7 @@ TEST_F(Deadline, GrowsWithWhatTheLongestTook) {
     };
     Dispatcher dispatcher = make(2, impatient);
     run(dispatcher, {1, 2});
-    // 20 times 60 ms is more than the 200 ms that were asked for.
+    // The deadline is 20 times 60 ms, more than the 200 ms that were asked for.
     run(dispatcher, {slow});
     EXPECT_TRUE(director_.silences.empty());
     EXPECT_EQ(answers_.at(slow).work.task.attempt, 1u);
@@ -152,7 +152,7 @@ TEST_F(Deadline, GrowsWithWhatTheLongestTook) {
 
 TEST_F(Deadline, DoesNotPassWhileTheJobStandsStill) {
     duration_ = [this](int, const Work& work) {
-        if (work.task.slot == 2) clock_.nap(3600);  // after Ctrl-Z
+        if (work.task.slot == 2) clock_.nap(3600);  // as after Ctrl-Z
         return 1.5;
     };
     Dispatcher dispatcher = make(2, {3, 3, 1});

@@ -54,7 +54,7 @@ TEST_P(DispatcherOfFakes, EndsWithoutARowWhereTheMachineFails) {
             << error.what();
     }
     EXPECT_FALSE(outcomes.contains(FakeEvaluator::starved_slot));
-    // Work that was in flight is recorded, and nothing was begun later.
+    // Work that was in flight is recorded, and no work was begun later.
     EXPECT_GE(outcomes.size(), 20u);
     EXPECT_LE(static_cast<int>(outcomes.size()), 20 + 2 * GetParam());
     for (const auto& [slot, outcome] : outcomes)
@@ -82,7 +82,7 @@ TEST_P(DispatcherOfFakes, SurvivesARecordThatThrows) {
         throw Error("no space left on device");
     };
     EXPECT_THROW(evaluate(dispatcher, sample_work(50), disk_full), Error);
-    // No late reply of the work above may turn up here.
+    // No late reply of the failed batch may arrive in this batch.
     const std::vector<Work> work = sample_work(20, 3);
     evaluate(dispatcher, work, keep());
     expect_all_of(work);

@@ -95,7 +95,7 @@ TEST(Messages, ALongReasonIsCutBetweenCharacters) {
     const std::string fitting(reply_message_capacity, 'a');
     EXPECT_EQ(received(fitting), fitting);
     EXPECT_EQ(received(fitting + "b"), fitting);
-    // The two bytes of this letter lie on both sides of the limit.
+    // The limit splits the two bytes of this letter.
     const std::string all_but_one(reply_message_capacity - 1, 'a');
     EXPECT_EQ(received(all_but_one + "\u00e4"), all_but_one);
     const std::string all_but_two(reply_message_capacity - 2, 'a');

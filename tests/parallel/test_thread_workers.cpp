@@ -11,10 +11,10 @@ namespace ideotype {
 
 using std::chrono::milliseconds;
 
-//! One process without MPI, on several threads.
+//! Tests of one process without MPI, on several threads.
 class ThreadWorkers : public testing::TestWithParam<int>, public Kept {
   protected:
-    //! Each thread with an evaluator like this one.
+    //! Makes an evaluator like this one for each thread.
     std::unique_ptr<Dispatcher> make(const FakeEvaluator& evaluator,
                                      const AnswerRules& rules = {}) {
         Evaluators evaluators;

@@ -19,7 +19,7 @@ struct Case {
     nlohmann::json expected;
 };
 
-//! Leaves and air of all kinds, the same each time.
+//! Leaves and air of all kinds, in an order that is always the same.
 class AnyLeaf {
   public:
     Case next() {

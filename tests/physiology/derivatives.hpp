@@ -7,8 +7,8 @@
 
 namespace ideotype {
 
-//! An expansion has the values of the response, its slope, and the curvature
-//! that its slope has.
+//! Expects an expansion to have the values of the response, its slope, and the
+//! curvature that follows from its slope.
 template <class Response>
 void expect_derivatives(const Response& f) {
     EXPECT_EQ(f.expand(0).value, 0);
@@ -23,7 +23,7 @@ void expect_derivatives(const Response& f) {
     }
 }
 
-//! Expects a response to rise from 0 with its quantum yield, and ever less.
+//! Expects a response to rise from 0 with its quantum yield, and less and less.
 inline void expect_concave(const Colimitation& f) {
     EXPECT_EQ(f.gross(0), 0);
     EXPECT_EQ(f.slope(0), f.alpha);

@@ -12,7 +12,7 @@
 namespace ideotype {
 namespace {
 
-//! Reads cases of independent code: data/physiology/README.md.
+//! Reads cases of independent code, as data/physiology/README.md tells.
 std::vector<Case> cases() {
     std::ifstream file(IDEOTYPE_TEST_DATA "/physiology/energy_given.json");
     const nlohmann::json all = nlohmann::json::parse(file);
@@ -60,7 +60,7 @@ TEST(EnergyBalance, HasTheValuesOfOtherCode) {
     }
 }
 
-//! Equations of the header, once more.
+//! The equations of the header, written independently.
 struct Fluxes {
     Fluxes(const ThermalLeaf& leaf, const LeafSurroundings& in, double t)
         : apart(t - in.temperature) {
@@ -82,7 +82,7 @@ struct Fluxes {
               2 * 29.3 * heat * apart;
     }
 
-    //! Returns the energy that is left [W m-2].
+    //! Returns the excess of absorbed over lost energy [W m-2].
     double left(double gs) const {
         return dry - per_conductance * (per_conductance < 0
                                             ? 2 * 1.09 * heat
@@ -151,8 +151,8 @@ TEST(EnergyBalance, ClosesForAnyLeaf) {
     EXPECT_LT(several, 300);
 }
 
-// The most open stomata of a temperature leave the least energy: where even
-// these leave some, whatever the stomata, there is no balance.
+// The most open stomata at a temperature leave the least energy: if even these
+// leave some, no stomata give a balance.
 TEST(EnergyBalance, IsTheCoolest) {
     AnyLeaf any;
     for (int i = 0; i < 1000; ++i) {

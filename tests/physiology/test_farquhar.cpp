@@ -10,7 +10,7 @@
 namespace ideotype {
 namespace {
 
-//! The limits as they are written in the papers.
+//! The limiting rates as the papers give them.
 struct Limits {
     double rubisco, transport, triose;
 };
@@ -77,7 +77,7 @@ TEST(Farquhar, IsTheSmallestOfThreeLimits) {
             }
 }
 
-//! Values of code in another language.
+//! Values of independent code in another language.
 TEST(Farquhar, HasTheValuesOfOtherCode) {
     const auto gross = [](double light, double temperature, double ci) {
         return farquhar_at({}, temperature, ci).gross(light);
@@ -109,7 +109,7 @@ TEST(Farquhar, HasItsRatesAt25Degrees) {
     EXPECT_EQ(farquhar_at(leaf, 25, 280).capacity,
               2 * farquhar_at({}, 25, 280).capacity);
     EXPECT_EQ(farquhar_at(leaf, 25, 280).theta, leaf.theta);
-    // Nothing but triose phosphate limits in so much CO2.
+    // In this much CO2 only triose phosphate limits.
     leaf.vcmax = leaf.jmax = 1e9;
     EXPECT_NEAR(farquhar_at(leaf, 25, 1e6).gross(1e9), 3 * 13, 1e-4);
 }

@@ -9,7 +9,7 @@
 namespace ideotype {
 namespace {
 
-//! As it is written in books.
+//! The non-rectangular hyperbola as textbooks give it.
 double textbook(const Hyperbola& f, double light) {
     const double sum = f.phi * light + f.amax;
     return (sum - std::sqrt(sum * sum - 4 * f.theta * f.phi * light * f.amax)) /
@@ -23,7 +23,7 @@ TEST(Hyperbola, IsTheEquation) {
             EXPECT_NEAR(f.gross(light), textbook(f, light), 1e-12)
                 << theta << ' ' << light;
         }
-    // One sheet over soil .2 in light of 1000 absorbs 909.09.
+    // One sheet over soil of albedo .2 absorbs 909.09 in light of 1000.
     EXPECT_NEAR(Hyperbola{}.gross(1000 / 1.1), 33.6839, 5e-5);
 }
 

@@ -10,7 +10,7 @@
 namespace ideotype {
 namespace {
 
-//! Returns the energy that is absorbed and not lost, over what is absorbed.
+//! Returns absorbed energy that is not lost, relative to absorbed energy.
 double part_left(const Case& each, const LeafExchange& found) {
     const LeafSurroundings& in = each.around;
     const double absorbed = in.ppfd / 4.57 + in.nir + in.longwave;

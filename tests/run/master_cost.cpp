@@ -66,7 +66,7 @@ void measure(Campaign campaign, double seconds, const Session& session,
              const StopFlag& stop, const std::string& folder) {
     const Case chosen = cases(campaign).front();
     const int workers = std::max(1, session.size() - 1);
-    // A few seconds each, and at least one whole generation.
+    // Each measurement takes a few seconds, and at least one generation.
     constexpr double enough = 4;
     constexpr double most_generations = 20;
     campaign.search.population = 100;

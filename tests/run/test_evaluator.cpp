@@ -33,7 +33,7 @@ TEST_F(Ames, BaselineAbsorbsWhatASparseReferenceSays) {
     const double stalks = quantity(outcome, "stalk_fraction");
     EXPECT_NEAR(leaves + stalks, .93, .015);
     EXPECT_NEAR(quantity(outcome, "lai"), 3.44, .03);
-    // From pvlib: tests/climate/test_day.cpp.
+    // Values are from pvlib: tests/climate/test_day.cpp.
     EXPECT_NEAR(quantity(outcome, "incident"), 12.07745, 1e-4 * 12.07745);
     EXPECT_LT(outcome.objectives[0].standard_error,
               .002 * outcome.objectives[0].mean);
@@ -64,7 +64,7 @@ TEST_F(Ames, ExtinctionFollowsFromTheLightThatAllOrgansLeave) {
     const Estimate k = find(schema, outcome, "extinction_coefficient").value();
     const double lai = quantity(outcome, "lai");
     EXPECT_NEAR(std::exp(-k.mean * lai), 1 - fapar.mean, 1e-12);
-    // The delta method against finite differences.
+    // The delta method is compared with finite differences.
     const auto at = [&](double f) { return -std::log(1 - f) / lai; };
     EXPECT_NEAR((at(fapar.mean + 1e-6) - at(fapar.mean - 1e-6)) / 2e-6 *
                     fapar.standard_error / k.standard_error,
@@ -139,7 +139,7 @@ TEST_F(Ames, EqualRandomNumbersMakeDifferencesCertain) {
     Genome other = baseline;
     other[0] *= 1.02;
     Task task;
-    task.is_final = true;  // the same number of paths for both
+    task.is_final = true;  // one number of paths for both
     const Outcome a = evaluator.evaluate(task, baseline);
     const Outcome b = evaluator.evaluate(task, other);
     const double independent = std::hypot(a.objectives[0].standard_error,
@@ -272,8 +272,8 @@ TEST_F(Study, KeysOfARowAreThoseOfACampaignWithThem) {
               evaluated(0, 3, 0.4, 0.7).objectives[0].mean);
 }
 
-//! That noise can be taken off by its standard errors, these have to be all
-//! of it.
+//! Noise can only be subtracted by its standard errors if these contain all of
+//! the noise.
 TEST_F(Study, RowsHaveIndependentNoiseOfKnownSizeInOneField) {
     std::vector<double> values;
     double squares = 0;
@@ -285,7 +285,7 @@ TEST_F(Study, RowsHaveIndependentNoiseOfKnownSizeInOneField) {
     }
     const double variance =
         count * std::pow(estimate(values).standard_error, 2);
-    // This is the error of a chi-squared distribution with 59 degrees of
+    // The bound is the error of a chi-squared distribution with 59 degrees of
     // freedom.
     EXPECT_NEAR(variance / squares, 1, 3.5 * std::sqrt(2.0 / (count - 1)));
     EXPECT_LT(std::sqrt(squares), 0.02 * values[0]);

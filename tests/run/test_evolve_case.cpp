@@ -16,7 +16,8 @@
 namespace ideotype {
 namespace {
 
-//! The sum of the genes; fails and stops where told, and counts.
+//! An evaluator of the sum of the genes, which fails and stops in some slots,
+//! and counts.
 class SumEvaluator : public Evaluator {
   public:
     SumEvaluator(const OutcomeSchema& schema, StopFlag& stop)
@@ -34,7 +35,7 @@ class SumEvaluator : public Evaluator {
         double sum = 0;
         for (const double gene : genome) sum += gene;
         outcome.objectives.assign(schema_.objectives.size(), {sum, 0.1});
-        // The sum of all genes tells kinds of plants apart, too.
+        // The sum of all genes also stands for the kind of a plant.
         outcome.quantities[schema_.measured.offset("lai")].mean = sum;
         return outcome;
     }
@@ -85,7 +86,7 @@ class EvolveCase : public ::testing::Test {
         return once.result();
     }
 
-    //! Expects the same history of searches that are stopped and resumed.
+    //! Expects searches that are stopped and resumed to make the same history.
     void expect_same_after_stops() {
         const HistoryHeader h = header();
         History whole = History::create(path("whole.h5"), h);
@@ -99,7 +100,7 @@ class EvolveCase : public ::testing::Test {
                 interrupted.stop_at = stop_at;
                 EXPECT_EQ(evolve(cut, interrupted), Ending::drained);
             }
-            // Only a new start takes a stop back.
+            // Only a new start clears a stop.
             stop.~StopFlag();
             new (&stop) StopFlag;
             History resumed = History::resume(name);
@@ -190,7 +191,7 @@ TEST_F(EvolveCase, GenerationsMayDifferInSize) {
     EXPECT_EQ(history.finished(), "generations");
 }
 
-//! Bytes that this process has read so far.
+//! Returns the bytes that this process has read so far.
 long long bytes_read() {
     std::ifstream io("/proc/self/io");
     std::string name;
@@ -200,7 +201,7 @@ long long bytes_read() {
     return bytes;
 }
 
-//! Counts how much was read in each generation.
+//! Counts the bytes that were read in each generation.
 class ReadingWatcher : public NoWatcher {
   public:
     void on_generation(std::uint32_t, const GenerationSummary&) override {
@@ -232,7 +233,7 @@ TEST_F(EvolveCase, LateGenerationsReadNoMoreThanEarlyOnes) {
     ASSERT_EQ(reading.bytes.size(), 400U);
     const long long early = reading.bytes[2];
     EXPECT_GT(early, 0);
-    // Numbers in /proc/self/io grow; 400 summaries have 24 kB.
+    // The numbers in /proc/self/io grow; 400 summaries have 24 kB.
     EXPECT_LE(reading.bytes.back(), early + 1000);
 }
 
@@ -274,8 +275,7 @@ TEST_F(EvolveCase, StopAndResumeGiveTheSameByAtlas) {
     expect_same_after_stops();
 }
 
-// The rule that tells streams to end also follows from the rows that they need
-// alone.
+// The rule that ends streams also follows only from the rows that streams need.
 TEST_F(EvolveCase, AStopRuleEndsStreamsAtTheSameRow) {
     campaign.search.streams = 2;
     campaign.stop.evaluations = 20;
@@ -284,13 +284,13 @@ TEST_F(EvolveCase, AStopRuleEndsStreamsAtTheSameRow) {
     SumEvaluator evaluator(h.schema, stop);
     EXPECT_EQ(evolve(history, evaluator), Ending::finished);
     EXPECT_EQ(history.finished(), "evaluations");
-    // Generation 2 needs rows 0 to 9 alone, generation 3 those to row 19.
+    // Generation 2 needs only rows 0 to 9, generation 3 rows up to 19.
     EXPECT_EQ(history.next_generation(), 3U);
     EXPECT_EQ(history.size(3), 0U);
 }
 
-// All that was proposed is complete when the stop comes, and the rule holds,
-// but another stream has gone further.
+// All proposed rows are complete when the stop comes, and the rule holds, but
+// another stream has gone further.
 TEST_F(EvolveCase, AStopBeforeTheEndOfStreamsIsNoEnd) {
     campaign.search.streams = 2;
     campaign.stop.evaluations = 20;
@@ -303,7 +303,7 @@ TEST_F(EvolveCase, AStopBeforeTheEndOfStreamsIsNoEnd) {
         EXPECT_EQ(cut.next_generation(), 1U);
         EXPECT_TRUE(cut.finalists().empty());
     }
-    // Only a new start takes a stop back.
+    // Only a new start clears a stop.
     stop.~StopFlag();
     new (&stop) StopFlag;
     History resumed = History::resume(path("cut.h5"));

@@ -28,8 +28,8 @@ class FaceLight : public ::testing::Test {
         request.scene.cell = cell_of(form);
     }
 
-    //! Returns what the faces of leaves, or of all else, absorb, for each area
-    //! of ground [J m-2 day-1].
+    //! Returns the light that faces of leaves, or all other faces, absorb per
+    //! area of ground [J m-2 day-1].
     static double sum(const Mesh& mesh, const std::vector<Estimate>& light,
                       double ground_area, bool is_leaf) {
         const std::vector<double> areas = face_areas(mesh);
@@ -41,7 +41,8 @@ class FaceLight : public ::testing::Test {
         return energy / ground_area;
     }
 
-    //! The light on the faces of a mesh against the request's evaluation.
+    //! Expects the light on the faces of a mesh to sum to the request's
+    //! evaluation.
     void expect_totals(const Mesh& mesh, const std::vector<Estimate>& light,
                        double ground_area) const {
         const BudgetEstimate whole = evaluate(request, device).par().light.day;
@@ -51,7 +52,8 @@ class FaceLight : public ::testing::Test {
                     1e-12);
     }
 
-    //! The light on the faces of the request's field against its evaluation.
+    //! Expects the light on the faces of the request's field to sum to its
+    //! evaluation.
     void expect_totals_of_field() {
         const Field ready = draw_field(request.scene, request.randomness);
         const Scene drawn = as_drawn(request.scene, ready);
@@ -92,7 +94,7 @@ TEST_F(FaceLight, FacesOfACutPlotSumToItsEvaluation) {
               .boundary = Boundary::isolated,
               .border_rows = 1});
     expect_totals_of_field();
-    // A face that is there in one field only counts by what is there of it.
+    // A face that only one field has counts by its light there.
     EXPECT_NEAR(sum(plant, of_faces(), ground, true) /
                     evaluate(request, device).par().light.day.leaves.mean,
                 1, .2);
@@ -108,14 +110,14 @@ TEST_F(FaceLight, StandardErrorsOfFacesAreHonestAndSmall) {
     for (std::size_t f = 0; f < plant.faces.size(); ++f) {
         const Estimate &a = one[f], &b = other[f];
         const double error = std::hypot(a.standard_error, b.standard_error);
-        // The tops of sheaths hardly show.
+        // Little of the tops of sheaths is visible.
         if (!(error > 0) || !(a.mean > 0)) continue;
         squares += std::pow((a.mean - b.mean) / error, 2);
         relative += a.standard_error / a.mean;
         ++count;
     }
     EXPECT_GT(count, .95 * static_cast<double>(plant.faces.size()));
-    // With 15 degrees of freedom for each error it is about 1.1.
+    // The ratio is about 1.1 with 15 degrees of freedom for each error.
     EXPECT_NEAR(squares / count, 1.1, .4);
     EXPECT_LT(relative / count, .1);
 }

@@ -12,13 +12,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-//! A history of which only the final evaluation exists.
+//! A history that has only a final evaluation.
 class Summary : public testing::Test {
   protected:
     ~Summary() override { fs::remove(path_); }
 
-    //! Returns the light that baseline and best absorb [MJ m-2 day-1], and
-    //! their leaf area indices. NaN: that one failed.
+    //! Returns the summary of the light that baseline and best plant absorb [MJ
+    //! m-2 day-1], and their leaf area indices; NaN stands for a failed
+    //! evaluation.
     std::string of(Estimate baseline, double baseline_lai, Estimate best,
                    double best_lai) {
         fs::remove(path_);

@@ -19,7 +19,7 @@ TEST(WayOn, StartsAsTheRunWasStarted) {
               "mpirun -n 4 ideotype run a.toml --resume");
     EXPECT_EQ(way_on("ideotype run a.toml --resume", 4),
               "mpirun -n 4 ideotype run a.toml --resume");
-    // A path that only looks like an option.
+    // The path looks like an option.
     EXPECT_EQ(way_on("ideotype run a--resume.toml", 2),
               "mpirun -n 2 ideotype run a--resume.toml --resume");
 }

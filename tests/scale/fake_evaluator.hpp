@@ -10,10 +10,10 @@
 namespace ideotype {
 
 //! Lets the simulated time of an evaluation pass and returns all columns of a
-//! real outcome. All ranks of a simulation share one.
+//! real outcome. All ranks of a simulation share one evaluator.
 class FakeEvaluator : public Evaluator {
   public:
-    //! @param seconds of an evaluation on average; spread around it as
+    //! @param seconds mean time of an evaluation; times spread around it as
     //! measured, see README.md
     FakeEvaluator(OutcomeSchema schema, double seconds)
         : schema_(std::move(schema)), seconds_(seconds) {}
@@ -35,7 +35,7 @@ class FakeEvaluator : public Evaluator {
     double total() const { return total_; }
 
   private:
-    //! Returns a function of the task.
+    //! Returns the time of one evaluation, a function of the task [s].
     double seconds_of(const Task& task) const {
         // The times of evaluations of campaigns/ames.toml, in equal steps of
         // probability, relative to their mean.

@@ -20,13 +20,13 @@ struct Options {
     int streams = 1;
     std::string optimizer = "ga";
     double evaluation = 25e-3;
-    double master_per_evaluation = 12e-6;  //!< messages and record
-    double master_per_proposal = 4e-6;     //!< made and stored
-    double master_per_candidate = 1.2e-6;  //!< learnt between generations
+    double master_per_evaluation = 12e-6;  //!< messages and record of a row
+    double master_per_proposal = 4e-6;     //!< proposal made and stored
+    double master_per_candidate = 1.2e-6;  //!< learning between generations
     double master_per_row = 2e-6;          //!< summary and checksum
-    double master_per_second = 5e-3;       //!< to the disk
+    double master_per_second = 5e-3;       //!< writing to the disk
     double nap_slack = 55e-6;
-    double least = 0;  //!< efficiency
+    double least = 0;  //!< least efficiency
     std::string folder;
 };
 

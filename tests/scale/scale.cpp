@@ -28,7 +28,7 @@ namespace {
 
 namespace s4u = simgrid::s4u;
 
-//! Spends what rank 0 computes between its messages.
+//! A master that spends the time of rank 0's computations between messages.
 class Master : public Director, public Watcher {
   public:
     Master(const Options& options, const Campaign& campaign,
@@ -65,8 +65,8 @@ class Master : public Director, public Watcher {
     void on_final(const std::string&) override { ended = clock_.now(); }
 
     long evaluations = 0;
-    double busy = 0;   //!< [s]
-    double ended = 0;  //!< when the last case came to its finalists [s]
+    double busy = 0;   //!< time of computing [s]
+    double ended = 0;  //!< time when the last case came to its finalists [s]
 
     void spend(double seconds) {
         SimulatedClock::spend(seconds);
@@ -95,7 +95,7 @@ class Master : public Director, public Watcher {
             return fast_->propose(generation, slot);
         }
         void learn(Individual row) override {
-            // All of a generation at its end, as ranking takes it.
+            // A whole generation is learnt at its end, as ranking takes it.
             if (++rows_ == fast_->size(generation_)) {
                 master_.spend(master_.options_.master_per_candidate *
                               static_cast<double>(rows_));
@@ -111,7 +111,7 @@ class Master : public Director, public Watcher {
       private:
         Master& master_;
         std::unique_ptr<Optimizer> fast_;
-        std::size_t rows_ = 0;  //!< learnt of this generation
+        std::size_t rows_ = 0;  //!< rows learnt of this generation
         std::uint32_t generation_ = 0;
     };
 
@@ -139,7 +139,7 @@ class Master : public Director, public Watcher {
     const HistoryHeader& header_;
     std::vector<Case> cases_;
     std::list<EvolvingCase> started_;
-    double synchronized_ = 0;  //!< when the disk had all [s]
+    double synchronized_ = 0;  //!< time when the disk had all data [s]
 };
 
 //! The data that all ranks of a simulation share.
@@ -176,7 +176,7 @@ struct Simulation {
         evaluations += master.evaluations;
     }
 
-    //! One line; false if there was less than is asked for.
+    //! Prints one line; returns false if efficiency is below the limit.
     bool report() const {
         const double seconds = ended - began;
         const double efficiency = evaluator->total() / options.ranks / seconds;
@@ -199,7 +199,7 @@ struct Simulation {
     std::vector<Case> cases;
     double began = 0;
     double ended = 0;
-    double busiest = 0;  //!< what the busiest master spent [s]
+    double busiest = 0;  //!< computing time of the busiest master [s]
     long evaluations = 0;
 };
 
@@ -246,8 +246,8 @@ void simulate(s4u::Engine& engine, Simulation& simulation) {
 int main(int argc, char** argv) {
     using namespace ideotype;
     s4u::Engine engine(&argc, argv);
-    // Nothing that ranks compute counts but what is spent; an eager message has
-    // left when it is posted.
+    // Computations of ranks take no time unless it is spent; an eager message
+    // has left when it is posted.
     for (const char* setting :
          {"smpi/simulate-computation:no", "smpi/iprobe:0", "smpi/test:0",
           "smpi/async-small-thresh:65536", "contexts/stack-size:512"})

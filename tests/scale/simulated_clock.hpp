@@ -8,7 +8,7 @@ namespace ideotype {
 //! The clock of the simulated machine, the same for all ranks.
 class SimulatedClock : public RankClock {
   public:
-    //! @param slack how much longer than asked for a nap takes [s]
+    //! @param slack the time by which a nap is longer than asked for [s]
     explicit SimulatedClock(double slack) : slack_(slack) {}
 
     double now() const override;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // `sort`: reads the number of points, that of objectives, and the points, which
-// are minimised; prints the front of each and its crowding distance in there.
-// `volume`: reads the same; prints the hypervolume relative to the last point.
-// `search PROBLEM POPULATION GENERATIONS SEED`: prints the objectives of the
-// first front that NSGA-II finds on zdt1, zdt2 or dtlz2 (three objectives).
+// are minimised; prints the front of each point and its crowding distance
+// there. `volume`: reads the same; prints the hypervolume relative to the last
+// point. `search PROBLEM POPULATION GENERATIONS SEED`: prints the objectives of
+// the first front that NSGA-II finds on zdt1, zdt2 or dtlz2 (three objectives).
 
 #include <cmath>
 #include <cstdio>

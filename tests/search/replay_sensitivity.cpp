@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Arguments: sobol or morris, genes, of how many in each group (1: none),
+// Arguments: sobol or morris, genes, genes in each group (1: no groups),
 // samples, levels. Prints the rows of the design over unit ranges.
 
 #include <cstdio>

@@ -26,7 +26,7 @@ SearchSpace space() {
             {0.1, 0.1, 0.1}};
 }
 
-//! The value of a plant without noise: c is best at 0.7.
+//! Returns the value of a plant without noise: c is best at 0.7.
 double value(const Genome& genome) {
     return 1 - std::pow(genome[2] - 0.7, 2);
 }

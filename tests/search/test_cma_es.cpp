@@ -83,9 +83,9 @@ double rastrigin(const Genome& x) {
     return sum;
 }
 
-// The bounds are the evaluations that pycma 4.4 needs (median of 7 seeds, the
-// same start, step and target, without bounds), and half as much again for
-// luck: tests/search/published_cma.py prints them.
+// The bounds are the evaluations that pycma 4.4 needs (median of 7 seeds, with
+// equal start, step and target, without bounds) plus half for luck:
+// tests/search/published_cma.py prints them.
 TEST(CmaEs, SolvesStandardFunctionsWithinPublishedEvaluations) {
     EXPECT_LT(evaluations(sphere, 10, 1e-8, 1), 1.5 * 1490);
     EXPECT_LT(evaluations(ellipsoid, 10, 1e-8, 1), 1.5 * 4330);
@@ -161,7 +161,7 @@ TEST(CmaEs, BeginsAroundTheBaseline) {
     }
 }
 
-// The best is at the seam, 90 deg from the start on either side.
+// The optimum is at the seam, 90 deg from the start on either side.
 TEST(CmaEs, MovesSmoothlyAcrossTheSeamOfACircle) {
     GeneSpace circle(3, {"azimuth", "deg", 0, 360, true, true});
     SearchSettings settings = small();
@@ -191,7 +191,7 @@ TEST(CmaEs, PutsFeasiblePlantsFirst) {
         make_cma_es(small(), {genes(4), Genome(4, 2), {Sense::minimise}}, 2);
     for (int g = 0; g < 150; ++g) {
         Population rows = evaluated(search->ask(), sphere);
-        // All four have to sum to at least 2: then each is .5.
+        // The four genes have to sum to at least 2: then each is .5.
         for (Individual& row : rows) {
             double sum = 0;
             for (const double x : row.candidate.genome) sum += x;
@@ -219,7 +219,7 @@ TEST(CmaEs, SurvivesAGenerationThatFailed) {
     }
 }
 
-//! Sizes of generations, each once until they change.
+//! Returns sizes of generations, each once until the size changes.
 std::vector<std::size_t> sizes(GenerationalOptimizer& search, int generations,
                                const Function& f) {
     std::vector<std::size_t> sizes;
@@ -284,7 +284,7 @@ TEST(AutoSearch, OffersWhereEarlierCyclesEnded) {
     EXPECT_TRUE(best[0].genome == champion || best[1].genome == champion);
 }
 
-//! Rows of a search that nobody waits for.
+//! An optimizer that learns only the rows that it needs proposes the same.
 TEST(Streams, WaitForTheirOwnGenerationsAlone) {
     SearchSettings settings = small();
     settings.optimizer = OptimizerKind::ga;
@@ -301,7 +301,7 @@ TEST(Streams, WaitForTheirOwnGenerationsAlone) {
         const Candidate candidate = whole->propose(generation, slot);
         rows.push_back(evaluated({candidate}, sphere)[0]);
         whole->learn(rows.back());
-        // The rows that it needs suffice.
+        // The rows that the optimizer needs suffice.
         const std::size_t known = generation < 3 ? 0 : 8 * (generation - 2);
         if (slot == 0 && generation >= 3)
             for (std::size_t i = known - 8; i < known; ++i)

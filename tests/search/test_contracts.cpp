@@ -24,7 +24,7 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-//! Two free genes with a baseline.
+//! A space of two free genes with a baseline.
 SearchSpace two_genes() {
     return {{{"leaf01_length", "m", 0, 1, false, true, "length", 1},
              {"leaf01_azimuth", "deg", 0, 360, true, true, "azimuth", 1}},
@@ -44,7 +44,7 @@ SearchSettings settings_of(OptimizerKind optimizer, int population = 8) {
     return settings;
 }
 
-//! Returns the optimizer of a kind, before its first row.
+//! Returns an optimizer of a kind before its first row.
 std::unique_ptr<GenerationalOptimizer> search_by(OptimizerKind optimizer,
                                                  int population = 8) {
     const SearchSettings settings = settings_of(optimizer, population);

@@ -38,8 +38,8 @@ std::vector<Candidate> candidates_of(const Population& population) {
     return candidates;
 }
 
-//! Returns what a new optimizer proposes for this generation; the generations
-//! before it were all as the last one.
+//! Returns the proposals of a new optimizer for this generation; all
+//! generations before were equal to the last one.
 std::vector<Candidate> proposed(const SearchSettings& settings,
                                 std::uint64_t seed, std::uint32_t generation,
                                 const Population& parents) {
@@ -93,7 +93,7 @@ TEST(GeneticAlgorithm, IsAPureFunctionOfItsArguments) {
 }
 
 // Contract C3: another order of random numbers or of operations would make
-// other children. Write new values only with a change that is meant to do that.
+// other children. Write new values only with a change that is meant to do so.
 TEST(GeneticAlgorithm, ChildrenOfASeedStayTheSame) {
     struct Child {
         std::array<std::int64_t, 2> parents;
@@ -185,8 +185,8 @@ TEST(GeneticAlgorithm, ParentsOfAFrontKeepTheirValuesUntilChildrenAreBetter) {
     settings.population = 20;
     const auto search = make_genetic_algorithm(
         settings, {genes, baseline, {Sense::maximise, Sense::minimise}}, 7);
-    // None dominates another of its generation, all dominate those of a lower
-    // level.
+    // No plant dominates another one of its generation; all dominate plants of
+    // a lower level.
     const auto tell = [&](double level) {
         Population rows;
         for (const Candidate& each : search->ask()) {
@@ -238,7 +238,8 @@ TEST(GeneticAlgorithm, AzimuthCrossesTheNorthByTheShortWay) {
     EXPECT_DOUBLE_EQ(wrapped(genes[1], -1), 359);
     EXPECT_LT(wrapped(genes[1], -1e-18), 360);
 
-    // Parents on both sides of north have children near north, never south.
+    // Parents on both sides of north have children near north, never near
+    // south.
     Population parents = first_generation();
     RandomStream stream(1, Purpose::selection);
     for (Individual& i : parents)
@@ -263,7 +264,7 @@ TEST(GeneticAlgorithm, MutationMovesGenesAtTheGivenRate) {
             changed +=
                 children[i].genome[g] != parent.candidate.genome[g] ? 1 : 0;
     }
-    // One of two free genes per child on average: binomial(4000, 1/2).
+    // On average one of two free genes per child mutates: binomial(4000, 1/2).
     EXPECT_NEAR(changed, 2000, 5 * std::sqrt(1000.));
 }
 

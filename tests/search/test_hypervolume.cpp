@@ -12,11 +12,11 @@ namespace {
 const std::vector<Sense> both{Sense::maximise, Sense::minimise};
 
 TEST(Hypervolume, IsTheAreaBetweenAFrontAndItsReference) {
-    // Boxes of 3 x 1 and 1 x 3, of which 1 is shared.
+    // The boxes are 3 x 1 and 1 x 3 and share an area of 1.
     const std::vector<std::vector<double>> points{{3, 2}, {1, 0}};
     EXPECT_DOUBLE_EQ(hypervolume(points, {0, 3}, both), 5);
     EXPECT_DOUBLE_EQ(hypervolume({{3, 2}}, {0, 3}, both), 3);
-    // Dominated, and no better than the reference in one objective.
+    // One point is dominated; one equals the reference in one objective.
     EXPECT_DOUBLE_EQ(
         hypervolume({{3, 2}, {1, 0}, {1, 1}, {9, 3}}, {0, 3}, both), 5);
     EXPECT_EQ(hypervolume({{-1, 0}}, {0, 3}, both), 0);
@@ -29,7 +29,7 @@ constexpr int randomisations = 8;
 //! random numbers.
 Population noisy_front(std::uint32_t draw) {
     Population population;
-    // The noise has standard deviation 1.
+    // The noise has a standard deviation of 1.
     const auto noise = [&](std::uint32_t slot) {
         RandomStream stream(1, Purpose::mutation, draw, slot);
         std::vector<double> values;
@@ -91,7 +91,7 @@ TEST(Hypervolume, IsRelativeToTheWorstOfTheFirstGeneration) {
     EXPECT_EQ(summarized(first).hypervolume,
               hypervolume(first, worst, both).mean);
     const GenerationSummary summary = summarized(second);
-    // The summary has the hypervolume of all rows so far.
+    // The summary has the hypervolume of all rows up to here.
     Population all = first;
     all.insert(all.end(), second.begin(), second.end());
     EXPECT_DOUBLE_EQ(summary.hypervolume, hypervolume(all, worst, both).mean);

@@ -9,7 +9,7 @@ namespace {
 
 class Order : public ::testing::TestWithParam<Sense> {};
 
-//! Worst first: a failure, violations however good the objective is, and
+//! Individuals, worst first: a failure, violations with any objective, and
 //! objectives of both signs.
 Population worst_first(Sense sense) {
     const double sign = sense == Sense::maximise ? 1 : -1;

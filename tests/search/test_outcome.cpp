@@ -62,7 +62,7 @@ TEST(Outcome, SharedRandomNumbersCancelInADifference) {
     other.randomisations = {10.2, 10, 9.8};
     EXPECT_NEAR(difference(good(), other).standard_error, .4 / std::sqrt(3),
                 1e-12);
-    // Randomisations that are not known are taken as independent.
+    // Unknown randomisations are taken as independent.
     other.randomisations.front() = std::nan("");
     EXPECT_NEAR(difference(good(), other).standard_error, .1 * std::sqrt(2),
                 1e-12);
@@ -75,7 +75,7 @@ TEST(Outcome, DifferencesArePairedWhateverElseIsMeasured) {
     EXPECT_EQ(difference(good(), more).standard_error, 0);
     EXPECT_EQ(difference(more, more, 1).standard_error, 0);
     more.randomisations.pop_back();
-    more.randomisations.pop_back();  // two each
+    more.randomisations.pop_back();  // two for each objective
     EXPECT_NEAR(difference(good(), more).standard_error, .1 * std::sqrt(2),
                 1e-12);
 }

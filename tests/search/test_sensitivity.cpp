@@ -10,7 +10,7 @@
 namespace ideotype {
 namespace {
 
-//! Three angles, and a fourth number that is of no account.
+//! Three angles, and a fourth number that has no effect.
 SearchSpace angles() {
     const double pi = std::numbers::pi;
     SearchSpace space;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t dimensions = sobol_dimensions + 4;
 
-//! Means over 1024 points, of as many scrambled sequences as there are seeds.
+//! Returns the mean over 16 scrambled sequences of means over 1024 points.
 Estimate mean_over_seeds(double (*function)(double, double)) {
     constexpr std::uint32_t points = 1024;
     std::vector<double> means;
@@ -30,7 +30,8 @@ TEST(SobolSequence, IntegratesBetterThanRandomNumbers) {
     const Estimate found = mean_over_seeds(
         [](double x, double y) { return std::sin(3 * x) * std::exp(y); });
     const double exact = (1 - std::cos(3)) / 3 * (std::exp(1) - 1);
-    // Random numbers would have a standard error of 0.005 with as many points.
+    // Random numbers would have a standard error of 0.005 with this many
+    // points.
     EXPECT_LT(found.standard_error, 1e-4);
     EXPECT_NEAR(found.mean, exact, 4 * found.standard_error);
 }

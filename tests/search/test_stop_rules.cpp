@@ -8,7 +8,7 @@ namespace {
 
 constexpr Sense maximise = Sense::maximise, minimise = Sense::minimise;
 
-//! After generations with these means, which are their best too.
+//! Returns the progress after generations with these means, also their bests.
 Progress after(const std::vector<double>& means) {
     Progress progress;
     for (const double mean : means)
@@ -16,7 +16,7 @@ Progress after(const std::vector<double>& means) {
     return progress;
 }
 
-//! After generations of plants that do not meet their constraints.
+//! Returns the progress after generations whose plants violate constraints.
 Progress violating(const std::vector<double>& violations) {
     Progress progress;
     for (const double violation : violations)
@@ -37,7 +37,7 @@ TEST(StopRules, GenerationsEndTheEvolution) {
     EXPECT_EQ(finished(rules, after({1, 1, 1, 1, 1}), maximise), "generations");
 }
 
-//! Returns a line with scatter to both sides of it.
+//! Returns values on a line with scatter to both sides.
 std::vector<double> rising(double slope, int count) {
     std::vector<double> means;
     for (int i = 0; i < count; ++i)

@@ -23,7 +23,7 @@ TEST(Summary, DescribesWhatDidNotFail) {
     EXPECT_DOUBLE_EQ(s.spread, 5);
     EXPECT_EQ(s.failures, 1u);
     EXPECT_EQ(s.evaluations, 3u);
-    // 1 of 10 along the length, 1 of 360 around north.
+    // Values are 1 of 10 along the length, and 1 of 360 around north.
     EXPECT_NEAR(s.diversity, (0.1 + 1 / 360.) / 2, 1e-12);
 }
 

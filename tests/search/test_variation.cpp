@@ -41,13 +41,13 @@ double chi_square(const std::vector<double>& values,
     return sum;
 }
 
-//! Returns the part of a distribution that is up to a bound, as a whole.
+//! Returns the part of a distribution below a bound, normalised to 1.
 Distribution up_to(double bound, const Distribution& distribution) {
     return [=](double x) { return distribution(x) / distribution(bound); };
 }
 
-//! Returns the distribution on a circle of what is distributed on a line: all
-//! that is whole turns apart falls together. From -period / 2 to period / 2.
+//! Returns a distribution on a circle, from -period / 2 to period / 2: values
+//! on a line that whole turns separate fall together.
 Distribution on_circle(double period, int turns,
                        const Distribution& distribution) {
     double before = 0;
@@ -73,8 +73,8 @@ Distribution spread(double index) {
 }
 
 //! Returns the distribution of the length of a step of polynomial mutation to
-//! either side, over the gene's range (Deb and Goyal 1996: density (n + 1) (1 -
-//! d)^n for one side).
+//! either side, relative to the gene's range (Deb and Goyal 1996: density (n +
+//! 1) (1 - d)^n for one side).
 Distribution step(double index) {
     return [=](double d) {
         return 1 - std::pow(1 - std::clamp(d, 0.0, 1.0), index + 1);
@@ -99,17 +99,18 @@ std::vector<Candidate> children(const Gene& gene, const GaSettings& ga,
     return optimizer->ask();
 }
 
-//! The distances of the two children of each crossed couple from the couple's
-//! mean, over half of the distance between the parents, the smaller one first:
+//! Distances of the two children of each crossed couple from the couple's mean,
+//! relative to half of the distance between the parents, the smaller first:
 //! positive on the side where the child belongs.
 struct Spreads {
     std::vector<double> below, above;
 };
 
-//! Returns whether the crossed gene of a couple went to the other child each.
+//! Returns whether the two children of a couple swap the crossed gene.
 bool is_swapped(std::uint32_t slot) {
     RandomStream stream(7, Purpose::crossover, 1, slot);
-    // Whether the couple is crossed, whether the gene is, and how far.
+    // Random numbers decide whether the couple is crossed, whether the gene is
+    // crossed, and how far.
     for (int i = 0; i < 3; ++i) stream.uniform();
     return stream.uniform() < 0.5;
 }
@@ -128,7 +129,7 @@ Spreads crossed(const Gene& gene, double index, double low, double high) {
             (all[i].parents[0] == 1) != is_swapped(static_cast<unsigned>(i));
         const double first = all[is_turned ? i + 1 : i].genome[0];
         const double second = all[is_turned ? i : i + 1].genome[0];
-        // Not crossed, and then not swapped.
+        // The gene is not crossed, and therefore not swapped.
         if (std::minmax(first, second) == std::minmax(low, high)) continue;
         spreads.below.push_back(difference(gene, first, low + half) / half);
         spreads.above.push_back(difference(gene, low + half, second) / half);
@@ -153,7 +154,7 @@ TEST(Crossover, CrossedGenesGoToEitherChild) {
         const bool is_near_high = each.genome[0] > 0.75;
         ++(is_near_high == (each.parents[0] == 1) ? own : other);
     }
-    // Half of the genes are crossed, and half of those swapped.
+    // Half of the genes are crossed, and half of the crossed ones swapped.
     EXPECT_NEAR(other / static_cast<double>(own + other), 0.25, 0.01);
 }
 
@@ -162,14 +163,14 @@ TEST(Crossover, SpreadsAsPublishedFarFromBounds) {
         const Spreads found = crossed(length, index, 0.749, 0.751);
         EXPECT_LT(chi_square(found.below, spread(index)), critical) << index;
         EXPECT_LT(chi_square(found.above, spread(index)), critical) << index;
-        // Another index is told apart.
+        // The test distinguishes another index.
         EXPECT_GT(chi_square(found.above, spread(index + 1)), critical);
     }
 }
 
 TEST(Crossover, SpreadsAsPublishedUpToABound) {
     constexpr double index = 2;
-    // The mean is 0.11 above the lower bound, half of the distance is 0.09.
+    // The mean is 0.11 above the lower bound; half of the distance is 0.09.
     const Spreads low = crossed(length, index, 0.42, 0.60);
     EXPECT_LT(chi_square(low.below, up_to(0.11 / 0.09, spread(index))),
               critical);
@@ -177,7 +178,8 @@ TEST(Crossover, SpreadsAsPublishedUpToABound) {
               critical);
     EXPECT_GT(chi_square(low.below, spread(index)), critical);
 
-    // A parent at the bound: children do not pass it, nor gather there.
+    // A parent stands at the bound: children do not pass the bound, nor gather
+    // there.
     const Spreads at = crossed(length, index, 1.0, 1.1);
     EXPECT_LT(chi_square(at.above, up_to(1, spread(index))), critical);
     EXPECT_LT(chi_square(at.below, up_to(0.65 / 0.05, spread(index))),
@@ -185,7 +187,8 @@ TEST(Crossover, SpreadsAsPublishedUpToABound) {
 }
 
 TEST(Crossover, SpreadsAsPublishedOnTheCircle) {
-    // The couple's mean is 5 deg; with index 0 many go round more than once.
+    // The couple's mean is 5 deg; with index 0 many children go round more than
+    // once.
     for (const double index : {0.0, 2.0, 15.0}) {
         const Spreads found = crossed(azimuth, index, 350, 20);
         const Distribution expected = on_circle(360 / 15., 100, spread(index));
@@ -204,7 +207,7 @@ TEST(Mutation, LeavesAGeneWithoutARangeAsItIs) {
         ASSERT_EQ(each.genome[0], 0.5);
 }
 
-//! Steps of mutation over the gene's range.
+//! Returns steps of mutation relative to the gene's range.
 std::vector<double> mutated(const Gene& gene, double index, double parent) {
     GaSettings ga;
     ga.crossover_probability = 0;
@@ -217,8 +220,8 @@ std::vector<double> mutated(const Gene& gene, double index, double parent) {
     return steps;
 }
 
-//! Returns the distribution of steps that go down and up equally often, at most
-//! so far.
+//! Returns the distribution of steps that go down and up equally often, up to a
+//! length.
 Distribution either_way(double index, double down, double up) {
     return [=](double d) {
         return d < 0 ? (1 - step(index)(-d) / step(index)(down)) / 2
@@ -253,7 +256,8 @@ TEST(Mutation, AtABoundHalfOfTheStepsLeaveIt) {
 }
 
 TEST(Mutation, StepsAsPublishedOnTheCircle) {
-    // From a degree beside north, and with index 0 evenly all around.
+    // The parent is one degree from north; with index 0 children are even all
+    // around.
     for (const double index : {0.0, 2.0, 20.0}) {
         const auto steps = mutated(azimuth, index, 1);
         const Distribution line = either_way(index, 1, 1);

@@ -43,7 +43,7 @@ class Mixtures : public ::testing::Test {
     }
 
     const Device device{Device::supported_isas().back()};
-    //! The optics of the campaign are those of a component's crop file.
+    //! Settings that give the campaign the optics of a component's crop file.
     const std::vector<std::string> alike{"optics.leaf_reflectance=0.06",
                                          "optics.leaf_transmittance=0.03"};
 };

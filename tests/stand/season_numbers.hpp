@@ -17,7 +17,7 @@ inline Outcome season_of(const Campaign& campaign) {
                   Device(Device::supported_isas().back()));
 }
 
-//! Returns the numbers of each quantity of that, by its name and place.
+//! Returns the numbers of each quantity of this outcome, by name and place.
 inline std::map<std::string, double> numbers(const Campaign& campaign) {
     const Outcome outcome = season_of(campaign);
     const QuantitySet measured =

@@ -9,7 +9,8 @@
 namespace ideotype {
 namespace {
 
-//! ames_quick with more lines before the first [[day]] and below [objective].
+//! Returns ames_quick with more lines before the first [[day]] and below
+//! [objective].
 Campaign changed(const std::string& before_day, const std::string& objective) {
     std::string text =
         read_campaign(std::string(IDEOTYPE_CAMPAIGNS) + "/ames_quick.toml")
@@ -41,8 +42,8 @@ Outcome evaluated(const Campaign& campaign, const Task& task = {}) {
                   Device(Device::supported_isas().back()));
 }
 
-//! Returns the outcomes of the same plant in a case for each site, with the
-//! random numbers of this one.
+//! Returns the outcomes of one plant in a case for each site, with the random
+//! numbers of this case.
 std::vector<Outcome> separately(const Case& robust) {
     const Campaign campaign = changed(south, "");
     const Device device(Device::supported_isas().back());
@@ -107,13 +108,13 @@ TEST(AcrossScenarios, ConstraintsHoldInTheScenarioWhereTheyFailMost) {
     const OutcomeSchema schema =
         outcome_schema(campaign, cases(campaign).at(0), campaign.sampling);
     const double mean_lai = find(schema, evaluated(campaign), "lai")->mean;
-    // Twice the density has twice the leaf area.
+    // Twice the density gives twice the leaf area.
     const double lai = mean_lai / 1.5;
     campaign.constraints.lai = {0, lai};
     EXPECT_NEAR(evaluated(campaign).violation, 1, 1e-6);
 }
 
-//! So that no plant is within limits by luck.
+//! Constraints leave variation out, so that no plant meets them by chance.
 TEST(PlantVariation, IsNotWhatConstraintsAreAbout) {
     Campaign campaign = changed("", "");
     campaign.constraints.lai = {0, 3};
@@ -144,7 +145,7 @@ TEST(AcrossScenarios, AxesOfScenariosAreNoAxesOfCases) {
         cases(changed(std::string(south) + narrow, "over = [\"spacing\"]\n"))
             .size(),
         2u);
-    // No campaign of before has changed.
+    // No earlier campaign has changed.
     EXPECT_EQ(changed("", "").resolved.find("scenarios"), std::string::npos);
     EXPECT_THROW(changed("", "over = [\"climate\"]\n"), InputError);
     EXPECT_THROW(changed("", "over = [\"traits\"]\n"), InputError);

@@ -70,8 +70,7 @@ TEST(Agrivoltaics, PanelsTakeLightAndAreNoLeaves) {
     EXPECT_NEAR(shaded.plants.mean + shaded.objects.mean + shaded.soil.mean +
                     shaded.reflected.mean,
                 shaded.incident, 1e-9 * shaded.incident);
-    // The light that falls on modules is what they absorb, with a reflectance
-    // of 5 %.
+    // Modules with a reflectance of 5 % absorb the rest of the light on them.
     const ObjectReport& object = below.objects.front();
     EXPECT_NEAR(object.area_index, 1.5 / 3.048, 1e-12);
     const std::vector<PartLight>& sides = below.par().objects;
@@ -105,8 +104,8 @@ TEST(Agrivoltaics, TheCellMayBeMuchNarrowerThanPanelsAreHigh) {
         expect_equal(a.par().objects[side].day, b.par().objects[side].day);
 }
 
-//! Panels that stand as those that track do at one hour give the same light
-//! then.
+//! Fixed panels give the light of tracking panels at the hour at which both
+//! stand alike.
 TEST(Agrivoltaics, PanelsThatTrackStandAsTheirAngleTells) {
     const std::string rows =
         "pitch=3.048, height=4, width=1.5, offset=1.524, transmittance=0.2, ";
@@ -150,8 +149,8 @@ TEST(Agrivoltaics, PanelsThatTrackStandAsTheirAngleTells) {
     EXPECT_GT(*angles.rbegin(), 20);
 }
 
-//! Paths that are followed back, and sensors, meet panels as they stand at each
-//! instant.
+//! Paths that are followed back, and sensors, meet panels in their position at
+//! each instant.
 TEST(Agrivoltaics, LightIsFollowedBackBelowPanelsThatTrack) {
     const Settings tracked{
         "day=[{date=2025-08-07, start=09:00:00, end=17:00:00, "
@@ -182,7 +181,8 @@ TEST(Agrivoltaics, LightIsFollowedBackBelowPanelsThatTrack) {
             << h;
         EXPECT_LT(a.standard_error, .01 * a.mean) << h;
     }
-    // Just above the ground, sensors at all places have the light on it.
+    // Just above the ground, sensors at all places measure the light on the
+    // ground.
     const Sensor level{1e-3, std::numeric_limits<double>::quiet_NaN()};
     const auto found =
         light_on_sensors(request, device, std::span(&level, 1), 512);
@@ -220,7 +220,7 @@ TEST(Agrivoltaics, ObjectsAreKeptInTheResolvedCampaign) {
         ASSERT_EQ(scene.objects.size(), 1u);
         const Mesh& mesh = scene.objects[0].mesh;
         ASSERT_EQ(mesh.vertices.size(), 4u);
-        // Clockwise from above: what was along x is along -y.
+        // The turn is clockwise from above: the axis x becomes -y.
         EXPECT_NEAR(mesh.vertices[2].x, .1, 1e-12);
         EXPECT_NEAR(mesh.vertices[2].y, 0, 1e-12);
         EXPECT_NEAR(mesh.vertices[2].z, 3, 1e-12);
@@ -272,7 +272,7 @@ TEST(Agrivoltaics, HeightAndPitchMayBeGenesBesideThoseOfThePlant) {
     for (const glm::dvec3& v : scene.objects[0].mesh.vertices)
         height += v.z / 4;
     EXPECT_NEAR(height, 3.5, 1e-12);
-    // A search that begins around a plant begins with the keys as they are.
+    // A search that begins at a plant begins with the keys of the campaign.
     const std::vector<double> start =
         campaign_with(
             {own, "search.optimizer=cma_es",

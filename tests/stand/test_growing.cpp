@@ -12,8 +12,8 @@
 namespace ideotype {
 namespace {
 
-//! growing_season with other settings, in one year until 10 September, when
-//! plants are not yet mature.
+//! Returns growing_season with other settings, in one year until 10 September,
+//! when plants are not yet mature.
 Campaign growing(std::vector<std::string> settings = {}) {
     settings.insert(settings.end(),
                     {"objective.over=[]", "light.tolerance=0",
@@ -102,7 +102,7 @@ TEST(GrowingSeason, AmountsAreSumsOverStagesAndFractionsAreOfIncidentLight) {
     EXPECT_LT(all.at("lai_by_stage_0"), 0.01);
 }
 
-//! Leaves are built and paid once: together as much as ever was there.
+//! Leaves are built and paid once: costs sum to all area that was ever there.
 TEST(GrowingSeason, LeavesArePaidOnce) {
     const Campaign campaign = growing();
     const Plant plant =

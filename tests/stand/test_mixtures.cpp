@@ -32,7 +32,7 @@ TEST_F(Mixtures, StandPlantByPlantInANewOrderInEachField) {
     EXPECT_NEAR(scene.components[0].ground_per_plant, 2 / 8., 1e-12);
 }
 
-//! A mixture of one kind is that kind.
+//! A mixture of one kind of plant equals a field of this kind.
 TEST_F(Mixtures, PlantByPlantOfOneKindAreThatKind) {
     std::vector<std::string> settings = alike;
     const CanopyReport one = evaluated(settings);
@@ -170,8 +170,8 @@ TEST_F(Mixtures, HaveTheLeafAreaOfTheirLines) {
     }
 }
 
-//! Parts sum to the whole in each scenario and in their mean, whatever the
-//! sense.
+//! Components sum to the whole in each scenario and in the mean of scenarios,
+//! whatever the sense.
 TEST_F(Mixtures, WeighObjectivesInAllScenarios) {
     const auto outcome = [&](const std::string& weights) {
         const Campaign campaign = read_campaign(
@@ -249,7 +249,7 @@ TEST_F(Mixtures, TellAGainOverPlantsThatLose) {
     ASSERT_LT(other, 0);
     const Estimate gain = number("invasion", report);
     EXPECT_NEAR(gain.mean, (own - other) / -other, .02);
-    // A plant that loses twice as much as they do does not invade.
+    // A plant that loses twice as much as its neighbours does not invade.
     all.respiration.front().in_light += own - 2 * other;
     EXPECT_NEAR(number("invasion", report).mean, -1, .02);
 }
@@ -329,7 +329,7 @@ TEST_F(Mixtures, MeasureWhatTheyDeclareInTheSameOrder) {
     EXPECT_EQ(measured.axis("band").size(), 2u);
     EXPECT_EQ(measured.axis("leaf").size(), 20u);
     const std::size_t light = measured.offset("absorbed_light");
-    // Components first, then bands.
+    // Axes are components first, then bands.
     double sum = 0;
     for (std::size_t i = 0; i < 4; ++i) sum += numbers[light + i].mean;
     EXPECT_NEAR(sum / number("absorbed_shortwave", report).mean, 1, 1e-12);

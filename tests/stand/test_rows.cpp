@@ -25,7 +25,7 @@ TEST_F(RowsOfMixtures, OfStripsHaveTheRowsAndPlantsThatAreTold) {
     EXPECT_EQ(draw_places(scene, {})[1].front().x, scene.cell.rows[2]);
 }
 
-//! Expects that a figure of rows sums to that of components, over all ground.
+//! Expects that a quantity of rows sums to that of components, over all ground.
 void expect_rows_sum(const CanopyReport& report, const std::string& figure,
                      const std::vector<Randomised>& components) {
     const auto rows = measure_profile(figure + "_by_row", report);
@@ -54,8 +54,8 @@ const std::vector<std::string> strip{
     "component=[{name=\"soybean\", crop=\"crops/soybean.toml\", plants=6, "
     "jitter=180, rows=[3, 4, 5]}]"};
 
-//! A soybean row between others is shaded least by maize; both rows of maize
-//! have soybean at one side.
+//! A soybean row between other soybean rows is shaded least by maize; both rows
+//! of maize have soybean on one side.
 TEST_F(RowsOfMixtures, TellRowsPerGroundThatIsNearestToThem) {
     const CanopyReport report = evaluated(strip);
     ASSERT_EQ(report.rows.size(), 5u);
@@ -97,7 +97,7 @@ TEST_F(RowsOfMixtures, TellRowsOfFieldsWithoutAssimilationToo) {
     EXPECT_EQ(measure_profile("absorbed_light_by_row", without).size(), 10u);
 }
 
-//! Rows of one kind, each a component or not, are alike.
+//! Rows of one kind of plant, each a component or not, are alike.
 TEST_F(RowsOfMixtures, RowsOfOneKindHaveTheSame) {
     std::vector<std::string> settings = alike;
     settings.push_back(weed);

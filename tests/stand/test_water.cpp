@@ -38,7 +38,7 @@ TEST(Water, LeavesOfTheTemperatureOfTheAirAssimilateAsBeforeToTheBit) {
     EXPECT_EQ(with.at("leaf_warming_0"), 0);
 }
 
-//! The ranges are those of maize in a hot week in the field.
+//! The ranges are those of maize in the field in a hot week.
 TEST(Water, IsWhatMaizeTranspires) {
     const auto found = numbers(week(balance));
     EXPECT_GT(found.at("transpiration_0"), 3);

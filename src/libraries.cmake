@@ -9,7 +9,7 @@ set(how_Spack "Spack             spack install")
 set(how_conda "conda             conda install -c conda-forge")
 set(missing "")
 
-# note_missing(NAME DEBIAN FEDORA SPACK CONDA): what packages have it.
+# note_missing(NAME DEBIAN FEDORA SPACK CONDA): notes the packages of a library.
 macro(note_missing name)
     string(APPEND missing "\n    ${name}")
     set(packages ${ARGN})
@@ -38,7 +38,7 @@ need("{fmt}" fmt PACKAGES libfmt-dev fmt-devel fmt fmt)
 need(OpenSSL OpenSSL FIND COMPONENTS Crypto
     PACKAGES libssl-dev openssl-devel openssl openssl)
 need(Eigen Eigen3 PACKAGES libeigen3-dev eigen3-devel eigen eigen)
-# The library of this header has numbers of one type, as somebody chose.
+# The library of tinyobjloader has numbers of the type that its packager chose.
 find_path(TINYOBJLOADER_INCLUDE_DIR tiny_obj_loader.h)
 mark_as_advanced(TINYOBJLOADER_INCLUDE_DIR)
 if(NOT TINYOBJLOADER_INCLUDE_DIR)
@@ -55,7 +55,7 @@ if(IDEOTYPE_PROGRAM)
     # Dimension scales come with HDF5's high-level library.
     need("HDF5 with its high-level library" HDF5 FIND COMPONENTS C HL
         PACKAGES libhdf5-dev hdf5-devel hdf5+hl hdf5)
-    # Its headers include mpi.h where it was built with MPI, as Spack does.
+    # HDF5's headers include mpi.h where it was built with MPI, as in Spack.
     if(HDF5_IS_PARALLEL)
         list(APPEND HDF5_LIBRARIES MPI::MPI_CXX)
     endif()

@@ -18,7 +18,7 @@ trap 'rm -rf "$folder"' EXIT
 mpirun -n "$ranks" "$program" run "$campaign" --case 0 --out "$folder" \
     --wall-time 00:00:10 >"$folder/log" 2>&1 &
 run=$!
-# Long enough for each rank to have evaluated many plants.
+# The run is long enough for each rank to evaluate many plants.
 sleep 6
 for pid in $(pgrep -P "$run"); do
     [ "$(readlink "/proc/$pid/exe")" -ef "$program" ] || continue

@@ -16,10 +16,11 @@ fail() {
     exit 1
 }
 
-# This command stops a command that hangs, where a test has any that might.
+# A prefix that stops a command that hangs; empty unless a test sets it.
 time_limit=()
 
-# $1 the expected exit code, the rest a command; its output is in out.log.
+# Runs a command and checks its exit code; its output is in out.log. $1 the
+# expected code, the rest the command.
 expect() {
     local expected=$1 code=0
     shift
@@ -96,7 +97,7 @@ give_growth() {
 
 # $1 and $2 histories, $3 a group, the rest datasets that may differ
 same_group() {
-    # Scales refer to data by their places in the file, which differ.
+    # Scales refer to data by places in the file, which differ.
     local excluded=() name scales="row finalist gene parent objective \
         randomisation leaf layer hour day light_source leaf_side generation \
         quantity factor"
@@ -105,16 +106,16 @@ same_group() {
         fail "$3 differs: $1 $2"
 }
 
-# Everything of a history but what may differ between runs: times, workers,
-# attempts, sessions.
+# Compares all results of two histories but times, workers, attempts and
+# sessions, which may differ between runs.
 same_results() {
     same_group "$1" "$2" /evaluations seconds worker attempt
     same_group "$1" "$2" /final seconds worker attempt checksum
     same_group "$1" "$2" /generations wall_time checksum
 }
 
-# Tells the processes that process $1 started, and those that these did: MPICH
-# has a process of its own between mpirun and the ranks.
+# Prints the descendants of process $1: MPICH has a process of its own between
+# mpirun and the ranks.
 descendants_of() {
     local process
     for process in $(pgrep -P "$1"); do
@@ -123,7 +124,7 @@ descendants_of() {
     done
 }
 
-# Whether all that $1 started is gone, but for what it has not waited for.
+# Tells whether all descendants of process $1 are gone, but for zombies.
 are_gone() {
     local process
     for process in $(descendants_of "$1"); do
@@ -132,7 +133,7 @@ are_gone() {
     done
 }
 
-# $1 a process above the ranks, $2 a rank
+# Prints the process of a rank: $1 a process above the ranks, $2 the rank.
 rank_of() {
     local process
     for process in $(descendants_of "$1"); do
@@ -148,8 +149,8 @@ is_mpich() {
     "$ideotype" --version | grep -q "^MPICH"
 }
 
-# Whether $1 is what mpirun ends with after a run that a signal stopped: 5, which
-# that of MPICH 4.0 at times forgets.
+# Tells whether $1 is the exit code of mpirun after a run that a signal stopped:
+# 5, or 0 by MPICH 4.0, which at times forgets the code.
 is_stopped() {
     [ "$1" -eq 5 ] || { [ "$1" -eq 0 ] &&
         "$ideotype" --version | grep -q "^MPICH 4\.0"; }

@@ -149,7 +149,7 @@ expect 0 "$ideotype" export "$history" --best --to plant.obj
 expect 0 "$ideotype" export "$history" --generation 0 --slot 0 --field \
     --to field.obj
 [ "$(grep -c '^g plant.*leaf' field.obj)" -eq 90 ] || fail "not nine plants"
-# Read again, it has the leaf area of the baseline and its stalks.
+# The mesh, read again, has the leaf area of the baseline and its stalks.
 expect 0 "$ideotype" light field.obj --period 2.286 .4572 \
     --sun 60 180 --tolerance .05
 says "^lai  *3.4[34]"

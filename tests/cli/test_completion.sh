@@ -11,7 +11,7 @@ complete_words() {
     echo " ${COMPREPLY[*]} " >out.log
 }
 
-# Names of options in a --help on standard input.
+# Prints the names of options in a --help on standard input.
 options() {
     sed -n 's/^  \(-[-a-z,]*\).*/\1/p' | tr ',' '\n'
 }
@@ -38,7 +38,7 @@ complete_words ideotype ev
 says "^ evaluate $"
 complete_words ideotype status --js
 says "^ --json $"
-# Then the shell completes files.
+# After an option's name the shell completes files.
 complete_words ideotype run --out ""
 says "^  $"
 expect 0 bash -ic ". '$project/src/cli/completion.bash'; complete -p ideotype"

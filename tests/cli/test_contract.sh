@@ -24,7 +24,7 @@ else
     says "$maths: .*would not go on with the same bits"
     says "maths was [0-9a-f]*, is [0-9a-f]*"
     says "another folder with --out"
-    # Ranks that differ do not begin at all.
+    # A job of ranks that differ does not begin at all.
     cat >ranks.sh <<'EOF'
 #!/bin/sh
 [ "${OMPI_COMM_WORLD_RANK:-${PMI_RANK:-$PMIX_RANK}}" = 0 ] ||
@@ -56,7 +56,7 @@ if ! h5dump -a isa "$maths" | grep -q '"sse2"'; then
     says "narrow has no instruction set .* (it has sse2); this history was"
 fi
 
-# Nothing that is no file keeps anybody waiting.
+# A path that is no file makes no command wait.
 mkdir -p odd/maths folder/x.h5
 mkfifo pipe.h5
 ln -s loop.h5 loop.h5
@@ -101,7 +101,7 @@ grep -q "this file was deleted, moved or replaced" first.log ||
 "$ideotype" status place | grep -q ": running" || fail "the second run lost its lock"
 expect 4 "$ideotype" run campaigns/long.toml --out place --resume
 says "in use by process $second "
-# Nothing beside the history takes part.
+# Only the history decides.
 find place -type f ! -name '*.h5' -delete
 expect 4 "$ideotype" run campaigns/long.toml --out place --resume
 says "in use by process $second "

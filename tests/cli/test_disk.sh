@@ -25,7 +25,8 @@ says "File too large"
 says "MiB are needed and .* MiB are free"
 [ -z "$(find limited -type f)" ] || fail "something is left: $(ls -R limited)"
 
-# One that comes in the middle, as a write error does: what was recorded is kept.
+# A limit that is met during the run, as a write error is: recorded rows are
+# kept.
 "${run[@]}" --out cut >cut.log 2>&1 &
 job=$!
 until grep -qs "generation 2, " cut.log; do sleep 0.05; done
@@ -80,7 +81,8 @@ expect 0 "$ideotype" run campaigns/locks.toml --out locks --resume
 expect 0 "$ideotype" status locks
 unset HDF5_USE_FILE_LOCKING
 
-# Cut short in copying: what is left can be saved, the rest is told.
+# A history that was cut short in copying: the rest can be saved, and the loss
+# is told.
 head -c -1000 "$whole" >short.h5
 expect 4 "$ideotype" export short.h5 --best --to best.csv
 says "truncated"
@@ -97,7 +99,7 @@ expect 1 "$ideotype" export short.h5 --generations --to none.csv
 says "no complete generation can be read"
 [ ! -e none.csv ] || fail "an empty file was written"
 
-# Repacked by HDF5, it is all as before.
+# A history repacked by HDF5 reads as before.
 h5repack -L -f SHUF -f GZIP=6 "$whole" packed.h5
 [ $((2 * $(stat -c %s packed.h5))) -lt "$(stat -c %s "$whole")" ] ||
     fail "repacked it is not half as large"
@@ -124,7 +126,7 @@ for verb in check run; do
     says "out is empty"
 done
 
-# A real full disk.
+# This disk is really full.
 mkdir small
 if ! mount -t tmpfs -o size=1m tmpfs small 2>/dev/null; then
     echo "MOUNTING IS NOT PERMITTED: THE FULL DISK IS NOT TESTED" >&2

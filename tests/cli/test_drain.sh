@@ -17,7 +17,7 @@ for _ in $(seq 100); do
 done
 sleep 0.5
 "$ideotype" status drained | grep ": running, " || fail "does not look running"
-# Whoever else wants to write it is refused, and disturbs nothing.
+# A second writer is refused, and disturbs nothing.
 code=0
 "$ideotype" run campaigns/long.toml --out drained --resume 2>second.log || code=$?
 [ $code -eq 4 ] || fail "a second writer ended with $code: $(cat second.log)"

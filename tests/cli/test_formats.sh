@@ -13,19 +13,20 @@ expect 0 "$ideotype" export "$old" --generations --to old.csv
 [ "$(wc -l <old.csv)" -eq 25 ] || fail "not a line for each row and a head"
 expect 0 "$ideotype" export "$old" --best --to bred.toml
 grep -q "^insertion_angle = " bred.toml || fail "$(cat bred.toml)"
-# Light may have changed since.
+# The light may have changed since this version.
 "$ideotype" evaluate "$old" --best >out.log 2>&1 || [ $? -eq 1 ] ||
     fail "$(cat out.log)"
 says "final slot [12]: \(agrees bit for bit with\|DIFFERS from\) the history"
 
-# Flipped bits of rows are found by all who are to trust them.
+# All commands that rely on rows find flipped bits in them.
 write_campaign flipped 6 3
 expect 0 "$ideotype" run campaigns/flipped.toml
 history=$(history_of results flipped)
 expect 0 "$ideotype" verify "$history"
 says "header, 3 generations and 4 finalists have their checksums"
 cp "$history" whole.h5
-# $1 a dataset, $2 the place of a byte in it, $3 who is damaged, $4 the byte
+# Flips a byte: $1 a dataset, $2 the place of the byte, $3 the damaged part, $4
+# the new byte.
 flip() {
     local at
     at=$(h5dump -p -H -d "$1" whole.h5 | awk '/OFFSET/ { print $2 }')
@@ -36,7 +37,7 @@ flip() {
     says "damaged: $3 does not have its checksum"
     expect 4 "$ideotype" run campaigns/flipped.toml --resume
     says "damaged: $3 does not have its checksum"
-    # Whatever reads rows.
+    # All commands that read rows notice the damage.
     local reader
     for reader in status "status --json" "evaluate --best" \
         "export --generations --to flipped.csv" "export --best --to flipped.toml"; do
@@ -58,8 +59,8 @@ flip /campaign/resolved 100 "the header"
 flip /generations/committed 2 "the mark of generation 2" '\0'
 flip /final/status 1 "finalist 1" '\0'
 
-# Commands that a history has may come from anybody: nothing but a start of the
-# program is offered, and nothing reaches the terminal as it is.
+# Commands in a history may come from anybody: only a start of the program is
+# offered, and no control character reaches the terminal.
 cp whole.h5 "$history"
 write_text() {
     local at

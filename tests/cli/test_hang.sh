@@ -60,7 +60,7 @@ freeze 1 2 3
 await_end "no worker answers any more"
 grep -q "  .* run .*--resume" "$log" || fail "no word about how to go on"
 
-# The deadline is no part of what is studied.
+# The deadline does not change the campaign.
 sed -i 's/^deadline = 1/deadline = "00:01:00"/' campaigns/hang.toml
 for folder in drained all; do
     "$ideotype" run campaigns/hang.toml --out $folder --resume >/dev/null

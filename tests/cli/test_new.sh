@@ -7,7 +7,7 @@ place=(--latitude 42.03 --longitude -93.63 --date 2021-07-01)
 field=(--row 0.762 --plant-spacing 0.15)
 mkdir own other
 
-# Ready to be checked from anywhere; the crop is beside it, to be changed.
+# A new campaign can be checked from anywhere; the crop is beside it.
 expect 0 "$ideotype" new own/my.toml "${place[@]}" "${field[@]}" --plant maize
 says "^next: ideotype check own/my.toml$"
 cmp own/maize.toml campaigns/crops/maize.toml
@@ -38,7 +38,8 @@ sum=$(cat own/* | sha256sum)
 expect 4 "$ideotype" new own/my.toml "${place[@]}" "${field[@]}" --plant maize
 says "own/my.toml: exists already and is not overwritten"
 [ "$(cat own/* | sha256sum)" = "$sum" ] || fail "something was overwritten"
-# A crop serves another campaign too; one that was changed is not taken for it.
+# A crop serves another campaign too; a changed crop is not taken for the
+# original.
 expect 0 "$ideotype" new own/second.toml "${place[@]}" "${field[@]}" \
     --plant maize --objective net_assimilation --name bread --utc-offset -5
 expect 0 "$ideotype" check own/second.toml
@@ -120,7 +121,7 @@ expect 3 "$ideotype" new none.toml "${place[@]}" "${field[@]}" --plant maize \
 says 'none.toml:.*name is "my own"'
 [ -z "$(ls none.toml maize.toml 2>/dev/null)" ] || fail "something is left"
 
-# On a terminal what is not given is asked for, until it can be taken.
+# On a terminal the command asks for missing options until an answer is valid.
 {
     echo 42.03
     echo west
@@ -148,7 +149,7 @@ says "there is no objective 'yield'"
 expect 0 "$ideotype" check asked.toml
 diff -b <(sed 's/my/asked/g' own/my.toml) asked.toml ||
     fail "answers make another campaign than options"
-# Only what is missing.
+# The command asks only for missing options.
 expect 0 script -qec "'$ideotype' new rest.toml ${place[*]} ${field[*]} \
     --plant maize" /dev/null <<<""
 grep -q "Latitude" out.log && fail "what was given is asked for"

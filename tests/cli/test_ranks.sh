@@ -31,7 +31,7 @@ same_for_any_ranks sobol --set search.optimizer=sobol
 same_for_any_ranks mixture --set 'band=[{name="nir"}]' \
     --set 'component=[{name="weed", crop="crops/sorghum.toml", rows=[2], free=["width"]}]'
 
-# Plants that grow, dry and with water, for ranks and for threads.
+# Plants that grow, dry and with water, on ranks and on threads.
 write_campaign grown 4 2
 give_growth grown
 for leaves in grown wet; do

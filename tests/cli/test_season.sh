@@ -40,7 +40,7 @@ expect 0 mpirun -n 3 "$ideotype" run campaigns/season.toml --out atlas3 "${atlas
 same_results "$(history_of atlas season july)" "$(history_of atlas3 season july)"
 same_after_kill "$(history_of atlas season july)" atlas_killed "${atlas[@]}"
 
-# The history has all that was read: nothing of the files is needed.
+# The history has all data that was read: no weather file is needed.
 mkdir alone
 cp "$whole" alone/history.h5
 rm -r campaigns

@@ -27,7 +27,7 @@ requests() {
             printf "{\"id\": %d, \"genome\": [%s]}\n", i, line
         } }'
 }
-# The figures of answers by id, without what differs from rank to rank.
+# Prints the figures of answers by id, without data that differ by rank.
 figures() {
     grep '"id":' "$1" | sed -E 's/,"rank":.*//; s/"line":[0-9]*,//' | sort -V
 }
@@ -39,7 +39,7 @@ requests 60 >requests
 figures alone.out >alone
 [ "$(grep -c '"status":"done","objectives":{"absorbed_par"' alone)" = 60 ] ||
     fail "not all are done: $(head -2 alone)"
-# A centimetre of a leaf may hold none of so few paths.
+# A leaf that is a centimetre longer may absorb no more of so few paths.
 [ "$(cut -d : -f 4- alone | sort -u | wc -l)" -gt 55 ] || fail "all are alike"
 head -c -1 requests | "${ranks[@]}" "${serve[@]}" >three.out
 figures three.out | diff alone - || fail "3 ranks differ from one"
@@ -105,7 +105,7 @@ turns=$(grep -o '"trait":"azimuth"[^}]*' hello.json |
 grep -q '"id":2,"status":"done"' free || fail "beyond a bound: $(cat free)"
 sed -i '/^\[\[traits\]\]/,$d' campaigns/served.toml
 
-# $1 what is waited for, the rest a command
+# Waits: $1 a description, the rest a command that has to succeed.
 await() {
     for _ in $(seq 300); do
         ! "${@:2}" || return 0
@@ -181,12 +181,12 @@ wait
 [ $code -eq "$(code_of_signal 9)" ] || fail "a killed rank ends with $code: $(cat lost.log)"
 await "the end of all ranks" no_ranks
 
-# A campaign that ranks cannot share, because there is none, is told once.
+# A campaign without a case that ranks can share is refused once.
 code=0
 "${ranks[@]}" "$ideotype" serve campaigns/none.toml </dev/null >none.log 2>&1 || code=$?
 [ $code -ne 0 ] || fail "no campaign is no error"
 [ "$(grep -c "none.toml" none.log)" = 1 ] || fail "$(cat none.log)"
 
-# As fast as a run of as many evaluations, about.
+# The service is about as fast as a run of as many evaluations.
 "$project/tests/benchmark/serve_rate.sh" "$ideotype" campaigns/served.toml 200 3 ||
     fail "the rate cannot be measured"

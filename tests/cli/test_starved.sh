@@ -47,7 +47,7 @@ expect 1 mpirun -n 3 ./starve.sh 1 "${run[@]}" --out worker
 says "worker 1 could not"
 goes_on worker
 
-# Finalists, of a run that was killed before it had evaluated them.
+# Finalists of a run that was killed before it evaluated them.
 for _ in 1 2 3 4 5; do
     rm -rf finals finals.log
     "${run[@]}" --out finals >finals.log 2>&1 &

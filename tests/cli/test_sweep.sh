@@ -92,7 +92,7 @@ for r in 1 2 3; do
         "busy/cut/ames_0807_762x152_all_r$r.h5"
 done
 
-# Somebody else works on all of them: nothing was done.
+# Another program works on all cases: nothing was done.
 for index in 0 1 2; do hold all $index; done
 code=0
 "$ideotype" run campaigns/cut.toml --out all --resume >all.log 2>&1 || code=$?

@@ -47,7 +47,7 @@ says "exists already"
 
 # Starts a run and waits for its first generation; $1 its folder.
 start() {
-    rm -f out.log # of an earlier run
+    rm -f out.log # the log of an earlier run
     "$ideotype" run campaigns/long.toml --out "$1" --threads 2 >out.log 2>&1 &
     job=$!
     for _ in $(seq 300); do
@@ -57,7 +57,7 @@ start() {
     fail "it does not begin: $(cat out.log)"
 }
 
-# Goes on as out.log says, $1 the folder.
+# Resumes by the command in out.log; $1 the folder.
 go_on() {
     local line
     line=$(grep -m 1 "^  .* run .*--resume$" out.log)

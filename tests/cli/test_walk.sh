@@ -3,7 +3,7 @@
 # The walk to a crop of one's own in docs/crop.md, as a user takes it.
 source "$(dirname "$0")/common.sh"
 
-# The blocks of that page, one file each.
+# Writes the blocks of that page to one file each.
 awk '/^```[a-z]/{name = "block" ++n; next} /^```/{name = ""} name{print > name}' \
     "$project/docs/crop.md"
 cat block1 block2 >millet.toml

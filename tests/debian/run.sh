@@ -24,7 +24,7 @@ command -v debootstrap >/dev/null || {
     exit 2
 }
 
-# $1 the label of an archive. Its first address here.
+# Prints the first address of an archive here; $1 its label.
 mirror_of() {
     # shellcheck disable=SC2016  # apt's own variable
     apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' \
@@ -47,7 +47,7 @@ if [ ! -e "$root/etc/built" ]; then
     touch "$root/etc/built"
 fi
 
-# The network as it is here: names, certificates, and how pip finds packages.
+# The network is that of this machine: names, certificates, and pip's settings.
 for file in /etc/resolv.conf /etc/hosts /etc/pip.conf \
     /etc/ssl/certs/ca-certificates.crt; do
     [ ! -e "$file" ] || cp -L "$file" "$root$file"
@@ -58,7 +58,7 @@ while IFS= read -r variable; do
     environment+=("$variable")
 done < <(env | grep -iE '^(https?_proxy|no_proxy|PIP_[A-Z_]+|SSL_CERT_FILE|CMAKE_BUILD_PARALLEL_LEVEL)=')
 
-clone=$root/srv/ideotype  # with its build, when the root is used again
+clone=$root/srv/ideotype  # the clone keeps its build if the root is used again
 [ -e "$clone" ] || git clone --quiet --no-checkout "$project" "$clone"
 commit=$(git -C "$project" rev-parse HEAD)
 git -C "$clone" fetch --quiet --tags --force "$project" "$commit"

@@ -24,7 +24,7 @@ _FREE = {
     "final": {"seconds", "worker", "attempt", "checksum"},
     "generations": {"wall_time", "checksum"},
 }
-_DONE = (2, 3)  # status of rows that are done, or failed
+_DONE = (2, 3)  # status of done and of failed rows
 
 
 @dataclass(frozen=True)
@@ -57,7 +57,7 @@ def place(rank: int | None, note: Path) -> dict[str, str]:
 
 @dataclass
 class Ended:
-    """An ended run: exit code, all that it printed, and what was hit."""
+    """An ended run: exit code, all output, and the calls that were hit."""
 
     code: int
     output: str
@@ -256,7 +256,7 @@ def wrong_rows(group: str, whole: Numbers, found: Numbers) -> list[str]:
 
 
 def lost_rows(found: Numbers, output: str) -> list[str]:
-    """Returns what was reported and is not there."""
+    """Returns reported rows and generations that are missing."""
     reported = [
         int(n) for n in re.findall(r"generation \d+, (\d+) of", output)
     ]

@@ -102,7 +102,7 @@ def mode_of(fault: Fault) -> str:
 def report(
     name: str, counts: dict[str, int], found: list[tuple[Fault, Verdict]]
 ) -> list[str]:
-    """Prints a row for each kind and mode; returns what is wrong."""
+    """Prints a row for each kind and mode; returns all errors."""
     outcomes: dict[tuple[str, str], Counter[str]] = {}
     wrong = []
     for fault, verdict in found:

@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: Apache-2.0
 # The build names all libraries that are missing at once.
 . "$(dirname "$0")/../cli/common.sh"
-export CMAKE_GENERATOR=Ninja  # as the presets; there may be no make
+export CMAKE_GENERATOR=Ninja  # generator of the presets; there may be no make
 
-# $1 the expected exit code, $2 an option, the rest libraries that are missing.
+# Expects an exit code ($1) with an option ($2); the rest are missing libraries.
 configure() {
     local without=()
     for library in "${@:3}"; do

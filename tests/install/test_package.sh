@@ -2,11 +2,11 @@
 # SPDX-License-Identifier: Apache-2.0
 # A program outside of this project links what find_package(ideotype) finds.
 . "$(dirname "$0")/../cli/common.sh"
-export CMAKE_GENERATOR=Ninja  # as the presets; there may be no make
+export CMAKE_GENERATOR=Ninja  # generator of the presets; there may be no make
 build=$4
 
 expect 0 cmake --install "$build" --prefix "$folder/prefix"
-# It must not need anything from where it was built.
+# The installed library must not need files of its build.
 mv prefix elsewhere
 cp -r "$project/analysis/examples" .
 consumer=(cmake -S examples -B built -DCMAKE_PREFIX_PATH="$folder/elsewhere"

@@ -7,8 +7,8 @@
 start_cluster() {
     cluster=$(mkdir -p "$1" && cd "$1" && pwd)
     local nodes=$2 port host node
-    # Below the ports that the kernel hands out, and apart from those of a
-    # cluster that is started at the same time.
+    # Ports are below those of the kernel, and apart from those of a cluster
+    # that is started at the same time.
     port=$((20000 + $$ % 1500 * 8))
     host=$(hostname -s)
     mkdir -p "$cluster"/{state,log,run/tmp}
@@ -45,8 +45,8 @@ KillWait=5
 NodeName=node[1-$nodes] NodeHostname=$host NodeAddr=127.0.0.1 Port=[$((port + 1))-$((port + nodes))] CPUs=4 State=UNKNOWN
 PartitionName=debug Nodes=ALL Default=YES MaxTime=INFINITE State=UP OverSubscribe=FORCE:4
 CONF
-    # Debian 12's version does without control groups if there are none, later
-    # ones only if told.
+    # SLURM of Debian 12 does without control groups if there are none; later
+    # versions only if told.
     case $(slurmd -V) in
     *" 22."*) ;;
     *) echo "CgroupPlugin=disabled" >"$cluster/cgroup.conf" ;;
@@ -118,7 +118,7 @@ submit() {
     job=$(sed -n 's/^job  *\([0-9]*\);.*/\1/p' "submit-$1.log")
 }
 
-# Waits until $1 exists.
+# Waits until the file $1 exists.
 wait_for_file() {
     for _ in $(seq 300); do
         [ ! -e "$1" ] || return 0

@@ -51,7 +51,7 @@ PATH=$full_path "$ideotype" run campaigns/sweep.toml --case 1 >/dev/null
 submit 0 --dry-run --form sweep campaigns/sweep.toml
 says "'--array=0,2'"
 
-# Nor is anything submitted while the controller does not answer.
+# Nothing is submitted while the controller does not answer.
 printf '#!%s/bash\necho no controller >&2\nexit 1\n' "$folder/bin" >squeue
 chmod +x squeue
 cp squeue bin/squeue

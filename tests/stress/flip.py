@@ -86,7 +86,7 @@ class Place:
 
     @property
     def path(self) -> Path:
-        """The history."""
+        """The path of the history."""
         (path,) = self.folder.glob("*/*.h5")
         return path
 
@@ -127,7 +127,7 @@ def killed(program: str, folder: Path) -> Place:
 
 
 def said(command: list[str], without: str = "") -> Said:
-    """Returns what the program says, but for lines that match."""
+    """Returns the output of the program without lines that match."""
     try:
         done = subprocess.run(
             command,

@@ -32,7 +32,8 @@ from ideotype.analysis.figures.style import RC
 
 
 def table_of(atlas: Atlas) -> tuple[list[str], list[list[str]]]:
-    """Returns titles, and a row for each angle, the flattest first."""
+    """Returns titles, and a row for each angle; the flattest angle comes
+    first."""
     across, up = atlas.axes
     leaders = atlas.leaders
     cells = [["" for _ in across.spans()] for _ in up.spans()]

@@ -20,8 +20,8 @@ KNOTS = [0, 0, 0, 0, 1 / 3, 2 / 3, 1, 1, 1, 1]
 
 
 def power(exponent: float, s: float) -> float:
-    """Returns the part of the bend that is reached at relative length s, in
-    crop files."""
+    """Returns the part of the bend that a midrib reaches at relative length s,
+    in crop files."""
     return float(s**exponent)
 
 
@@ -38,10 +38,10 @@ def perez(half: float, s: float) -> float:
 
 
 def prevot(s: float) -> float:
-    """Returns the part of the bend of a parabola up to the highest point of
-    the midrib, then of an arc of a circle.
+    """Returns the part of the bend of a midrib that is a parabola up to its
+    highest point, then an arc of a circle.
 
-    Prevot and others 1991, Agronomie 11, 491, have it, with medians of leaf 6
+    Prevot and others 1991, Agronomie 11, 491, have this form, with medians of leaf 6
     of the inbred F2 (ADEL, adelMons/data/05_geomF2_S1B1.h): 56 deg up to 0.53,
     then 63 deg."""
     rise, top, fall = 56.0, 0.53, 63.0
@@ -62,7 +62,7 @@ def prevot(s: float) -> float:
 
 @dataclass(frozen=True)
 class Shape:
-    """The changes of each blade."""
+    """The changes of shape that each blade has."""
 
     source: str
     bend: Callable[[float], float] = partial(power, 1.5)  # noqa: RUF009
@@ -71,12 +71,13 @@ class Shape:
     twist: float = 0
     """The twist of the tip about the midrib [deg]."""
     one_sense: bool = False
-    """Whether all leaves twist one way, else each at random."""
+    """Whether all leaves twist to the same side, else each at random."""
     roll: float = 0
-    """The largest roll of the cross-section [deg], in turn to both sides."""
+    """The largest roll of the cross-section [deg], alternating between
+    sides."""
     half_waves: int = 8
-    """The half waves of the roll, base to tip, as long as the blade is
-    wide."""
+    """Whether the roll has half waves from base to tip that are as long as the
+    blade is wide."""
     amplitude: float = 0
     """The amplitude of the margins, normal to the blade [m]."""
     wavelength: float = 0.15
@@ -84,7 +85,7 @@ class Shape:
 
     @property
     def varies(self) -> bool:
-        """Whether leaves differ at random."""
+        """Whether leaves differ from each other at random."""
         return bool(
             self.roll or self.amplitude or (self.twist and not self.one_sense)
         )
@@ -95,7 +96,7 @@ ADEL = "ADEL, ArchiCrop, CORNIBU"
 #: Leaf Geometry and Surface Area by Triangle Mesh": 7 or 10 angles, at random
 #: up to 45 deg.
 ROLL = "parametric_maize_leaf"
-#: The shapes, in which E marks our estimates.
+#: The shapes by name; E marks estimates of this project.
 SHAPES = {
     "as in crop files": Shape(""),
     "twist of 10 deg": Shape("E", twist=10),
@@ -133,8 +134,8 @@ def rolls(shape: Shape, halves: Numbers, draw: random.Random) -> Numbers:
     ends = np.zeros(count + 1)
     for k in range(1, count):
         ends[k] = (-1) ** (k + first) * shape.roll * draw.random()
-    # The phase grows by the inverse of the width, which never counts as less
-    # than 40 % of the largest.
+    # The phase grows by the inverse of the width, of which at least 40 % of
+    # the largest counts.
     steps = np.append(0, 1 / np.maximum(halves[1:], 0.4 * halves.max()))
     phase = count * np.cumsum(steps) / steps.sum()
     k = np.minimum(phase.astype(int), count - 1)
@@ -163,7 +164,7 @@ def blade(
     phases = [2 * math.pi * draw.random() for _ in range(2)]
 
     def along(s: Numbers, ahead: float = 0) -> Numbers:
-        """Returns the midrib's direction, or one that is ahead of it by an
+        """Returns the midrib's direction, or a direction that is ahead by an
         angle [rad]."""
         bent = leaf["insertion_angle"] + bend * np.vectorize(shape.bend)(s)
         angle = (np.radians(bent) + ahead)[:, None]

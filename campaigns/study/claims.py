@@ -137,7 +137,7 @@ def over_elite(set_up: SetUp) -> str:
 
 
 def by_leaves(trait: str) -> Callable[[SetUp], str]:
-    """Tells the mean of a trait over the lower and over the upper leaves, for
+    """Prints the mean of a trait over the lower and over the upper leaves, for
     each seed."""
 
     def look(set_up: SetUp) -> str:
@@ -158,7 +158,7 @@ def by_leaves(trait: str) -> Callable[[SetUp], str]:
 def without(
     change: Callable[[Stand, Numbers], Numbers],
 ) -> Callable[[SetUp], str]:
-    """Tells what the best plants lose [%] by a change."""
+    """Prints the loss of the best plants [%] by a change."""
 
     def look(set_up: SetUp) -> str:
         here = stand(set_up, FIRST)
@@ -181,8 +181,8 @@ def equal_angles(here: Stand, genome: Numbers) -> Numbers:
 
 
 def erect_tops(here: Stand, genome: Numbers) -> Numbers:
-    """Returns the plant with its own insertion angles in another order, the
-    steepest on top."""
+    """Returns the plant with its own insertion angles in another order, so
+    that the steepest leaves are on top."""
     angles = leaves(here, genome)["insertion_angle"]
     return with_trait(
         here, genome, "insertion_angle", sorted(angles, reverse=True)
@@ -200,14 +200,14 @@ def even_widths(here: Stand, genome: Numbers) -> Numbers:
 
 
 def distichous(here: Stand, genome: Numbers) -> Numbers:
-    """Returns the plant with leaves in two ranks across the row, as the
-    baseline's are."""
+    """Returns the plant with leaves in two ranks across the row, as in the
+    baseline."""
     own = leaves(here, here.baseline)["azimuth"]
     return with_trait(here, genome, "azimuth", list(own))
 
 
 def elsewhere(names: tuple[str, ...]) -> Callable[[SetUp], str]:
-    """Tells what the plant of 42 deg north and 30 x 6 inches has at other
+    """Prints how the plant of 42 deg north and 30 x 6 inches does at other
     places, relative to the plant that was bred there."""
 
     def look(set_up: SetUp) -> str:

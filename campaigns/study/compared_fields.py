@@ -29,8 +29,8 @@ def density_of(area: float, plant: str = "hybrid") -> float:
 DENSE = Field(ROW, density_of(6))
 JULY = replace(DENSE, hours="whole", date="2025-07-10")
 JULY_NOON = replace(JULY, hours="noon")
-#: The fields that are compared, by the keys of PUBLISHED where it is one
-#: figure of one field.
+#: The fields that are compared, by the keys of PUBLISHED whose figures are of
+#: one field.
 FIELDS = {
     **{f"k {row}": Field(row, DENSITY) for row in (0.2, 0.5, 1.0)},
     "k ceres": USUAL,
@@ -50,9 +50,9 @@ FIELDS = {
     "july": JULY,
     "july noon": JULY_NOON,
 }
-#: The fields whose k is that of all sunlight.
+#: The fields whose k is measured in all sunlight.
 OF_SUNLIGHT = ("k 0.2", "k 0.5", "k 1.0", "k muchow")
-#: The plant of version 0.2 with each measured input, and with all of them.
+#: The plants of version 0.2 with each measured input, and with all inputs.
 STEPS: dict[str, dict[str, Any]] = {
     "version 0.2": {},
     "bends": {"plant": "bends"},
@@ -65,7 +65,7 @@ STEPS: dict[str, dict[str, Any]] = {
     "all together: crops/maize.toml": {"plant": "maize", "variation": "field"},
     "the hybrid": {"plant": "hybrid", "variation": "field"},
 }
-#: Changes that would change the hybrid.
+#: Changes of the hybrid whose effect is shown.
 CHANGES: dict[str, dict[str, Any]] = {
     "as it is": {},
     "straight leaves": {"plant": "straight"},

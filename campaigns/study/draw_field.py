@@ -40,10 +40,10 @@ from ideotype.analysis.figures.field import (
 from ideotype.analysis.figures.style import RC, new_figure, unit_label
 
 IN_MIDRIBS = {"insertion_angle", "curvature", "azimuth", "roll", "twist"}
-"""Numbers of the variation that are left out where leaves were measured one by
+"""Numbers of the variation that are left out if leaves were measured one by
 one."""
 SIZE = (7, 12)
-"""The number of rows, and of plants in each."""
+"""The number of rows, and of plants in each row."""
 
 
 @dataclass(frozen=True)
@@ -58,8 +58,9 @@ class Drawn:
 
 
 def of_campaign(path: Path, folder: Path) -> tuple[Mesh, Numbers, float]:
-    """Returns the field of a campaign, twice as wide and as long as it is
-    there, distances from each row to the next, and the length of rows [m]."""
+    """Returns the field of a campaign, twice as wide and as long as in the
+    campaign, distances from each row to the next, and the length of rows
+    [m]."""
     tables = read_campaign(path)
     field, spacing = tables["field"], tables["spacing"][0]
     pattern = np.array(field.get("row_pattern", [1.0]))
@@ -148,7 +149,7 @@ def main() -> None:
         title, _, path = plant.rpartition("=")
         shown[title or Path(path).stem] = grown(Path(path), row, step)
     told = [x for each in shown.values() for x in each.light if x is not None]
-    # The few brightest faces would leave the others dark.
+    # A few very bright faces would leave all others dark.
     brightest = float(np.quantile(told, 0.98))
 
     figure = new_figure(4.3 * len(shown), 6.4)

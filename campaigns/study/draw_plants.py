@@ -50,7 +50,7 @@ def draw(axes: Axes, mesh: Mesh, is_side: bool, turn: float = TURN) -> None:
     colors = (
         np.array([to_rgb(COLORS[kind]) for kind in kinds]) * shade[:, None]
     )
-    # Faces that are nearer to the viewer are drawn over the others.
+    # Faces near the viewer are drawn over faces behind.
     order = np.argsort([c[:, 2].mean() for c in corners])
     axes.add_collection(
         PolyCollection(

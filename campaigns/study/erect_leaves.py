@@ -86,8 +86,8 @@ def changed(stand: Stand, change: Change) -> Numbers:
 def gains(
     under: Path, density: float, row: float = ROW, settings: Settings = ()
 ) -> list[Estimate]:
-    """Returns the gain of each variant [%], at a density [m-2] in rows this
-    far apart [m]."""
+    """Returns the gain of each variant [%], at a density [m-2] in rows of this
+    distance [m]."""
     spacing = (
         f"{{row = {row}, plant = {1 / density / row:.6f}, row_direction = 90}}"
     )

@@ -137,7 +137,8 @@ def bred(
 def difference(
     tables: dict[str, Any], folder: Path, generations: int, seeds: int
 ) -> list[Estimate]:
-    """Returns for each seed what the erect top gains over the flat one [%]."""
+    """Returns for each seed the gain of the erect top over the flat top
+    [%]."""
     stand = Stand(tables)
     differences = []
     for seed in range(1, seeds + 1):
@@ -152,7 +153,8 @@ def difference(
 def sign_changes(
     results: dict[Condition, list[Estimate]],
 ) -> Iterator[tuple[Condition, Condition]]:
-    """Yields neighbouring densities between which the sign changes."""
+    """Yields neighbouring densities between which the gain changes its
+    sign."""
     for one, other in pairwise(sorted(results)):
         alike = (one.light, one.limit, one.latitude) == (
             other.light,

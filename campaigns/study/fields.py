@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Evaluates maize in fields like those of experiments: its light, and what
-leaves make of it."""
+"""Evaluates the light and the assimilation of maize in fields like those of
+experiments."""
 
 from __future__ import annotations
 
@@ -71,8 +71,8 @@ HYBRID = crop("crops/maize_hybrid.toml")
 
 
 def with_bends(plant: Tables, factor: float = 1) -> Tables:
-    """Returns a plant with the bends of crops/maize.toml or a factor of its
-    own."""
+    """Returns a plant with the bends of crops/maize.toml or a factor for its
+    own bends."""
     plant = deepcopy(plant)
     bends = NEW["leaf"] if factor == 1 else plant["leaf"]
     for leaf, like in zip(plant["leaf"], bends, strict=True):
@@ -109,7 +109,7 @@ PLANTS: dict[str, Tables] = {
 
 
 def part(*names: str) -> Tables:
-    """Returns these numbers of the variation between field plants."""
+    """Returns some numbers of the variation between field plants."""
     return {name: FIELD_PLANTS[name] for name in names}
 
 
@@ -151,7 +151,7 @@ class Field:
     campaign: Path = DAY
     band: str = "par"
     more: tuple[str, ...] = ()
-    """Further settings."""
+    """Further settings of the campaign."""
 
     def tables(self) -> Tables:
         """Returns the campaign of this field."""
@@ -178,8 +178,7 @@ class Field:
         tables["plant"] = {"baseline": plant}
         tables["objective"] = {"maximise": "gross_assimilation"}
         variation = VARIATIONS[self.variation]
-        # Planes of leaves are at random, unless the variation tells how they
-        # lie.
+        # Planes of leaves are random, unless the variation describes them.
         is_told = "across_row" in variation or self.variation in {
             "across",
             "along",
@@ -205,9 +204,9 @@ Measured = dict[str, Estimate]
 
 
 def measure(field: Field, accuracy: Settings = ()) -> Measured:
-    """Returns what the program tells of a field, and of light on its way down
-    to the soil: `transmitted`, `fipar` = 1 - transmitted, and `k`,
-    -ln(transmitted) / leaf area index."""
+    """Returns the report of a field, and of light on its way down to the soil:
+    `transmitted`, `fipar` = 1 - transmitted, and `k`, -ln(transmitted) / leaf
+    area index."""
     stand = Stand(
         field.tables(),
         folder=field.campaign.parent,
@@ -228,7 +227,7 @@ def measure(field: Field, accuracy: Settings = ()) -> Measured:
 
 
 def through(transmitted: Estimate, lai: Estimate) -> Measured:
-    """Returns what follows from the light that reaches the soil."""
+    """Returns the figures that follow from the light that reaches the soil."""
     mean, error = transmitted
     return {
         "transmitted": transmitted,
@@ -262,7 +261,7 @@ def scaled(x: Estimate, factor: float) -> Estimate:
 
 
 def ratio(a: Estimate, b: Estimate) -> Estimate:
-    """Returns the ratio of two evaluations with errors of their own."""
+    """Returns the ratio of two evaluations with independent errors."""
     mean = a[0] / b[0]
     return mean, abs(mean) * math.hypot(a[1] / a[0], b[1] / b[0])
 
@@ -273,8 +272,8 @@ def noon_rate(x: Measured) -> Estimate:
 
 
 def dry_matter(x: Measured) -> Estimate:
-    """Returns the dry matter for each MJ of PAR that leaves absorb [g], if
-    leaves alone respire."""
+    """Returns the dry matter per MJ of PAR that leaves absorb [g], if only
+    leaves respire."""
     assimilated, error = x["gross_assimilation"]
     share = CARBOHYDRATE / BUILDING / x["absorbed_par"][0]
     return (assimilated - x["respiration"][0]) * share, error * share

@@ -51,14 +51,14 @@ DRAWN = 5
 
 @dataclass(frozen=True)
 class Found:
-    """Plants in the order of their leaf area index, and the baseline."""
+    """Plants in the order of their leaf area index, with the baseline."""
 
     stand: Stand
-    genomes: Numbers  # Genomes [plants, genes], the baseline last.
+    genomes: Numbers  # genomes [plants, genes], the baseline last
     lai: Numbers
-    carbon: Numbers  # Carbon balance [plants, randomisations].
-    is_front: np.ndarray  # Whether no other plant dominates it.
-    seed: Numbers  # The seed that bred each but the baseline.
+    carbon: Numbers  # carbon balance of plants [plants, randomisations]
+    is_front: np.ndarray  # whether no other plant dominates a plant
+    seed: Numbers  # the seed that bred each plant but the baseline
 
     @property
     def front(self) -> list[int]:
@@ -136,7 +136,8 @@ def find(options: argparse.Namespace) -> Found:
 
 
 def angles(found: Found, plant: int) -> list[str]:
-    """Tells the means of the upper four leaves and of the lower four [deg]."""
+    """Prints the means of the upper four leaves and of the lower four leaves
+    [deg]."""
     crop = tomllib.loads(found.stand.crop_file(found.genomes[plant]))
     leaves = [leaf["insertion_angle"] for leaf in crop["leaf"]]
     return [f"{np.mean(x):.0f}" for x in (leaves[-4:], leaves[:4])]

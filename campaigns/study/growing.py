@@ -39,7 +39,7 @@ FULL = "emergence to maturity, full canopy"
 
 
 def tables(**light: Any) -> dict[str, Any]:
-    """The first year of growing_season.toml, of plants that are alike."""
+    """The first year of growing_season.toml, with plants that are alike."""
     text = (CAMPAIGNS / "growing_season.toml").read_text()
     found: dict[str, Any] = tomllib.loads(text)
     found["climate"] = found["climate"][:1]
@@ -67,7 +67,8 @@ def number(stand: Stand, *names: str) -> list[float]:
 
 
 def errors_of_stages(paths: int, stages: tuple[int, ...]) -> list[float]:
-    """By how much fewer stages than 40 change gross assimilation [%]."""
+    """Returns by how much fewer stages than 40 change gross assimilation
+    [%]."""
     found = [
         number(
             Stand(tables(paths=paths, stages=n, dates=n), folder=CAMPAIGNS),
@@ -79,8 +80,8 @@ def errors_of_stages(paths: int, stages: tuple[int, ...]) -> list[float]:
 
 
 def cost(pairs: int) -> tuple[float, float]:
-    """Time of a growing season at an equal error over that of a full canopy,
-    a mean over pairs and its standard error."""
+    """Returns the time of a growing season at an equal error over that of a
+    full canopy, as a mean over pairs with its standard error."""
     growing = tables(tolerance=0.008)
     stands = [
         Stand(each, folder=CAMPAIGNS)
@@ -123,7 +124,7 @@ def carbon(paths: int) -> list[tuple[str, float]]:
 def erect_tops(
     paths: int, densities: tuple[float, ...]
 ) -> Iterator[list[Any]]:
-    """Yields the gain of an erect top over a flat one [%], with growth and
+    """Yields the gain of an erect top over a flat top [%], with growth and
     without."""
     for density in densities:
         growing = tables(paths=paths)

@@ -100,8 +100,8 @@ def bred(
 def of_a_top(
     way: str, density: float, options: Options
 ) -> tuple[float, list[Estimate]]:
-    """Returns the leaf area index at silking, and for each seed what an erect top
-    gains over a flat one [%]."""
+    """Returns the leaf area index at silking, and for each seed the gain of an
+    erect top over a flat top [%]."""
     both = campaigns(options, density)
     full = Stand(both[WAYS[1]], folder=CAMPAIGNS)
     limit = float(full.evaluate(full.baseline, ["lai"]).lai[0])

@@ -11,9 +11,8 @@ from ideotype import Stand
 
 
 class Function:
-    """A function that a library looks for the smallest value of, from free
-    genes that run from 0 to 1. Each generation has fields and random numbers
-    of its own."""
+    """A function of free genes from 0 to 1 that a library minimises. Each
+    generation has fields and random numbers of its own."""
 
     def __init__(self, stand: Stand) -> None:
         genes = stand.genes

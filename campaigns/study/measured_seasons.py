@@ -32,7 +32,7 @@ PER_CARBON = 2.2
 class Season:
     name: str
     weather: str
-    """A file of `DATA`, by the day."""
+    """The weather file of `DATA`, with a row for each day."""
     latitude: float
     longitude: float
     utc_offset: int
@@ -63,8 +63,8 @@ SEASONS = (
 
 
 def light_of_day(season: Season, day: date, energy: float) -> Numbers:
-    """Returns the light of each hour [W m-2], of a day's energy [MJ m-2]: it follows
-    the sine of the sun's elevation."""
+    """Returns the light of each hour [W m-2] from the energy of a day [MJ
+    m-2], which follows the sine of the sun's elevation."""
     clock = np.arange(24) + 0.5
     noon = 12 + season.utc_offset - season.longitude / 15
     latitude = np.deg2rad(season.latitude)
@@ -78,7 +78,8 @@ def light_of_day(season: Season, day: date, energy: float) -> Numbers:
 
 
 def warmth_of_day(largest: float, smallest: float) -> Numbers:
-    """Returns the temperature of each hour [deg C]: half a wave about the mean."""
+    """Returns the temperature of each hour [deg C], half a wave about the
+    mean."""
     wave = np.sin((np.arange(24) + 0.5 - 9) * np.pi / 12)
     mean, half = (largest + smallest) / 2, (largest - smallest) / 2
     return np.asarray(mean + half * wave)
@@ -153,7 +154,8 @@ def shoots(carbon: float) -> float:
 
 
 def slope(x: Numbers, y: Numbers) -> float:
-    """Returns the slope of the straight line through 0 that fits best."""
+    """Returns the slope of the straight line through 0 that fits best by least
+    squares."""
     return float(x @ y / (x @ x))
 
 

@@ -58,13 +58,13 @@ ALONE = {"maize": (0.6, 0.15), "soybean": (0.3, 0.1)}
 
 
 def campaign(file: str, common: Tables, **tables: Any) -> dict[str, Any]:
-    """Returns a campaign of this project with other tables."""
+    """Returns a campaign of this project in which some tables are replaced."""
     found = read_campaign(CAMPAIGNS / f"{file}.toml")
     return {**found, **common, **tables}
 
 
 def values(stand: Stand, genome: Numbers, name: str) -> list[Estimate]:
-    """Returns a quantity of the plant, one for each component if it has
+    """Returns a quantity of the plant, or of each component if it has
     several."""
     found = stand.evaluate(genome, [name], final=True)
     if found.message.values[0]:
@@ -75,7 +75,7 @@ def values(stand: Stand, genome: Numbers, name: str) -> list[Estimate]:
 
 
 def over(a: Estimate, b: Estimate) -> Estimate:
-    """Returns a / b of evaluations that share nothing."""
+    """Returns the ratio a / b of independent evaluations."""
     mean = a[0] / b[0]
     return mean, abs(mean) * math.hypot(a[1] / a[0], b[1] / b[0])
 
@@ -97,7 +97,7 @@ def net_alone(crop: str, common: Tables) -> Estimate:
 
 def draw_rows(stand: Stand, genome: Numbers, path: Path) -> None:
     """Draws light, net assimilation and leaf area of each row of a strip, per
-    ground that is nearest to the row. Bars are as wide as that ground."""
+    ground that is nearest to the row. Bars are as wide as this ground."""
     found = stand.evaluate(genome, final=True).isel(plant=0)
     panels = {
         "absorbed_light_by_row": "PAR that leaves absorb",
@@ -165,8 +165,8 @@ def strips(common: Tables, folder: Path) -> None:
 
 
 def invaders(common: Tables, folder: Path) -> None:
-    """Prints what single plants gain over their neighbours, and a stand of
-    such plants over the stand that they come into."""
+    """Prints the gain of single plants over their neighbours, and of a stand
+    of such plants over the stand that they enter."""
     of_stand = campaign("invader", common, name="stand")
     del of_stand["component"]
     of_stand["objective"] = {"maximise": "net_assimilation"}

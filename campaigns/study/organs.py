@@ -81,7 +81,7 @@ def gains(
 
 
 def parts(plant: str) -> list[str]:
-    """Tells where the light of the baseline goes [% of incident]."""
+    """Prints where the light of the baseline goes [% of incident]."""
     stand = Stand.from_campaign(QUICK, settings=settings(plant))
     found = stand.evaluate(stand.baseline, final=True).isel(plant=0)
     organs = (found.absorbed_by_organ / found.incident).to_series()

@@ -253,9 +253,9 @@ def measured(options: Options) -> None:
 def sides(
     options: Options, reading: Mapping[str, Any], panels: Sequence[Any]
 ) -> tuple[float, float, float]:
-    """Height of the sun [deg], and light on the front and the back of modules
-    in the 5 minutes of a reading [W m-2]."""
-    # Light of other times is made up, and looked at by nobody.
+    """Returns the height of the sun [deg], and light on the front and the back
+    of modules in the 5 minutes of a reading [W m-2]."""
+    # Light of other times is invented and has no effect on results.
     end = pd.Timestamp(f"2026-05-10 {reading['time']}", tz="Etc/GMT-2")
     ends = pd.date_range("2026-05-10", periods=288, freq="5min", tz=end.tz)
     suns = solarposition.get_solarposition(ends - HALF, *FOULUM)
@@ -290,7 +290,7 @@ def sides(
                     "diffuse": ["diffuse", "W m-2"],
                 }
             ],
-            # So far from plant to plant that modules stand over soil.
+            # Plants are so far apart that modules stand over soil.
             "spacing": [
                 {
                     "row": pitch / 2,

@@ -50,13 +50,13 @@ class Options:
 
 
 def tables_of(file: str, options: Options, **more: Any) -> dict[str, Any]:
-    """A campaign of this project with other tables."""
+    """Returns a campaign of this project in which some tables are replaced."""
     found = read_campaign(CAMPAIGNS / f"{file}.toml")
     return {**found, **(ROUGH if options.rough else {}), **more}
 
 
 def jackknife(figure: Callable[..., float], *draws: Numbers) -> Estimate:
-    """A figure of the means of draws that belong together, and its error."""
+    """Returns a figure over the means of paired draws, and its error."""
     count = len(draws[0])
     without = [
         figure(*(np.delete(x, i, 0) for x in draws)) for i in range(count)
@@ -68,8 +68,8 @@ def jackknife(figure: Callable[..., float], *draws: Numbers) -> Estimate:
 
 
 def changed(folder: Path, name: str, height: float, angle: float) -> Path:
-    """A crop file of maize with other heights and insertion angles, both times a
-    factor."""
+    """Returns a crop file of maize with factors for heights and insertion
+    angles."""
     crop = tomllib.loads(MAIZE.read_text())
     crop["stalk"]["height"] *= height
     for leaf in crop["leaf"]:
@@ -80,7 +80,8 @@ def changed(folder: Path, name: str, height: float, angle: float) -> Path:
     return path
 
 
-#: Heights and insertion angles of plants, as parts of those of crops/maize.toml.
+#: Heights and insertion angles of plants, relative to those of
+#: crops/maize.toml.
 PLANTS = {
     "baseline": (1.0, 1.0),
     "shorter by a fifth": (0.8, 1.0),
@@ -169,18 +170,19 @@ def trial(options: Options) -> None:
 
 
 def carbon_and_net(stand: Stand) -> Numbers:
-    """Both of the season [2, randomisations]."""
+    """Returns carbon balance and net assimilation of the season [2,
+    randomisations]."""
     found = stand.evaluate(stand.baseline, [], final=True)
     return np.asarray(found.objective_by_randomisation[0], float)
 
 
 def tell_gain(x: Estimate) -> str:
-    """With its 95 % interval."""
+    """Tells a figure with its 95 % interval."""
     return f"{x[0]:+.1f} ± {1.96 * x[1]:.1f}"
 
 
 def less(open_: Numbers, below: Numbers, *of_baseline: Numbers) -> float:
-    """Returns how much less a plant loses than the baseline [%]."""
+    """Returns how much less light a plant loses than the baseline [%]."""
     before, after = of_baseline
     return 100 * float(
         below.mean() / open_.mean() - after.mean() / before.mean()
@@ -188,7 +190,7 @@ def less(open_: Numbers, below: Numbers, *of_baseline: Numbers) -> float:
 
 
 def shaded(stand: Stand, options: Options) -> str:
-    """The light of the season that modules keep from plants [%]."""
+    """Returns the light of the season that modules keep from plants [%]."""
     few = {"fields": 2, "points": 8} if options.rough else {"fields": 8}
     found = stand.light_at(stand.baseline, 3.0, **few).isel(sensor=0)
     part = found.incident / found.incident.sum()
@@ -345,7 +347,7 @@ def front(options: Options, alone: float) -> None:
 
 
 def power_over_soil(tables: Mapping[str, Any], pitch: float) -> float:
-    """Electricity of modules over soil [kWh m-2 day-1]."""
+    """Returns the electricity of modules over soil [kWh m-2 day-1]."""
     row = pitch / 4
     stand = Stand(
         {

@@ -79,17 +79,17 @@ class Found:
 
     baseline: Estimate
     gains: dict[str, list[Estimate]]
-    """The gains of each search and seed [%]."""
+    """The gains of the best plant of each search and seed [%]."""
     lai: float
     """The leaf area index of the best plant of all."""
     gain_per_leaf_area: Estimate
-    """The gain per leaf area of the same plant [%]."""
+    """The gain of the best plant of all per leaf area [%]."""
     varied_gains: dict[str, list[Estimate]]
-    """The gains where plants differ, if they do not where they are bred
+    """The gains where plants differ, if plants are alike while they are bred
     [%]."""
     seconds: dict[str, float]
-    """The core-seconds of each search until a plant with 90 % of the largest
-    gain was known."""
+    """The core-seconds that each search takes to find a plant with 90 % of the
+    largest gain."""
 
 
 def name_of(tables: dict[str, Any], search: str, seed: int) -> str:

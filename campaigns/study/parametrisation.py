@@ -92,16 +92,15 @@ def crop_with_factors(folder: Path) -> Path:
 
 
 def plant_of(stand: Stand, genome: Numbers, folder: Path, name: str) -> Path:
-    """Writes a plant's crop file, in which leaves have what factors and
-    profiles made."""
+    """Writes a crop file of a plant whose leaves follow from factors and
+    profiles."""
     path = folder / f"{name}.plant.toml"
     path.write_text(stand.crop_file(genome), encoding="utf-8")
     return path
 
 
 def as_free_leaves(stand: Stand, plant: Path) -> Numbers:
-    """Returns the genome of a plant file among those of a campaign with this
-    baseline."""
+    """Returns the genome of a plant file in a campaign with this baseline."""
     values = tomllib.loads(plant.read_text(encoding="utf-8"))["leaf"]
     genome = np.array(stand.baseline)
     genes = stand.genes

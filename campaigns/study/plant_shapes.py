@@ -42,7 +42,7 @@ from ideotype.analysis.figures.style import RC, new_figure
 MEASURED = Path(__file__).parent / "measured"
 V02 = CAMPAIGNS / "plants" / "maize_v02.toml"
 HYBRID = CAMPAIGNS / "crops" / "maize_hybrid.toml"
-ROWS = 10  # The rows of a field, and the plants of each.
+ROWS = 10  # The number of rows of a field, and of plants in each row.
 CELLS = 40
 """The number of faces along a leaf: about 2 cm, near the 2.5 cm of measured
 planes."""
@@ -56,7 +56,7 @@ TITLES = {
 }
 THIRDS = ("lower", "middle", "upper")
 HEIGHTS = np.array([0, 0.2, 0.4, 0.6, 0.8, 1, 1.2, 1.4])
-"""Heights over that of the highest insertion."""
+"""Heights relative to the highest insertion."""
 PLANTS = {
     "version 0.2": (V02, {}),
     "as measured, all alike": (MAIZE, {}),
@@ -67,8 +67,8 @@ PLANTS = {
 
 @dataclass(frozen=True)
 class Shape:
-    """The leaves of plants; angles and reach have a number for all and for
-    each third."""
+    """The leaves of plants; angles and reach have a number for all leaves and
+    for each third of the leaves."""
 
     inclination: Numbers  # The angle of surfaces from the horizontal [deg].
     steep: Numbers  # The share of area that is steeper than STEEP.
@@ -92,8 +92,8 @@ def read_obj(path: Path) -> Mesh:
 
 
 def turned(crop: Path) -> str:
-    """Returns a trait of a plant; whichever it is, the first generation has
-    the baseline."""
+    """Returns any trait of a whole plant: the first generation has the baseline
+    for each trait."""
     traits = tomllib.loads(crop.read_text()).get("trait", [])
     whole = (each["name"] for each in traits if each.get("per") == "plant")
     return next(whole, "azimuth")
@@ -120,7 +120,8 @@ def field_of(
     spacing: tuple[float, float] = (0.76, 0.15),
 ) -> Mesh:
     """Returns the field of a plant's first generation, the baseline, as drawn:
-    so many rows and plants of each, so far apart [m]."""
+    with these numbers of rows and of plants in a row, at these distances
+    [m]."""
     tables = {
         **ANYWHERE,
         "name": re.sub("[^a-z0-9]+", "_", name),
@@ -154,7 +155,7 @@ def shape_of(field: Mesh) -> Shape:
     faces = faces.join(of.astype(float)).dropna()
     corners = field.vertices[np.array(faces.face.tolist())]
     a, b, c, d = np.moveaxis(corners, 1, 0)
-    # A face that is close to flat has half the product of its diagonals.
+    # A nearly flat face has half the product of its diagonals as area.
     normals = np.cross(c - a, d - b) / 2
     area = np.linalg.norm(normals, axis=1)
     inclination = np.degrees(np.arccos(np.abs(normals[:, 2]) / area))
@@ -178,7 +179,7 @@ def shape_of(field: Mesh) -> Shape:
 
 
 def measured() -> tuple[Shape, dict[str, Numbers]]:
-    """Returns the mean over plants, and each plant."""
+    """Returns the mean over plants, and the value of each plant."""
     order = ["all", *THIRDS]
     heights, steps, plants = (
         pd.read_csv(MEASURED / f"iowa_{name}.csv", index_col=0)

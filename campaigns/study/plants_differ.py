@@ -71,7 +71,7 @@ def plants(of: Stand, count: int) -> Numbers:
 
 
 def lost(values: Numbers, chosen: int) -> Estimate:
-    """Returns what is lost by choosing this plant instead of the best one
+    """Returns the loss by choosing this plant instead of the best plant
     [%]."""
     best = int(values.mean(1).argmax())
     return gain(values[best].tolist(), values[chosen].tolist())

@@ -23,15 +23,15 @@ class Published:
     what: str
     low: float
     high: float
-    """The highest figure that counts as agreement."""
+    """The largest value that counts as agreement."""
     told: str
-    """The figure as the source has it."""
+    """The figure as the source gives it."""
     differs: str
     source: str
 
 
 def near(value: float, share: float = 0.1) -> tuple[float, float]:
-    """Returns the range of agreement where no range or error is told."""
+    """Returns the range of agreement of a figure without range or error."""
     return (1 - share) * value, (1 + share) * value
 
 

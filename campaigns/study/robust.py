@@ -63,7 +63,7 @@ def place(
 
 
 def light_of(options: argparse.Namespace) -> dict[str, Any]:
-    """Returns the season, and the plant that grows in it if it does."""
+    """Returns the season, and the plant that grows in it if plants grow."""
     return growing_season() if options.growing else {"climate": [season()]}
 
 
@@ -72,7 +72,7 @@ def campaign(
 ) -> dict[str, Any]:
     """Returns the tables of a search for the mean of these places."""
     lit = light_of(options)
-    # Each site has a file of its own.
+    # Each site has a weather file of its own.
     lit["climate"][0].pop("file")
     return {
         **BREEDABLE,
@@ -94,7 +94,8 @@ def bred(tables: dict[str, Any], folder: Path) -> list[Numbers]:
 
 
 def relative(stand: Stand, home: int, plants: list[Numbers]) -> list[Estimate]:
-    """Returns what plants have here [% of the one whose home this is]."""
+    """Returns the carbon of plants here [% of the plant that was bred
+    here]."""
     values = light(stand, np.array(plants)).tolist()
     changes = (gain(values[home], value) for value in values)
     return [(100 + mean, error) for mean, error in changes]
@@ -128,8 +129,8 @@ def matrix(options: argparse.Namespace) -> Matrix:
 
 
 def mean_of_row(row: Sequence[Estimate]) -> Estimate:
-    """Returns the mean of a row. The error is at most the mean of errors:
-    fields are the same at all latitudes."""
+    """Returns the mean of a row. The error is at most the mean of errors,
+    because fields are equal at all latitudes."""
     return fmean(mean for mean, _ in row), fmean(error for _, error in row)
 
 

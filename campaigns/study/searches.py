@@ -48,7 +48,7 @@ SEARCHES: dict[str, tuple[tuple[str, ...], int]] = {
     "auto": (("search.optimizer=auto",), 37),
 }
 RANDOM = 2
-"""The origin of a plant that follows from no other."""
+"""The origin of a plant that has no parents."""
 CHECKPOINTS = (
     100,
     250,
@@ -67,7 +67,7 @@ CHECKPOINTS = (
 
 @dataclass(frozen=True)
 class Point:
-    """A search after some evaluations."""
+    """The results of a search after some evaluations."""
 
     evaluations: int
     gains: list[float]  # The gain of each seed [%].
@@ -102,8 +102,8 @@ def best_until(
     history: Path, checkpoints: list[int]
 ) -> list[tuple[Numbers, float]]:
     """Returns for each checkpoint the plant, and the seconds of all
-    evaluations until then. A search that learns is asked for the best of its
-    last generation, others for the best of all."""
+    evaluations until then. A search that learns gives the best plant of its
+    last generation, other searches the best plant of all."""
     found: list[tuple[Numbers, float]] = []
     highest, plant = -math.inf, np.empty(0)
     done, seconds = 0, 0.0

@@ -31,7 +31,7 @@ from ideotype.analysis.reading.estimate import relative_gain
 CAMPAIGNS = Path(__file__).parents[1]
 MAIZE = CAMPAIGNS / "crops" / "maize.toml"
 PLANT_AREA = 0.3991
-"""The leaf area of this plant [m2]."""
+"""The leaf area of the plant in this file [m2]."""
 #: The [field.variation] of hybrids, and of the lines that were measured;
 #: README.md has the sources.
 HYBRIDS = {
@@ -64,12 +64,12 @@ FIELD_PLANTS = {
     "late": 0.04,
 }
 #: The [field] and [light] of searches where plants differ: several small
-#: fields, so that errors of rows contain how fields differ.
+#: fields, so that errors of rows contain differences between fields.
 SMALL_FIELD = {"rows": 2, "plants": 2, "variation": FIELD_PLANTS}
 SEVERAL_FIELDS = {"fields": 4}
 Numbers = NDArray[np.float64]
 Settings = Sequence[str]
-"""Settings as for --set: "search.optimizer=ga"."""
+"""Settings as --set takes them: "search.optimizer=ga"."""
 Estimate = tuple[float, float]
 """A mean and its standard error."""
 
@@ -78,7 +78,7 @@ TITLES = {
     "net_assimilation": "net assimilation, clear day",
     "carbon_balance": "carbon balance, season",
 }
-"""The titles of objectives, with the light that they are looked at under."""
+"""The titles of objectives, with the light under which each is evaluated."""
 
 #: The light of tests: evaluations of milliseconds, with errors of per cents.
 ROUGH: Mapping[str, Any] = {
@@ -86,8 +86,8 @@ ROUGH: Mapping[str, Any] = {
     "final": {"candidates": 1, "paths": 256, "randomisations": 4},
 }
 
-#: A campaign of what a breeder can select in hybrids, in rows of 30 inches
-#: with 6 inches between plants; it lacks light and an objective.
+#: The campaign of traits that a breeder can select in hybrids, in rows of 30
+#: inches with 6 inches between plants; it lacks light and an objective.
 BREEDABLE: Mapping[str, Any] = {
     "spacing": [{"name": "30x6", "row": 0.762, "plant": 0.1524}],
     "field": SMALL_FIELD,
@@ -113,7 +113,7 @@ ANYWHERE: Mapping[str, Any] = {
 
 
 def guard(main: Callable[[], None]) -> None:
-    """Ends a script with the message of what could not be done."""
+    """Ends a script with the message of an error."""
     try:
         main()
     except subprocess.CalledProcessError as error:
@@ -123,7 +123,7 @@ def guard(main: Callable[[], None]) -> None:
 
 
 def folder_at(path: str) -> Path:
-    """Returns a folder, which is made if it is not there."""
+    """Returns a folder, which is made if it does not exist."""
     folder = Path(path).resolve()
     folder.mkdir(parents=True, exist_ok=True)
     return folder
@@ -133,7 +133,7 @@ def parser_of(
     description: str | None, epilog: str | None = None
 ) -> argparse.ArgumentParser:
     """Returns a parser that describes a script by the first line of its
-    text."""
+    docstring."""
     first = (description or "").partition("\n")[0]
     return argparse.ArgumentParser(description=first, epilog=epilog)
 
@@ -174,13 +174,13 @@ def parser_of_searches(
 
 
 def say(text: str) -> None:
-    """Tells the progress of a script, apart from its tables."""
+    """Prints the progress of a script, apart from its tables."""
     print(text, file=sys.stderr, flush=True)
 
 
 def read_campaign(path: Path) -> dict[str, Any]:
     """Returns the tables of a campaign file, whose crop files are found from
-    anywhere."""
+    any folder."""
     tables = tomllib.loads(path.read_text())
     for part in (tables["plant"], *tables.get("component", [])):
         key = "crop" if "crop" in part else "baseline"
@@ -225,7 +225,7 @@ def breed_tables(
 
 
 def best(history: Path) -> Numbers:
-    """Returns the genome of a history's best plant."""
+    """Returns the genome of the best plant of a history."""
     with ideotype.open_history(history) as opened:
         found = opened.best()
     if found is None:
@@ -254,8 +254,8 @@ def stand_of(plant: Path, campaign: Path, settings: Settings = ()) -> Stand:
 
 
 def light(stand: Stand, genomes: Numbers) -> Numbers:
-    """Returns the objective [plants, randomisations] as finalists are
-    evaluated: all in the same fields and with the same random numbers."""
+    """Returns the objective [plants, randomisations] of plants evaluated as
+    finalists: all in equal fields and with equal random numbers."""
     found = stand.evaluate(genomes, [], final=True)
     for message in found.message.values:
         if message:
@@ -288,14 +288,14 @@ def with_trait(
 
 
 def estimate(values: Sequence[float]) -> Estimate:
-    """Returns the estimate of randomisations."""
+    """Returns mean and standard error of randomisations."""
     return fmean(values), stdev(values) / math.sqrt(len(values))
 
 
 def sign_change(
     low: tuple[float, Estimate], high: tuple[float, Estimate]
 ) -> Estimate:
-    """Returns where a line through two points is zero."""
+    """Returns the place where a line through two points is zero."""
     (x, (y, error)), (x2, (y2, error2)) = low, high
     slope = (y2 - y) / (x2 - x)
     weight = -y / (y2 - y)
@@ -336,7 +336,8 @@ def mean_over_seeds(values: Sequence[Estimate]) -> Estimate:
 
 
 def told(value: Estimate, digits: int = 1, sign: str = "") -> str:
-    """Tells mean and standard error; the sign "+" stands before gains too."""
+    """Returns mean and standard error as text, with the sign "+" before
+    gains."""
     mean, error = value
     return f"{mean:{sign}.{digits}f} ± {error:.{digits}f}"
 

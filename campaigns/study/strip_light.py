@@ -76,7 +76,7 @@ def soybean_at(stage: str, folder: Path) -> Path:
 
 
 class Strips:
-    """Stands of maize with soybean in some rows."""
+    """A stand of maize with soybean in some rows."""
 
     def __init__(self, folder: Path, rough: bool) -> None:
         self._folder = folder
@@ -136,8 +136,8 @@ class Strips:
         return Stand(tables)
 
     def at(self, stand: Stand, height: float, position: float) -> Estimate:
-        """Returns the part of the day's light that arrives at a height, so far
-        from a row [m]."""
+        """Returns the part of the day's light that arrives at a height, at a
+        distance from a row [m]."""
         found = stand.light_at(
             stand.baseline, height, position, points=self._points
         ).isel(sensor=0)
@@ -160,12 +160,12 @@ class Strips:
 
 
 def total(rows: Sequence[Estimate]) -> Estimate:
-    """Returns the sum of rows, whose errors are taken as independent."""
+    """Returns the sum over rows, whose errors count as independent."""
     return sum(x for x, _ in rows), math.hypot(*(e for _, e in rows))
 
 
 def more(a: Estimate, b: Estimate) -> str:
-    """Tells how much more a is than b [%]."""
+    """Tells by how much a exceeds b [%]."""
     ratio = a[0] / b[0]
     error = ratio * math.hypot(a[1] / a[0], b[1] / b[0])
     return f"{100 * ratio - 100:+.0f} ± {100 * error:.0f}"
@@ -200,7 +200,7 @@ def of_maize(strips: Strips) -> list[str]:
     alone = strips.stand((0.7, 0.7), 0.2 / 0.7, stage="V2")
     in_strip = total(strips.by_row(strip))
     sole = total(strips.by_row(alone))
-    land = 2.0 / 1.4  # The cell of strips over that of the other.
+    land = 2.0 / 1.4  # The ratio of the areas of both cells.
     scaled = (sole[0] * land, sole[1] * land)
     return [
         "all maize leaves, 2M2S over sole (PMC6391028: those at wide rows)",

@@ -154,7 +154,7 @@ PARTS = {
 
 
 def table_of(name: str, folder: Path, figures: Path, is_short: bool) -> str:
-    """Returns what the script of a part prints."""
+    """Returns the output of a part's script."""
     part = PARTS[name]
     words = [*part.words, *(part.short if is_short else ())]
     done = subprocess.run(
@@ -185,7 +185,7 @@ def block(place: str) -> re.Pattern[str]:
 
 
 def written(results: Path, place: str) -> str:
-    """Returns the table that the file has there."""
+    """Returns the table of a part in the file."""
     found = block(place).search(results.read_text(encoding="utf-8"))
     if found is None:
         raise SystemExit(
@@ -213,14 +213,13 @@ def evaluations(folder: Path) -> int:
 
 
 def told_by(*words: str) -> str:
-    """Returns what a command prints, if it can be run."""
+    """Returns the output of a command, if the command can be run."""
     done = subprocess.run(words, check=False, capture_output=True, text=True)
     return done.stdout.strip() or f"{words[0]} tells nothing"
 
 
 def versions() -> str:
-    """Tells the versions of the project that this script is in, and of the
-    program."""
+    """Tells the versions of this script's project and of the program."""
     program = os.environ.get("IDEOTYPE_EXECUTABLE", "ideotype")
     return "{}; {}".format(
         told_by(
@@ -248,7 +247,7 @@ def digests() -> list[str]:
 
 
 def timed(folder: Path, seconds: float) -> float:
-    """Returns the time that a part has taken in all sessions."""
+    """Returns the time that a part took in all sessions."""
     path = folder / "seconds"
     before = float(path.read_text()) if path.exists() else 0.0
     path.write_text(f"{before + seconds:.1f}\n")

@@ -82,8 +82,8 @@ from ideotype.analysis.figures.style import new_figure
 def of_fields(
     found: dict[str, Measured], infrared: dict[str, Measured]
 ) -> dict[str, Estimate]:
-    """Returns our figures, by the keys of PUBLISHED: those of light and
-    assimilation."""
+    """Returns the figures of this program, by the keys of PUBLISHED for light
+    and assimilation."""
     found = found | {
         name: found[name] | of_sunlight(found[name], each)
         for name, each in infrared.items()
@@ -119,8 +119,8 @@ def of_fields(
 
 
 def of_erect_leaves(accuracy: Settings) -> dict[str, Estimate]:
-    """Returns what leaves that are tied up do to gross assimilation [%]: the
-    mean over densities."""
+    """Returns the change of gross assimilation when leaves are tied up [%], as
+    a mean over densities."""
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         found = [
             gains[-1]
@@ -157,8 +157,8 @@ def verdict(ours: Estimate, published: Published) -> str:
 
 
 def shown(x: Estimate) -> str:
-    """Tells a figure to the second digit of its error, at most the fourth
-    after the point."""
+    """Tells a figure to the second digit of its error, with at most four
+    decimals."""
     error = x[1]
     places = 1 - math.floor(math.log10(error)) if error else 4
     return told(x, max(0, min(4, places)))

@@ -38,9 +38,10 @@ from ideotype.analysis.interval import interval
 from ideotype.analysis.reading.estimate import Estimate
 
 SEASON_LIMIT = 300.0
-"""The most that plants may transpire in a growing season [mm]."""
+"""The highest transpiration of plants in a growing season [mm]."""
 WEEK_SHARE = 0.9
-"""The most that they may transpire in a week, over what the baseline does."""
+"""The highest transpiration of plants in a week, relative to the
+baseline's."""
 
 
 def growing_season(year: int) -> dict[str, Any]:
@@ -118,7 +119,8 @@ def row_of(name: str, limit: float, case: Case) -> list[str]:
 def print_other_year(
     stands: dict[str, Stand], plants: dict[str, list[Path]]
 ) -> None:
-    """Prints what plants bred in a year have over those bred in the other one."""
+    """Prints the carbon of plants bred in a year over that of plants bred in
+    the other year."""
     for year, other in (("2011", "2012"), ("2012", "2011")):
         gains = [
             gain(*light(stands[year], np.array([best(b), best(a)])).tolist())

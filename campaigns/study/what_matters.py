@@ -112,15 +112,15 @@ def campaign(
 
 
 def is_of(stand: Stand, traits: Sequence[str]) -> np.ndarray:
-    """Returns which genes these traits have."""
+    """Returns whether each gene belongs to one of these traits."""
     return stand.genes.trait.isin(traits).to_numpy()
 
 
 def combined(
     stand: Stand, bred: Numbers
 ) -> Iterator[tuple[frozenset[str], Numbers]]:
-    """Yields the baseline with any groups of traits of a bred plant; none
-    first."""
+    """Yields the baseline with all combinations of groups of traits of a bred
+    plant; the first has none."""
     for count in range(len(GROUPS) + 1):
         for names in combinations(GROUPS, count):
             traits = [trait for name in names for trait in GROUPS[name]]
@@ -131,7 +131,7 @@ def combined(
 
 
 def shapley(values: dict[frozenset[str], Numbers], name: str) -> Numbers:
-    """Returns what one of the groups adds, mean over all orders, for each
+    """Returns the gain by one group, as a mean over all orders, for each
     randomisation."""
     count = len(GROUPS)
     total = np.zeros_like(values[frozenset()])
@@ -144,7 +144,8 @@ def shapley(values: dict[frozenset[str], Numbers], name: str) -> Numbers:
 
 
 def shares(stand: Stand, bred: Numbers) -> dict[str, Estimate]:
-    """Returns shares of the gain [percentage points]; "" is all of it."""
+    """Returns shares of the gain [percentage points]; "" stands for the whole
+    gain."""
     names, plants = zip(*combined(stand, bred), strict=True)
     values = dict(zip(names, light(stand, np.array(plants)), strict=True))
     baseline = values[frozenset()]
@@ -159,7 +160,7 @@ def shares(stand: Stand, bred: Numbers) -> dict[str, Estimate]:
 def mistaken(
     stand: Stand, plant: Numbers, mistake: str, draws: int
 ) -> Iterator[Numbers]:
-    """Yields plants of which this trait is off."""
+    """Yields plants with a mistake in this trait."""
     trait, degrees, is_random = MISTAKES[mistake]
     genes = is_of(stand, [trait])
     numbers = np.random.default_rng(1)

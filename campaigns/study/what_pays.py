@@ -42,8 +42,8 @@ def mean_of(values: Values) -> Values:
     return [fmean(values)] * len(values)
 
 
-#: Features that are undone: a trait, and its new values from the old ones and
-#: the baseline's.
+#: Features that are undone: a trait, and its new values from the old values
+#: and those of the baseline.
 VARIANTS: dict[str, tuple[str, Callable[[Values, Values], Values]]] = {
     "azimuths of the baseline, all across the row": (
         "azimuth",
@@ -105,7 +105,7 @@ def print_traits(plants: list[pd.DataFrame]) -> None:
 def study(
     history: Path, baseline: pd.DataFrame, under: Path
 ) -> tuple[pd.DataFrame, list[Estimate]]:
-    """Returns the best plant, and what each variant loses, with its standard
+    """Returns the best plant, and the loss of each variant with its standard
     error [%]."""
     stand = stand_of(history, under)
     best = leaves(stand, stand.baseline)

@@ -101,7 +101,7 @@ grep -q "this file was deleted, moved or replaced" first.log ||
 "$ideotype" status place | grep -q ": running" || fail "the second run lost its lock"
 expect 4 "$ideotype" run campaigns/long.toml --out place --resume
 says "in use by process $second "
-# Only the history decides.
+# The lock of a history needs no other file.
 find place -type f ! -name '*.h5' -delete
 expect 4 "$ideotype" run campaigns/long.toml --out place --resume
 says "in use by process $second "

@@ -181,7 +181,7 @@ wait
 [ $code -eq "$(code_of_signal 9)" ] || fail "a killed rank ends with $code: $(cat lost.log)"
 await "the end of all ranks" no_ranks
 
-# A campaign without a case that ranks can share is refused once.
+# A campaign that does not exist is refused once.
 code=0
 "${ranks[@]}" "$ideotype" serve campaigns/none.toml </dev/null >none.log 2>&1 || code=$?
 [ $code -ne 0 ] || fail "no campaign is no error"

@@ -138,8 +138,9 @@ VARIATIONS: dict[str, Tables] = {
 
 @dataclass(frozen=True)
 class Field:
-    """A field: distance of rows [m], plants per area [m-2], which plant, how
-    plants differ, the direction of rows from north [deg], and the light."""
+    """A field: distance of rows [m], plants per area [m-2], the plant, the
+    differences between plants, the direction of rows from north [deg], and the
+    light."""
 
     row: float
     density: float

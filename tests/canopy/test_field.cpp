@@ -61,7 +61,7 @@ TEST(Field, AFractionOfPlantsPointsAcrossTheRow) {
         EXPECT_LT(turn, 135);
         across += turn < 45;
     }
-    // Within four standard errors.
+    // The bounds are four standard errors.
     EXPECT_NEAR(across / 2000., 0.7, 4 * std::sqrt(.7 * .3 / 2000));
 }
 

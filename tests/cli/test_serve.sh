@@ -9,7 +9,7 @@ write_campaign served 8 3
 serve=("$ideotype" serve campaigns/served.toml)
 ranks=(mpirun -n 3)
 
-# An empty input is fine, and the hello tells all about the genes.
+# An empty input is valid, and the hello describes all genes.
 "${serve[@]}" </dev/null >hello.json 2>hello.log
 [ "$(wc -l <hello.json)" = 1 ] || fail "no single hello: $(cat hello.json)"
 grep -Eq '^[0-9]{4}-[0-9]{2}-[0-9]{2}T[0-9:]{8}Z  ideotype: 0 genomes' \
@@ -67,7 +67,7 @@ for start in "" "${ranks[*]}"; do
     exec 4<&-
 done
 
-# A bad line is answered, and the next one is evaluated.
+# A bad line is answered, and the next line is evaluated.
 bad() {
     { echo "$1"; sed -n 1p requests; } | "${serve[@]}" --quiet >bad.out ||
         fail "ended with $? by: $1"
@@ -121,8 +121,8 @@ count=1400
 requests $count >many
 
 for start in "" "${ranks[*]}"; do
-    # Nobody reads any more, while the input stays open: all ranks end, with a
-    # reason and 1.
+    # No client reads answers any more, while the input stays open: all ranks
+    # end with a reason and exit code 1.
     rm -f gone.code
     sleep 60 >in &
     feeder=$!
@@ -148,7 +148,7 @@ for start in "" "${ranks[*]}"; do
     await "the end of all ranks" no_ranks
     wait
 
-    # A request to stop: what is in flight is answered.
+    # A request to stop comes: requests in flight are answered.
     $start "${serve[@]}" <in >stopped.out 2>stopped.log &
     job=$!
     exec 3>in

@@ -27,8 +27,8 @@ for ranks in 1 3 12; do
 done
 
 
-# So they do with masters that share the cases, and the rank in the job stands
-# with each evaluation.
+# Masters that share the cases give equal bits too, and the rank in the job
+# stands with each evaluation.
 mpirun -n 6 "$ideotype" run campaigns/sweep.toml --out shared --masters 2 \
     >shared.log
 same_as_alone shared

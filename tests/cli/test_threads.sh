@@ -79,7 +79,7 @@ for signal in INT TERM USR1; do
     go_on "on $signal"
 done
 
-# A second Ctrl-C ends it at once, whatever the work in flight does.
+# A second Ctrl-C ends a run at once, whatever the work in flight does.
 start twice
 kill -INT $job
 kill -INT $job

@@ -36,8 +36,8 @@ __all__ = [
     "open_study",
 ]
 
-# The module that has each name: reading needs no compiled module, and
-# evaluating needs nothing that draws figures.
+# The module that defines each name. Names are imported at their first use:
+# reading needs no compiled module, and evaluating needs no plotting library.
 _PLACES = {
     "Canopy": ("._mesh", "Canopy"),
     "Crop": ("._crop", "Crop"),

@@ -27,8 +27,8 @@ VERBS = {
 verb and returns the exit code; `python_verbs.cpp` has the same names."""
 
 _HANDED = "IDEOTYPE_HANDED"
-"""The environment variable that is set for a program which this command has
-become."""
+"""The environment variable that marks a program by which this command has
+replaced itself."""
 
 
 def answer(words: Sequence[str]) -> int:
@@ -38,7 +38,8 @@ def answer(words: Sequence[str]) -> int:
 
 
 def main() -> int:
-    """Answers the command line, or becomes the compiled program, which does."""
+    """Answers the command line, or replaces this process by the compiled
+    program, which answers it."""
     words = sys.argv[1:]
     if words and words[0] in VERBS:
         return answer(words)
@@ -56,7 +57,7 @@ def main() -> int:
 
 
 def compiled_program() -> str | None:
-    """Finds the first `ideotype` that is not this command of some Python."""
+    """Finds the first `ideotype` on PATH that is not a Python command."""
     named = os.environ.get("IDEOTYPE_EXECUTABLE")
     folders = os.get_exec_path()
     for path in [*filter(None, [named]), *(f"{f}/ideotype" for f in folders)]:

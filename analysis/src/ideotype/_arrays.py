@@ -14,10 +14,11 @@ _Given = TypeVar("_Given")
 
 
 def real(given: ArrayLike, name: str) -> NDArray[np.float64]:
-    """Returns real numbers, of which none is hidden or lost.
+    """Returns an array of real numbers.
 
-    Raises Error for all else: numpy would take the values that masked arrays
-    hide, and drop the imaginary part of complex numbers."""
+    Raises Error for masked and complex arrays: numpy would use the hidden
+    values of a masked array, and drop the imaginary part of complex
+    numbers."""
     try:
         found = np.asarray(unmasked(given, name))
         if not np.iscomplexobj(found):
@@ -30,7 +31,8 @@ def real(given: ArrayLike, name: str) -> NDArray[np.float64]:
 
 
 def unmasked(given: _Given, name: str) -> _Given:
-    """Returns what is given. Raises Error if it is or holds a masked array."""
+    """Returns the argument. Raises Error if the argument is or holds a masked
+    array."""
     if _is_masked(given):
         raise Error(
             f"{name} is or holds a masked array, whose hidden values would "

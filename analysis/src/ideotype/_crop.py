@@ -44,9 +44,8 @@ class Crop:
     def from_file(cls, path: str | PathLike[str]) -> Crop:
         """Reads a crop file.
 
-        Raises Error if it has no [growth], InputError with all problems.
-
-        Raises Error if it has no [growth], InputError with all problems."""
+        Raises Error if the file has no [growth], InputError with all
+        problems of the file."""
         return cls(_core.GrowingCrop(os.fspath(path)))
 
     @property
@@ -81,8 +80,9 @@ class Crop:
         )
 
     def mesh(self, thermal_time: float) -> Mesh:
-        """The surfaces of one plant at a thermal time from emergence
-        [deg C d]: its foot at the origin, y along the row, z up [m]."""
+        """Returns the surfaces of one plant at a thermal time from emergence
+        [deg C d]: the foot of the plant is at the origin, y along the row, z
+        up [m]."""
         return Mesh.of(*self._core.mesh(float(thermal_time)))
 
     def season(
@@ -94,14 +94,14 @@ class Crop:
         """Grows a stand day by day.
 
         emergence: day on which plants emerge.
-        temperatures: temperature of each hour from the beginning of that day
-            on, for whole days [deg C].
+        temperatures: temperature of each hour from the beginning of the day of
+            emergence, for whole days [deg C].
         density: plants per area of ground [m-2].
 
-        Returns a Dataset over `day`: at its end `thermal_time` [deg C d],
-        `leaf_area_index` of green blades and `dead_area_index`.
+        Returns a Dataset over `day`: at the end of each day `thermal_time`
+        [deg C d], `leaf_area_index` of green blades and `dead_area_index`.
 
-        Raises Error if numbers are impossible."""
+        Raises Error if a number is impossible."""
         hourly = np.ascontiguousarray(real(temperatures, "temperatures"))
         if hourly.ndim != 1 or hourly.size == 0 or hourly.size % 24:
             raise Error(

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The energy balance of leaves, each for itself."""
+"""The energy balance of single leaves."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ import ideotype._core as _core
 from ._arrays import real
 from ._errors import Error, did_you_mean
 
-_NONE = np.nan  # in the place of a default: what must be given
+_NONE = np.nan  # The mark of a parameter without a default.
 
 # Default, least and most, in the order of columns of the compiled module.
 _SURROUNDINGS = {
@@ -69,25 +69,27 @@ _KEYS = (
 def leaf_energy_balance(
     inputs: Mapping[str, Any], *, roots: bool = False
 ) -> dict[str, Any]:
-    """Temperature, stomata, assimilation and transpiration of leaf points.
+    """Returns temperature, stomatal conductance, assimilation and
+    transpiration of points on leaves.
 
-    Inputs are numbers or arrays of one shape. What a point absorbs on both
-    faces together per area of leaf: `ppfd` [umol m-2 s-1], `nir` and
-    `longwave` [W m-2]; its air: `air` [deg C], `rh` (0 to 1), `co2`
-    [umol mol-1], `pressure` [kPa] and `wind` [m s-1]; and `width` [m] of the
-    blade. Parameters, here or in a dict `parameters`, which counts more:
-    `model`, "collatz" (C4) or "farquhar" (C3), with what each has in a
-    [photosynthesis] table (`vmax`, ...); `stomata`, "medlyn" with `g0` and
-    `g1` or "ball-berry" with `b0` and `b1`; `emissivity`, and `ratio`, the
-    conductance of the lower face over that of the upper.
+    Inputs are numbers or arrays of one shape. Radiation that a point absorbs
+    on both faces together per area of leaf: `ppfd` [umol m-2 s-1], `nir` and
+    `longwave` [W m-2]; the air at the leaf: `air` [deg C], `rh` (0 to 1),
+    `co2` [umol mol-1], `pressure` [kPa] and `wind` [m s-1]; and `width` [m] of
+    the blade. Parameters, as keywords or in a dict `parameters`, which takes
+    precedence: `model`, "collatz" (C4) or "farquhar" (C3), with the keys of
+    the model in a [photosynthesis] table (`vmax`, ...); `stomata`, "medlyn"
+    with `g0` and `g1` or "ball-berry" with `b0` and `b1`; `emissivity`, and
+    `ratio`, the conductance of the lower face over the conductance of the
+    upper face.
 
-    Returns, per area of leaf, `leaf` [deg C], `net` [umol m-2 s-1], `gs`
-    [mol m-2 s-1], `ci` [umol mol-1], `transpiration` [mmol m-2 s-1], `latent`,
+    Returns, per area of leaf, `leaf` [deg C], `net` [umol m-2 s-1], `gs` [mol
+    m-2 s-1], `ci` [umol mol-1], `transpiration` [mmol m-2 s-1], `latent`,
     `sensible` and `net_radiation` [W m-2], and `boundary_heat` [mol m-2 s-1]
-    of one face. Where there are several balances it is the coolest; with
-    `roots` the number of balances is returned too.
+    of one face. Where a point has several balances, the coolest is returned;
+    with `roots` the number of balances is returned too.
 
-    Raises Error of inputs that are missing, unknown or out of range."""
+    Raises Error if inputs are missing, unknown or out of range."""
     given = dict(inputs)
     nested = given.pop("parameters", {})
     if not isinstance(nested, Mapping):

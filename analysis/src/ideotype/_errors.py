@@ -28,8 +28,8 @@ class Error(Exception):
 
 
 class Problem(NamedTuple):
-    """One thing that is wrong with an input. Lines and columns count from 1,
-    and are 0 where they are not known."""
+    """One problem of an input. Lines and columns count from 1; 0 means that a
+    line or column is not known."""
 
     file: str
     line: int

@@ -14,8 +14,8 @@ import ideotype._core as _core
 def dataset_of(
     case: _core.CaseStand, found: list[tuple[Any, ...]], wanted: list[str]
 ) -> xarray.Dataset:
-    """Returns what evaluations of plants in a case found, one tuple for each,
-    as arrays of the quantities that are wanted."""
+    """Returns the results of evaluations of plants in a case, one tuple for
+    each plant, as arrays of the wanted quantities."""
     axes = {each[0]: each for each in case.axes}
     messages = [each[1] for each in found]
     numbers = np.array([each[5] for each in found]).reshape(len(found), -1, 2)

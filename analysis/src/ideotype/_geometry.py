@@ -20,8 +20,8 @@ class Mesh:
     faces: tuple[tuple[int, ...], ...]
     """The three or four vertices of each face."""
     groups: tuple[str, ...]
-    """The organ of each face: "leaf01", ..., "stalk", "sheath", and others as
-    "stalk_NAME" or "sheath_NAME" by their tissue."""
+    """The organ of each face: "leaf01", ..., "stalk", "sheath"; other organs
+    are "stalk_NAME" or "sheath_NAME" by their tissue."""
 
     @classmethod
     def of(
@@ -31,8 +31,8 @@ class Mesh:
         face_group: NDArray[np.integer[Any]],
         names: list[str],
     ) -> Self:
-        """Makes a mesh of faces with four corners, in which triangles repeat
-        the last."""
+        """Makes a mesh of faces with four corners, in which a triangle repeats
+        its last corner."""
         return cls(
             vertices,
             tuple(
@@ -44,8 +44,8 @@ class Mesh:
 
     @property
     def corners(self) -> NDArray[np.float64]:
-        """The corners of faces [faces, 4, 3] in metres; triangles repeat the
-        last."""
+        """The corners of faces [faces, 4, 3] in metres; a triangle repeats its
+        last corner."""
         return self.vertices[[(*face, face[-1])[:4] for face in self.faces]]
 
     def area(self, group: str) -> float:
@@ -62,9 +62,10 @@ def shaded(
     light: NDArray[np.float64],
     least: float,
 ) -> NDArray[np.float64]:
-    """Returns the colours [faces, 3] of faces with these corners, [faces, 4,
-    3], darker the less they face the light, a direction of length 1; faces
-    seen by the light edge-on keep `least` of their colour."""
+    """Returns the colours [faces, 3] of faces with the given corners [faces,
+    4, 3]. A face is darker the less it faces the light, a direction of length
+    1; a face that the light meets edge-on keeps the part `least` of its
+    colour."""
     normals = np.cross(
         corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1]
     )

@@ -72,12 +72,12 @@ class Canopy:
         seed: int | None = None,
     ) -> xarray.Dataset:
         """Evaluates where light goes, as `ideotype light` does: an option that
-        is not given is as on its command line.
+        is not given has the default of the command line.
 
         period: the period of the lattice on which the mesh repeats, along x
             and y [m].
-        isolated: whether the mesh stands alone on endless soil, with
-            `ground_area` [m2] that light per area refers to.
+        isolated: whether the mesh stands alone on endless soil, with the
+            `ground_area` [m2] to which light per area refers.
         field: rows, plants of a row, row and plant spacing [m]. The mesh is a
             plant at x = y = 0 and repeats in rows along y, each plant turned
             at random by up to `jitter` [deg].
@@ -88,27 +88,28 @@ class Canopy:
         site: latitude, longitude [deg] and UTC offset [h] of the sun and sky
             of a clear `day`, "2021-07-01".
         climate: file with the tables [site] and [climate] of a campaign.
-        photosynthesis: file with this table, for assimilation; `exact` means
-            what `--exact` means on the command line.
-        leaf, stalk, sheath: reflectance and transmittance, by default those of
-            the command line. Groups whose names begin with "stalk" or "sheath"
-            are stalks or sheaths, all others are leaves.
-        scene: file of materials, components and wavebands, as `--scene` of the
-            command line takes it; it tells all optics and photosynthesis.
+        photosynthesis: file with the table [photosynthesis], for assimilation;
+            `exact` has the meaning of `--exact` on the command line.
+        leaf, stalk, sheath: reflectance and transmittance, by default the
+            values of the command line. Groups whose names begin with "stalk"
+            or "sheath" are stalks or sheaths, all others are leaves.
+        scene: file of materials, components and wavebands, as for `--scene` of
+            the command line; the file gives all optics and photosynthesis.
         tolerance: relative standard error of the leaves' light; `paths` gives
             a number of paths instead.
         by_face: whether the light that each face absorbs is returned too.
 
         Returns a Dataset: `incident` is the light on the ground; `leaves`,
-        `stalks` (all other organs) and `soil` are what these absorb, and
-        `reflected` is what leaves the canopy, per area of ground; `absorbed`
-        is by `group`, and `absorbed_by_layer` is the light of leaves by
-        height. Quantities that a history has are there too, for a single sun
-        or sky those that are no rates. Each has its NAME_standard_error. With
-        a `scene` there are instead, by `band`, `incident`, `soil`,
-        `reflected`, `absorbed_by_component` and `absorbed` by `group`; and by
-        `component` its leaf area index `lai`, `gross_assimilation` and
-        `net_assimilation`.
+        `stalks` (all other organs) and `soil` are the light that each absorbs,
+        and `reflected` is the light that escapes from the canopy, per area of
+        ground; `absorbed` is the light absorbed by `group`, and
+        `absorbed_by_layer` is the light of leaves by height. The Dataset also
+        has the quantities of a history; for a single sun or sky only those
+        quantities that are not rates. Each quantity has its
+        NAME_standard_error. With a `scene` the Dataset has instead, by `band`,
+        `incident`, `soil`, `reflected`, `absorbed_by_component` and `absorbed`
+        by `group`; and by `component` the leaf area index `lai`,
+        `gross_assimilation` and `net_assimilation`.
 
         Raises Error if options contradict each other."""
         arguments = _arguments(
@@ -165,13 +166,13 @@ def mesh(
     *,
     groups: Sequence[str] | None = None,
 ) -> Canopy:
-    """Returns a canopy of any surfaces, such as those of trimesh, PlantGL or a
-    plant model of one's own.
+    """Returns a canopy of any surfaces, such as meshes of trimesh, PlantGL or
+    the user's own plant model.
 
     vertices: [vertices, 3] in metres; x is east, y is north, z is up.
     faces: [faces, 3], [faces, 4], or a list of polygons of any number of
-        corners, counted from 0; they are divided into triangles as those of
-        OBJ files are.
+        corners, counted from 0; polygons are divided into triangles like the
+        polygons of OBJ files.
     groups: name of the organ that each face belongs to; "leaf" if not given.
 
     Raises Error if arrays do not fit together."""
@@ -197,7 +198,7 @@ def _polygons(
     given: ArrayLike | Sequence[Sequence[int]], vertices: int
 ) -> tuple[NDArray[np.uint32], NDArray[np.uint32]]:
     """Returns the corners of all faces, and the number of corners of each."""
-    # Rows may differ in length, unlike those of an array.
+    #     Faces may differ in their number of corners, unlike rows of an array.
     every: Any = unmasked(given, "faces")
     if not len(every):
         raise Error("faces is empty; a mesh needs at least one face")
@@ -224,8 +225,8 @@ def _polygons(
 
 
 def _arguments(**given: Any) -> list[str]:
-    """Returns the words of a command line with these options; None leaves one
-    out."""
+    """Returns the words of a command line with the given options; an option of
+    value None is left out."""
     words: list[str] = []
     for name, value in given.items():
         if value is None or value is False:
@@ -238,7 +239,7 @@ def _arguments(**given: Any) -> list[str]:
 
 
 def _in_python(message: str) -> str:
-    """Puts the names of arguments in the place of those of options."""
+    """Replaces names of options by names of arguments."""
     message = re.sub(r"--(leaf|stalk|sheath)-\w+", r"\1", message)
     message = message.replace("--date", "--day")
     return re.sub(

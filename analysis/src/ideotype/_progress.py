@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A bar on a terminal that tells how far something has come."""
+"""A bar on a terminal that shows the progress of a task."""
 
 from __future__ import annotations
 
@@ -11,11 +11,12 @@ from typing import Self, TextIO
 
 
 class Progress:
-    """A bar that fits the width of the terminal, and is gone at the end.
-    Nothing is written where there is no terminal."""
+    """A progress bar that fits the width of the terminal and disappears at the
+    end. Nothing is written where there is no terminal."""
 
     def __init__(self, what: str, stream: TextIO | None = None) -> None:
-        """`what` is the verb of a step that is done, such as "drawn"."""
+        """Begins a bar; `what` is the participle for finished steps, such as
+        "drawn"."""
         self._what = what
         self._stream = stream or sys.stderr
         self._is_shown = self._stream.isatty()
@@ -29,7 +30,7 @@ class Progress:
         self._write("")
 
     def tell(self, done: int, count: int, about: str = "") -> None:
-        """Shows that so many of `count` steps are done."""
+        """Shows how many of `count` steps are done."""
         spent = time.monotonic() - self._started
         left = spent / done * (count - done) if done else 0
         self._write(
@@ -50,8 +51,8 @@ class Progress:
 def bar(
     done: int, count: int, words: str, left: float, about: str, columns: int
 ) -> str:
-    """Returns a line of at most so many columns: a bar, words, the seconds
-    that are left, and what is being done; the latter give way first."""
+    """Returns a line of at most the given number of columns: a bar, words, the
+    remaining seconds and the present step, which is left out first."""
     if left >= 1:
         words += f", {int(left) // 60}:{int(left) % 60:02} left"
     whole = f"{words}  {about}" if about else words

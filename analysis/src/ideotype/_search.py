@@ -19,7 +19,7 @@ Numbers = NDArray[np.float64]
 class Search:
     """Looks for the best point between bounds, a generation at a time.
 
-    A point follows from the arguments and from what was told of earlier
+    A point follows from the arguments and from the told values of earlier
     generations alone. docs/optimisers.md tells what each optimizer does."""
 
     def __init__(
@@ -36,10 +36,10 @@ class Search:
         traits: Sequence[str] | None = None,
         axes: Sequence[tuple[float, float, int]] = (),
     ) -> None:
-        """Begins a search. lower and upper: bounds [genes]. start: where the
-        search begins, by default in the middle. maximise: whether each
-        objective is maximised, else it is minimised. population: number of
-        points of a generation. circular: whether both bounds of a gene are the
+        """Begins a search. lower and upper: bounds [genes]. start: point at
+        which the search begins, by default the middle. maximise: whether each
+        objective is maximised or else minimised. population: number of points
+        of a generation. circular: whether both bounds of each gene are the
         same point. traits: names of groups of genes that belong together, by
         default each gene by itself. axes: lower bound, upper bound and number
         of cells of each feature of an atlas, which looks for the best point of
@@ -101,8 +101,8 @@ class Search:
     ) -> None:
         """Learns the values of the points that were asked for [points] or
         [points, objectives]; NaN where a point could not be evaluated.
-        violations: how far each point fails constraints; 0 where it does not.
-        features: those of each point of an atlas [points, axes]."""
+        violations: amount by which each point violates constraints; 0 if none.
+        features: features of each point for an atlas [points, axes]."""
         count = len(self._search.ask())
         told = np.asarray(values, float).reshape(-1, self._objectives)
         failed = (

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Settings of a campaign, as Python gives them, as words of a command line."""
+"""Turns settings of a campaign from Python into words of a command line."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ import tomli_w
 from ._arrays import unmasked
 
 Settings = Mapping[str, Any] | Iterable[str]
-"""Keys of a campaign that replace what its file says: {"light.paths": 1024} or
-["light.paths=1024"]. Tables are dictionaries."""
+"""Keys of a campaign with values that replace the values of its file:
+{"light.paths": 1024} or ["light.paths=1024"]. Tables are dictionaries."""
 
 
 def words_of(settings: Settings) -> list[str]:
-    """Returns settings as `--set` takes them."""
+    """Returns settings as words for the option `--set`."""
     if isinstance(settings, str):
         return [settings]
     if isinstance(settings, Mapping):

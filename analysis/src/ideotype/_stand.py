@@ -29,7 +29,7 @@ class Stand(StandViews):
     `Stand(tables)` takes the tables of a campaign file as dictionaries, with
     every key that a file may have; files that it names are looked for in
     `folder`. `Stand.from_campaign` reads such a file. docs/campaign_files.md
-    tells the meaning of keys.
+    explains the keys.
 
     Threads may share a stand: evaluations run without the interpreter's lock.
     """
@@ -43,8 +43,8 @@ class Stand(StandViews):
         settings: Settings = (),
         isa: str | None = None,
     ) -> None:
-        """Raises InputError with all problems of the tables, whose lines are
-        those of `tomli_w.dumps(tables)`."""
+        """Makes the stand. Raises InputError with all problems of the tables;
+        line numbers count in `tomli_w.dumps(tables)`."""
         self._case = _core.CaseStand.from_text(
             tomli_w.dumps(tables),
             os.path.join(os.fspath(folder), "campaign.toml"),
@@ -62,11 +62,11 @@ class Stand(StandViews):
         settings: Settings = (),
         isa: str | None = None,
     ) -> Self:
-        """Returns the stand of a case of a campaign file, with `settings` in
-        the place of its keys.
+        """Returns the stand of a case of a campaign file, in which `settings`
+        replace keys of the file.
 
-        `isa` is the instruction set of the ray tracer, else the widest that
-        this processor has. Raises InputError with all problems of the file,
+        `isa` is the instruction set of the ray tracer, by default the widest
+        set of this processor. Raises InputError with all problems of the file,
         Error if there is no such file or case."""
         return cls._of(
             _core.CaseStand.from_file(
@@ -83,15 +83,15 @@ class Stand(StandViews):
         same_isa: bool = True,
     ) -> Self:
         """Returns the stand that the plants of a history were evaluated in. A
-        sensitivity study also varies keys of its campaign: the stand is then
-        that of the row with this genome.
+        sensitivity study also varies keys of its campaign: the stand then has
+        the keys of the row with this genome.
 
-        `same_isa`: with the instruction set of the history, without which
-        light differs in its last digits; else the widest that this processor
-        has.
+        `same_isa`: whether to use the instruction set of the history, without
+        which light differs in its last digits, or else the widest set of this
+        processor.
 
-        Raises as `ideotype.open_history`, and Error if this processor lacks
-        the instruction set."""
+        Raises the errors of `ideotype.open_history`, and Error if this
+        processor lacks the instruction set."""
         from .analysis import open_history
 
         with open_history(Path(path)) as history:
@@ -112,7 +112,8 @@ class Stand(StandViews):
         return stand
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """Makes copies, also in other processes, give the same bits."""
+        """Makes copies, also in other processes, evaluate plants to the same
+        bits."""
         return _restored, (self.campaign, self.name, self.isa)
 
     def evaluate(
@@ -126,31 +127,30 @@ class Stand(StandViews):
         final: bool = False,
         threads: int | None = None,
     ) -> xarray.Dataset:
-        """Evaluates the light in a stand of each of these plants.
+        """Evaluates the light in a stand of each of the given plants.
 
-        genomes: [plants, genes], or [plants, free genes] if the others are
-            those of the baseline; one plant may be [genes]. Numbers have the
-            units of `genes`. Numbers beyond their bounds are evaluated as they
-            are; a measure that a plant cannot have is moved to its limit.
+        genomes: [plants, genes], or [plants, free genes] with the other genes
+            of the baseline; one plant may be [genes]. Numbers have the units
+            of `genes`. Numbers beyond their bounds are evaluated unchanged; a
+            measure that a plant cannot have is moved to its limit.
         quantities: names of `quantities`; all if not given.
         tolerance: relative standard error of the leaves' light, at most 0.05,
-            with as few paths as that takes; else that of the campaign.
+            with as few paths as needed; by default the campaign's accuracy.
         seed: seed of the random numbers, in the place of the campaign's.
         generation: number of the generation whose fields and random numbers
-            are taken; plants of one generation share them. A row of a history
-            has the same bits.
-        final: whether plants are evaluated as finalists are at the end, and as
-            `ideotype compare` does: with the accuracy of [final] and many
-            fields.
-        threads: number of threads that share the plants, else as many as there
-            are processors. The result does not depend on it.
+            are taken; plants of one generation share them. The result has the
+            same bits as a row of a history with this seed and generation.
+        final: whether plants are evaluated like finalists, as in `ideotype
+            compare`: with the accuracy of [final] and many fields.
+        threads: number of threads that share the plants, by default the number
+            of processors. The result does not depend on it.
 
         Returns a Dataset over `plant` and the axes of the quantities: each
         quantity and, unless it is exact, NAME_standard_error; `violation` of
-        the constraints; `objective_by_randomisation`; and `message`, "" or why
-        the evaluation failed, whose numbers are then NaN.
+        the constraints; `objective_by_randomisation`; and `message`, "" or the
+        reason why an evaluation failed, whose numbers are then NaN.
 
-        Raises Error if names or numbers are impossible."""
+        Raises Error if a name or number is impossible."""
         plants = self._plants(genomes)
         wanted = self._wanted(quantities)
 
@@ -172,7 +172,7 @@ class Stand(StandViews):
         points: int = 256,
     ) -> xarray.Dataset:
         """Evaluates the light that level sensors among the plants receive from
-        above, as a ceptometer that is held along the rows.
+        above, like a ceptometer that is held along the rows.
 
         height: height of each sensor above the soil [m].
         position: position of each sensor across the rows, from a row [m]; NaN:
@@ -183,8 +183,8 @@ class Stand(StandViews):
 
         Returns a Dataset over `sensor` and `instant`: `incident` is the light
         on level ground above the canopy [W m-2 of PAR], `fraction` is the part
-        of it on the sensor, with `fraction_standard_error`, and `hour` is on
-        the clock of the site [h]."""
+        of this light on the sensor, with `fraction_standard_error`, and `hour`
+        is the time on the clock of the site [h]."""
         heights, positions = np.broadcast_arrays(
             np.atleast_1d(real(height, "height")),
             np.atleast_1d(real(position, "position")),

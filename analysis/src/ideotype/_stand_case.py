@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Tells genes, objectives and quantities of a stand, and shapes of plants."""
+"""Properties of a stand: genes, objectives, quantities and shapes of
+plants."""
 
 from __future__ import annotations
 
@@ -29,7 +30,7 @@ _GENES = (
 
 
 class StandCase:
-    """The part of a stand that tells its case and the shapes of plants."""
+    """The part of a stand that knows its case and the shapes of plants."""
 
     _case: _core.CaseStand
 
@@ -68,18 +69,18 @@ class StandCase:
 
     @property
     def free(self) -> NDArray[np.bool_]:
-        """Whether a gene is bred in this case, [genes]."""
+        """Whether each gene is bred in this case [genes]."""
         return np.array(self.genes["is_free"], bool)
 
     @property
     def start(self) -> NDArray[np.float64]:
-        """The baseline's genes that are free, [free genes]: where a search
-        may begin."""
+        """The free genes of the baseline [free genes], where a search may
+        begin."""
         return self.baseline[self.free]
 
     @property
     def bounds(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Lower and upper bounds of the genes that are free, [free genes]
+        """The lower and the upper bounds of the free genes, [free genes]
         each."""
         free = self.genes[self.free]
         return np.array(free["lower"], float), np.array(free["upper"], float)
@@ -102,8 +103,8 @@ class StandCase:
 
     @property
     def components(self) -> list[str]:
-        """The names of the components of the field, that of the campaign's
-        crop first."""
+        """The names of the components of the field, first the component of the
+        campaign's crop."""
         return list(self._case.components)
 
     def mesh(
@@ -112,12 +113,12 @@ class StandCase:
         component: int = 0,
         thermal_time: float | None = None,
     ) -> Mesh:
-        """Returns the surfaces of one plant: its foot at the origin, y along
-        the row, z up [m].
+        """Returns the surfaces of one plant: the foot of the plant is at the
+        origin, y along the row, z up [m].
 
         component: place of the plant's component in `components`.
         thermal_time: age since emergence [deg C d] of a plant that grows;
-            else it is full-grown."""
+            without it the plant is full-grown."""
         return Mesh.of(
             *self._case.mesh(self._plants(genome)[0], component, thermal_time)
         )
@@ -129,7 +130,7 @@ class StandCase:
         return self._case.crop_text(self._plants(genome)[0], component)
 
     def _plants(self, genomes: ArrayLike) -> NDArray[np.float64]:
-        """Returns the genomes as [plants, genes]."""
+        """Returns the genomes as an array [plants, genes]."""
         given = np.atleast_2d(real(genomes, "genomes"))
         free = self.free
         if given.ndim != 2 or given.shape[1] not in (free.size, free.sum()):

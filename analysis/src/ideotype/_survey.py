@@ -15,19 +15,19 @@ from typing import Any, NamedTuple
 from ._errors import Error
 
 Setting = tuple[tuple[str, float], ...]
-"""Keys with the values that they have in the place of the campaign's."""
+"""Keys with values that replace the values of the campaign."""
 OWN: Setting = ()
 FEWEST = 4
-"""The fewest draws that a standard deviation is taken from."""
+"""The least number of draws for a standard deviation."""
 _FOR_LADDERS = 0.6
-"""The part of the time in which keys are measured one by one."""
+"""The fraction of the time in which keys are measured one by one."""
 _COMBINATIONS = 6
-"""The number of combinations that are measured, those that are predicted
+"""The number of combinations that are measured, which are predicted to be the
 best."""
 
 
 class Refused(Error):
-    """An error for a setting that the program does not take; code is its exit
+    """An error for a setting that the program refuses; `code` is the exit
     code."""
 
     def __init__(self, message: str, code: int) -> None:
@@ -36,9 +36,9 @@ class Refused(Error):
 
 
 class Draw(NamedTuple):
-    """The objective of one evaluation of the baseline, how much more another
-    plant has with the same random numbers, and the time of one evaluation
-    [s]."""
+    """The objective of one evaluation of the baseline, the difference of
+    another plant from the baseline with the same random numbers, and the time
+    of one evaluation [s]."""
 
     value: float
     difference: float
@@ -56,15 +56,15 @@ class Estimate(NamedTuple):
 
 
 def root_sum(biases: Sequence[Estimate]) -> Estimate:
-    """Returns the root of the sum of squares, less what errors add to them; a
-    bias within two standard errors of 0 is taken for none."""
+    """Returns the root of the sum of squares without the part that errors add
+    to the squares; a bias within two standard errors of 0 counts as 0."""
     square = sum(m**2 - e**2 for m, e in biases if abs(m) > 2 * e)
     error = math.hypot(*(error for _, error in biases))
     return Estimate(math.sqrt(square), error)
 
 
 class Survey:
-    """A measurement of settings within some seconds. A ladder has the settings
+    """A measurement of settings within a given time. A ladder has the settings
     of one key, the most accurate last. All get the same draws, so that biases
     are means of pairs; cheap ladders get more draws."""
 
@@ -100,7 +100,7 @@ class Survey:
             pass
 
     def _begin(self, settings: list[Setting]) -> None:
-        """Measures a ladder once, and leaves out what takes too long."""
+        """Measures a ladder once without the settings that take too long."""
         last = OWN
         for each in list(settings):
             # More accurate settings may take several times as long.
@@ -120,8 +120,8 @@ class Survey:
             settings.remove(each)
 
     def _repeat(self, ladders: list[list[Setting]], part: float) -> bool:
-        """Draws once more of the ladder that is behind; False if the time is
-        over."""
+        """Draws once more from the ladder that has taken the least work;
+        returns False if the time is over."""
 
         def least(settings: list[Setting]) -> int:
             return min(len(self.draws[each]) for each in settings)
@@ -138,7 +138,7 @@ class Survey:
         return all([behind, *(self._draw(each, 0, part) for each in behind)])
 
     def _draw(self, setting: Setting, guess: float, part: float) -> bool:
-        """Measures a setting if that can be done within a part of the time."""
+        """Measures a setting if a fraction of the time suffices."""
         before = self._clock()
         end = before + self._cost.get(setting, guess) - self._began
         if end > part * self._seconds:
@@ -152,8 +152,8 @@ class Survey:
         return True
 
     def measured(self) -> list[list[Setting]]:
-        """Returns the ladders without settings that have too few draws to tell
-        their error."""
+        """Returns the ladders without the settings whose draws are too few to
+        estimate an error."""
         return [
             [s for s in each if len(self.draws.get(s, [])) >= FEWEST]
             for each in self.ladders
@@ -163,10 +163,10 @@ class Survey:
         self, setting: Setting, ladders: Sequence[list[Setting]]
     ) -> dict[str, Any]:
         """Returns errors of one evaluation relative to the baseline's
-        objective: those of the objective and of the difference between the
-        plants. Biases against the most accurate setting of each ladder add up
-        as squares, since biases that cancel for these plants need not cancel
-        for others."""
+        objective: the error of the objective and the error of the difference
+        between the plants. Biases against the most accurate setting of each
+        ladder add up as squares, since biases that cancel for these plants
+        need not cancel for others."""
         draws = self.draws[setting]
         scale = abs(fmean(each.value for each in self.draws[OWN]))
         row: dict[str, Any] = {"settings": dict(setting), "draws": len(draws)}
@@ -192,8 +192,9 @@ class Survey:
         return row
 
     def predicted(self, tolerance: float) -> list[Setting]:
-        """Returns some of the combinations that promise most near a tolerance,
-        if ratios of noise and of seconds multiply."""
+        """Returns the most promising combinations of settings near a
+        tolerance, on the assumption that ratios of noise and of seconds
+        multiply."""
         own = self.row(OWN, [])
         noise = own["value"]["noise"]
         options: list[list[Any]] = []
@@ -219,8 +220,8 @@ class Survey:
 
 
 def pareto(points: Sequence[tuple[float, float, Any]]) -> list[Any]:
-    """Returns those of (cost, error, ...) that are more accurate than all
-    cheaper ones."""
+    """Returns the items (cost, error, ...) that are more accurate than all
+    cheaper items."""
     front: list[Any] = []
     for each in sorted(points, key=lambda point: point[:2]):
         if not front or each[1] < front[-1][1]:
@@ -229,20 +230,20 @@ def pareto(points: Sequence[tuple[float, float, Any]]) -> list[Any]:
 
 
 def ladder(key: str, value: float, values: Sequence[float]) -> list[Setting]:
-    """Returns the settings of a key, the most accurate last, and the
-    campaign's."""
+    """Returns the settings of a key, the most accurate last, and the setting
+    of the campaign."""
     is_falling = values[-1] < values[0]
     steps = sorted({value, *values}, reverse=is_falling)
     return [OWN if each == value else ((key, each),) for each in steps]
 
 
 def words(setting: Setting) -> str:
-    """Returns keys and values as `--set` takes them."""
+    """Returns keys and values as words for the option `--set`."""
     return " ".join(f"{k}={v:.15g}" for k, v in setting) or "the campaign"
 
 
 def result(survey: Survey, tolerance: float) -> dict[str, Any]:
-    """Returns all that was measured; an estimate is [mean, standard error]."""
+    """Returns all measurements; an estimate is [mean, standard error]."""
     ladders = survey.measured()
     rows = [
         survey.row(each, ladders)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Checks the place of weather, its clock against the sun, and its gaps."""
+"""Checks the place, the clock against the sun, and the gaps of weather
+data."""
 
 from __future__ import annotations
 
@@ -17,7 +18,7 @@ _HOUR = pd.Timedelta("1h")
 def place_of(
     options: argparse.Namespace, found: list, tell: Any
 ) -> tuple[float, float]:
-    """Returns the place of the options, else that of the files."""
+    """Returns the place from the options, or else the place from the files."""
     given = (options.latitude, options.longitude)
     told = next((place for place in found if place), None)
     if None in given:
@@ -46,8 +47,8 @@ def place_of(
 
 
 def _sun(index: Any, offset: float, place: tuple[float, float]) -> Any:
-    """Returns the cosine of the sun's zenith angle by the clock of an index
-    and hours to add to it."""
+    """Returns a function of hours, which returns the cosine of the sun's
+    zenith angle at the times of an index plus these hours."""
     import pvlib
 
     pad = 13 * _HOUR
@@ -62,7 +63,7 @@ def _sun(index: Any, offset: float, place: tuple[float, float]) -> Any:
 
 
 def _light(frame: pd.DataFrame, cosine: Any) -> pd.Series:
-    """Returns the light on a horizontal plane, NaN where it is not known."""
+    """Returns the light on a horizontal plane, NaN where no light is known."""
     light = pd.Series(np.nan, frame.index)
     if {"beam_normal", "diffuse"} <= {*frame}:
         light = frame["beam_normal"] * np.maximum(cosine, 0) + frame["diffuse"]
@@ -110,8 +111,8 @@ def mend(
     fill: float,
     tell: Any,
 ) -> None:
-    """Fills short gaps in place, light in proportion to the sun, and tells the
-    dates of the others."""
+    """Fills short gaps in place, light in proportion to the sun, and returns
+    the dates of longer gaps."""
     sun = _sun(frame.index, offset, place)
     half = step / 2 / _HOUR
     is_up = np.maximum(np.maximum(sun(-half), sun(half)), sun(0)) > 0

@@ -26,10 +26,10 @@ from .tables import (
 
 
 def read(path: Path, form: str) -> Readings:
-    """Reads a file of a format of FORMATS, or of the one that its beginning
-    shows for "auto".
+    """Reads a file in a format of FORMATS; for "auto" the beginning of the
+    file decides the format.
 
-    Raises Error if it is of no known format, and what its reader raises."""
+    Raises Error if the format is unknown, and the errors of the reader."""
     if form == "auto":
         form = _form_of(path)
     readings = FORMATS[form](path)
@@ -93,9 +93,9 @@ def _tmy2(path: Path) -> Readings:
 def _pvlib(
     reader: str, *, stamp: str = "beginning", is_west: bool = False
 ) -> Callable[[Path], Readings]:
-    """Returns a reader of what pvlib.iotools names as we do, with the place in
-    its metadata or in each row; `is_west` says that the network leaves out the
-    sign."""
+    """Returns a reader for files in which pvlib.iotools uses our names of
+    columns, with the place in the metadata or in each row; `is_west` says that
+    the network omits the minus sign of western longitudes."""
 
     def read_it(path: Path) -> Readings:
         found = getattr(_iotools(), reader)(str(path))
@@ -109,7 +109,7 @@ def _pvlib(
 
 
 def _pvgis(path: Path) -> Readings:
-    """Reads hourly data or a typical year, whose stamps are instants."""
+    """Reads hourly data or a typical year, whose time stamps are instants."""
     text = path.read_text()
     form = "json" if text.lstrip().startswith("{") else "csv"
     if "time(UTC)" in text:

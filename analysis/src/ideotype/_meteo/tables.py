@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Reads weather files that pvlib does not read (NASA POWER, KNMI, DWD) or does
-not read whole: names in Latin-1 or with commas, half hours, the last hour of
+"""Reads weather files that pvlib cannot read (NASA POWER, KNMI, DWD) or cannot
+read completely: names in Latin-1 or with commas, half hours, the last hour of
 28 February, and clocks of half an hour in TMY3, EPW and NSRDB."""
 
 from __future__ import annotations
@@ -37,14 +37,14 @@ MISSING = [-99, -999, -9900, -9999, 9999, 99999]
 
 @dataclass
 class Readings:
-    """The data of a file: those of COLUMNS that it has, by its stamps on its
-    clock."""
+    """The data of a weather file: the columns of COLUMNS that the file has, by
+    time stamps on the clock of the file."""
 
     frame: pd.DataFrame
     utc_offset: float
     place: tuple[float, float] | None = None  # Latitude and longitude [deg].
-    stamp: str = "end"  # The part of the time step that a stamp names.
-    is_typical: bool = False  # Whether years mean nothing.
+    stamp: str = "end"  # The part of a time step that is stamped.
+    is_typical: bool = False  # Whether years have no meaning.
 
 
 def named(
@@ -53,8 +53,9 @@ def named(
     pascals: float = 1000,
     **wanted: Any,
 ) -> Readings:
-    """Takes the columns that there are, which have these names, from a table
-    by stamps with or without a time zone; `pascals`: the unit of pressure."""
+    """Returns the readings in the columns with the given names that a table
+    has, by time stamps with or without a time zone; `pascals`: the unit of
+    pressure."""
     index = pd.DatetimeIndex(table.index)
     offset = index[0].utcoffset() if index.tz else pd.Timedelta(0)
     frame = pd.DataFrame(
@@ -109,7 +110,8 @@ def read_epw(path: Path) -> Readings:
     table = table[[x for x in names if x in table]].rename(columns=names)
     unknown = {"temperature": 99.9, "humidity": 999, "wind": 999}
     table = table.replace(unknown | {"pressure": 999999}, np.nan)
-    # The only row of an hour has minute 0 or 60, and both mean the whole hour.
+    #     The only row of an hour has minute 0 or 60: either means the whole
+    # hour.
     is_parted = table["minute"].nunique() > 1
     minute = table["minute"].where((table["minute"] > 0) & is_parted, 60)
     stamps = (
@@ -142,7 +144,7 @@ def read_nsrdb(path: Path) -> Readings:
         pascals=100,
         utc_offset=float(meta["Time Zone"]),
         place=(float(meta["Latitude"]), float(meta["Longitude"])),
-        # Hourly files from before May 2019 have minutes 0.
+        #         Hourly files from before May 2019 have minute 0 in each row.
         stamp="beginning" if hourly else "middle",
     )
 
@@ -216,8 +218,8 @@ def read_knmi(path: Path) -> Readings:
 
 
 def read_dwd(path: Path) -> Readings:
-    """Reads an hour's or ten minutes' light, or temperature, in UTC. Hours
-    of light end with those of the true solar time."""
+    """Reads light of hours or of ten minutes, or temperature, in UTC. Hours of
+    light end with the hours of true solar time."""
     text = io.BytesIO(path.read_bytes())
     if path.suffix == ".zip":
         with zipfile.ZipFile(text) as folder:

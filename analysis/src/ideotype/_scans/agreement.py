@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Compares the leaves of a crop with what was measured of them."""
+"""Compares the leaves of a crop with their measurements."""
 
 from __future__ import annotations
 
@@ -17,17 +17,18 @@ from .blades import Blade, Floats, parts
 def agreement(
     blades: Sequence[Blade], crop: dict[str, Any], mesh: Mesh
 ) -> pd.DataFrame:
-    """Returns how well each leaf of a crop meets what was measured of it: the
-    root mean square distances of the midrib and of the measured points of the
-    blade [mm], that of the midrib's angle [deg], lengths [m] and areas
-    [m2]."""
+    """Returns how well each leaf of a crop meets its measurement: the root
+    mean square distances of the midrib and of the measured points of the blade
+    [mm], the root mean square difference of the midrib's angle [deg], lengths
+    [m] and areas [m2]."""
     rows = []
     for i, (blade, leaf) in enumerate(zip(blades, crop["leaf"], strict=True)):
         group = f"leaf{i + 1:02d}"
         area = mesh.area(group)
         ours = _midrib(mesh, group)
-        # A leaf is drawn from the surface of the stalk. Where the row is that
-        # of the crop, a leaf without azimuth points as the crop's does.
+        # A leaf is drawn from the surface of the stalk. Where the direction of
+        # the row is taken from the crop, a leaf without azimuth points like
+        # the leaf of the crop.
         measured = _turned(blade, leaf["azimuth"], ours[0])
         at = np.linspace(0, 1, 41)
         apart = _resampled(ours, at) - _resampled(measured(blade.midrib), at)
@@ -57,20 +58,20 @@ def agreement(
 
 
 def _resampled(line: Floats, at: Floats) -> Floats:
-    """Returns points of a line at these parts of its length."""
+    """Returns points of a line at the given parts of the line's length."""
     return np.column_stack([np.interp(at, parts(line), x) for x in line.T])
 
 
 def _directions(line: Floats, at: Floats) -> Floats:
-    """Returns unit vectors along a line, by differences between these
-    parts."""
+    """Returns unit vectors along a line, by differences between the given
+    parts of the line's length."""
     steps = np.diff(_resampled(line, at), axis=0)
     return steps / np.linalg.norm(steps, axis=1)[:, None]
 
 
 def _turned(blade: Blade, azimuth: float, base: Floats) -> Any:
-    """Moves points of a blade to where the crop file has its base and turns
-    them about the vertical to the azimuth that it has there."""
+    """Moves points of a blade to the base of the leaf in the crop file, and
+    turns the points about the vertical to the azimuth of that leaf."""
     turn = np.radians(blade.azimuth - azimuth)
     rotation = np.array(
         [
@@ -83,8 +84,8 @@ def _turned(blade: Blade, azimuth: float, base: Floats) -> Any:
 
 
 def _midrib(mesh: Mesh, group: str) -> Floats:
-    """Returns the midrib of a leaf of the program: its faces lie in pairs,
-    left and right of it, from base to tip."""
+    """Returns the midrib of a leaf of the program, whose faces lie in pairs,
+    left and right of the midrib, from base to tip."""
     left = mesh.corners[[name == group for name in mesh.groups]][::2]
     return np.vstack([left[:, 1], left[-1:, 2]])
 

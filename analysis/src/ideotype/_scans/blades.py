@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Leaf blades as they were measured."""
+"""Measured leaf blades."""
 
 from __future__ import annotations
 
@@ -18,23 +18,23 @@ Floats = NDArray[np.float64]
 
 UNITS = {"m": 1.0, "cm": 0.01, "mm": 0.001}
 _NEIGHBOURS = 16
-"""The number of neighbours of a point of a cloud, over which the way along a
-blade leads."""
+"""The number of nearest neighbours of a point of a cloud to which a way along
+the blade may lead."""
 _SLICES = 24
 """The number of cross sections of a blade that is a cloud of points."""
 
 
 @dataclass(frozen=True)
 class Blade:
-    """The midrib of a leaf and what else is known of its blade, in metres: z
-    points up from the soil, x to the right of the row and y along it."""
+    """The midrib of a leaf and other measurements of its blade, in metres: z
+    points up from the soil, x to the right of the row and y along the row."""
 
     name: str
     midrib: Floats
     """The points of the midrib from base to tip [points, 3]."""
     has_azimuth: bool = True
     has_height: bool = True
-    """Whether it is known where the blade points to and where it begins."""
+    """Whether the direction and the base of the blade are known."""
     left: Floats | None = None
     """The left edge of the blade at each point of the midrib."""
     right: Floats | None = None
@@ -67,7 +67,7 @@ class Blade:
     @cached_property
     def azimuth(self) -> float:
         """The direction of the blade from its base, clockwise from the row
-        [deg]: that of the mean horizontal displacement."""
+        [deg]: the direction of the mean horizontal displacement."""
         x, y, _ = (self.midrib - self.midrib[0]).mean(axis=0)
         return float(np.degrees(np.arctan2(x, y)))
 
@@ -91,7 +91,7 @@ class Blade:
     def roll_and_twist(self) -> tuple[float, float]:
         """The mean turn of the cross sections about the midrib and its slope
         from base to tip [deg], by least squares with the widths as weights;
-        both are 0 where only a width is known."""
+        turn and slope are 0 where only a width is known."""
         if self.left is None or self.right is None:
             return 0.0, 0.0
         across = self.right - self.left
@@ -111,9 +111,9 @@ class Blade:
         return float((roll + 90) % 180 - 90), float(twist)
 
     def on_stalk(self, origin: Floats, factor: float) -> Blade:
-        """Returns the blade from the end that is nearer to the stalk, in
-        metres from the foot of the stalk, origin. factor: metres of the unit
-        that the blade was in."""
+        """Returns the blade from its end nearer to the stalk, in metres from
+        `origin`, the foot of the stalk. factor: metres per unit of the given
+        blade."""
         ends = np.linalg.norm(self.midrib[[0, -1], :2] - origin[:2], axis=1)
         step = 1 if ends[0] <= ends[1] else -1
 
@@ -135,8 +135,8 @@ class Blade:
 
 
 def parts(line: Floats) -> Floats:
-    """Returns the part of a line's length that lies before each of its points,
-    0 to 1."""
+    """Returns the part of a line's length before each point of the line, 0 to
+    1."""
     sizes = np.linalg.norm(np.diff(line, axis=0), axis=1)
     length = np.concatenate([[0.0], np.cumsum(sizes)])
     if length[-1] == 0:
@@ -148,8 +148,8 @@ def parts(line: Floats) -> Floats:
 
 
 def axis_of(ends: Floats) -> Floats:
-    """Returns where a stalk stands, [x, y]: the point to which one end of each
-    leaf is nearest in the median. ends: [leaves, 2, 3]."""
+    """Returns the place of a stalk [x, y]: the point with the least median
+    distance to the nearer end of each leaf. ends: [leaves, 2, 3]."""
     candidates = ends.reshape(-1, 3)[:, :2]
     for _ in range(3):
         apart = np.linalg.norm(
@@ -163,8 +163,8 @@ def axis_of(ends: Floats) -> Floats:
 
 
 def metres(unit: str, lengths: list[float]) -> float:
-    """Returns a unit in metres; auto takes the longest unit in which the
-    median leaf has 0.05 to 3 m."""
+    """Returns the length of a unit [m]; "auto" is the longest unit in which
+    the length of the median leaf is 0.05 to 3 m."""
     if unit != "auto":
         return UNITS[unit]
     median = float(np.median(lengths))
@@ -181,16 +181,16 @@ def on_stalk(
     blades: list[Blade], unit: str, axis: Floats, ground: float
 ) -> list[Blade]:
     """Returns blades in metres from the foot of their stalk, which stands at
-    axis, [x, y], on soil at height ground."""
+    `axis` [x, y] on soil at height `ground`."""
     factor = metres(unit, [blade.length for blade in blades])
     origin = np.array([*axis, ground])
     return [blade.on_stalk(origin, factor) for blade in blades]
 
 
 def from_cloud(name: str, points: Floats, axis: Floats, area: float) -> Blade:
-    """Returns the blade of points that lie evenly on it: its cross sections
-    follow the shortest ways over the blade from its base, the points nearest
-    to the axis of the stalk, [x, y]."""
+    """Returns the blade on which points lie evenly. Its cross sections follow
+    the shortest ways over the blade from the base, which is the points nearest
+    to the axis of the stalk [x, y]."""
     if len(points) < 5 * _SLICES:
         raise Error(
             f"{name} has {len(points)} points; {5 * _SLICES} are needed"
@@ -204,8 +204,8 @@ def from_cloud(name: str, points: Floats, axis: Floats, area: float) -> Blade:
 
 
 def _way_from_base(points: Floats, axis: Floats) -> Floats:
-    """Returns how far points are from the base along ways over nearest
-    neighbours; infinite where no way leads."""
+    """Returns the distances of points from the base along ways over nearest
+    neighbours; a point that no way reaches has an infinite distance."""
     apart, near = cKDTree(points).query(points, _NEIGHBOURS + 1)
     rows = np.repeat(np.arange(len(points)), _NEIGHBOURS)
     graph = csr_array(
@@ -223,8 +223,8 @@ def _way_from_base(points: Floats, axis: Floats) -> Floats:
 
 
 def _sections(points: Floats, along: Floats) -> tuple[Floats, Floats, Floats]:
-    """Returns the midrib through the middles of slices, and the edges
-    there."""
+    """Returns the midrib through the middles of slices, and the edges of
+    slices."""
     edges = np.linspace(along.min(), along.max(), _SLICES + 1)
     of = np.clip(np.searchsorted(edges, along, "right") - 1, 0, _SLICES - 1)
     kept = [i for i in range(_SLICES) if (of == i).sum() > 3]
@@ -265,7 +265,7 @@ def _sections(points: Floats, along: Floats) -> tuple[Floats, Floats, Floats]:
 
 
 def _projected(points: Floats, line: Floats) -> Floats:
-    """Returns how far along a line the place nearest to each point is."""
+    """Returns the distance along a line to the place nearest to each point."""
     steps = np.diff(line, axis=0)
     sizes = np.linalg.norm(steps, axis=1)
     at = ((points[:, None] - line[None, :-1]) * steps).sum(2) / sizes**2

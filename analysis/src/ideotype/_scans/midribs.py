@@ -16,8 +16,7 @@ from .blades import UNITS, Blade, Floats, metres, parts
 def _column(
     table: pd.DataFrame, names: str
 ) -> tuple[pd.Series, str | None] | None:
-    """Returns the column with one of these names, and its unit if it has
-    one."""
+    """Returns the column with one of the given names, and its unit, if any."""
     for column in table:
         if match := re.fullmatch(rf"(?:{names})(?:_(m|cm|mm))?", str(column)):
             return table[column], match[1]
@@ -113,7 +112,7 @@ def _flat_blade(
     rank: int, lines: list[Floats], more: dict[str, float]
 ) -> Blade:
     """Returns the mean of the digitisations of a leaf, at equal parts of their
-    lengths, with the length, width and height that were measured."""
+    lengths, with the measured length, width and height."""
     at = np.linspace(0, 1, 41)
     mean = np.mean(
         [

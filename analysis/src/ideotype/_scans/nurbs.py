@@ -15,9 +15,9 @@ from .blades import Blade, Floats, axis_of, on_stalk
 
 
 def read_nurbs(path: Path, unit: str, ground: float) -> list[Blade]:
-    """Returns the blades in metres about their stalk, which is where most of
-    them have an end. ground: z of the soil, NaN for the lowest point of
-    all."""
+    """Returns blades in metres from the foot of their stalk, which stands
+    where most blades have an end. ground: z of the soil; NaN: z of the lowest
+    point of all blades."""
     blades = _nurbs(path)
     if not blades:
         return []
@@ -31,7 +31,7 @@ def read_nurbs(path: Path, unit: str, ground: float) -> list[Blade]:
 
 
 def _numbers(path: Path) -> Iterator[tuple[int, list[float]]]:
-    """Yields the lines of a file that are numbers, with where they are."""
+    """Yields the lines of a file that are numbers, with their line numbers."""
     for at, line in enumerate(
         path.read_text(errors="replace").splitlines(), 1
     ):
@@ -45,9 +45,8 @@ def _numbers(path: Path) -> Iterator[tuple[int, list[float]]]:
 
 
 def _nurbs(path: Path) -> list[Blade]:
-    """Reads surfaces that follow each other: dimension 3, degrees, sizes,
-    knots of both directions, and the control points x y z w, in either
-    order."""
+    """Reads surfaces one after the other: dimension 3, degrees, sizes, knots
+    of both directions, and the control points x y z w, in either order."""
     lines = list(_numbers(path))
     starts = [
         i
@@ -92,7 +91,7 @@ def _of_net(
     knots: list[Floats],
 ) -> Blade:
     """Returns the blade of a net of control points, whichever index runs
-    fastest: in the order that is meant, neighbours are near each other."""
+    fastest: in the right order, neighbours are near each other."""
     orders = [
         net.reshape(sizes[1], sizes[0], 4).transpose(1, 0, 2),
         net.reshape(sizes[0], sizes[1], 4),

@@ -18,8 +18,9 @@ _NO_LEAF = re.compile(r"(?i)stalk|stem|sheath|tassel|ear\b|soil|ground")
 
 
 def _parts_of(path: Path) -> dict[str, tuple[Floats, float]]:
-    """Returns points that lie evenly on each part of a file, and its area.
-    Parts are groups or objects of an OBJ file, and colours of a PLY file."""
+    """Returns points that lie evenly on each part of a file, and the part's
+    area. Parts are groups or objects of an OBJ file, and colours of a PLY
+    file."""
     try:
         import trimesh
     except ImportError:
@@ -67,14 +68,14 @@ def _parts_of(path: Path) -> dict[str, tuple[Floats, float]]:
 
 
 def _evenly(mesh: Any) -> tuple[Floats, float]:
-    """Returns points that lie evenly on a mesh, and its area."""
+    """Returns points that lie evenly on a mesh, and the area of the mesh."""
     points, _ = mesh.sample(_POINTS, return_index=True, seed=1)
     return np.asarray(points, float), float(mesh.area)
 
 
 def read_clouds(path: Path, unit: str, ground: float) -> list[Blade]:
-    """Returns blades of the parts that are no stalk; without a stalk it is
-    where most of them have an end."""
+    """Returns blades of the parts that are no stalk; a missing stalk is taken
+    to stand where most blades have an end."""
     found = _parts_of(path)
     leaves = {x: each for x, each in found.items() if not _NO_LEAF.search(x)}
     stalk = [points for x, (points, _) in found.items() if x not in leaves]

@@ -30,8 +30,8 @@ def read_plant(
         object or colour for each leaf.
     plant: name in the column `plant` of a CSV file.
     leaves: CSV of further measures of each leaf of a CSV file.
-    unit: "m", "cm", "mm" or "auto".
-    ground: z of the soil in this unit; NaN: that of the lowest point.
+    unit: unit of lengths: "m", "cm", "mm" or "auto".
+    ground: z of the soil in this unit; NaN: z of the lowest point.
 
     Raises Error with the line of what cannot be read."""
     if not path.is_file():
@@ -56,8 +56,8 @@ def read_plant(
 
 
 def is_digitised(path: Path) -> bool:
-    """Tells what read_plant() reads from other files of plants; of two kinds
-    of CSV files that are points along midribs, and not whole leaves."""
+    """Returns whether read_plant() reads a file of plants; a CSV file must
+    hold points along midribs, and not measures of whole leaves."""
     suffix = path.suffix.lower()
     if suffix != ".csv" or not path.is_file():
         return suffix in {".obj", ".ply", ".dat", ".txt"}
@@ -69,10 +69,11 @@ def is_digitised(path: Path) -> bool:
 
 
 def read_crop(path: Path) -> dict[str, Any]:
-    """Returns the tables of a crop file that tells what was not measured.
+    """Returns the tables of a crop file that gives the measures which were not
+    taken.
 
-    Raises Error if it is none, or if its leaves are not blades at the
-    stalk."""
+    Raises Error if the file is no crop file, or if its leaves are not blades
+    at the stalk."""
     try:
         crop = tomllib.loads(path.read_text(encoding="utf-8"))
     except (OSError, ValueError) as error:

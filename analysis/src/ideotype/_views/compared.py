@@ -20,8 +20,9 @@ from .._errors import Error
 from ..analysis.reading.estimate import Estimate, difference, relative_gain
 
 Key = tuple[str, int]
-"""A number of a plant: the name of a quantity, and its place along its axis, 0
-if it has none. Leaves are counted from the highest, which is 0."""
+"""A number of a plant: the name of a quantity, and the place along the axis of
+the quantity, 0 without an axis. Leaves are counted from the highest leaf,
+0."""
 
 
 @dataclass(frozen=True)
@@ -38,7 +39,7 @@ class Plant:
         """Reads a crop file, the crop of a campaign, measured leaves (.csv) or
         the best plant of a history (.h5).
 
-        Raises InputError or HistoryError if it cannot be read."""
+        Raises InputError or HistoryError if the file cannot be read."""
         path = os.fspath(path)
         if not path.endswith(".h5"):
             core = _core.read_plants(under, path)
@@ -75,8 +76,8 @@ class Quantity:
 @dataclass(frozen=True)
 class Comparison:
     """Plants in the light of one or more cases. All plants of a case have the
-    same fields and random numbers, so that errors of differences are those of
-    pairs; all errors here are standard errors."""
+    same fields and random numbers, so that differences have paired errors; all
+    errors are standard errors."""
 
     plants: tuple[str, ...]
     cases: tuple[str, ...]
@@ -96,16 +97,17 @@ class Comparison:
         return self.quantities[0]
 
     def value(self, plant: int, case: int, key: Key) -> Estimate | None:
-        """Returns a number of a plant; None if it has no such leaf."""
+        """Returns a number of a plant; None if the plant lacks the leaf."""
         return self.numbers[plant, case].get(key)
 
     def difference(self, plant: int, case: int, key: Key) -> Estimate | None:
-        """Returns by how much it exceeds that of the first plant."""
+        """Returns the difference of a plant's number from the first plant's
+        number."""
         return self._paired(difference, plant, case, key)
 
     def gain(self, plant: int, case: int, key: Key) -> Estimate | None:
-        """Returns the difference relative to the first plant [%]; None if
-        that has 0."""
+        """Returns the difference relative to the first plant [%]; None if the
+        number of the first plant is 0."""
         first = self.value(0, case, key)
         if first is None or first.mean == 0:
             return None
@@ -134,7 +136,8 @@ class Comparison:
         ).astype({"leaf": "Int64", "leaf_from_top": "Int64"})
 
     def _places(self, plant: int, quantity: Quantity) -> Sequence[int]:
-        """Returns the places that a plant has, the lowest leaf first."""
+        """Returns the places along an axis that a plant has, the lowest leaf
+        first."""
         if quantity.axis == "leaf":
             return range(self.leaves[plant])[::-1]
         return range(len(quantity.coordinates))
@@ -187,9 +190,9 @@ def compare_plants(
     threads: int = 1,
     tell: Any = lambda done, count: None,
 ) -> Comparison:
-    """Evaluates plants in stands of cases, each with its name and, if one of
-    its scenarios is meant, the place of that. `tell` gets how many of how many
-    evaluations are done.
+    """Evaluates plants in stands of cases. Each stand comes with its name and,
+    if a single scenario is meant, the place of the scenario. `tell` gets the
+    number of finished evaluations and the number of all evaluations.
 
     Raises Error if a plant cannot be evaluated."""
     reach = max(plant.core.reach for plant in plants)
@@ -229,7 +232,7 @@ def compare_plants(
 
 
 def _told_apart(names: Sequence[str]) -> list[str]:
-    """Adds a number to each name that stands earlier in the list, too."""
+    """Adds a number to each name that also stands earlier in the list."""
     times: dict[str, int] = {}
     found = []
     for name in names:
@@ -259,14 +262,14 @@ def _quantities_of(stand: _core.PlantStand) -> tuple[Quantity, ...]:
 
 def _are_numbers(labels: Sequence[Any]) -> bool:
     """Returns whether an axis has numbers: leaves of several components have
-    names."""
+    names instead."""
     return not any(isinstance(label, str) for label in labels)
 
 
 def _numbers_of(
     stand: _core.PlantStand, found: tuple[Any, ...]
 ) -> dict[Key, Estimate]:
-    """Returns all numbers that are compared, with what randomisations say."""
+    """Returns all numbers that are compared, with their randomisations."""
     objectives, draws, every, by_randomisation = found
     sizes = {axis: len(at) for axis, _, _, at in stand.axes}
     numbers: dict[Key, Estimate] = {}

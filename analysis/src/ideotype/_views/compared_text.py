@@ -16,17 +16,17 @@ MATTERS = (
     *("absorbed_par_per_leaf_area", "net_assimilation", "carbon_balance"),
     *("leaf_nitrogen", "transpiration", "dry_matter"),
 )
-"""The quantities that stand on the page besides objectives, where campaigns
-measure them."""
+"""The quantities that the page shows besides objectives, if a campaign
+measures them."""
 
 _CASES = 3
-"""The number of cases beyond which a page has lines of cases alone."""
+"""The number of cases beyond which a page has only a line for each case."""
 
 
 def page_of(found: Comparison, has_all: bool = False) -> str:
-    """Returns what matters on one screen: for a few cases the objectives and
-    some other quantities in each, for many the first objective; with `has_all`
-    every quantity without axes in every case."""
+    """Returns a page for one screen: for a few cases the objectives and some
+    other quantities in each case, for many cases the first objective; with
+    `has_all` every quantity without axes in every case."""
     lines = [_head(found)]
     shown = _shown(found, has_all)
     if len(found.cases) > _CASES and not has_all:
@@ -72,8 +72,8 @@ def _shown(found: Comparison, has_all: bool) -> list[Quantity]:
 def _table(
     found: Comparison, case: int, shown: Sequence[Quantity]
 ) -> list[list[str]]:
-    """Returns a line for each quantity: each plant's number, and by how much
-    it is higher than the first plant's [%]."""
+    """Returns a line for each quantity: the number of each plant, and the
+    increase over the first plant [%]."""
     first, *others = found.plants
     rows = [["", first, *(x for name in others for x in (name, "more [%]"))]]
     for quantity in shown:
@@ -126,8 +126,8 @@ def _title(quantity: Quantity) -> str:
 
 
 def told(figure: Estimate | None, has_sign: bool = False) -> str:
-    """Returns a number with half of its 95 % interval; one that is exact has
-    none."""
+    """Returns a number with half of its 95 % interval; an exact number has no
+    interval."""
     if figure is None or not math.isfinite(figure.mean):
         return "–"
     text = figure.interval_text()
@@ -138,7 +138,7 @@ def told(figure: Estimate | None, has_sign: bool = False) -> str:
 
 
 def html_of(found: Comparison) -> str:
-    """Returns the page of one case after the other as tables of HTML."""
+    """Returns the page of all cases as tables of HTML, one after another."""
     parts = [f"<p>{html.escape(_head(found))}</p>"]
     for case, name in enumerate(found.cases):
         head, *rows = _table(found, case, _shown(found, False))

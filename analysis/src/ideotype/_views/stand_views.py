@@ -39,7 +39,7 @@ class StandViews(StandCase):
         return f"<table><caption>Stand</caption>{rows}</table>"
 
     def _about(self) -> list[tuple[str, str]]:
-        """Returns what tells a stand from others."""
+        """Returns the properties that distinguish a stand."""
         wanted = (f"{sense} {name}" for name, sense in self.objectives.items())
         plants = _core.grown_plants(self._case, self.baseline)
         leaves = len(plants.leaves(0)[0][2])
@@ -54,10 +54,10 @@ class StandViews(StandCase):
         return [*told, ("instruction set", self.isa)]
 
     def leaves(self, genome: ArrayLike, component: int = 0) -> pd.DataFrame:
-        """Returns the measures of the leaves of one plant, a row for each,
-        with the rank from the lowest, 1, as index: length, width and
-        insertion_height [m], insertion_angle, curvature and azimuth [deg],
-        and others where they are not 0. Units are in .attrs["units"].
+        """Returns the measures of the leaves of one plant, a row for each
+        leaf, whose index is the rank from the lowest leaf, 1: length, width
+        and insertion_height [m], insertion_angle, curvature and azimuth [deg],
+        and other measures that are not 0. Units are in .attrs["units"].
 
         component: place of the plant's component in `components`."""
         grown = _core.grown_plants(self._case, self._plants(genome)[0])
@@ -76,19 +76,19 @@ class StandViews(StandCase):
         tolerance: float | None = None,
         threads: int | None = None,
     ) -> Comparison:
-        """Compares plants with the first of them, in the same fields and
-        light, whatever number of leaves they have.
+        """Compares plants with the first plant in the same fields and light;
+        the plants may differ in their number of leaves.
 
         plants: genomes, or paths of crop files, measured leaves (.csv),
             campaigns (their baseline) and histories (their best plant).
         names: names of the plants.
-        final, seed, tolerance, threads: as in `evaluate`.
+        final, seed, tolerance, threads: arguments of `evaluate`.
 
         Returns a Comparison, whose `table` has every number with its
-        difference from the first plant and paired errors; it prints what
-        matters.
+        difference from the first plant and paired errors; printing the
+        Comparison shows the main numbers.
 
-        Raises Error if there is no plant, or one cannot be evaluated."""
+        Raises Error if there is no plant, or a plant cannot be evaluated."""
         if not plants or (names and len(names) != len(plants)):
             raise Error(
                 f"{len(plants)} plants and {len(names)} names are given; give "
@@ -117,8 +117,8 @@ class StandViews(StandCase):
         return Plant(name, _core.grown_plants(self._case, genome))
 
     def draw(self, *genomes: ArrayLike, names: Sequence[str] = ()) -> Figure:
-        """Draws plants from the side and from above, at one scale; without any
-        the baseline. Returns a figure of matplotlib."""
+        """Draws plants from the side and from above, at one scale; without
+        plants the baseline. Returns a figure of matplotlib."""
         from ..analysis.figures.plant_drawing import draw_plants
 
         shown = genomes or (self.baseline,)
@@ -143,5 +143,5 @@ def processors() -> int:
     """Returns the number of processors that this process may use."""
     try:
         return len(os.sched_getaffinity(0))
-    except AttributeError:  # Not every system tells this.
+    except AttributeError:  # Some systems lack this call.
         return os.cpu_count() or 1

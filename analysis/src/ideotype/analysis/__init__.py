@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Reads the histories of ideotype; FORMAT.md says what they hold."""
+"""Reads the histories of ideotype; FORMAT.md describes the files."""
 
 from .case import Case
 from .front import Front

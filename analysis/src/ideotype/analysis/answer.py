@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Answers in three sentences which plant is best, and tabulates its leaves
-beside the baseline's."""
+"""Answers in three sentences which plant is best, and tabulates the leaves of
+this plant beside the leaves of the baseline."""
 
 from __future__ import annotations
 
@@ -19,8 +19,8 @@ from .reading.file import HistoryError
 from .results import evaluations_of
 
 _COSTS = ("leaf_nitrogen", "nitrogen", "water_use")
-"""Quantities besides leaf area that tell what a plant costs, where campaigns
-have them."""
+"""Quantities besides leaf area that are costs of a plant, if a campaign
+measures them."""
 
 _MEASURES = (
     ("length", "length [cm]", 100, 1),
@@ -34,8 +34,8 @@ _MEASURES = (
 
 
 def answer(cases: Sequence[Case]) -> Answer:
-    """Tells which plant is best and how sure that is, what it costs, and what
-    was not searched.
+    """Tells which plant is best and how certain the gain is, the costs of the
+    plant, and the limits of the search.
 
     Raises HistoryError if nothing is evaluated yet."""
     known = known_cases(cases)
@@ -195,8 +195,8 @@ def _listed(words_of: Sequence[str]) -> str:
 
 
 def leaf_table(case: Case) -> Block:
-    """Returns the leaves of the best plant, the highest first, and those of
-    the baseline in brackets; or why they are not known."""
+    """Returns the leaves of the best plant, the highest first, with the leaves
+    of the baseline in brackets; or the reason why leaves are not known."""
     try:
         import ideotype
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Atlases, which have the best plant of each kind."""
+"""Atlases, which hold the best plant of each kind."""
 
 from __future__ import annotations
 
@@ -36,8 +36,8 @@ class AtlasAxis:
         ]
 
     def cell_of(self, values: NDArray[np.float64]) -> Integers:
-        """Returns the cells that values belong to, as the search finds
-        them."""
+        """Returns the cells to which values belong, by the rule of the
+        search."""
         low, high = self.edges[[0, -1]]
         places = np.floor((values - low) / (high - low) * self.cells)
         return places.astype(int)
@@ -66,7 +66,7 @@ class Atlas:
 
     def on_two_axes(self) -> list[int]:
         """Returns the leaders that a map over the first two axes shows: the
-        best of each of its cells."""
+        best leader of each cell of the map."""
         sign = self.leaders.goals[0].sign
         order = np.argsort(
             -sign * self.leaders.objectives[:, 0], kind="stable"
@@ -88,14 +88,15 @@ def atlas_of(
     end.
 
     axes: quantity, range and cells of each axis of the campaign.
-    finalists: those that are done, without the baseline.
+    finalists: evaluated finalists, without the baseline.
     rows: all evaluations."""
     if not len(finalists):
         return None
     places = dict(zip(rows.row.tolist(), range(len(rows))))
     first, looks = [], []
     for row in finalists.parents[:, 0].tolist():
-        # The parent of a row that is evaluated again is the row before.
+        #         The parent of a row that is evaluated again is the preceding
+        # row.
         count, at = 1, places[row]
         while rows.origin[at] == Origin.ELITE:
             count, at = count + 1, places[int(rows.parents[at, 0])]

@@ -25,7 +25,7 @@ class Drawing:
 
 @dataclass(frozen=True)
 class Picture:
-    """A figure in the page; its files have the same name."""
+    """A figure in the page; the files of the figure have its name."""
 
     name: str
     question: str
@@ -42,8 +42,8 @@ class Note:
 
     text: str
     is_aside: bool = False
-    """Whether it is about the report and not about the plants, so that it is
-    folded."""
+    """Whether the note is about the report and not about the plants, and is
+    therefore folded."""
 
 
 @dataclass(frozen=True)
@@ -64,7 +64,7 @@ class Answer:
 
 @dataclass(frozen=True)
 class Listing:
-    """A text that is shown as it is, folded."""
+    """A text that is shown unchanged and folded."""
 
     title: str
     text: str
@@ -83,7 +83,7 @@ Block = Drawing | Picture | Note | Table | Listing | Viewer | Answer
 
 @dataclass
 class Section:
-    """A part of the page. A folded one opens at a click."""
+    """A part of the page. A folded section opens at a click."""
 
     title: str
     blocks: list[Block] = field(default_factory=list)
@@ -100,5 +100,5 @@ class Section:
         caption: str,
         make: Callable[[], Figure],
     ) -> None:
-        """Adds a figure, as Drawing has it."""
+        """Adds a figure; the arguments are the members of Drawing."""
         self.blocks.append(Drawing(name, question, caption, make))

@@ -25,8 +25,8 @@ _TAKEN = ("stalk_fraction", "soil_fraction")
 
 class Case:
     """The replicates of one case, which share light, field and genes and
-    differ in random numbers. It remembers what it was once asked for, so that
-    all figures show one moment of a run."""
+    differ in random numbers. A case remembers its answers, so that all figures
+    show one moment of a run."""
 
     def __init__(
         self, name: str, histories: Sequence[History], light: str = ""
@@ -51,7 +51,8 @@ class Case:
 
     @property
     def known(self) -> tuple[tuple[History, Pair], ...]:
-        """The histories that have both, with baseline and best."""
+        """The histories that have a baseline and a best plant, with both
+        plants."""
         return self._known
 
     @cached_property
@@ -60,33 +61,34 @@ class Case:
         return tuple((h, pair) for h, pair in found if pair is not None)
 
     def remember(self) -> None:
-        """Reads what several figures show, so that a copy in another process
-        shows the same moment of a run."""
+        """Reads the data that several figures show, so that a copy in another
+        process shows the same moment of a run."""
         with suppress(HistoryError):
             _ = self._known, self._latest, self.fronts
 
     def is_over(self, axis: str) -> bool:
         """Returns whether each plant is evaluated in all of the "site"s,
-        "day"s, "climate"s or "spacing"s of its campaign; what the case has of
-        one is then that of the first."""
+        "day"s, "climate"s or "spacing"s of its campaign; the case then has the
+        properties of the first scenario."""
         return axis in self.resolved.get("objective", {}).get("over", ())
 
     @property
     def pairs(self) -> tuple[Pair, ...]:
-        """The baseline and the best plant of each seed that has both."""
+        """The baseline and the best plant of each seed that has both
+        plants."""
         return tuple(pair for _, pair in self._known)
 
     @cached_property
     def fronts(self) -> tuple[tuple[History, Front], ...]:
-        """The front of each seed that has one yet, where there are several
+        """The front of each seed that already has a front, for several
         objectives."""
         found = ((h, h.front()) for h in self.histories)
         return tuple((h, front) for h, front in found if front is not None)
 
     def member_title(self, seed: int, index: int) -> str:
         """Returns the name in every figure, table and view of a member of the
-        front of one of `fronts`: "plant 3", where there are several seeds with
-        the seed."""
+        front of one of `fronts`: "plant 3", with the seed if there are several
+        seeds."""
         _, front = self.fronts[seed]
         of = f" of seed {seed + 1}" if len(self.histories) > 1 else ""
         return f"plant {front.number(index)}{of}"
@@ -111,7 +113,8 @@ class Case:
 
     @property
     def best_pair(self) -> Pair:
-        """The baseline and the best plant of that history."""
+        """The baseline and the best plant of the history that holds the best
+        plant."""
         return self._winner[1]
 
     @property
@@ -121,11 +124,11 @@ class Case:
 
     @property
     def baseline(self) -> Evaluation:
-        """The unbred plant, as it was evaluated beside the best."""
+        """The unbred plant, evaluated together with the best plant."""
         return self.best_pair.baseline
 
     def need_pairs(self) -> None:
-        """Raises HistoryError if no seed has baseline and best."""
+        """Raises HistoryError if no seed has a baseline and a best plant."""
         if not self.pairs:
             raise HistoryError("baseline and best are not evaluated yet")
 
@@ -141,14 +144,14 @@ class Case:
         """Returns the fittest plants of the last complete generations of all
         seeds together, best first.
 
-        Raises HistoryError if there is none."""
+        Raises HistoryError if there is no complete generation."""
         rows = self._latest[0].top(count)
         if not len(rows):
             raise HistoryError("no plant is evaluated yet")
         return rows
 
     def seeds_of_top(self, count: int) -> int:
-        """Returns the number of seeds that those plants come from."""
+        """Returns the number of seeds from which the plants of top() come."""
         rows, seed = self._latest
         return len(set(seed[rows.ranking(count)]))
 
@@ -186,7 +189,7 @@ class Case:
     def number(self, who: str, name: str | None = None) -> Interval:
         """Returns a quantity without axes of "baseline" or "best", by default
         the objective, with the interval of its light and field: the number
-        that every table and figure has of this plant.
+        that every table and figure shows for this plant.
 
         Raises HistoryError if it is not known."""
         self.need_pairs()
@@ -194,9 +197,9 @@ class Case:
         return interval([plant.estimate(name) if name else plant.objective])
 
     def light_by_organ(self, who: str) -> dict[str, Interval]:
-        """Returns what each organ but leaves of "baseline" or "best" absorbs
-        over the incident PAR; stalks, sheaths and all others are together
-        where the history does not tell them apart."""
+        """Returns the light that each organ of "baseline" or "best" except
+        leaves absorbs over the incident PAR; stalks, sheaths and all other
+        organs are put together if the history does not distinguish organs."""
         self.need_pairs()
         plant: Evaluation = getattr(self, who)
         try:
@@ -215,11 +218,12 @@ class Case:
         other organs and soil took nothing: incident (1 - reflected) -
         absorbed. Reflected light is lost to any canopy of these leaves.
 
-        Each randomisation shares all its light out, so that the figure is what
-        other organs and soil take, and its standard error at most the sum of
-        theirs; absorbed and reflected light have larger ones, which cancel.
+        Each randomisation distributes all its light, so that the headroom is
+        the light that other organs and soil take, and its standard error is at
+        most the sum of their standard errors; absorbed and reflected light
+        have larger errors, which cancel.
 
-        Raises HistoryError if there is no such ceiling, or a quantity is
+        Raises HistoryError if light has no such ceiling, or a quantity is
         missing."""
         best = self.best
         if best.row.goals[0].name != "absorbed_par":

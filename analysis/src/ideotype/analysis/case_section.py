@@ -35,8 +35,8 @@ _ALONG = (
 
 
 def plants_of(case: Case, own: Sequence[Path] = ()) -> Plants | Note:
-    """Returns the shapes of the plants of a case and of one's own, or why they
-    are not known."""
+    """Returns the shapes of the plants of a case and of the user's own plants,
+    or the reason why shapes are not known."""
     try:
         return build_plants(case, own)
     except Error as reason:
@@ -85,9 +85,9 @@ def section_of(case: Case, plants: Plants | Note) -> Section:
 
 
 def _draw_importance(case: Case) -> Figure:
-    """Draws which traits matter.
+    """Draws the importance of traits.
 
-    Raises HistoryError if plants cannot be evaluated here."""
+    Raises HistoryError if plants cannot be evaluated on this machine."""
     case.need_pairs()
     try:
         changes = changes_of(case)
@@ -99,7 +99,7 @@ def _draw_importance(case: Case) -> Figure:
 def _draw_stages(case: Case) -> Figure:
     """Draws baseline and best at each stage.
 
-    Raises HistoryError if their shapes are not known."""
+    Raises HistoryError if the shapes of the plants are not known."""
     times = stages(case).labels
     try:
         stand = ideotype.Stand.from_history(

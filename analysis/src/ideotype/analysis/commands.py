@@ -47,7 +47,8 @@ def summary(arguments: Sequence[str] | None = None) -> int:
 
 
 def report(arguments: Sequence[str] | None = None) -> int:
-    """Writes a report and returns the exit code, as summary does."""
+    """Writes a report and returns the exit code, which has the meaning of the
+    exit code of summary()."""
     parser = argparse.ArgumentParser(
         prog="ideotype report",
         description="Writes one HTML page about all histories, which needs "
@@ -118,10 +119,10 @@ def guarded(
                 run(options, study)
                 return 3 if study.damaged else 0
         finally:
-            # A full disk is reported here, and not when Python ends.
+            #             The flush reports a full disk before Python ends.
             sys.stdout.flush()
     except BrokenPipeError:
-        # Whoever read our output has seen enough.
+        #         The reader of the output has closed the pipe.
         _drop_output()
         return 1
     except (HistoryError, OSError) as error:
@@ -131,8 +132,8 @@ def guarded(
 
 
 def _drop_output() -> None:
-    """Drops what cannot be written, which Python would try to write again at
-    its end."""
+    """Drops output that cannot be written, which Python would try to write
+    again at its end."""
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
@@ -155,8 +156,8 @@ def _report(options: argparse.Namespace, study: Study) -> None:
     from .figures.cross import read_cross
     from .report import write_report
 
-    # Processes use all cores; more threads in each process would slow the
-    # others.
+    #     Processes use all cores; more threads in a process would slow down
+    # other processes.
     os.environ.setdefault("OMP_NUM_THREADS", "1")
     cross = read_cross(options.cross) if options.cross else None
     with Progress("figures drawn") as progress:

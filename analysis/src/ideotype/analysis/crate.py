@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Writes a finished study as a Research Object Crate (RO-Crate 1.1,
-doi:10.3233/DS-210053): what was bred from what, by which program, and whose it
-is."""
+doi:10.3233/DS-210053): the inputs, the program, the results and the authors of
+the study."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ from .study import Study
 
 METADATA = "ro-crate-metadata.json"
 _INPUTS = "inputs"
-"""The folder of what histories were begun with."""
+"""The folder of the inputs with which histories were begun."""
 
 _SPECIFICATION = "https://w3id.org/ro/crate/1.1"
 _TOML = "application/toml"
@@ -75,8 +75,9 @@ def write_crate(
     title: str | None = None,
 ) -> Path:
     """Writes the metadata of a folder that holds all histories of a study, and
-    what these were begun with beside them; an earlier crate is replaced.
-    Authors are "NAME" or "NAME, ORCID". Returns the path of the metadata.
+    writes the inputs of the histories beside them; an earlier crate is
+    replaced. Authors are "NAME" or "NAME, ORCID". Returns the path of the
+    metadata.
 
     Raises HistoryError if a history is not finished or lies elsewhere, OSError
     if the folder can't be written."""
@@ -142,8 +143,8 @@ def _of(name: str) -> _Entity:
 def _all_of(
     every: Sequence[_Entity], kind: str = ""
 ) -> _Entity | list[_Entity]:
-    """Returns references to all entities or to those of a type, as a list
-    unless there is one."""
+    """Returns references to all entities or to the entities of a type, as a
+    list unless there is a single entity."""
     found = [_of(e["@id"]) for e in every if kind in ("", e["@type"])]
     return found[0] if len(found) == 1 else found
 
@@ -151,7 +152,7 @@ def _all_of(
 def _entities(
     study: Study, folder: Path, makers: Sequence[_Entity]
 ) -> Iterator[_Entity]:
-    """Returns all that the root of a crate refers to, each once."""
+    """Returns each entity to which the root of a crate refers once."""
     found = {each["@id"]: each for each in makers}
     for case in study.cases():
         for history in case.histories:
@@ -172,7 +173,7 @@ def _entities(
 
 
 def _people(authors: Sequence[str], organisation: str | None) -> list[_Entity]:
-    """Returns the authors, and their organisation if that is told."""
+    """Returns the authors, and their organisation if given."""
     people = [_person(author, k) for k, author in enumerate(authors, start=1)]
     if not organisation:
         return people
@@ -222,7 +223,8 @@ def _program(history: History) -> _Entity:
 
 
 def _inputs(history: History, folder: Path) -> Iterator[_Entity]:
-    """Writes what a history was begun with, and describes each file."""
+    """Writes the inputs with which a history was begun, and describes each
+    file."""
     campaign = str(history.attributes["campaign"])
     texts = {
         "": (history.campaign(), "The campaign as its author wrote it."),
@@ -238,7 +240,7 @@ def _inputs(history: History, folder: Path) -> Iterator[_Entity]:
         told = "The weather in steps, as evaluations take it."
         texts["_weather"] = tomli_w.dumps({"weather": weather}), told
     for part, (text, about) in texts.items():
-        # Campaigns of one name may differ.
+        #         Campaigns with equal names may differ in content.
         digest = hashlib.sha256(text.encode()).hexdigest()[:8]
         path = folder / _INPUTS / f"{campaign}{part}_{digest}.toml"
         path.parent.mkdir(parents=True, exist_ok=True)

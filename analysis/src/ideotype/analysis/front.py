@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Fronts, which are plants that no other betters in all objectives."""
+"""Fronts, which consist of the plants that no other plant dominates."""
 
 from __future__ import annotations
 
@@ -16,10 +16,11 @@ from .reading.rows import Evaluation, Rows
 def non_dominated(
     objectives: ArrayLike, signs: ArrayLike, violation: ArrayLike = 0.0
 ) -> NDArray[np.bool_]:
-    """Returns which rows of [rows, objectives] no other dominates: a row
-    dominates another if it is as good in all objectives and better in one.
-    `signs` are 1 where larger is better, else -1. A row that violates
-    constraints is dominated by all that violate them less."""
+    """Returns a mask of the rows of [rows, objectives] that no other row
+    dominates: a row dominates another row if it is as good in all objectives
+    and better in at least one. `signs` are 1 where larger is better, else -1.
+    A row that violates constraints is dominated by all rows with less
+    violation."""
     values = real(objectives, "objectives") * real(signs, "signs")
     violation = np.broadcast_to(real(violation, "violation"), len(values))
     one, other = values[:, None], values[None]
@@ -34,11 +35,11 @@ class Front:
     """The plants that a search for several objectives has found."""
 
     members: Rows
-    """The finalists but the baseline, or before they are evaluated the front
-    of the last generation."""
+    """The finalists without the baseline, or the front of the last generation
+    until finalists are evaluated."""
     is_kept: NDArray[np.bool_]
-    """Whether no other member dominates a member; the others have fallen off,
-    since they owed their place to noise."""
+    """Whether no other member dominates a member; dominated members owed their
+    place to noise."""
     baseline: Evaluation
 
     @property
@@ -57,7 +58,7 @@ class Front:
         return self.members.one(index, self.is_final)
 
     def number(self, index: int) -> int:
-        """Returns the number that names a member: its row in /final, or its
+        """Returns the number that names a member: the row in /final, or the
         place in a front that is not evaluated again."""
         return int(self.members.row[index]) if self.is_final else index + 1
 
@@ -67,8 +68,8 @@ class Front:
 
 
 def front_of(rows: Rows, baseline: Evaluation) -> Front | None:
-    """Returns the front of bred rows: finalists if the baseline is one, or a
-    generation whose front is to be found. None if no row is done."""
+    """Returns the front of bred rows: of finalists if a baseline is given, or
+    else of a generation. None if no row is done."""
     done = rows.done
     signs = [objective.sign for objective in done.goals]
     is_kept = non_dominated(done.objectives, signs, done.violation)

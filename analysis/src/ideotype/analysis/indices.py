@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The results of a sensitivity study: Sobol' indices, or elementary effects by
-Morris, which SALib computes from its rows and from which the noise of rows is
-taken off."""
+Morris, which SALib computes from the rows of the study; the noise of rows is
+subtracted."""
 
 from __future__ import annotations
 
@@ -37,15 +37,15 @@ Floats = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Indices:
-    """The dependence of a quantity on the factors of a study; NaN is not
-    known."""
+    """The dependence of a quantity on the factors of a study; unknown numbers
+    are NaN."""
 
     quantity: str
     unit: str
     factors: tuple[str, ...]
     mean: float
     standard_deviation: float
-    """The standard deviation without that of noise."""
+    """The standard deviation of the quantity without noise."""
     noise: float
     """The standard deviation of noise."""
     samples: int
@@ -54,8 +54,8 @@ class Indices:
     """The indices by name and factor: first and total; or mu, mu_star, sigma
     and mu_star_of_noise."""
     standard_error: dict[str, Floats]
-    """The standard errors by bootstrap over samples: of first and total, or of
-    mu_star."""
+    """The standard errors of first and total, or of mu_star, by bootstrap over
+    samples."""
 
     @property
     def main(self) -> Floats:
@@ -73,14 +73,14 @@ class _Design(NamedTuple):
     """The problem as SALib has it: a variable for each free gene, a group for
     each factor."""
     points: Floats
-    """The points [samples, rows of a sample, free genes], 0 to 1 in their
-    ranges."""
+    """The points [samples, rows of a sample, free genes], 0 to 1 in the ranges
+    of genes."""
 
 
 def indices_of(history: History) -> dict[str, Indices]:
     """Computes the indices of all quantities that are single numbers, by name;
-    none if the history is not that of a sensitivity study, or the study is not
-    finished yet.
+    the dict is empty if the history holds no sensitivity study, or the study
+    is not finished yet.
 
     Raises HistoryError if SALib is not installed."""
     if not history.is_sensitivity or not history.state().finished:
@@ -146,7 +146,7 @@ def _analyse(
     error, variance = noise[:, ends].mean(), y[:, ends].var()
     index: dict[str, Floats] = {}
     errors: dict[str, Floats] = {}
-    # Rounding alone makes constants vary.
+    #     Rounding makes even constant quantities vary.
     varies = variance - error > (1e-12 * y.mean()) ** 2
     if design.is_sobol and samples > 1 and varies:
         index, errors = _sobol(design, y, noise)
@@ -170,12 +170,12 @@ def _analyse(
 def _sobol(
     design: _Design, y: Floats, noise: Floats
 ) -> tuple[dict[str, Floats], dict[str, Floats]]:
-    """Computes indices of first order by Saltelli et al. 2010
-    (doi:10.1016/j.cpc.2009.09.018) and total ones by Jansen 1999
+    """Computes first-order indices by Saltelli et al. 2010
+    (doi:10.1016/j.cpc.2009.09.018) and total indices by Jansen 1999
     (doi:10.1016/S0010-4655(98)00154-4), and their standard errors. Rows have
     independent noise, whose variance is in the variance of the rows and in the
     squared differences of a total index, but not in the products of a
-    first."""
+    first-order index."""
     from SALib.analyze import sobol
 
     found = sobol.analyze(
@@ -199,7 +199,7 @@ def _morris(
     """Computes elementary effects over the whole range of a factor (Morris
     1991, doi:10.1080/00401706.1991.10484804, Campolongo et al. 2007,
     doi:10.1016/j.envsoft.2006.10.004), and the standard error of mu_star; the
-    variance of noise is taken off that of effects."""
+    variance of noise is subtracted from the variance of effects."""
     from SALib.analyze import morris
 
     found = morris.analyze(
@@ -216,7 +216,7 @@ def _morris(
         genes = groups == factor
         change = np.diff(points[:, :, genes], axis=1)
         sample, row = np.nonzero((change != 0).any(2))
-        # Several genes step either way.
+        #         The genes of a factor may step in different directions.
         is_one = genes.sum() == 1
         sign = np.sign(change[sample, row, 0]) if is_one else 1
         effects = sign * np.diff(y, axis=1)[sample, row] / step
@@ -238,7 +238,7 @@ def draw_indices(case: Case) -> Figure:
     """Draws bars of the factors that matter most to the first objective, with
     95 % intervals, for the first seed.
 
-    Raises HistoryError if the study is not finished, or tells nothing."""
+    Raises HistoryError if the study is not finished or has no indices."""
     history = case.histories[0]
     name = history.objectives[0].name
     found = indices_of(history).get(name)

@@ -19,7 +19,7 @@ from .reading.history import History, open_history
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Prints the indices of a history and returns the exit code: 0, or 1 if
-    there are none."""
+    the history has no indices."""
     parser = argparse.ArgumentParser(
         prog="ideotype indices",
         description="Tells what the objectives of a finished sensitivity study "

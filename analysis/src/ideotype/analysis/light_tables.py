@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Tells what organs other than leaves absorb, and how well light adds up."""
+"""Tables of the light that organs other than leaves absorb, and of the balance
+of light."""
 
 from __future__ import annotations
 
@@ -14,7 +15,8 @@ from .tables import UNKNOWN, bare
 
 
 def organs(cases: Sequence[Case]) -> list[Table]:
-    """Tells what organs other than leaves take, where histories have it."""
+    """Tabulates the light that organs other than leaves absorb, if histories
+    have it."""
     plants = [
         (f"{case.name} {who}", case.light_by_organ(who))
         for case in cases
@@ -44,7 +46,7 @@ def _percent(share: Interval | None) -> str:
 
 
 def balance(cases: Sequence[Case]) -> Note:
-    """Tells how well the energy balance closes."""
+    """Tabulates the error of the balance of light."""
     errors = [
         abs(pair_member.estimate("balance_error").mean)
         for case in cases

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The baseline plant against the best one that was bred."""
+"""The baseline compared with the best bred plant."""
 
 from __future__ import annotations
 
@@ -21,15 +21,16 @@ class Pair:
 
     @property
     def is_final(self) -> bool:
-        """Whether both were evaluated again at the end. If not, the best is
-        the best of many noisy figures and too high on average."""
+        """Whether both were evaluated again at the end. If not, the best plant
+        was chosen by noisy numbers, so that its objective is too high on
+        average."""
         return self.baseline.is_final and self.best.is_final
 
     @property
     def is_paired(self) -> bool:
-        """Whether both have the same randomisations, which the history has
-        kept: the errors of differences are then those of the randomisations
-        one by one; otherwise both are taken as independent."""
+        """Whether the history holds randomisations that both plants share:
+        errors of differences are then computed from paired randomisations;
+        otherwise both plants are taken as independent."""
         baseline, best = self.baseline.row, self.best.row
         return (
             baseline.generation[0] == best.generation[0]
@@ -40,7 +41,8 @@ class Pair:
 
     @property
     def difference(self) -> Estimate:
-        """The best less the baseline in the first objective, in its unit."""
+        """The first objective of the best plant less the baseline's, in the
+        objective's unit."""
         return difference(
             *self._both(self.best.objective, self.baseline.objective)
         )
@@ -51,9 +53,9 @@ class Pair:
         return self.gain_in(self.best.row.goals[0].name)
 
     def gain_in(self, name: str) -> Estimate:
-        """Returns by how much a quantity without axes or an objective is
-        higher [%]. The error is paired for objectives, and takes both as
-        independent for all else.
+        """Returns the gain of the best plant in a quantity without axes or an
+        objective [%]. Errors are paired for objectives; for quantities both
+        plants are taken as independent.
 
         Raises HistoryError if the history does not tell it."""
         best, baseline = self.best.estimate(name), self.baseline.estimate(name)

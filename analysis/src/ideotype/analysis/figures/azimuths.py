@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Draws where the leaves of plants point, and returns it as numbers."""
+"""Draws and returns the azimuths of the leaves of plants."""
 
 from __future__ import annotations
 
@@ -34,11 +34,12 @@ def azimuths(case: Case, genomes: NDArray) -> NDArray[np.float64]:
     leaves], in [0, 360) [deg]: all traits that act on azimuths act, whether
     they are bred or not.
 
-    Raises HistoryError if none does."""
+    Raises HistoryError if no trait acts on azimuths."""
     baseline = case.resolved.get("plant", {}).get("baseline", {})
     traits = baseline.get("trait")
     if traits is None:
-        # Before crops declared traits, a gene was the azimuth itself.
+        #         In histories before crops declared traits, a gene is the
+        # azimuth itself.
         columns = case.genes.columns("azimuth")
         if not len(columns):
             raise HistoryError("the plants have no azimuths")
@@ -72,8 +73,8 @@ def _by_leaf(case: Case, trait: str, genomes: NDArray, leaves: int) -> NDArray:
 
 
 def draw_azimuths(case: Case) -> Figure:
-    """Draws leaf azimuths from above, the lowest leaf innermost: those of the
-    fittest plants, their circular mean and deviation, and the baseline."""
+    """Draws leaf azimuths from above, the lowest leaf innermost: the fittest
+    plants, their circular mean and deviation, and the baseline."""
     plants = azimuths(case, case.top(COUNT).genome)
     leaves = np.arange(plants.shape[1]) + 1
     figure = style.new_figure(style.WIDTH, 5.2)
@@ -126,7 +127,7 @@ def _draw_arcs(axes: Axes, values: NDArray, leaves: NDArray) -> None:
 
 def _draw_compass(axes: Axes, case: Case) -> None:
     """Draws north, the row, and the direction in which azimuths count, for a
-    view from above with azimuth 0 at the top. Takes the axes for itself."""
+    view from above with azimuth 0 at the top. The compass fills the axes."""
     axes.set_axis_off()
     axes.set_aspect("equal")
     axes.set_anchor("N")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The figures of one case, and what to know when reading them."""
+"""The figures of one case, with captions that explain them."""
 
 from __future__ import annotations
 

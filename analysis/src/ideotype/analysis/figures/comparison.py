@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Compares cases with each other: gains, energy."""
+"""Compares the gains and the light budgets of cases."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ ELITE = "elite"
 """The name of the elite plant in a cross-evaluation."""
 
 _MANY = 12
-"""The number of cases from which on figures are as dense as they can be."""
+"""The number of cases from which on figures have their greatest density."""
 
 _PARTS = {
     "leaves": (style.MEAN, ""),
@@ -35,8 +35,8 @@ _ORGANS = {"stalk": "stalks", "sheath": "sheaths"}
 
 
 def known_cases(cases: Sequence[Case]) -> list[Case]:
-    """Returns the cases with baseline and best. Raises HistoryError if there
-    is none."""
+    """Returns the cases with a baseline and a best plant. Raises HistoryError
+    if there is no such case."""
     known = [case for case in cases if case.pairs]
     if not known:
         raise HistoryError("baseline and best are not evaluated yet")
@@ -44,15 +44,15 @@ def known_cases(cases: Sequence[Case]) -> list[Case]:
 
 
 def intervals_of(cases: Sequence[Case]) -> str:
-    """Tells the meaning of the intervals of cases, which have these numbers of
+    """Explains the intervals of cases, which depend on their numbers of
     seeds."""
     return meaning(len(case.pairs) for case in cases if case.pairs)
 
 
 def draw_gains(cases: Sequence[Case], cross: Cross | None = None) -> Figure:
-    """Draws by case best minus baseline, and minus the elite plant where a
-    cross-evaluation has it, in %: mean of searches with its interval, and each
-    search."""
+    """Draws for each case the gain of the best plant over the baseline, and
+    over the elite plant if a cross-evaluation has this plant, in %: the mean
+    of searches with its interval, and each search."""
     known = known_cases(cases)
     lines = _gain_lines(known, cross)
     rows = sorted({y for y, *_ in lines})
@@ -90,8 +90,8 @@ and label."""
 
 
 def _gain_lines(known: Sequence[Case], cross: Cross | None) -> list[_Line]:
-    """Returns the gain of each case; of a single case that of each search,
-    too, whose interval is that of the light."""
+    """Returns the gain of each case; for a single case also the gain of each
+    search, whose interval covers the error of the light only."""
     names = short_names(known)
     lines: list[_Line] = []
     if len(known) == 1 and len(known[0].pairs) > 1:
@@ -139,10 +139,10 @@ def _draw_interval(
 
 
 def draw_energy(cases: Sequence[Case]) -> Figure:
-    """Draws where the incident PAR goes, for baseline and best of each case,
-    or of the cases that gain most and least, with the interval of each part.
-    Isolated plots have a panel of their own: light from their sides adds to
-    what falls on their ground."""
+    """Draws the parts of the incident PAR with their intervals, for the
+    baseline and the best plant of each case, or of the cases with the largest
+    and smallest gains. Isolated plots have a separate panel: light from their
+    sides adds to the light that falls on their ground."""
     every = known_cases(cases)
     known = every
     if len(every) > _MANY:
@@ -195,8 +195,8 @@ def _leaves_take(known: Sequence[Case]) -> str:
 
 def shares(case: Case, who: str) -> dict[str, Interval]:
     """Returns parts of the incident PAR in the order of the figure; organs
-    other than leaves, stalks and sheaths are together, with at most the sum of
-    their errors."""
+    other than leaves, stalks and sheaths are added, and their errors are added
+    too as an upper bound."""
     found = {"leaves": case.number(who, "absorbed_fraction")}
     for organ, share in case.light_by_organ(who).items():
         part = _ORGANS.get(organ, "other organs")

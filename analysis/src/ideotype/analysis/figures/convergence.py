@@ -19,9 +19,10 @@ from .style import answer, axis_label, half_width
 
 def draw_convergence(case: Case) -> Figure:
     """Draws the first objective by generation, numbered from 0 as in the file,
-    against the baseline, and the best evaluated again. A single seed has its
-    best with standard error, and its mean with the spread of the population;
-    several seeds have means over seeds, with the range of seeds as a band."""
+    against the baseline, and the best plant evaluated again. For a single seed
+    the figure has the best plant with its standard error, and the mean with
+    the spread of the population; for several seeds it has means over seeds,
+    with the range of seeds as a band."""
     runs = [history.generations() for history in case.histories]
     runs = [run for run in runs if len(run)]
     if not runs:
@@ -45,8 +46,8 @@ def draw_convergence(case: Case) -> Figure:
 
 
 def _verdict(runs: list[Generations]) -> str:
-    """Tells whether the means of populations still changed in the second half
-    of the generations, by more than they scatter about a line."""
+    """Tells whether the means of populations changed in the second half of the
+    generations by more than their scatter about a line."""
     changing = 0
     for run in runs:
         values = run.mean.values[len(run) // 2 :]
@@ -99,7 +100,8 @@ def _draw_seeds(axes: Axes, runs: list[Generations]) -> None:
         ("best", style.BEST, "best of its generation (not evaluated again)"),
         ("mean", style.MEAN, "mean of the population"),
     ):
-        # The table has NaN where a seed has not come so far.
+        #         The table has NaN for generations that a seed has not
+        # reached.
         table = pandas.DataFrame(
             [[*getattr(run, what).values] for run in runs]
         )

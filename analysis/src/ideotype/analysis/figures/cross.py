@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Cross-evaluations, which put every plant under the light of every case."""
+"""Cross-evaluations, in which every plant is evaluated in the light of every
+case."""
 
 from __future__ import annotations
 
@@ -22,9 +23,9 @@ from . import style
 
 @dataclass(frozen=True)
 class Cross:
-    """A table of plants and cases. Mean and standard error are [plants,
-    cases], in the unit of the objective; NaN where a plant was not
-    evaluated."""
+    """A table of plants and cases. Means and standard errors are [plants,
+    cases], in the unit of the objective; NaN for a plant that was not
+    evaluated in a case."""
 
     plants: tuple[str, ...]
     cases: tuple[str, ...]
@@ -32,8 +33,8 @@ class Cross:
     standard_error: NDArray[np.float64]
 
     def estimate(self, plant: str, case: str) -> Estimate | None:
-        """Returns the figure of a plant under a case, None if there is
-        none."""
+        """Returns the estimate of a plant in a case, None if the plant was not
+        evaluated in the case."""
         if plant not in self.plants or case not in self.cases:
             return None
         at = self.plants.index(plant), self.cases.index(case)
@@ -43,8 +44,8 @@ class Cross:
 
     def seeds_together(self) -> list[tuple[str, list[Interval | None]]]:
         """Returns plants by name, "ames_all" for the best of ames_all_r1,
-        ames_all_r2 and so on, with their means under each case; None where
-        none of them was evaluated."""
+        ames_all_r2 and so on, with the means of the seeds in each case; None
+        if no seed was evaluated in a case."""
         members: dict[str, list[str]] = {}
         for plant in self.plants:
             name = re.sub(r"[_-]r\d+$", "", plant)
@@ -56,18 +57,20 @@ class Cross:
                 known = [self.estimate(plant, case) for plant in plants]
                 found = [figure for figure in known if figure]
                 row.append(interval(found) if found else None)
-            # A single plant keeps the name with its seed, which tells more.
+            #             A plant of a single seed keeps the full name with the
+            # seed.
             table.append((name if len(plants) > 1 else plants[0], row))
         return table
 
     def intervals(self) -> str:
-        """Tells the meaning of the intervals of seeds_together()."""
+        """Explains the intervals of seeds_together()."""
         table = self.seeds_together()
         return meaning(x.seeds for _, row in table for x in row if x)
 
     def relative_gain(self, case: Case, plant: str) -> Interval | None:
-        """Returns the gain [%] of the best of a case's seeds over a plant
-        under the same light; None if the plant was not evaluated there."""
+        """Returns the gain [%] of the best plants of a case's seeds over a
+        plant in the same light; None if the plant was not evaluated in this
+        case."""
         known = [
             self.estimate(plant, name) for name in (case.name, case.light)
         ]
@@ -82,10 +85,11 @@ class Cross:
 def read_cross(path: str | Path) -> Cross:
     """Reads JSON {"plants": [names], "cases": [names], "mean": [[...]],
     "standard_error": [[...]]}, a row per plant; or CSV with the columns plant,
-    case, mean, standard_error. `ideotype compare` writes both, and its first
-    quantity counts.
+    case, mean, standard_error. `ideotype compare` writes both formats; the
+    first quantity of a file counts.
 
-    Raises FileNotFoundError, or HistoryError if it is something else."""
+    Raises FileNotFoundError, or HistoryError if the file is no
+    cross-evaluation."""
     path = Path(path)
     try:
         cross = _from_csv(path) if path.suffix == ".csv" else _from_json(path)
@@ -131,8 +135,9 @@ def _from_csv(path: Path) -> Cross:
 
 
 def draw_cross(cross: Cross) -> Figure:
-    """Draws each plant under each case, the seeds of a case put together, in %
-    of the best there; half of its interval is below it."""
+    """Draws each plant in each case, with the seeds of a case put together, in
+    % of the best plant of the case; half of the interval stands below each
+    number."""
     table = cross.seeds_together()
     mean, error = (
         np.array(

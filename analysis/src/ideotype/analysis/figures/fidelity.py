@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Draws what `ideotype fidelity` has measured: speed against accuracy."""
+"""Draws the measurements of `ideotype fidelity`: speed against accuracy."""
 
 from __future__ import annotations
 

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Draws plants in their field, as one sees them at eye height and from
-above."""
+"""Draws plants in their field, as seen at eye height and from above."""
 
 from __future__ import annotations
 
@@ -28,14 +27,15 @@ EYE = 1.6
 
 _ROWS, _PLANTS = 7, 8
 _LENGTH = 1.3
-"""The length of rows [m], as far as that takes at most twice as many
-plants."""
+"""The length of rows [m], which is shorter if rows would need more than twice
+the usual number of plants."""
 _STEPS_BACK = 2.5
 """The distance from the first plants of the rows to the eyes [m]."""
 _WIDTH = 700
 """The width of a painted field [pixels]."""
 _IN_VIEW = 1.9
-"""The height of plants that are seen whole from there [m]."""
+"""The height of the tallest plants that are seen whole at this distance
+[m]."""
 _NEAREST = 0.25
 """The distance from the eyes below which nothing is drawn [m]."""
 _LIGHT = np.array([-0.35, -0.45, 0.82])
@@ -67,8 +67,9 @@ def plant_field(
     jitter: float,
     size: tuple[int, int],
 ) -> Field:
-    """Returns a field of so many rows and plants of each, each plant turned at
-    random by up to `jitter` [deg]; `colors` are those of the mesh's faces."""
+    """Returns a field with the given numbers of rows and plants per row, each
+    plant turned at random by up to `jitter` [deg]; `colors` are the colours of
+    the mesh's faces."""
     x, y, z = mesh.corners.transpose(2, 0, 1)
     rows = tuple(row * (i - (size[0] - 1) / 2) for i in range(size[0]))
     places = [(at, plant * j) for at in rows for j in range(size[1])]
@@ -86,14 +87,14 @@ def plant_field(
 def lit(
     colors: NDArray[np.float64], corners: NDArray[np.float64]
 ) -> NDArray[np.float64]:
-    """Returns the colours of faces, darker where these look away from the
+    """Returns the colours of faces, darker for faces that look away from the
     light."""
     return shaded(colors, corners, _LIGHT, 0.72)
 
 
 @dataclass(frozen=True)
 class View:
-    """Faces on a plane, of which later ones hide earlier ones."""
+    """Faces on a plane, of which later faces hide earlier faces."""
 
     outlines: NDArray[np.float64]
     """The corners of faces on the plane [faces, 4, 2]."""
@@ -105,7 +106,7 @@ class View:
 
 
 def at_eye_height(field: Field) -> View:
-    """Returns the field as someone sees it who stands before its rows, farther
+    """Returns the view of the field for eyes before its rows, farther away
     from tall plants."""
     back = _STEPS_BACK * max(1, field.corners[..., 2].max() / _IN_VIEW)
     eye = np.array([-0.27 * field.rows[-1] - 0.35, -back, EYE])
@@ -126,8 +127,8 @@ def at_eye_height(field: Field) -> View:
 
 
 def from_above(field: Field) -> View:
-    """Returns a part in the middle of the field, whose edges plants reach
-    across."""
+    """Returns the view from above on the middle of the field; plants reach
+    across the edges of the view."""
     order = np.argsort(field.corners[..., 2].mean(axis=1))
     middle = field.length / 2
     half = max(min(middle, field.rows[-1] / 1.5), 0.3)
@@ -160,8 +161,8 @@ def show(axes: Axes, view: View) -> None:
 
 
 def _painted(view: View) -> NDArray[np.uint8]:
-    """Returns the pixels of a view [pixels, pixels, 4]; they are clear where
-    no face is."""
+    """Returns the pixels of a view [pixels, pixels, 4]; pixels without a face
+    are transparent."""
     left, right, bottom, top = view.limits
     low, high = view.outlines.min(axis=1), view.outlines.max(axis=1)
     seen = (high > (left, bottom)).all(axis=1)
@@ -237,11 +238,11 @@ def draw_stand(mesh: Mesh, resolved: dict[str, Any], case: str) -> Figure:
 
 
 def draw_field(case: Case, baseline: Mesh, best: Mesh) -> Figure:
-    """Draws fields of baseline and best plant; leaves have the colour of the
-    PAR that they absorb per area of leaf.
+    """Draws fields of baseline and best plant; the colour of a leaf shows its
+    absorbed PAR per area of leaf.
 
-    Raises HistoryError if the history does not tell it, or how far plants
-    are apart."""
+    Raises HistoryError if the history lacks this light or the distances of
+    plants."""
     if case.is_over("spacing"):
         raise HistoryError("each plant stands at several spacings")
     try:

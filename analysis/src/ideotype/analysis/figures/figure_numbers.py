@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Takes from a figure the numbers that it shows."""
+"""Reads the numbers that a figure shows from the figure."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Draws figures of several objectives: the front, and how it grew."""
+"""Draws figures of several objectives: the front and its hypervolume."""
 
 from __future__ import annotations
 
@@ -22,9 +22,9 @@ _MARKERS = "os^vP"
 
 
 def draw_front(case: Case) -> Figure:
-    """Draws each two objectives against each other: the fronts of all seeds
-    with standard errors, the baseline, and the last generation as it was
-    evaluated then, as far as it lies within the axes."""
+    """Draws each pair of objectives: the fronts of all seeds with standard
+    errors, the baseline, and the last generation as evaluated in the search,
+    as far as it lies within the axes."""
     if not case.fronts:
         raise HistoryError("no front is evaluated yet")
     objectives = case.histories[0].objectives
@@ -54,7 +54,7 @@ def draw_front(case: Case) -> Figure:
 
 
 def _exchange(case: Case) -> str:
-    """Tells what the ends of the front of the best seed have."""
+    """Tells the objectives at the ends of the front of the best seed."""
     _, front = max(case.fronts, key=lambda each: int(each[1].is_kept.sum()))
     rows = front.members.take(front.is_kept)
     order = np.argsort(rows.objectives[:, 0])

@@ -25,8 +25,8 @@ def draw_front_plants(
 ) -> Figure:
     """Draws the baseline and up to five plants of the front, at equal steps in
     the order of the first objective, from the side at one scale, with all
-    objectives and their standard errors. Plants have the numbers that they
-    have everywhere.
+    objectives and their standard errors. Plants have their numbers of the
+    whole report.
 
     Raises HistoryError if there is no front."""
     plants = [

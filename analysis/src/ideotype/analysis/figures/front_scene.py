@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The data of fronts for the page: a chart to choose plants from, and the
-numbers beside each."""
+"""The data of fronts for the page: a chart for choosing plants, and the
+numbers of each plant."""
 
 from __future__ import annotations
 
@@ -14,15 +14,15 @@ from ..reading.rows import Evaluation, join
 from ..tables import UNKNOWN
 from .style import axis_label, short, unit_label, words
 
-"""The sign before an error, which a line never parts from its number."""
+"""The sign between a number and its error, at which no line breaks."""
 
 _BOOKKEEPING = ("balance_error", "paths", "capped")
-"""Scalar quantities that say nothing about a plant."""
+"""Scalar quantities that describe the evaluation and not the plant."""
 
 
 def front_scene(case: Case) -> dict[str, Any]:
-    """Returns the front of a case that has one, for front.js. Its members are
-    the plants after the baseline."""
+    """Returns the front of a case with several objectives, for front.js. Its
+    members are the plants after the baseline."""
     first = case.fronts[0][1]
     names = _quantities(first.baseline)
     return {
@@ -62,14 +62,15 @@ def front_scene(case: Case) -> dict[str, Any]:
 
 
 def _first(case: Case) -> int:
-    """Returns the member that is shown first: the best in the first objective,
-    as elsewhere in the page."""
+    """Returns the member that is shown first: the best member in the first
+    objective, as in the rest of the page."""
     members = join([front.members for _, front in case.fronts])
     return int(members.ranking(1)[0])
 
 
 def told(case: Case) -> str:
-    """Tells how many members of the fronts of all seeds are still in them."""
+    """Tells how many members of the fronts of all seeds are not dominated
+    after the final evaluation."""
     fronts = [front for _, front in case.fronts]
     count = sum(len(front.members) for front in fronts)
     if not all(front.is_final for front in fronts):
@@ -90,8 +91,8 @@ def told(case: Case) -> str:
 
 
 def _quantities(plant: Evaluation) -> list[str]:
-    """Returns objectives, then all other quantities of a plant that are one
-    number."""
+    """Returns objectives, then all other quantities of a plant that are single
+    numbers."""
     objectives = [objective.name for objective in plant.row.goals]
     others = plant.row.quantities.values()
     return objectives + [
@@ -113,8 +114,8 @@ def _objectives(plant: Evaluation) -> list[list[float]]:
 
 
 def _numbers(pair: Pair, names: list[str]) -> list[list[str]]:
-    """Returns for each quantity baseline, plant, and by how many % the plant
-    is higher."""
+    """Returns for each quantity the numbers of the baseline and the plant, and
+    the increase of the plant over the baseline [%]."""
     return [
         [
             _text(pair.baseline.estimate(name)),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Draws gains as maps over two of latitude, density and distances."""
+"""Draws gains as maps over two axes, such as latitude and density."""
 
 from __future__ import annotations
 
@@ -45,11 +45,12 @@ def draw_gain_map(cases: Sequence[Case]) -> Figure:
 
 
 def draw_set_map(cases: Sequence[Case], sets: tuple[str, str]) -> Figure:
-    """Draws by how much the best plant of one of two trait sets is better than
-    that of the other [%], with the line where both are equal; the error takes
-    both as independent.
+    """Draws the gain of the best plant of one trait set over the best plant of
+    a second trait set [%], with the line of no difference; the error assumes
+    that both plants are independent.
 
-    Raises HistoryError unless cases of both differ in two numbers."""
+    Raises HistoryError unless the cases of both trait sets differ in two
+    numbers."""
     first, second = sets
     known = known_cases(cases)
     labels, groups = _maps(known)
@@ -78,7 +79,7 @@ def draw_set_map(cases: Sequence[Case], sets: tuple[str, str]) -> Figure:
 
 
 def two_sets(cases: Sequence[Case]) -> tuple[str, str] | None:
-    """Returns the trait sets of cases, if there are just two."""
+    """Returns the trait sets of cases, if there are exactly two sets."""
     names = dict.fromkeys(
         str(case.attributes.get("trait_set", "")) for case in cases
     )
@@ -87,15 +88,16 @@ def two_sets(cases: Sequence[Case]) -> tuple[str, str] | None:
 
 
 def _over(case: Case, other: Case) -> Interval:
-    """Returns how much more the best plants have; for a minimised objective
-    how much less."""
+    """Returns the increase of the objective of the best plants, or the
+    decrease of a minimised objective."""
     mine, theirs = (
         over_searches(
             [pair.best.objective for pair in each.pairs], each.gains()
         )
         for each in (case, other)
     )
-    # Half widths take the place of standard errors, and come out as such.
+    #     Half widths are passed in the place of standard errors, so that the
+    # result is a half width too.
     found = relative_gain(
         *(Estimate(x.mean, x.below, x.unit) for x in (mine, theirs))
     )
@@ -107,8 +109,8 @@ def _over(case: Case, other: Case) -> Interval:
 def _maps(
     known: Sequence[Case],
 ) -> tuple[tuple[str, str], dict[str, dict[_Place, Case]]]:
-    """Returns labels of the two axes, and cases by their place on these, for
-    each combination of all others."""
+    """Returns labels of the two axes, and cases by their place on these axes,
+    for each combination of all other axes."""
     for i, (axis, label, place) in enumerate(AXES):
         for other, other_label, other_place in AXES[i + 1 :]:
             shown = [

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Draws figures as files and for the page, and writes their numbers."""
+"""Draws figures for files and for the page, and writes the figures'
+numbers."""
 
 from __future__ import annotations
 
@@ -35,8 +36,9 @@ def draw_all(
     has_pdf: bool,
 ) -> list[Path]:
     """Puts pictures in the place of drawings, and returns their files: SVG,
-    the numbers as CSV and, if wanted, PDF. `run` is map() or does as it does;
-    `tell` gets how many of how many are drawn, and of what."""
+    the numbers as CSV and, if wanted, PDF. `run` is map() or a parallel map();
+    `tell` gets the number of drawn figures, the number of all figures, and the
+    kind of work."""
     folder.mkdir(parents=True, exist_ok=True)
     drawings = [b for s in sections for b in s.blocks if _is_drawing(b)]
     drawn = iter(run(partial(draw, folder, has_pdf), drawings))
@@ -64,8 +66,8 @@ def _is_drawing(block: Block) -> TypeGuard[Drawing]:
 
 
 def draw(folder: Path, has_pdf: bool, drawing: Drawing) -> Block:
-    """Returns the picture and leaves its files; or where the data are missing,
-    a sentence that says so."""
+    """Returns the picture and writes its files; or returns a sentence that
+    names the missing data."""
     name = file_name(drawing.name)
     with matplotlib.rc_context({**RC, "svg.hashsalt": name}):
         try:
@@ -74,7 +76,8 @@ def draw(folder: Path, has_pdf: bool, drawing: Drawing) -> Block:
             return Note(f"{drawing.question} Not drawn: {reason}.", True)
         svg = _svg(figure)
         if has_pdf:
-            # The figure is laid out once, and both files are alike.
+            #             The figure is laid out once, so that both files are
+            # alike.
             figure.set_layout_engine("none")
             FigureCanvasPdf(figure).print_pdf(  # type: ignore[no-untyped-call]
                 folder / f"{name}.pdf", metadata={"CreationDate": None}
@@ -88,12 +91,12 @@ def draw(folder: Path, has_pdf: bool, drawing: Drawing) -> Block:
 
 
 def _svg(figure: Figure) -> str:
-    """Returns a figure as SVG whose texts are texts, without a date, painted
-    parts in a format that is small."""
+    """Returns a figure as SVG without a date; texts stay texts, and painted
+    parts have a compact format."""
     out = io.StringIO()
     canvas = FigureCanvasSVG(figure)
     canvas.print_svg(out, metadata={"Date": None})  # type: ignore[no-untyped-call]
-    # Coordinates of a tenth of a point are finer than screens and printers.
+    #     Coordinates in tenths of a point are finer than screens and printers.
     text = re.sub(
         r"\d+\.\d{3,}", lambda m: f"{float(m[0]):.2f}", out.getvalue()
     )
@@ -113,5 +116,6 @@ def _smaller(png: str) -> str:
 
 
 def file_name(name: str) -> str:
-    """Returns letters, digits, - and _ of a name; the rest becomes _."""
+    """Returns a name in which characters other than letters, digits, - and _
+    are replaced by _."""
     return re.sub(r"[^\w-]+", "_", name)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Tells which traits of the best plant matter, by changing one at a time."""
+"""Measures the importance of the traits of the best plant by changing one
+trait at a time."""
 
 from __future__ import annotations
 
@@ -19,15 +20,15 @@ from ..reading.genes import Genes
 from . import style
 
 _GENERATIONS = 16
-"""The number of generations whose fields the plants are compared in, with
-random numbers that the search has not seen."""
+"""The number of generations in whose fields plants are compared, with random
+numbers that the search has not used."""
 
 _OF_GROWING = 4
-"""The number of generations for plants that grow, which have fields of their
-own at each stage."""
+"""The number of generations for plants that grow, which have separate fields
+at each stage."""
 
 _FIRST = 1_000_000
-"""The first of these generations."""
+"""The number of the first generation in which plants are compared."""
 
 _STEP = 0.1
 """The relative change of a trait that is no angle."""
@@ -38,14 +39,15 @@ _TURN = 10.0
 
 @dataclass(frozen=True)
 class Change:
-    """By how much the best plant is worse if a trait is changed, in % of the
-    baseline's objective; positive if it is worse."""
+    """The loss of the best plant if a trait is changed, in % of the baseline's
+    objective; positive if the changed plant is worse."""
 
     trait: str
     back: Estimate
-    """With the trait of the baseline."""
+    """The loss with the trait of the baseline."""
     off: Estimate
-    """With the trait 10 % or 10 deg larger or smaller, whichever is worse."""
+    """The loss with the trait 10 % or 10 deg larger or smaller, whichever is
+    worse."""
 
 
 def changes_of(case: Case, threads: int = 1) -> list[Change]:
@@ -53,7 +55,7 @@ def changes_of(case: Case, threads: int = 1) -> list[Change]:
     same fields and light as the best plant and the baseline. Returns the
     traits whose return to the baseline costs most first; errors are paired.
 
-    Raises Error if there is no compiled module or it cannot use the
+    Raises Error if there is no compiled module, or the module cannot use the
     history."""
     best = case.best.row.genome[0]
     baseline = case.baseline.row.genome[0]
@@ -106,8 +108,9 @@ def _moved(
     genome: NDArray[np.float64],
     sign: int,
 ) -> NDArray[np.float64]:
-    """Returns genes 10 deg or 10 % off; the latter of the larger of value and
-    half of the range, since a number to add may be 0."""
+    """Returns genes changed by 10 deg or 10 %; the percentage is taken of the
+    larger of the value and half of the range, since an added number may be
+    0."""
     own = genome[columns]
     if genes.units[columns[0]] == "deg":
         step = np.full(len(columns), _TURN)
@@ -144,7 +147,7 @@ def _mean(values: NDArray[np.float64]) -> Estimate:
 
 
 def draw_importance(case: Case, changes: Sequence[Change]) -> Figure:
-    """Draws what the best plant loses by each change."""
+    """Draws the loss of the best plant by each change."""
     figure = style.new_figure(style.WIDTH, 1.4 + 0.5 * len(changes))
     axes = figure.add_subplot()
     for shift, what, color, marker, label in (
@@ -171,7 +174,7 @@ def draw_importance(case: Case, changes: Sequence[Change]) -> Figure:
 
 
 def answer_of(changes: Sequence[Change]) -> str:
-    """Tells which traits make the gain, and which must be right."""
+    """Tells which traits cause the gain, and which traits must be exact."""
     clear = [
         x for x in changes if x.back.mean > NORMAL * x.back.standard_error
     ]

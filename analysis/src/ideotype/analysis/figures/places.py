@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Compares cases by where they are: latitude and spacing, as curves and as
-maps over two of these."""
+"""Compares cases by place: latitude and spacing, as curves and as maps over
+two axes."""
 
 from __future__ import annotations
 
@@ -38,12 +38,13 @@ AXES: tuple[tuple[str, str, _Number], ...] = (
     ("spacing", "distance of plants [m]", _plants),
     ("spacing", "distance of rows [m]", _rows),
 )
-"""The axis of campaigns to which each belongs, its label, and where a case
-is."""
+"""The axes of figures: name of the axis of campaigns, label, and a function
+that returns the place of a case."""
 
 
 def elsewhere(case: Case, *axes: str) -> str:
-    """Returns the case's place on all other axes; the trait set comes last."""
+    """Returns the case's place on all axes except the given axes; the trait
+    set comes last."""
     names = ("site", "day", "spacing", "trait_set")
     words = (
         case.attributes.get(name, "") for name in names if name not in axes
@@ -56,8 +57,8 @@ def elsewhere(case: Case, *axes: str) -> str:
 
 def draw_latitudes(cases: Sequence[Case]) -> Figure:
     """Draws absorbed PAR and gain against latitude, a line for each
-    combination of the other axes, and points for combinations at a latitude
-    that no line shows. Raises HistoryError unless there are two latitudes."""
+    combination of the other axes, and points for combinations without a line.
+    Raises HistoryError unless there are two latitudes."""
     return _draw_against(cases, *AXES[1])
 
 
@@ -120,8 +121,8 @@ def _draw_against(
 def _lines(
     known: Sequence[Case], axis: str, position: _Number
 ) -> tuple[dict[str, list[Case]], dict[str, list[Case]]]:
-    """Returns the cases that a line joins, by what they have in common, and
-    those at places that no line shows."""
+    """Returns the cases that a line joins, by their common properties, and the
+    cases at places without a line."""
 
     def places(members: Sequence[Case]) -> set[float]:
         return {position(case) for case in members}
@@ -147,8 +148,8 @@ def _lines(
 def _in_order(
     lines: Mapping[str, list[Case]], axis: str
 ) -> dict[str, list[Case]] | None:
-    """Returns lines in the order of the number in which they differ; None if
-    they differ in something else."""
+    """Returns lines in the order of the number in which lines differ; None if
+    lines differ in another property."""
     other = _density if axis == "site" else _latitude
     try:
         at = {name: other(members[0]) for name, members in lines.items()}
@@ -160,7 +161,7 @@ def _in_order(
 
 
 def _tendency(known: Sequence[Case], position: _Number, label: str) -> str:
-    """Tells the mean gain at both ends."""
+    """Tells the mean gains at both ends of an axis."""
     at = sorted({position(case) for case in known})
     what, _, unit = label.partition(" [")
     ends = []
@@ -178,8 +179,8 @@ def _tendency(known: Sequence[Case], position: _Number, label: str) -> str:
 
 
 def _by_rows(name: str, members: Sequence[Case]) -> dict[str, list[Case]]:
-    """Returns cases by their lines: one for each distance of rows, unless
-    plants of a row are always as far apart."""
+    """Returns cases by their lines: a line for each distance of rows, unless
+    the distance within rows is constant."""
     lines: dict[str, list[Case]] = {}
     for case in sorted(members, key=_rows):
         lines.setdefault(f"{name}, rows {_rows(case):.4g} m", []).append(case)

@@ -25,12 +25,12 @@ viewer."""
 
 
 def draw_side(axes: Axes, mesh: Mesh) -> None:
-    """Draws a plant as someone sees it who looks 30 deg past the row."""
+    """Draws a plant from the side, in a view 30 deg off the row."""
     _draw(axes, mesh, _side(mesh.corners))
 
 
 def draw_above(axes: Axes, mesh: Mesh) -> None:
-    """Draws a plant from above, its row upwards."""
+    """Draws a plant from above with the row upwards."""
     _draw(axes, mesh, mesh.corners)
 
 
@@ -44,8 +44,8 @@ def side_limits(meshes: Sequence[Mesh]) -> tuple[float, float, float]:
 
 
 def draw_plants(plants: Mapping[str, Mesh]) -> Figure:
-    """Draws plants from the side and from above, at one scale, with their
-    names."""
+    """Draws plants with their names from the side and from above, at one
+    scale."""
     meshes = [*plants.values()]
     left, right, top = side_limits(meshes)
     every = np.vstack([mesh.vertices[:, :2] for mesh in meshes])
@@ -78,7 +78,7 @@ def _side(points: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def _draw(axes: Axes, mesh: Mesh, corners: NDArray[np.float64]) -> None:
-    """Draws faces with these corners [faces, 4, 3]: right, up, towards the
+    """Draws faces with the given corners [faces, 4, 3]: right, up, towards the
     viewer."""
     colors = np.array([to_rgb(_color(group)) for group in mesh.groups])
     order = np.argsort(corners[..., 2].mean(axis=1))

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Draws where and when the leaves absorb and assimilate: by hour, day, leaf
-rank and height; and how much of them the sun shines on."""
+"""Draws the absorbed light and the assimilation of leaves by hour, day, leaf
+rank and height, and the sunlit part of leaf area."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ _SUNLIT = "sunlit_lai_by_hour"
 BY_HOUR = "assimilation_by_hour"
 BY_LEAF = {"gross": "assimilation_by_leaf", "net": "net_assimilation_by_leaf"}
 _ELSEWHERE = (_SUNLIT, BY_HOUR, *BY_LEAF.values())
-"""Quantities that have figures of their own."""
+"""Quantities that have separate figures."""
 
 PLANTS: dict[str, dict[str, Any]] = {
     "baseline": {
@@ -41,8 +41,8 @@ _SIZE = {"markersize": 4}
 
 def draw_hours(case: Case) -> Figure:
     """Draws PAR absorbed by leaves at each hour, and best minus baseline. The
-    error of the difference takes both as independent. Parts of the light have
-    a panel each if the history tells them apart."""
+    error of the difference assumes that both plants are independent. Each part
+    of the light has a panel if the history distinguishes parts."""
     figure = _draw_courses(case, "hour")
     name = _names(case, "hour", "hour")[0]
     hour, more = _most_different(case, name)
@@ -55,9 +55,9 @@ def draw_hours(case: Case) -> Figure:
 
 
 def draw_days(case: Case) -> Figure:
-    """Draws what is known by day of a season, as draw_hours() does by hour.
+    """Draws quantities by day of a season, as draw_hours() does by hour.
 
-    Raises HistoryError if there is nothing by day."""
+    Raises HistoryError if no quantity is known by day."""
     figure = _draw_courses(case, "day")
     name = _names(case, "day", "day")[0]
     was, now = case.baseline.profile(name), case.best.profile(name)
@@ -71,8 +71,8 @@ def draw_days(case: Case) -> Figure:
 
 
 def _most_different(case: Case, name: str) -> tuple[Any, str]:
-    """Returns the label at which baseline and best differ most, and by how
-    much."""
+    """Returns the label of the largest difference between baseline and best
+    plant, and this difference."""
     was, now = case.baseline.profile(name), case.best.profile(name)
     by = now.values - was.values
     at = int(np.argmax(np.abs(by)))
@@ -117,7 +117,7 @@ def _draw_courses(case: Case, axis: str) -> Figure:
 def draw_sunlit(case: Case) -> Figure:
     """Draws sunlit over all leaf area by hour [%], for baseline and best.
 
-    Raises HistoryError if the history does not tell it."""
+    Raises HistoryError if the history has no sunlit leaf area."""
     case.need_pairs()
     figure, (axes,) = new_panels(1, 3.2)
     draw_course(axes, case, _SUNLIT, over="lai", factor=100)
@@ -138,8 +138,8 @@ def draw_sunlit(case: Case) -> Figure:
 def draw_course(
     axes: Axes, case: Case, name: str, over: str = "", factor: float = 1
 ) -> None:
-    """Draws both plants by day, or by whole hours, as many as there is room for, and
-    their clock; over another quantity if that is wanted."""
+    """Draws a quantity of both plants by day, or by whole hours with their
+    clock; relative to another quantity if wanted."""
     for who, looks in PLANTS.items():
         plant = getattr(case, who)
         found = plant.profile(name)
@@ -168,8 +168,8 @@ def _instants(found: Profile) -> NDArray:
 
 
 def draw_leaves(case: Case) -> Figure:
-    """Draws what is known by leaf rank, such as absorbed PAR: baseline and
-    best with standard errors, a panel each."""
+    """Draws quantities by leaf rank, such as absorbed PAR: baseline and best
+    with standard errors, each quantity in a panel."""
     names = _names(case, "leaf", "leaf rank")
     figure, panels = _draw_along(case, names)
     leaf = cast(Axis, case.best.row.with_axis("leaf")[0].axis)
@@ -190,8 +190,8 @@ def draw_leaves(case: Case) -> Figure:
 
 
 def draw_layers(case: Case) -> Figure:
-    """Draws what is known by height above the soil, as by leaf rank; points
-    are at the middle of their layers."""
+    """Draws quantities by height above the soil like draw_leaves(); points are
+    at the middle of their layers."""
     names = _names(case, "layer", "height layer")
     figure, panels = _draw_along(case, names)
     for axes in panels:

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """The data of the 3D view: baseline and best plants, or all members of a
-front, and what their leaves absorb."""
+front, and the light that their leaves absorb."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ _FINALISTS = 3
 """The number of finalists of each search that are shown."""
 
 _NEIGHBOURS = 3
-"""The number of plants that are shown before and behind a plant in its row."""
+"""The number of neighbours shown before and behind a plant in its row."""
 
 
 @dataclass(frozen=True)
@@ -46,11 +46,11 @@ class Plants:
     members: tuple[Mesh, ...] = ()
     """The members of the fronts of all seeds."""
     others: tuple[tuple[str, Evaluation | OwnPlant, Mesh], ...] = ()
-    """Other finalists of all seeds and plants of one's own, with a name."""
+    """Other finalists of all seeds and the user's own plants, with names."""
 
 
 def build_plants(case: Case, own: Sequence[Path] = ()) -> Plants:
-    """Builds the plants of a case, and plants of one's own from their files.
+    """Builds the plants of a case, and the user's own plants from their files.
     Raises HistoryError if nothing is evaluated
     yet, Error if there is no compiled module, which knows the shapes of
     plants, or it cannot use a history."""
@@ -66,9 +66,9 @@ def build_plants(case: Case, own: Sequence[Path] = ()) -> Plants:
 
 
 def _finalists(case: Case) -> Iterator[tuple[str, Evaluation, Mesh]]:
-    """Returns the finalists of all searches but the best plant of the case and
-    the baseline, the best of each search first; none where there is a
-    front."""
+    """Returns the finalists of all searches except the best plant of the case
+    and the baseline, the best finalist of each search first; a case with a
+    front returns none."""
     best = case.best.row.genome[0]
     for search, history in enumerate(case.histories, start=1):
         if case.fronts or not case.is_final:
@@ -85,8 +85,8 @@ def _finalists(case: Case) -> Iterator[tuple[str, Evaluation, Mesh]]:
 def _shapes(
     history: History, genomes: Iterable[NDArray[np.float64]]
 ) -> list[Mesh]:
-    """Returns the shapes of genomes, which every instruction set gives
-    alike."""
+    """Returns the shapes of genomes, which do not depend on the instruction
+    set."""
     stand = ideotype.Stand.from_history(history.path, same_isa=False)
     return [stand.mesh(genome) for genome in genomes]
 
@@ -111,7 +111,7 @@ def _case(
         (case.baseline, plants.baseline)
     ]
     if front:
-        # The numbers are in the tables.
+        #         The page shows the numbers of light in tables.
         titles = [
             "baseline",
             *(member["title"] for member in front["members"]),
@@ -147,8 +147,8 @@ def _title(name: str, plant: Evaluation | OwnPlant) -> str:
 
 
 def _mesh(mesh: Mesh, shapes: list[dict[str, Any]]) -> dict[str, Any]:
-    """Returns a mesh for the page; parts that plants share are kept once, in
-    `shapes`."""
+    """Returns a mesh for the page; parts that several plants share are stored
+    once in `shapes`."""
     shape = shape_of(mesh)
     if shape not in shapes:
         shapes.append(shape)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Draws plants that grow: leaf area and carbon over the season, and plants at
-each stage."""
+"""Draws leaf area and carbon of growing plants over the season, and the plants
+at each stage."""
 
 from __future__ import annotations
 
@@ -75,9 +75,9 @@ def draw_leaf_area(case: Case) -> Figure:
 def weekly(
     days: NDArray[np.float64], rates: NDArray[np.float64], last: float
 ) -> NDArray[np.float64]:
-    """Returns sums over the weeks since emergence of a rate per day that is
-    known on some days, and linear between them; the last week may be
-    short."""
+    """Returns sums over the weeks since emergence of a rate per day, which is
+    known on some days and interpolated linearly; the last week may be
+    shorter."""
     fine = np.arange(int(np.ceil(last))) + 0.5
     daily = np.interp(fine, days, rates)
     return np.array(
@@ -147,7 +147,7 @@ def draw_stages(
 
 
 def chosen_stages(count: int) -> list[int]:
-    """Returns the places of stages that are drawn."""
+    """Returns the positions of the stages that are drawn."""
     if count <= _SHOWN:
         return [*range(count)]
     return [int(i) for i in np.linspace(0, count - 1, _SHOWN).round()]

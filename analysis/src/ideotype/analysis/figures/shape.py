@@ -60,9 +60,9 @@ def draw_traits(case: Case) -> Figure:
 
 
 def draw_profiles(case: Case) -> Figure:
-    """Draws each bred trait that is a smooth curve over leaf position: its
-    points as in draw_traits(), and the curves of the fittest plants and of the
-    baseline."""
+    """Draws each bred trait that is a smooth curve over leaf position: the
+    points of the profile as in draw_traits(), and the curves of the fittest
+    plants and of the baseline."""
     traits = _bred(case, "profile")
     figure, panels = _panels(traits, 4.4)
     along = np.linspace(0, 1, 101)
@@ -101,8 +101,8 @@ def _bred(case: Case, kind: Kind) -> list[str]:
 
 
 def _panels(traits: list[str], height: float) -> tuple[Figure, list[Axes]]:
-    """Returns a figure with a panel for each trait, of this height
-    [inches]."""
+    """Returns a figure with a panel of the given height [inches] for each
+    trait."""
     across = min(len(traits), _ACROSS)
     down = -(-len(traits) // across)
     figure = style.new_figure(style.WIDTH, 0.6 + height * down)
@@ -162,8 +162,8 @@ def draw_plants(
     place: NDArray,
     size: float | None = None,
 ) -> None:
-    """Draws the fittest plants, the baseline, and where there are several
-    seeds the best of each, which show whether seeds agree: numbers(genomes),
+    """Draws the fittest plants, the baseline, and for several seeds the best
+    plant of each seed, which shows whether seeds agree: numbers(genomes),
     [plants, places], against the places."""
     for values, color in _colored(numbers(case.top(COUNT).genome)):
         axes.plot(
@@ -185,7 +185,7 @@ def _colored(values: NDArray) -> list[tuple[NDArray, NDArray]]:
 
 
 def _draw_trait(axes: Axes, case: Case, trait: str, place: NDArray) -> None:
-    """Draws a trait's genes, each at its place upwards."""
+    """Draws a trait's genes, each gene at its place on the vertical axis."""
     genes = case.genes
     columns = genes.columns(trait)
     is_circular = bool(genes.is_circular[columns].all())
@@ -213,7 +213,7 @@ def _draw_mean(
     """Draws mean and standard deviation of each gene."""
     if is_circular:
         mean, deviation = circular_mean_and_deviation(values)
-        # A bar that leaves on one side of the circle comes in on the other.
+        #         A bar that passes 360 deg continues at 0 deg.
         left, right = mean - deviation, 360.0 - mean - deviation
         past, before = y[right < 0], y[left < 0]
         axes.hlines(past, 0.0, -right[right < 0], color=style.ANEW)
@@ -232,10 +232,10 @@ def _draw_mean(
 def circular_mean_and_deviation(degrees: NDArray) -> tuple[NDArray, NDArray]:
     """Returns the circular mean, in [0, 360), and standard deviation, at most
     180, of each column [deg]."""
-    # The import stands here, since it takes as long as all else together.
+    #     SciPy is imported at its use, because its import takes long.
     from scipy.stats import circmean, circstd
 
     deviation = circstd(degrees, high=360, axis=0)
-    # 360 deg are 0 deg.
+    #     The mean 360 deg becomes 0 deg.
     mean = circmean(degrees, high=360, axis=0) % 360
     return mean, np.minimum(deviation, 180.0)

@@ -24,8 +24,8 @@ from .style import answer, axis_label
 
 
 def draw_parts(case: Case) -> Figure:
-    """Draws light that leaves absorb by origin, face of the leaf, or whatever
-    else has words for labels and the objective's unit."""
+    """Draws the absorbed light of leaves by origin, by face of the leaf, or by
+    any axis whose labels are words, in the unit of the objective."""
     case.need_pairs()
     unit = case.best.objective.unit
     names = [
@@ -72,9 +72,9 @@ def draw_parts(case: Case) -> Figure:
 
 def draw_assimilation(case: Case) -> Figure:
     """Draws gross assimilation by hour above, gross and net by leaf rank
-    below, as far as the history tells them, for baseline and best.
+    below, as far as the history has these quantities, for baseline and best.
 
-    Raises HistoryError if it tells none."""
+    Raises HistoryError if the history has no assimilation."""
     case.need_pairs()
     known = case.best.row.quantities
     by_leaf = {kind: n for kind, n in BY_LEAF.items() if n in known}

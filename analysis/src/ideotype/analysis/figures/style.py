@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """The style of all figures. Colours are those of Okabe and Ito, and viridis:
-the colour-blind can tell both apart."""
+colour-blind people can distinguish the colours of each."""
 
 from __future__ import annotations
 
@@ -23,8 +23,7 @@ ANEW = "#D55E00"
 QUIET = "#8C8C8C"
 
 WIDTH = 4.8
-"""The width of figures, whose words can then be read on a telephone
-[inches]."""
+"""The width of figures [inches], at which words are legible on a telephone."""
 
 _SERIES_COLORS = (
     *("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9"),
@@ -52,8 +51,8 @@ RC: dict[Any, Any] = {
 }
 
 _LIGHT = (DAILY_ENERGY, "W m-2")
-"""The units of light, which is per area of ground, or of leaf where the name
-says so."""
+"""The units of light, which is per area of ground, or per area of leaf if the
+name says this."""
 
 _SUPERSCRIPT = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
@@ -64,12 +63,12 @@ def answer(figure: Figure, text: str) -> None:
 
 
 def answer_of(figure: Figure) -> str:
-    """Returns that sentence, or "" if there is none."""
+    """Returns the sentence that answers the question of a figure, or ""."""
     return str(figure.get_label() or "")
 
 
 def half_width(standard_error: ArrayLike) -> NDArray[np.float64]:
-    """Returns half of the 95 % interval of numbers, which all bars show."""
+    """Returns half of the 95 % interval of numbers, which error bars show."""
     return NORMAL * np.asarray(standard_error, dtype=float)
 
 
@@ -118,8 +117,8 @@ def short(value: float) -> float:
 
 
 def series(index: int) -> tuple[str, str]:
-    """Returns colour and marker of a line among several; the marker tells
-    apart lines whose colours repeat."""
+    """Returns colour and marker of a line among several; markers distinguish
+    lines whose colours repeat."""
     return (
         _SERIES_COLORS[index % len(_SERIES_COLORS)],
         _SERIES_MARKERS[index % len(_SERIES_MARKERS)],
@@ -128,7 +127,7 @@ def series(index: int) -> tuple[str, str]:
 
 def organ_color(group: str) -> str:
     """Returns the colour of a group of a mesh that is no leaf: a muted green
-    for sheaths and what is as green, grey for the rest."""
+    for sheaths and other green organs, grey for all other organs."""
     return "#7E9470" if group.startswith("sheath") else "#969696"
 
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The HTML of a report, which holds everything and loads nothing."""
+"""The HTML of a report: one page that holds all its data and loads no other
+file."""
 
 from __future__ import annotations
 

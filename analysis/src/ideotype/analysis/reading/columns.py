@@ -14,17 +14,18 @@ from .file import HistoryError, text
 from .rows import Status
 
 _OLD = "local clock"
-"""The name until version 0.2.0 of the hours of a season, which were those of
-the weather file."""
+"""The name of the clock for hours of a season until version 0.2.0, when hours
+were on the clock of the weather file."""
 
 
 class Column(NamedTuple):
-    """An array; its texts are Python's."""
+    """An array of a history, whose texts are Python strings."""
 
     axes: tuple[str, ...]
     values: NDArray
     about: dict[str, str]
-    """The units and the long_name, where the file tells them."""
+    """The attributes `units` and `long_name` of the array, if the file has
+    them."""
 
 
 class Columns(dict[str, Column]):
@@ -46,9 +47,9 @@ def columns(
     *,
     all_rows: bool = False,
 ) -> Columns:
-    """Reads a group. /evaluations and /final give some rows, and unless
-    `all_rows` is set only those whose outcome is recorded; hours are those of
-    the clock of the site.
+    """Reads a group. /evaluations and /final give the chosen rows, and without
+    `all_rows` only the rows whose outcome is recorded; hours are on the clock
+    of the site.
 
     Raises HistoryError."""
     names = data.names(group)
@@ -56,7 +57,8 @@ def columns(
     row = ""
     kept: Any = slice(None)
     if "status" in names:
-        # The status is read before all else, since it decides (FORMAT.md).
+        #         The status is read first, since it decides which rows count
+        # (FORMAT.md).
         status = data.read(f"{group}/status", first, last)
         (row,) = data.axes(f"{group}/status")
         if not all_rows:
@@ -82,8 +84,8 @@ def columns(
 
 
 def _clock(data: Datasets, meaning: str) -> tuple[str, float]:
-    """Returns the name of the hours of a history, and the shift of those of an
-    old one to the clock of the site [h]."""
+    """Returns the name of the clock of a history, and the shift from the hours
+    of an old history to the clock of the site [h]."""
     if meaning and meaning != _OLD:
         return meaning, 0.0
     try:

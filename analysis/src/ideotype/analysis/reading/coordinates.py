@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Where cases are: names in natural order, and what tells cases apart."""
+"""Names of cases: their natural order, and short names."""
 
 from __future__ import annotations
 
@@ -20,8 +20,8 @@ def natural(text: str) -> tuple[tuple[str, float, str], ...]:
 
 def short_names(cases: Sequence[Case]) -> dict[str, str]:
     """Returns short names of cases, by their full names. A short name has the
-    campaign, site, day, spacing [m] and trait set only where these differ
-    between the cases."""
+    campaign, site, day, spacing [m] and trait set only if they differ between
+    the cases."""
     places = {case.name: _place(case) for case in cases}
     differ = [
         len(set(values)) > 1 for values in zip(*places.values(), strict=True)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Reads from the open file what it holds at that moment."""
+"""Reads the present contents of an open file."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from .file import HistoryError, open_file, text
 
 
 class Datasets:
-    """The datasets and root attributes of a history by their names."""
+    """The datasets and root attributes of a history by name."""
 
     def __init__(self, path: str | Path) -> None:
         self.path = Path(path)
@@ -25,7 +25,7 @@ class Datasets:
         self._open: dict[str, h5py.Dataset] = {}
 
     def __reduce__(self) -> tuple[type[Datasets], tuple[Path]]:
-        """Lets another process open the file for itself."""
+        """Makes a copy in another process open the file again."""
         return type(self), (self.path,)
 
     def close(self) -> None:
@@ -50,11 +50,13 @@ class Datasets:
             return list(self._file[group])
 
     def axes(self, name: str) -> tuple[str, ...]:
-        """Returns the names of a dataset's dimensions, which are those of the
-        scales beside it; a scale has its own."""
+        """Returns the names of a dataset's dimensions, which are the names of
+        the scales in its group; the dimension of a scale has the name of the
+        scale."""
         group, _, dataset = name.rpartition("/")
         if group not in self._axes:
-            # They never change, and it takes a while to look them up.
+            #             Dimensions never change, and looking them up takes
+            # long.
             self._axes[group] = self._axes_of(group)
         try:
             return self._axes[group][dataset]
@@ -65,7 +67,7 @@ class Datasets:
         """Returns a dataset's unit, as "units", and description, as
         "long_name"."""
         if name not in self._about:
-            # As dimensions, they never change.
+            #             Units and descriptions never change.
             with self._reading(name):
                 known = dict(self._dataset(name).attrs)
                 self._about[name] = {
@@ -83,11 +85,12 @@ class Datasets:
         Raises HistoryError."""
         with self._reading(name):
             dataset = self._dataset(name)
-            # A live file changes, what was once seen in it does not.
+            #             A live file changes, but recorded values in the file
+            # do not.
             dataset.refresh()
             values = dataset[slice(first, last) if dataset.shape else ...]
-            # Any byte but 0 is true, as for the program; numpy takes 1 alone
-            # for true.
+            #             Any byte except 0 is true, as in the program; numpy
+            # takes only 1 as true.
             return values.view("i1") != 0 if values.dtype == bool else values
 
     def texts(self, name: str) -> tuple[str, ...]:
@@ -95,7 +98,7 @@ class Datasets:
         return tuple(text(entry) for entry in self.read(name).ravel())
 
     def attribute_bytes(self, name: str) -> bytes:
-        """Returns the value of a root attribute as it stands in the file."""
+        """Returns the bytes of a root attribute in the file."""
         with self._reading(f"attribute {name}"):
             attribute = h5py.h5a.open(self._file.id, name.encode())
             value = np.empty(attribute.shape, attribute.dtype)
@@ -119,7 +122,8 @@ class Datasets:
                         for axis in dataset.dims
                     )
                 )
-                # HDF5 has no checksum of references to scales.
+                #                 HDF5 has no checksums of references to
+                # scales.
                 sizes = [len(datasets[a]) if a else -1 for a in found[name]]
                 if sizes != [*dataset.shape] or len({*found[name]}) < len(
                     sizes
@@ -140,8 +144,8 @@ class Datasets:
 
     @contextmanager
     def _reading(self, name: str) -> Iterator[None]:
-        """Turns whatever h5py raises in here, which in a damaged file is any
-        exception, into a HistoryError."""
+        """Turns exceptions of h5py, which may have any type in a damaged file,
+        into a HistoryError."""
         try:
             yield
         except HistoryError:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Figures with their standard errors, and the units that they come in."""
+"""Estimates: numbers with standard errors, in any unit."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ DAILY_ENERGY = "MJ m-2 day-1"
 
 
 def with_interval(mean: float, below: float, above: float) -> str:
-    """Returns "1.50 ± 0.06", or "1.50 -0.06 +0.20"; the smaller of both
-    decides the digits."""
+    """Returns "1.50 ± 0.06", or "1.50 -0.06 +0.20"; the smaller distance
+    decides the number of digits."""
     if not math.isfinite(below + above):
         return f"{mean:.4g} ± ?"
     digits = 2
@@ -31,8 +31,8 @@ def with_interval(mean: float, below: float, above: float) -> str:
 
 @dataclass(frozen=True)
 class Estimate:
-    """A figure and its standard error, in the same unit; a standard error
-    that is not known is NaN."""
+    """A number and its standard error in the same unit; an unknown standard
+    error is NaN."""
 
     mean: float
     standard_error: float
@@ -40,11 +40,11 @@ class Estimate:
     draws: NDArray[np.float64] = field(
         default_factory=lambda: np.empty(0), compare=False, repr=False
     )
-    """The figure in independent randomisations, which another figure may
-    share; empty if they are not known."""
+    """The number in each independent randomisation, which other estimates may
+    share; empty if randomisations are not known."""
 
     def scaled(self, factor: float, unit: str) -> Estimate:
-        """Returns the figure in another unit, for an exact factor."""
+        """Returns the estimate in another unit, for an exact factor."""
         return Estimate(
             factor * self.mean,
             abs(factor) * self.standard_error,
@@ -64,8 +64,8 @@ class Estimate:
         return f"{self.mean:.{digits}f} ± {self.standard_error:.{digits}f}"
 
     def interval_text(self) -> str:
-        """Returns mean and half of the 95 % interval; an exact number, or one
-        without a known error, has none."""
+        """Returns mean and half of the 95 % interval; an exact number, or a
+        number without a known error, has no interval."""
         half_width = NORMAL * self.standard_error
         if not half_width > 1e-9 * abs(self.mean):
             return f"{self.mean:.4g}"
@@ -76,8 +76,8 @@ class Estimate:
 
 
 def difference(a: Estimate, b: Estimate) -> Estimate:
-    """Returns a - b. The standard error is that of their randomisations one by
-    one where both have them, else that of independent figures."""
+    """Returns a - b. The standard error is computed from paired randomisations
+    if both estimates have them, else for independent estimates."""
     return Estimate(a.mean - b.mean, _error(a, b, 1.0), a.unit)
 
 

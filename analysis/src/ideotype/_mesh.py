@@ -198,7 +198,7 @@ def _polygons(
     given: ArrayLike | Sequence[Sequence[int]], vertices: int
 ) -> tuple[NDArray[np.uint32], NDArray[np.uint32]]:
     """Returns the corners of all faces, and the number of corners of each."""
-    #     Faces may differ in their number of corners, unlike rows of an array.
+    # Faces may differ in their number of corners, unlike rows of an array.
     every: Any = unmasked(given, "faces")
     if not len(every):
         raise Error("faces is empty; a mesh needs at least one face")

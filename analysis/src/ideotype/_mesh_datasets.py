@@ -42,8 +42,7 @@ def dataset(found: dict[str, Any], unit: str, scale: float) -> xarray.Dataset:
     # Incident light is exact.
     arrays.pop("incident_standard_error", None)
     if "gross_assimilation" in found:
-        #         The light of a single sun or sky is the light of one second
-        # [mol].
+        # The light of a single sun or sky is the light of one second [mol].
         is_day = unit.endswith("day-1")
         moles = 1 if is_day else 1e6
         of = "mol m-2 day-1" if is_day else "umol m-2 s-1"

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`ideotype ceptometer CAMPAIGN TABLE` puts light that was measured in a field
-beside the light that the program finds there."""
+"""`ideotype ceptometer CAMPAIGN TABLE` compares light that was measured in a
+field with the light that the program computes."""
 
 from __future__ import annotations
 
@@ -21,8 +21,8 @@ _UNITS = {"m": 1.0, "cm": 0.01, "mm": 0.001}
 
 
 def _column(table: pd.DataFrame, name: str) -> pd.Series | None:
-    """Returns the column of this name with a unit of length at its end, in
-    m."""
+    """Returns the column with the given name and a unit of length at its end,
+    in m."""
     for unit, factor in _UNITS.items():
         if f"{name}_{unit}" in table:
             return table[f"{name}_{unit}"].astype(float) * factor
@@ -30,7 +30,7 @@ def _column(table: pd.DataFrame, name: str) -> pd.Series | None:
 
 
 def _hour(text: object) -> float:
-    """Returns the hour of `13.5` or `13:30`."""
+    """Returns the hour that `13.5` or `13:30` denotes."""
     if match := re.fullmatch(r"\s*(\d{1,2}):(\d\d)(?::\d\d)?\s*", str(text)):
         return int(match[1]) + int(match[2]) / 60
     return float(str(text))
@@ -41,7 +41,7 @@ def read_table(path: Path) -> pd.DataFrame:
     [m, NaN: mean across the row], hour [h, NaN: the whole day] and measured,
     the fraction of the light above the canopy.
 
-    Raises Error with the line of what cannot be read."""
+    Raises Error with the line that cannot be read."""
     try:
         table = pd.read_csv(path, comment="#", skipinitialspace=True)
     except (OSError, ValueError) as error:
@@ -86,8 +86,9 @@ def read_table(path: Path) -> pd.DataFrame:
 
 
 def compare(stand: Stand, table: pd.DataFrame) -> pd.DataFrame:
-    """Returns the table with the light that the baseline of a stand lets
-    through, `ours`, and its standard error, `error`."""
+    """Returns the table with two more columns: `ours`, the light that the
+    baseline of a stand transmits, and `error`, the standard error of this
+    light."""
     sensors = table[["height", "position"]].drop_duplicates()
     found = stand.light_at(stand.baseline, sensors.height, sensors.position)
     hours = found.hour.to_numpy()
@@ -135,7 +136,7 @@ def agreement(found: pd.DataFrame) -> dict[str, float]:
 
 
 def draw(found: pd.DataFrame, path: Path) -> None:
-    """Draws ours over measured, coloured by height."""
+    """Draws computed against measured light, coloured by height."""
     from .analysis.figures.style import new_figure
 
     figure = new_figure(6, 5)

@@ -23,8 +23,8 @@ from .analysis.reading.file import HistoryError
 def cases_of(
     campaign: Path, settings: Sequence[str]
 ) -> list[tuple[str, _core.CaseStand, int | None]]:
-    """Returns the stand of each case of a campaign, its replicates put
-    together, or of each of its scenarios."""
+    """Returns the stand of each case of a campaign without replicates, or of
+    each scenario of a case."""
     found: list[tuple[str, _core.CaseStand, int | None]] = []
     for index, (_, replicate) in enumerate(
         _core.case_names(str(campaign), list(settings))
@@ -42,7 +42,8 @@ def cases_of(
 
 
 def to_json(found: Comparison, seed: int) -> dict[str, Any]:
-    """Returns what the schema `compare.schema.json` describes."""
+    """Returns the comparison in the form of the schema
+    `compare.schema.json`."""
     objective = found.objective
     plants, cases = range(len(found.plants)), range(len(found.cases))
     draws = [
@@ -79,8 +80,9 @@ def to_json(found: Comparison, seed: int) -> dict[str, Any]:
 
 
 def _matrices(found: Comparison, quantity: Quantity) -> dict[str, Any]:
-    """Returns means and standard errors by plant and case, of profiles by
-    place too, and the same of differences from the first plant."""
+    """Returns means and standard errors by plant and case, for profiles also
+    by place, and the means and standard errors of differences from the first
+    plant."""
 
     def matrix(take: Any, what: str) -> list[list[Any]]:
         return [
@@ -109,8 +111,8 @@ def _entry(
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Compares plants and returns the exit code: 0, 1 if something failed, 2
-    for a wrong command line, 3 for a wrong campaign or plant, 4 for a history
-    that is damaged or a file that exists."""
+    for a wrong command line, 3 for a wrong campaign or plant, 4 for a damaged
+    history or an output file that exists."""
     options = _parser().parse_args(arguments)
     try:
         if options.csv and options.csv.exists():

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`ideotype fidelity CAMPAIGN` measures what accuracy costs, and tells the
+"""`ideotype fidelity CAMPAIGN` measures the cost of accuracy, and tells the
 cheapest setting that is accurate enough."""
 
 from __future__ import annotations
@@ -25,8 +25,8 @@ from ._survey import FEWEST, OWN, Draw, Refused, Setting, Survey, result, words
 
 class Program:
     """The program `ideotype serve`, one process for each setting, which
-    evaluates two plants: the baseline, and one whose free genes are moved by a
-    tenth of their ranges, which is how far candidates are apart."""
+    evaluates two plants: the baseline, and a plant whose free genes are moved
+    by a tenth of their ranges, a typical distance between candidates."""
 
     def __init__(self, *arguments: str) -> None:
         if not (program := compiled_program()):
@@ -49,13 +49,11 @@ class Program:
             self._start(setting)
         server = self._servers[setting]
         assert server.stdin and server.stdout
-        # This is Linux' number of the clock of the processor time of a
-        # process.
+        # Linux numbers the clock of a process's processor time so.
         clock = (~server.pid << 3) | 2
         values, seconds = [], 0.0
         for genome in self._plants:
-            # The last generation has the tolerance of the campaign and no
-            # other.
+            # The last generation always has the tolerance of the campaign.
             request = {"genome": genome, "seed": number, "generation": 1 << 30}
             began = time.clock_gettime(clock)
             print(json.dumps(request), file=server.stdin, flush=True)
@@ -64,8 +62,8 @@ class Program:
                 why = answer.get("message", "the program has ended")
                 raise Error(f"{words(setting)}: {why}")
             values.append(answer["objectives"][self.objective]["mean"])
-            # The time is that of the second plant: a process needs longer for
-            # its very first one.
+            # The time of the second plant counts: a process needs longer for
+            # its very first plant.
             seconds = time.clock_gettime(clock) - began
         return Draw(values[0], values[1] - values[0], seconds)
 
@@ -76,7 +74,8 @@ class Program:
 
     def _start(self, setting: Setting) -> dict[str, Any]:
         sets = [w for pair in setting for w in ("--set", words((pair,)))]
-        # The process has a group of its own: Ctrl-C is for this process alone.
+        # The new process has a separate group, so that Ctrl-C reaches only the
+        # present process.
         server = subprocess.Popen(
             [*self._command, *sets],
             stdin=subprocess.PIPE,
@@ -91,7 +90,7 @@ class Program:
             return json.loads(line)
         message = server.stderr.read().strip() or "the program has ended"
         # The time and the name of the program are removed from the message,
-        # because this command tells its name itself.
+        # because this command adds its own name.
         message = re.sub(r"^\S+  ideotype: ", "", message, flags=re.MULTILINE)
         raise Refused(message, server.wait())
 
@@ -105,7 +104,7 @@ def _moved(gene: dict[str, Any]) -> float:
 
 
 def table(rows: Sequence[dict[str, Any]]) -> list[str]:
-    """Returns a line for each setting, in % and milliseconds."""
+    """Returns a table with a line for each setting, in % and milliseconds."""
     lines = []
     for row in rows:
         figures = [
@@ -123,7 +122,7 @@ def table(rows: Sequence[dict[str, Any]]) -> list[str]:
 
 
 def block(campaign: str, settings: dict[str, float]) -> str:
-    """Returns the tables of a campaign's text that change, as TOML."""
+    """Returns the changed tables of a campaign's text as TOML."""
     data = tomllib.loads(campaign)
     changed: dict[str, Any] = {}
     for path, value in settings.items():
@@ -138,14 +137,15 @@ def block(campaign: str, settings: dict[str, float]) -> str:
         is_list = isinstance(tables, list)
         for table in tables if is_list else [tables]:
             header = f"[[{name}]]" if is_list else f"[{name}]"
-            # Tables within it, such as [field.variation], stay as they are.
+            # Tables within the changed table, such as [field.variation], stay
+            # unchanged.
             own = {k: v for k, v in table.items() if not isinstance(v, dict)}
             text += f"{header}\n{tomli_w.dumps(own)}\n"
     return text
 
 
 def text(found: dict[str, Any], campaign: str) -> str:
-    """Returns tables of keys and of settings, and what to paste."""
+    """Returns tables of keys and of settings, and the TOML to paste."""
     names = ("bias", "noise", "error", "bias of diff.", "noise", "error")
     lines = [
         f"{found['case']}: errors of one evaluation in % of "
@@ -185,8 +185,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     options = parser.parse_args(arguments)
     program = None
     code = 0
-    # Both signals end the survey, also where a script that runs in the
-    # background has made it ignore SIGINT.
+    # Both signals end the survey, even in a background job of a script, which
+    # would ignore SIGINT.
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, signal.default_int_handler)
     try:

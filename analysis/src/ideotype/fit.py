@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`ideotype fit SOURCE --crop CROP --to FILE` writes a crop file of a plant
-that was digitised, and tells how well each of its leaves is met."""
+"""`ideotype fit SOURCE --crop CROP --to FILE` writes a crop file of a
+digitised plant, and tells how well the file meets each leaf of the plant."""
 
 from __future__ import annotations
 
@@ -70,10 +70,11 @@ def crop_of(
 ) -> dict[str, Any]:
     """Returns the tables of a crop file with these leaves, lowest first.
 
-    crop: the crop that has all that was not measured: stalk, sheaths, organs,
-        traits, and widths, azimuths and heights, which are taken from the same
-        relative position.
-    form: "midrib", or "angles" for insertion angles and curvatures."""
+    crop: crop with everything that was not measured: stalk, sheaths, organs,
+        traits, and widths, azimuths and heights, which are taken from the leaf
+        at an equal relative position.
+    form: form of leaves, "midrib", or "angles" for insertion angles and
+    curvatures."""
     exponent = crop.get("blade", {}).get("curvature_exponent", 1.5)
     own = crop["leaf"]
     leaves = []
@@ -113,8 +114,9 @@ def crop_of(
 def readable_crop(
     blades: Sequence[Blade], crop: dict[str, Any], title: str
 ) -> dict[str, Any]:
-    """Returns what crop_of() makes of these leaves by angles, as campaigns can
-    read it: its name has what a title has of letters and digits."""
+    """Returns the crop that crop_of() makes of leaves by angles, in a form
+    that campaigns can read: the name of the crop keeps only letters and digits
+    of the title."""
     name = re.sub(r"[^A-Za-z0-9-]+", "_", title).strip("_-")[:64]
     found = crop_of(blades, crop, name or "plant", "angles")
     # A lowest leaf may be digitised a millimetre below the ground.
@@ -139,8 +141,8 @@ def _rounded(value: Any) -> Any:
 
 
 def mesh_of(crop: dict[str, Any], folder: Path) -> Mesh:
-    """Returns the surfaces of a crop's plant, its foot at the origin, y along
-    the row. Raises InputError if the program refuses the crop."""
+    """Returns the surfaces of a crop's plant, with its foot at the origin and
+    y along the row. Raises InputError if the program refuses the crop."""
     free = [each["name"] for each in crop.get("trait", [{"name": "azimuth"}])]
     stand = Stand(
         {

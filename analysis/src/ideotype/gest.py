@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Stands for generators and ensembles of the gest-api standard, such as those
-of libEnsemble, Xopt and Optimas.
+"""Adapts stands to generators and ensembles of the gest-api standard, such as
+the generators of libEnsemble, Xopt and Optimas.
 
 https://github.com/campa-consortium/gest-api"""
 
@@ -37,14 +37,15 @@ class Evaluator:
     name and returns objectives by name."""
 
     def __init__(self, stand: Stand, **options: Any) -> None:
-        """Keeps the stand. options: those of Stand.evaluate, such as tolerance
-        and seed."""
+        """Keeps the stand. options: options of Stand.evaluate, such as
+        tolerance and seed."""
         self._stand = stand
         self._options = options
         self._names = list(stand.genes.name[stand.free])
 
     def __call__(self, point: Mapping[str, float]) -> dict[str, float]:
-        """Raises Error if the plant could not be evaluated."""
+        """Evaluates one point. Raises Error if the plant cannot be
+        evaluated."""
         plant = [real(point[name], name).item() for name in self._names]
         found = self._stand.evaluate(
             plant, list(self._stand.objectives), threads=1, **self._options

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`ideotype weather FILE... --to weather.csv` makes of weather files of many
-formats the one that the program reads, and checks it."""
+"""`ideotype weather FILE... --to weather.csv` converts weather files of many
+formats into the format of the program, and checks the result."""
 
 from __future__ import annotations
 
@@ -74,7 +74,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return 1
     try:
         with warnings.catch_warnings():
-            # These warnings of readers are meant for programmers.
+            # Warnings of this kind from readers are meant for programmers.
             warnings.simplefilter("ignore")
             print(_convert(options, tell))
     except Error as error:
@@ -132,8 +132,8 @@ def _read(path: Path, form: str) -> Readings:
 def _joined(
     sources: list[Readings], minutes: int | None, tell: Any
 ) -> tuple[pd.DataFrame, pd.Timedelta]:
-    """Puts files together, of later days or with other columns, on the clock
-    of the first; the index becomes the middles of steps."""
+    """Joins files of later days or with other columns on the clock of the
+    first file; the index becomes the middles of time steps."""
     alike: dict[tuple, list[Readings]] = {}
     for each in sources:
         each.frame.index += (sources[0].utc_offset - each.utc_offset) * _HOUR
@@ -173,7 +173,7 @@ def _joined(
         whole = whole.combine_first(frame)
     if len(set(steps)) > 1:
         raise Error("the files have different time steps; give --step 60")
-    # Hours that have temperature alone are of no use at the ends.
+    # Hours at the ends with temperature alone are useless.
     light = (
         whole[[name for name in _LIGHT if name in whole]].notna().any(axis=1)
     )
@@ -188,8 +188,8 @@ def _joined(
 def _means(
     frame: pd.DataFrame, step: Any, wanted: Any, is_regular: bool
 ) -> pd.DataFrame:
-    """Takes means over longer or other steps, by minutes, of which three
-    quarters must be known."""
+    """Returns means over longer or shifted time steps, by minutes, of which
+    three quarters must be known."""
     if not is_regular or step > wanted:
         minute = pd.Timedelta("1min")
         frame = frame.resample("1min").ffill(limit=step // minute - 1)
@@ -199,8 +199,8 @@ def _means(
 
 
 def _with_years(frame: pd.DataFrame, first: Any, until: Any) -> pd.DataFrame:
-    """Gives the rows of a typical year the dates of a period, else the year of
-    its first row."""
+    """Gives the rows of a typical year the dates of a period, or without a
+    period the year of the first row."""
     index = frame.index
     first = first or pd.Timestamp(index[0].year, 1, 1)
     until = until or pd.Timestamp(first.year, 12, 31)
@@ -228,7 +228,7 @@ def _write(
     offset: float,
     place: tuple[float, float],
 ) -> str:
-    """Writes the file and returns what to say of it."""
+    """Writes the file and returns the message about it."""
     zone = f"{'-' if offset < 0 else '+'}{int(abs(offset)):02}:" + (
         f"{round(abs(offset) % 1 * 60):02}"
     )
@@ -237,7 +237,7 @@ def _write(
         f"# made by ideotype weather of {names}: the middles of time steps, "
         f"W m-2, deg C, %\n# latitude {place[0]:.6g}, longitude {place[1]:.6g}\n"
     )
-    # The program would refuse what lacks more than it interpolates.
+    # The program would refuse gaps that are longer than it interpolates.
     air = [name for name in COLUMNS[5:] if name in frame]
     table = frame[
         [

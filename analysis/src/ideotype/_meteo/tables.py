@@ -110,8 +110,7 @@ def read_epw(path: Path) -> Readings:
     table = table[[x for x in names if x in table]].rename(columns=names)
     unknown = {"temperature": 99.9, "humidity": 999, "wind": 999}
     table = table.replace(unknown | {"pressure": 999999}, np.nan)
-    #     The only row of an hour has minute 0 or 60: either means the whole
-    # hour.
+    # The only row of an hour has minute 0 or 60: either means the whole hour.
     is_parted = table["minute"].nunique() > 1
     minute = table["minute"].where((table["minute"] > 0) & is_parted, 60)
     stamps = (
@@ -144,7 +143,7 @@ def read_nsrdb(path: Path) -> Readings:
         pascals=100,
         utc_offset=float(meta["Time Zone"]),
         place=(float(meta["Latitude"]), float(meta["Longitude"])),
-        #         Hourly files from before May 2019 have minute 0 in each row.
+        # Hourly files from before May 2019 have minute 0 in each row.
         stamp="beginning" if hourly else "middle",
     )
 

@@ -95,8 +95,7 @@ def atlas_of(
     places = dict(zip(rows.row.tolist(), range(len(rows))))
     first, looks = [], []
     for row in finalists.parents[:, 0].tolist():
-        #         The parent of a row that is evaluated again is the preceding
-        # row.
+        # The parent of a row that is evaluated again is the preceding row.
         count, at = 1, places[row]
         while rows.origin[at] == Origin.ELITE:
             count, at = count + 1, places[int(rows.parents[at, 0])]

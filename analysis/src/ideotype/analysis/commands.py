@@ -119,10 +119,10 @@ def guarded(
                 run(options, study)
                 return 3 if study.damaged else 0
         finally:
-            #             The flush reports a full disk before Python ends.
+            # The flush reports a full disk before Python ends.
             sys.stdout.flush()
     except BrokenPipeError:
-        #         The reader of the output has closed the pipe.
+        # The reader of the output has closed the pipe.
         _drop_output()
         return 1
     except (HistoryError, OSError) as error:
@@ -156,8 +156,8 @@ def _report(options: argparse.Namespace, study: Study) -> None:
     from .figures.cross import read_cross
     from .report import write_report
 
-    #     Processes use all cores; more threads in a process would slow down
-    # other processes.
+    # Processes use all cores; more threads in a process would slow down other
+    # processes.
     os.environ.setdefault("OMP_NUM_THREADS", "1")
     cross = read_cross(options.cross) if options.cross else None
     with Progress("figures drawn") as progress:

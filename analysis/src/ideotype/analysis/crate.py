@@ -240,7 +240,7 @@ def _inputs(history: History, folder: Path) -> Iterator[_Entity]:
         told = "The weather in steps, as evaluations take it."
         texts["_weather"] = tomli_w.dumps({"weather": weather}), told
     for part, (text, about) in texts.items():
-        #         Campaigns with equal names may differ in content.
+        # Campaigns with equal names may differ in content.
         digest = hashlib.sha256(text.encode()).hexdigest()[:8]
         path = folder / _INPUTS / f"{campaign}{part}_{digest}.toml"
         path.parent.mkdir(parents=True, exist_ok=True)

@@ -146,7 +146,7 @@ def _analyse(
     error, variance = noise[:, ends].mean(), y[:, ends].var()
     index: dict[str, Floats] = {}
     errors: dict[str, Floats] = {}
-    #     Rounding makes even constant quantities vary.
+    # Rounding makes even constant quantities vary.
     varies = variance - error > (1e-12 * y.mean()) ** 2
     if design.is_sobol and samples > 1 and varies:
         index, errors = _sobol(design, y, noise)
@@ -216,7 +216,7 @@ def _morris(
         genes = groups == factor
         change = np.diff(points[:, :, genes], axis=1)
         sample, row = np.nonzero((change != 0).any(2))
-        #         The genes of a factor may step in different directions.
+        # The genes of a factor may step in different directions.
         is_one = genes.sum() == 1
         sign = np.sign(change[sample, row, 0]) if is_one else 1
         effects = sign * np.diff(y, axis=1)[sample, row] / step

@@ -44,7 +44,7 @@ def meaning(seeds: Iterable[int]) -> str:
 
 def student(degrees_of_freedom: int) -> float:
     """Returns the two-sided 95 % quantile of Student's t."""
-    #     SciPy is imported at its use, because its import takes long.
+    # SciPy is imported at its use, because its import takes long.
     from scipy.special import stdtrit
 
     return float(stdtrit(degrees_of_freedom, 0.975))

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Writes the report: one page that needs nothing else, and figures as
-files."""
+"""Writes the report: one self-contained page, and figures as files."""
 
 from __future__ import annotations
 
@@ -56,12 +55,12 @@ _READING = (
 )
 
 _FEW = 3
-"""The most cases that each have figures of their own unasked."""
+"""The largest number of cases that each get separate figures by default."""
 
 
 @dataclass(frozen=True)
 class Written:
-    """The files that a report left on the disk."""
+    """The files of a report on the disk."""
 
     page: Path
     figures: list[Path] = field(default_factory=list)
@@ -80,17 +79,17 @@ def write_report(
     plants: Sequence[str | Path] = (),
 ) -> Written:
     """Writes report.html, results.csv and figures/ into the folder, over those
-    of an earlier report. `command` is what the page names as its origin;
-    `tell` gets how many of how many figures are drawn, and what of. With
-    `has_pdf` each figure is a PDF file too, besides SVG. `jobs` processes
-    draw the figures; with several, a script needs
-    `if __name__ == "__main__":`. Cases whose name has one of the words
-    `figures_of` in it get figures of their own: without it all, if there are
-    few. `plants` are files of plants of one's own for the view in three
-    dimensions, as own_plants() reads them.
+    of an earlier report. `command` is the command that the page names as its
+    origin; `tell` gets the number of drawn figures, the number of all figures,
+    and the kind of work. With `has_pdf` each figure is a PDF file too, besides
+    SVG. `jobs` processes draw the figures; with several, a script needs `if
+    __name__ == "__main__":`. Cases whose name contains one of the words
+    `figures_of` get separate figures; without words all cases do if there are
+    few. `plants` are files of the user's own plants for the 3D view, as for
+    own_plants().
 
-    Raises HistoryError if nothing is evaluated in any history, OSError if
-    the folder can't be written."""
+    Raises HistoryError if no history has an evaluation, OSError if the folder
+    can't be written."""
     folder = Path(folder)
     every = study.cases()
     cases = [case for case in every if not case.is_sensitivity]
@@ -147,9 +146,9 @@ def write_report(
 def _with_figures(
     cases: Sequence[Case], words: Sequence[str] | None
 ) -> list[Case]:
-    """Returns the cases that have figures of their own.
+    """Returns the cases that have separate figures.
 
-    Raises HistoryError if a word is in no name."""
+    Raises HistoryError if no name contains a word."""
     if words is None:
         return [*cases] if len(cases) <= _FEW else []
     for word in words:
@@ -176,7 +175,7 @@ def _subtitle(study: Study) -> str:
 
 
 def _answer(study: Study, cases: Sequence[Case]) -> Section:
-    """Returns what the page begins with."""
+    """Returns the answer with which the page begins."""
     section = Section("The answer")
     for error in study.damaged:
         section.note(f"A history is left out. {error}.")
@@ -213,7 +212,7 @@ def _gains(cases: Sequence[Case], cross: Cross | None) -> Section:
 
 
 def _about(cases: Sequence[Case], cross: Cross | None) -> Section:
-    """Returns what should be known about the numbers, folded."""
+    """Returns the folded section that explains the numbers."""
     section = Section("How the numbers were made", is_folded=True)
     if cases:
         section.blocks += tables.gains(cases, cross)[1:]

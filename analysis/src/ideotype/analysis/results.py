@@ -39,10 +39,10 @@ _UNITS = {
 
 
 def results_of(cases: Sequence[Case]) -> pandas.DataFrame:
-    """Returns a line for each case with coordinates, baseline, best, gain with
-    the ends of its 95 % interval, leaf area index and number of searches; numbers
-    that are not known are NaN. Units are in .attrs["units"]."""
-    # The import stands here, since it takes as long as all else together.
+    """Returns a table with a line for each case: coordinates, baseline, best,
+    gain with the ends of its 95 % interval, leaf area index and number of
+    searches; unknown numbers are NaN. Units are in .attrs["units"]."""
+    # pandas is imported at its use, because its import takes long.
     import pandas
 
     lines = [_line(case) for case in cases]

@@ -15,7 +15,8 @@ from .tables import bare, held
 
 
 def scenarios(cases: Sequence[Case]) -> list[Table]:
-    """Returns each objective in every scenario that it is taken over."""
+    """Returns tables of each objective in every scenario over which it is
+    taken."""
     found: dict[str, list[list[str]]] = {}
     for case in cases:
         objectives = case.best.row.with_axis("scenario") if case.pairs else []

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Tells how the plants of a case stand, and what their leaves absorb."""
+"""Tells the places of the plants of a case, and the light that leaves
+absorb."""
 
 from __future__ import annotations
 
@@ -15,7 +16,8 @@ from .reading.rows import Evaluation
 
 def row_direction(case: Case) -> float | None:
     """Returns the direction of the case's rows [deg], clockwise from north;
-    azimuth 0 points there. None if the history does not say it."""
+    azimuth 0 points in this direction. None if the history has no
+    direction."""
     name = case.attributes.get("spacing")
     for spacing in case.resolved.get("spacing", []):
         if spacing.get("name") == name and "row_direction" in spacing:
@@ -24,11 +26,10 @@ def row_direction(case: Case) -> float | None:
 
 
 def places(case: Case, plants: int = 1) -> list[NDArray[np.float64]]:
-    """Returns the places [m] of a plant, which comes first, and of its
-    neighbours: across the rows and along them, in one row on each side and so
-    many plants before and behind. An isolated plot has no more than its own
-    plants; a history that does not say its distances, or has several, has the
-    plant only."""
+    """Returns the places [m] across and along the rows of a plant, which comes
+    first, and of its neighbours: one row on each side, and the given number of
+    plants before and behind. An isolated plot has only its own plants; a
+    history with no distances or with several has only the plant."""
     if case.is_over("spacing"):
         return [np.zeros(2)]
     row = float(case.attributes.get("row_spacing", 0))
@@ -51,9 +52,9 @@ def leaf_light(
     plant: Evaluation | OwnPlant, mesh: Mesh, ground: float | None = None
 ) -> dict[str, float | None]:
     """Returns the light that each group of the plant's mesh absorbs, as the
-    history tells it per area of ground, or per area of leaf on so much ground
-    of the plant [m2]; None for groups that are no leaves, and for all where
-    the history does not tell leaves apart."""
+    history has it, per area of ground, or per area of leaf on so much ground
+    of the plant [m2]; None for groups that are no leaves, and for all groups
+    if the history does not distinguish leaves."""
     found: dict[str, float | None] = dict.fromkeys(mesh.groups)
     try:
         told = plant.profile("absorbed_by_leaf")
@@ -62,7 +63,7 @@ def leaf_light(
     if told.labels.dtype.kind == "U":  # of several components
         return found
     leaves = sum(group.startswith("leaf") for group in found)
-    # Crops that grow have lower leaves, which a full-grown plant has lost.
+    # Crops that grow have lower leaves that a full-grown plant has lost.
     lost = max(len(told.labels) - leaves, 0)
     for leaf, value in zip(told.labels, told.values.tolist()):
         if (group := f"leaf{leaf - lost:02}") in found:

@@ -25,17 +25,18 @@ Place = str | os.PathLike[str]
 
 def open_study(*places: Place, skip_damaged: bool = False) -> Study:
     """Opens histories: files, folders (looked through to any depth) and glob
-    patterns, in the order of their names and each only once. Everything in
-    them is read and compared with its checksums.
+    patterns, in the order of their names and each only once. All data of the
+    histories are read and compared with their checksums.
 
     Raises FileNotFoundError or HistoryError, naming what can't be used and
-    what to do about it; with `skip_damaged` only if no history can be used,
-    and else remembers the errors of the others in `damaged`."""
+    what to do about it; with `skip_damaged` only if no history can be used;
+    errors of single histories are then kept in `damaged`."""
     return Study(find_histories(*places), skip_damaged)
 
 
 def find_histories(*places: Place) -> list[Path]:
-    """Returns the files that places stand for. Raises as open_study."""
+    """Returns the files that the arguments name. Raises the errors of
+    open_study()."""
     if not places:
         raise HistoryError(
             "no history is given; name files, folders or patterns"
@@ -100,7 +101,7 @@ class Study:
         self.close()
 
     def close(self) -> None:
-        """Lets go of all files."""
+        """Closes all files."""
         self._stack.close()
 
     def __len__(self) -> int:
@@ -113,9 +114,9 @@ class Study:
         return self._histories[index]
 
     def cases(self) -> list[Case]:
-        """Returns replicates put together, in the order of the files.
-        Histories that differ in campaign, objectives or optimizer are other
-        cases, and names say by which of them where they need to."""
+        """Returns the cases with their replicates, in the order of the files.
+        Histories that differ in campaign, objectives or optimizer are
+        different cases, and names have the differing property if needed."""
         members: dict[_Identity, list[History]] = {}
         for history in self._histories:
             members.setdefault(_identity(history), []).append(history)
@@ -124,7 +125,7 @@ class Study:
             Case(
                 _called(key, [*members]),
                 each,
-                # Cross-evaluations do not tell campaigns.
+                # Cross-evaluations do not name campaigns.
                 light=key[1] if shared[key[1]] == 1 else "",
             )
             for key, each in members.items()
@@ -141,7 +142,7 @@ class Study:
         )
 
     def frame(self) -> pandas.DataFrame:
-        """Returns all complete evaluations of all histories, one a row; the
+        """Returns all complete evaluations of all histories, one per row; the
         unit of a column is .attrs["units"][column]."""
         from .reading.frame import frame_of
 
@@ -149,7 +150,8 @@ class Study:
 
 
 _Identity = tuple[str, str, str, str]
-"""The parts that tell cases apart: campaign, name, objectives, optimizer."""
+"""The properties that distinguish cases: campaign, name, objectives,
+optimizer."""
 
 
 def _identity(history: History) -> _Identity:

@@ -28,7 +28,7 @@ _CEILING = "left to the ceiling [%]"
 
 
 def gains(cases: Sequence[Case], cross: Cross | None) -> list[Block]:
-    """Tells what each case gains, and what should be known about it."""
+    """Tabulates the gain of each case, with remarks on the gains."""
     columns = {
         _ELITE: [_over_elite(case, cross) for case in cases],
         _CEILING: [_room(case) for case in cases],
@@ -57,7 +57,7 @@ SCREEN = 16
 
 def ends_of(cases: Sequence[Case]) -> list[Case]:
     """Returns the cases that gain most and least, as many as a screen has room
-    for, the best first; all in their own order where they are fewer."""
+    for, the best first; fewer cases are returned in their own order."""
     if len(cases) <= SCREEN:
         return [*cases]
     known = sorted(
@@ -90,7 +90,7 @@ def on_a_screen(cases: Sequence[Case]) -> list[Block]:
 
 
 def markdown(blocks: Sequence[Block]) -> str:
-    """Returns tables and notes as text that is legible as it is."""
+    """Returns tables and notes as legible text in Markdown."""
     return "\n\n".join(
         block.text if isinstance(block, Note) else _markdown_table(block)
         for block in blocks
@@ -140,13 +140,13 @@ def _over_elite(case: Case, cross: Cross | None) -> str:
 
 
 def bare(figure: Interval) -> str:
-    # The browser keeps this on one line.
+    # No-break spaces keep the number and its error on one line.
     text = figure.number().replace(" ", "\u00a0")
     return text.replace("-", "\N{MINUS SIGN}")
 
 
 def _known(cell: Callable[[], str]) -> str:
-    """Returns a cell, unless the history lacks what it needs."""
+    """Returns the text of a cell, or UNKNOWN if the history lacks its data."""
     try:
         return cell()
     except HistoryError:
@@ -252,8 +252,8 @@ def _case_remarks(case: Case, cross: Cross | None) -> Iterator[str]:
 
 
 def _spread_of_searches(gains: Sequence[float]) -> str:
-    """Tells how far the optimum may be; docs/optimisers.md says how good a
-    bound this is."""
+    """Returns the possible distance of the optimum; docs/optimisers.md
+    discusses this bound."""
     if len(gains) < 3:
         return (
             "Three searches (replicates = 3) would tell how far the best "
@@ -268,8 +268,8 @@ def _spread_of_searches(gains: Sequence[float]) -> str:
 
 
 def _among(case: Case, who: str) -> str:
-    """Tells how far a plant of a case is from measured lines and which is
-    nearest."""
+    """Returns the distance of a plant of a case from measured lines, and the
+    nearest line."""
     plant = getattr(case, who)
 
     def number(name: str) -> float:

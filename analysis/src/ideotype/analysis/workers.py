@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Shares work among all cores."""
+"""Distributes work over all cores."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ from contextlib import contextmanager
 from typing import Any
 
 _TOGETHER = 8
-"""The number of arguments that a process gets at once, which share what they
-have in common, such as an open history; it gets fewer where others would be
+"""The number of arguments that a process gets at once, which may share data
+such as an open history; a process gets fewer if other processes would be
 idle."""
 
 Map = Callable[[Callable[[Any], Any], Iterable[Any]], Iterable[Any]]
@@ -20,8 +20,8 @@ Map = Callable[[Callable[[Any], Any], Iterable[Any]], Iterable[Any]]
 
 @contextmanager
 def workers(count: int) -> Iterator[Map]:
-    """Returns a map() by so many processes, whose results come in the order of
-    their arguments; for a single one it is map() itself.
+    """Returns a map() by the given number of processes, whose results come in
+    the order of arguments; for one process the function returns map() itself.
 
     Raises OSError if a process is killed."""
     if count < 2:

@@ -29,8 +29,8 @@ TOLERANCE = 0.05
 """The relative standard error of the leaves' light in one evaluation."""
 
 _ROUGH = {"fields": 1, "randomisations": 8}
-"""The accuracy of one evaluation. Further ones, each with a field of its own,
-refine their mean."""
+"""The accuracy of one evaluation. Further evaluations, each in a separate
+field, refine the mean."""
 
 _CAREFUL = {"fields": 4, "randomisations": 16}
 
@@ -40,17 +40,17 @@ _STANDS, _PLANTS = 12, 12
 
 @dataclass
 class Place:
-    """A stand under some conditions, with what is known of plants in it."""
+    """A stand under given conditions, with the evaluations of plants in it."""
 
     stand: Stand
     layout: Layout
     spread: Array
     """The relative standard deviations among fields that one evaluation does
-    not tell [numbers]."""
+    not include [numbers]."""
     plants: OrderedDict[bytes, Samples] = field(default_factory=OrderedDict)
 
     def samples(self, genome: Genome) -> Samples:
-        """Returns what is known of a plant."""
+        """Returns the evaluations of a plant."""
         key = genome.tobytes()
         found = self.plants.setdefault(key, Samples(self.spread))
         self.plants.move_to_end(key)
@@ -88,11 +88,11 @@ def evaluate(
 
 
 class Bench:
-    """Evaluates plants of what was opened, for all pages together.
+    """Evaluates plants of an opened campaign for all pages.
 
-    One thread answers changes, beside which another evaluates the plant that
-    is compared with; others refine at a lower priority, so that answers need
-    not wait for them."""
+    One thread answers changes, and a second thread evaluates the reference
+    plant; other threads refine at a lower priority, so that answers need not
+    wait."""
 
     def __init__(self, opened: Opened) -> None:
         self.opened = opened
@@ -111,16 +111,16 @@ class Bench:
         self.place(self.own)
 
     def place(self, now: Conditions) -> Place:
-        """Returns the stand under some conditions. Raises InputError if plants
-        cannot stand so."""
+        """Returns the stand under given conditions. Raises InputError if the
+        conditions are impossible."""
         found = self._place(now, False)
         assert found
         return found
 
     def coarse(self, now: Conditions) -> Place | None:
-        """Returns the stand for coarse evaluations under some conditions, or
-        None if they need none. Raises InputError if plants cannot stand
-        so."""
+        """Returns the stand for coarse evaluations under given conditions, or
+        None if the conditions need no coarse stand. Raises InputError if the
+        conditions are impossible."""
         return self._place(now, True)
 
     def _place(self, now: Conditions, is_coarse: bool) -> Place | None:
@@ -145,7 +145,7 @@ class Bench:
         return found
 
     def careful(self, now: Conditions) -> Stand:
-        """Returns a stand whose every evaluation is in several fields."""
+        """Returns a stand that evaluates each plant in several fields."""
         return Stand(self._tables(now, _CAREFUL))
 
     def _tables(self, now: Conditions, light: dict[str, int]) -> Tables:
@@ -153,11 +153,11 @@ class Bench:
         return {**tables, "light": tables["light"] | light}
 
     def map(self, work: Callable[..., object], *many: Iterable[Any]) -> list:
-        """Shares calls among all threads but the one that answers."""
+        """Distributes calls over all threads except the answering thread."""
         return list(self.slow.map(work, *many))
 
     def close(self) -> None:
-        """Ends when running evaluations have."""
+        """Ends the threads after the running evaluations."""
         for pool in (self.fast, self.beside, self.slow):
             pool.shutdown(cancel_futures=True)
 
@@ -165,7 +165,7 @@ class Bench:
 def _without_what_does_not_matter(
     now: Conditions, own: Conditions
 ) -> Conditions:
-    """Returns conditions that are the same for the same stand."""
+    """Returns conditions that are equal if they lead to equal stands."""
     same = replace(now, age=0)
     if now.when == "season":
         same = replace(same, day=own.day, latitude=own.latitude)
@@ -182,6 +182,6 @@ def _without_what_does_not_matter(
 
 
 def _yield_to_others() -> None:
-    """Lets this thread run only while no other wants to, if the system can."""
+    """Gives this thread the lowest priority, if the system can."""
     if hasattr(os, "setpriority"):
         os.setpriority(os.PRIO_PROCESS, threading.get_native_id(), 10)

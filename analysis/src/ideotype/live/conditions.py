@@ -48,7 +48,7 @@ class Conditions:
 
     @classmethod
     def of(cls, base: Tables) -> Conditions:
-        """Returns those of a campaign that one_case() has cut."""
+        """Returns the conditions of a campaign that one_case() has cut."""
         spacing = base["spacing"][0]
         has_season = "climate" in base
         panel = base.get("panel", [{}])[0]
@@ -72,12 +72,12 @@ class Conditions:
 
     @property
     def kind(self) -> tuple[str, bool]:
-        """Tells which numbers these conditions have, by their kind."""
+        """Returns the kind of conditions, which decides their numbers."""
         return self.when, self.panels
 
     def changed(self, numbers: dict[str, Any]) -> Conditions:
-        """Returns conditions that have the numbers of a page in the place of
-        these. Raises Error if one of them is impossible."""
+        """Returns the conditions with the numbers of a page. Raises Error if a
+        number is impossible."""
         found: dict[str, Any] = {}
         for field in fields(self):
             if field.name not in numbers:
@@ -123,8 +123,8 @@ def _date(base: Tables) -> datetime.date:
 
 
 def one_case(tables: Tables, case: str) -> Tables:
-    """Returns a resolved campaign with the one entry of each axis that the
-    case has, or with the first where the case is a mean over several."""
+    """Returns a resolved campaign with one entry of each axis: the entry of
+    the case, or the first entry if the case is a mean over several entries."""
     cut = copy.deepcopy(tables)
     for axis in _AXES:
         if entries := cut.get(axis):
@@ -144,7 +144,7 @@ def one_case(tables: Tables, case: str) -> Tables:
 
 
 def tables_under(base: Tables, own: Conditions, now: Conditions) -> Tables:
-    """Returns a campaign under other conditions than its own."""
+    """Returns a campaign with changed conditions."""
     changed = dict(base)
     if (own.density, own.row, own.direction) != (
         now.density, now.row, now.direction,

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A short search for a better plant, from the one that a page shows."""
+"""A short search for a better plant, which begins with the plant that a page
+shows."""
 
 from __future__ import annotations
 
@@ -20,11 +21,11 @@ _POPULATION = 8
 _TOLERANCE = 0.01
 _SEED = 1
 """The seed of all evaluations of a search, which compares plants in the same
-fields: 200 evaluations are too few to learn from other ones each time."""
+fields: 200 evaluations are too few for a search with varying fields."""
 
 _CHECKS = 12
-"""The number of evaluations, with random numbers that the search has not seen,
-of the plant that is proposed and of the one that it began with."""
+"""The number of evaluations, with random numbers that the search has not used,
+of the proposed plant and of the plant at the beginning."""
 
 _FINALISTS = 3
 _MINIMISED = {"transpiration", "respiration", "distance_from_lines"}
@@ -57,13 +58,13 @@ class Improvement:
         ) * 2 - 1
 
     def drop(self) -> None:
-        """Ends the search without a result: nobody waits for it any more."""
+        """Ends the search without a result."""
         self.is_ended = self._is_dropped = True
 
     def run(self, tell: Callable[[dict[str, Any]], None]) -> None:
-        """Searches, and tells after each generation how far it is and the
-        best plant so far; at the end the gain, which fresh random numbers
-        measured."""
+        """Searches, and tells the progress and the best plant so far after
+        each generation, and at the end the gain, which is measured with new
+        random numbers."""
         stand = self._bench.careful(self._shown.conditions)
         layout = Layout(stand)
         if self._goal not in layout.places:
@@ -118,8 +119,8 @@ class Improvement:
         tell: Callable[[dict[str, Any]], None],
         done: int,
     ) -> None:
-        """Chooses among the best and measures the gain anew, apart from the
-        numbers that it was chosen by."""
+        """Chooses among the best plants, and measures the gain with
+        evaluations that did not serve the choice."""
         seeds = list(range(1000, 1000 + _CHECKS))
 
         def mean(genome: Genome, among: list[int]) -> np.ndarray:

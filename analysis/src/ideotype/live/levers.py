@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """The sliders of the live page: for each gene a name, a unit that breeders
-use, and what it does."""
+use, and its effect."""
 
 from __future__ import annotations
 
@@ -63,8 +63,8 @@ _PLACES = {
 
 def levers_of(stand: Stand, base: Tables) -> list[dict[str, Any]]:
     """Returns a description of each gene: group and label; kind, "profile",
-    "plant" or "leaf"; and how its number is shown, gene x scale + shift, in a
-    unit."""
+    "plant" or "leaf"; and the scale, shift and unit of the shown number, gene
+    x scale + shift."""
     genes = stand.genes.to_dict("records")
     crops = {"": base["plant"]["baseline"]} | {
         component["name"]: component["crop"]
@@ -92,7 +92,7 @@ def _lever(
     kind, place, label = "plant", 0.5, word
     if gene["leaf"]:
         kind, label = "leaf", f"leaf {gene['leaf']}"
-        # A trait sets what it moves: the number is that of the leaf.
+        # A trait that sets a measure has the numbers of the measure.
     elif table.get("per") == "profile" or points > 1:
         kind, at = "profile", int(re.findall(r"\d+$", gene["name"])[0])
         place = (at - 1) / max(points - 1, 1)
@@ -115,7 +115,7 @@ def _lever(
 def _shown(
     gene: dict[str, Any], table: Tables, crop: Tables, place: float
 ) -> dict[str, Any]:
-    """Returns how a gene's number is shown."""
+    """Returns the scale, shift and unit in which a gene's number is shown."""
     if "scales" in table:
         path = table["scales"][0]
         measure = _measure(crop, path, place)
@@ -144,8 +144,8 @@ def _unit(path: str) -> tuple[float, str] | None:
 
 
 def _measure(crop: Tables, path: str, place: float) -> float | None:
-    """Returns a measure of a crop file; that of leaves at a place from the
-    lowest, 0, to the highest, 1."""
+    """Returns a measure of a crop file; measures of leaves are taken at a
+    place from the lowest leaf, 0, to the highest, 1."""
     part, _, name = path.partition(".")
     if part != "leaf":
         value = crop.get(part, {}).get(name)

@@ -15,12 +15,12 @@ from .._stand import Stand
 Array = NDArray[np.float64]
 
 _AREAS = ("lai", "plant_area_index", "respiration")
-"""The quantities that an evaluation tells exactly of its own field, and that
-fall with each plant that is missing there."""
+"""The quantities that are exact for the field of an evaluation, and that fall
+with each missing plant of the field."""
 
 ENOUGH = 6
-"""The number of evaluations whose spread tells their standard error; fewer
-tell it by themselves."""
+"""The number of evaluations from which on their spread gives the standard
+error; fewer evaluations use their own standard errors."""
 
 _CURVES = (
     "absorbed_by_layer", "assimilation_by_layer",
@@ -84,7 +84,8 @@ class Layout:
 
     def like(self, other: Layout, numbers: Array) -> Array:
         """Returns numbers of another layout [numbers, value and standard
-        error] in this one; what that lacks or divides otherwise is NaN."""
+        error] in this layout; numbers that the first layout lacks or divides
+        differently are NaN."""
         size = max(place.stop for place, _ in self.places.values())
         found = np.full((size, 2), np.nan)
         for name, (place, _) in self.places.items():
@@ -95,10 +96,10 @@ class Layout:
 
     def spread_of_fields(self, field: dict[str, Any]) -> Array:
         """Returns the relative standard deviations among fields [numbers] that
-        one evaluation does not tell: those of areas, as the number of missing
+        one evaluation does not include: areas vary, as the number of missing
         plants is binomial.
 
-        field: the table of that name of a campaign."""
+        field: the table [field] of a campaign."""
         found = np.zeros(max(place.stop for place, _ in self.places.values()))
         missing = field.get("variation", {}).get("missing", 0.0)
         plants = field["rows"] * field["plants"]
@@ -118,7 +119,7 @@ class Samples:
     """Evaluations of one plant, each with random numbers of its own.
 
     spread: relative standard deviations among fields that one evaluation does
-    not tell [numbers]."""
+    not include [numbers]."""
 
     def __init__(self, spread: Array | float = 0.0) -> None:
         self.by_seed: dict[int, Array] = {}
@@ -130,8 +131,8 @@ class Samples:
         return self._mean(every[..., 0], every[..., 1])
 
     def less(self, other: Samples, seeds: list[int]) -> tuple[Array, Array]:
-        """Returns differences from another plant, seed by seed, whose random
-        numbers are the same, with standard errors [numbers]."""
+        """Returns differences from another plant with standard errors
+        [numbers], paired by seeds with equal random numbers."""
         mine = np.array([self.by_seed[seed] for seed in seeds])
         others = np.array([other.by_seed[seed] for seed in seeds])
         apart = mine[..., 0] - others[..., 0]
@@ -146,7 +147,7 @@ class Samples:
         if count < ENOUGH:
             own = np.hypot(np.nan_to_num(errors), own)
         error = np.maximum(np.sqrt((own**2).sum(axis=0)) / count, error)
-        # Exact numbers differ in the last digits only.
+        # Exact numbers differ only in their last digits.
         return mean, np.where(error > 1e-9 * np.abs(mean), error, 0.0)
 
 
@@ -157,8 +158,8 @@ Estimates = tuple[Array, Array]
 def message_of(
     layout: Layout, mine: Samples, reference: Samples, seeds: list[int]
 ) -> dict[str, Any]:
-    """Returns what the page shows of a plant and of the one that it is
-    compared with, over the seeds that both have."""
+    """Returns the message to the page about a plant and its reference plant,
+    over the seeds that both plants have."""
     both = [seed for seed in seeds if seed in reference.by_seed]
     others = (
         (reference.together(both), mine.less(reference, both)) if both else ()
@@ -173,8 +174,8 @@ def told(
     reference: Estimates | None = None,
     apart: Estimates | None = None,
 ) -> dict[str, Any]:
-    """Returns what the page shows of a plant, of the one that it is compared
-    with, and of their difference."""
+    """Returns the message to the page about a plant, its reference plant and
+    their difference."""
     found: dict[str, Any] = {"evaluations": evaluations}
     for kind, estimates in (
         ("numbers", mine),
@@ -215,5 +216,5 @@ def _curves(layout: Layout, mean: Array, error: Array) -> dict[str, Any]:
 
 
 def _json(value: float) -> float | None:
-    """Returns a number that JSON can tell, to seven digits."""
+    """Returns a number that JSON can represent, to seven digits."""
     return float(f"{value:.7g}") if np.isfinite(value) else None

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Opens what the live page begins with: a campaign, a crop, a plant that was
-measured, or one that was bred."""
+"""Opens the input of the live page: a campaign, a crop, a measured plant, or a
+bred plant."""
 
 from __future__ import annotations
 
@@ -61,9 +61,9 @@ def open_place(
 
     case: number of the case of a campaign, from 0.
     plant: name of the plant in a CSV file that has several.
-    crop: crop, by name or file, that has what was not measured.
+    crop: crop, by name or file, with everything that was not measured.
 
-    Raises Error if it cannot be used."""
+    Raises Error if the input cannot be used."""
     path = Path(place)
     suffix = path.suffix.lower()
     if place in CROPS:
@@ -113,8 +113,8 @@ def _opened(
     names = list(every.genes["name"])
 
     def complete(genome: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Returns a genome with traits of components that the campaign does
-        not breed, which come in."""
+        """Returns a genome extended by the traits of components that the
+        campaign does not breed."""
         found = dict(zip(stand.genes["name"], genome))
         return np.array(
             [found.get(n, b) for n, b in zip(names, every.baseline)]
@@ -129,8 +129,8 @@ def _map_of(
     atlas: Atlas,
     complete: Callable[[NDArray[np.float64]], NDArray[np.float64]],
 ) -> dict[str, Any]:
-    """Returns what the page shows of an atlas: the leaders of the cells of its
-    first two axes."""
+    """Returns the map of an atlas for the page: the leaders of the cells of
+    the first two axes."""
     leaders, goal = atlas.leaders, atlas.leaders.goals[0]
     return {
         "goal": {"name": goal.name, "unit": goal.unit, "sign": goal.sign},
@@ -180,12 +180,12 @@ _PROFILES = (
     ("insertion_angle", "shifts", [-10, 50]),
     ("curvature", "scales", [0.5, 1.5]),
 )
-"""The measure of each added profile, how it moves it, and by how much, as in
-the crop file of maize."""
+"""The measure of each added profile, the way in which the profile changes the
+measure, and its bounds, as in the crop file of maize."""
 
 
 def _free_all(base: Tables) -> None:
-    """Lets traits of all components be changed."""
+    """Makes the traits of all components free."""
     for component in base.get("component", []):
         traits = component["crop"].get("trait", [])
         component["free"] = [trait["name"] for trait in traits]
@@ -227,7 +227,7 @@ def _of_crop(crop: str | dict[str, Any], title: str, about: str) -> Opened:
     package."""
     with as_file(files(__package__) / "start") as folder:
         tables = tomllib.loads((folder / "quickstart.toml").read_text())
-        # Rules of bounds and measures of lines are those of some crops only.
+        # Only some crops have rules of bounds and measures of lines.
         lines = {"lines": "lines/maize_panel.toml"}
         tries: list[Tables] = [
             {"bounds": "breedable", "feasibility": lines},
@@ -254,8 +254,8 @@ def _of_crop(crop: str | dict[str, Any], title: str, about: str) -> Opened:
 
 
 _DENSE = {"soybean": (0.38, 35.0), "cowpea": (0.5, 12.0)}
-"""Usual row distances [m] and densities [m-2] of crops that do not stand as
-maize does."""
+"""Usual row distances [m] and densities [m-2] of crops that are not planted
+like maize."""
 
 
 def _known(name: str) -> str:

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The baseline and the best plant of a history as the live page draws them."""
+"""The baseline and the best plant of a history for drawing by the live
+page."""
 
 from __future__ import annotations
 
@@ -14,8 +15,9 @@ from ..analysis.stand import leaf_light
 
 
 def plants_of(path: Path) -> dict[str, Any]:
-    """Returns both plants with the light that each leaf absorbs per area of
-    ground. Raises Error or HistoryError if they cannot be drawn."""
+    """Returns the baseline and the best plant with the light that each leaf
+    absorbs per area of ground. Raises Error or HistoryError if the plants
+    cannot be drawn."""
     with open_history(path) as history:
         pair = history.baseline(), history.best()
         spacing = [

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`ideotype play`: a page on which one changes a plant and sees its light."""
+"""`ideotype play`: a page on which a user changes a plant and sees its
+light."""
 
 from __future__ import annotations
 
@@ -55,12 +56,13 @@ class _Talk(Socket):
             future = self.write_message(json.dumps(message))
         except WebSocketClosedError:
             return
-        # A page that is gone is no failure.
+        # A closed page is no failure.
         future.add_done_callback(lambda done: done.exception())
 
 
 class _Save(Guarded):
-    """Sends the plant of a page as a crop file, or its campaign."""
+    """Sends the plant of a page as a crop file, or the campaign of the
+    plant."""
 
     def initialize(self, bench: Bench) -> None:
         self.bench = bench

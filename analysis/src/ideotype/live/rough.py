@@ -2,10 +2,11 @@
 """Quick first answers of the live page, where one evaluation takes longer than
 a slider should wait.
 
-A coarse stand has fewer pieces of each leaf, longer steps of weather, and fewer
-ages of plants that grow. Its values are wrong by some per cent, but by nearly
-the same part for one plant as for another. So the first answer is what is known
-of an anchor, times the ratio of both in coarse stands."""
+A coarse stand has fewer pieces of each leaf, longer steps of weather, and
+fewer ages of plants that grow. Its values are wrong by some per cent, but by
+nearly the same part for one plant as for another. So the first answer is the
+known numbers of an anchor plant, times the ratio of both plants' numbers in
+coarse stands."""
 
 from __future__ import annotations
 
@@ -32,8 +33,8 @@ _STEPS = 8
 
 
 def coarse(tables: Tables) -> Tables | None:
-    """Returns a campaign for coarse evaluations, or None if its own take
-    little time: those of a clear day of one kind of plants."""
+    """Returns a campaign for coarse evaluations, or None if the campaign
+    itself takes little time, as for a clear day with one kind of plants."""
     if not {"weather", "component", "panel"} & {
         k for k in tables if tables[k]
     }:
@@ -70,36 +71,38 @@ def _thinned(weather: Tables) -> Tables:
 
 @dataclass(frozen=True)
 class Anchor:
-    """A plant that is known in a stand, and as the coarse stand tells it."""
+    """A plant with known numbers in a stand, and its numbers in the coarse
+    stand."""
 
     layout: Layout
     known: tuple[Array, Array]
     """Means and standard errors [numbers]."""
     coarse: Array
-    """The numbers of the coarse stand [numbers, value and standard error], in
-    the layout of the other."""
+    """The numbers in the coarse stand [numbers, value and standard error], in
+    the layout of the full stand."""
     conditions: Conditions
-    """The conditions under which it stands."""
+    """The conditions under which the anchor stands."""
     spread: Array
     """The relative standard deviations among fields that one evaluation does
-    not tell [numbers]."""
+    not include [numbers]."""
 
     def message(
         self, mine: Array, reference: Array, conditions: Conditions
     ) -> dict[str, Any]:
-        """Returns what the page shows of a plant and of its reference, from
-        their numbers in a coarse stand under some conditions [numbers, value
-        and standard error]."""
+        """Returns the message to the page about a plant and its reference,
+        from their numbers in a coarse stand under some conditions [numbers,
+        value and standard error]."""
         mean, error = self.known
         near = self.coarse[:, 0]
         with np.errstate(divide="ignore", invalid="ignore"):
             ratio = mean / near
-        # A number about zero has no ratio: it keeps its distance.
+        # A number near zero has no useful ratio: its difference is kept
+        # instead.
         scales = (ratio > 0.5) & (ratio < 2)
         ratio = np.where(scales, ratio, 1.0)
         shift = np.where(scales, 0.0, mean - near)
 
-        # Under its own conditions a coarse stand lacks the same plants.
+        # Under the anchor's conditions a coarse stand lacks the same plants.
         is_other = conditions != self.conditions
         fields = np.sqrt(2) * self.spread if is_other else 0.0
 
@@ -119,15 +122,16 @@ class Anchor:
 
 
 def _apart(one: Array, other: Array) -> Array:
-    """Returns the standard errors of differences [numbers], at most: both
-    plants have the same random numbers. Equal numbers do not differ."""
+    """Returns upper bounds of the standard errors of differences [numbers]:
+    both plants have the same random numbers. Equal numbers do not differ."""
     error = np.hypot(one[:, 1], other[:, 1])
     return np.where(one[:, 0] == other[:, 0], 0.0, error)
 
 
 def coarse_numbers(place: Place, layout: Layout, genome: Array) -> Array:
     """Returns the numbers of a plant in the coarse stand of a place, in the
-    layout of another stand; what that lacks or divides otherwise is NaN."""
+    layout of another stand; numbers that the coarse stand lacks or divides
+    differently are NaN."""
     known = place.samples(genome).by_seed
     if 1 not in known:
         known[1] = place.evaluate(genome, 1)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Reads what files of running campaigns tell, again and again."""
+"""Reads the files of running campaigns repeatedly."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ from ..analysis.reading.history import History, open_history
 from ..analysis.reading.rows import Evaluation, Status
 
 RECENT = 5
-"""The number of generations whose rate is the present one."""
+"""The number of last generations that define the present rate."""
 
 
 @dataclass
 class _Known:
-    """A summary of a file, and the state of the file that it is of."""
+    """A summary of a file, and the state of the file at that time."""
 
     stamp: tuple[int, int]
     told: dict[str, Any]
@@ -30,7 +30,7 @@ class Folder:
     """The histories of a folder and of all folders in it."""
 
     def __init__(self, path: Path) -> None:
-        """Raises Error if there is no such folder."""
+        """Opens the folder. Raises Error if there is no such folder."""
         if not path.is_dir():
             raise Error(
                 f"{path}: there is no such folder; give the one that "
@@ -44,8 +44,8 @@ class Folder:
         return sorted(path for path in self.path.rglob("*.h5"))
 
     def tell(self) -> dict[str, Any]:
-        """Returns all cases and their sums, for the page. A file that cannot
-        be read is told with its reason."""
+        """Returns all cases and their sums, for the page. The entry of a file
+        that cannot be read has the reason."""
         cases = [self._case(path) for path in self.histories()]
         left = [c["core_hours_left"] for c in cases if "problem" not in c]
         known = [hours for hours in left if hours is not None]
@@ -71,7 +71,7 @@ class Folder:
             at = path.stat()
             stamp = (at.st_mtime_ns, at.st_size)
             known = self._known.get(path)
-            # Only a finished case cannot change without a new stamp.
+            # Only a finished case cannot change without a new time stamp.
             if (
                 known
                 and known.stamp == stamp
@@ -87,7 +87,7 @@ class Folder:
 
 
 def case_of(history: History) -> dict[str, Any]:
-    """Returns what the page tells of a case."""
+    """Returns the data of a case for the page."""
     state = history.state()
     generations = history.generations()
     status = history.datasets.read("evaluations/status")
@@ -148,7 +148,7 @@ def _left(
     counts: Any,
 ) -> dict[str, Any]:
     """Returns the present rate [evaluations/s], the time left [s] and the core
-    hours left, None where nothing tells them yet."""
+    hours left, None for numbers that are not known yet."""
     rate = left = None
     if len(times) > 1:
         first = max(0, len(times) - 1 - RECENT)

@@ -3,7 +3,7 @@
 
 It listens on the loopback interface alone. Every address begins with a random
 token; a request with another one is refused, and so is one that another site
-has sent (`Origin`) or that came by a name of this machine which is not local
+has sent (`Origin`) or that came by a name of the machine which is not local
 (`Host`, against DNS rebinding)."""
 
 from __future__ import annotations
@@ -56,7 +56,7 @@ _SHARED = {
 
 
 class Guarded(RequestHandler):
-    """Answers only those who know the token and ask from the page itself."""
+    """Answers only requests with the token from the page itself."""
 
     def set_default_headers(self) -> None:
         for name, value in _HEADERS.items():
@@ -75,7 +75,7 @@ class Guarded(RequestHandler):
             raise HTTPError(403, reason="The key in the address is wrong")
 
     def is_own(self, origin: str) -> bool:
-        """Tells whether a page at this origin is one of this server."""
+        """Returns whether an origin is the origin of this server's pages."""
         return origin == f"http://{self.request.host}"
 
     def write_error(self, status_code: int, **_: Any) -> None:
@@ -87,7 +87,8 @@ class Guarded(RequestHandler):
 
 
 class Socket(Guarded, WebSocketHandler):
-    """Talks with one open page, until that or the server ends."""
+    """Exchanges messages with one open page, until the page or the server
+    ends."""
 
     def check_origin(self, origin: str) -> bool:
         return self.is_own(origin)
@@ -158,8 +159,8 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 
 def answer(verb: str, work: Callable[[], int]) -> int:
-    """Returns the exit code of what serves a page, or 3 with a message on the
-    error output if its input cannot be used."""
+    """Returns the exit code of a function that serves a page, or 3 with a
+    message on the error output if the input cannot be used."""
     logging.getLogger("tornado").setLevel(logging.CRITICAL)
     try:
         return work()
@@ -207,7 +208,7 @@ async def _serve(
         loop.add_signal_handler(number, ended.set)
     await ended.wait()
     server.stop()
-    # The server knows nothing of sockets any more, and their work goes on.
+    # The stopped server has dropped its sockets, whose work still goes on.
     for socket in list(app.settings["sockets"]):
         socket.close(1001, "the program ends")
         socket.on_close()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The talk with one open page of `ideotype play`."""
+"""The exchange of messages with one open page of `ideotype play`."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ class Session:
         self._anchor: tuple[Anchor | None, object] = (None, None)
 
     def greet(self) -> None:
-        """Tells the page all that does not change."""
+        """Sends the page all data that do not change."""
         bench = self._bench
         opened, place = bench.opened, bench.place(bench.own)
         levers = levers_of(place.stand, opened.base)
@@ -75,7 +75,8 @@ class Session:
         )
 
     def hear(self, message: dict[str, Any]) -> None:
-        """Obeys a message of the page. Raises Error if it makes no sense."""
+        """Acts on a message of the page. Raises Error if the message makes no
+        sense."""
         kind = message.get("kind")
         if kind == "stop":
             self._stop()
@@ -98,7 +99,8 @@ class Session:
             )
 
     def shown(self, message: dict[str, Any]) -> Shown:
-        """Returns what a message shows. Raises Error if it is impossible."""
+        """Returns the plants and conditions of a message. Raises Error if the
+        message is impossible."""
         bench = self._bench
         conditions = message.get("conditions", {})
         component = message.get("component", 0)
@@ -174,7 +176,7 @@ class Session:
             rough = await run(bench.fast, self._rough, shown)
             if rough is not None:
                 tell("numbers", rough)
-            # A first answer is waited for, and a better one need not hurry.
+            # The user waits for the first answer; a better answer has time.
             pool = bench.fast if rough is None else bench.slow
             place = await run(pool, bench.place, shown.conditions)
             if place is not None:
@@ -197,7 +199,7 @@ class Session:
         return anchor.message(*both, shown.conditions)
 
     def _drop_anchor(self, shown: Shown, place: Place, its: Samples) -> None:
-        """Remembers what is known of the reference now."""
+        """Stores the present numbers of the reference plant as the anchor."""
         now = shown.conditions
         coarse = self._bench.coarse(now)
         if coarse is not None and its.by_seed:
@@ -219,7 +221,7 @@ class Session:
         first: Executor,
     ) -> None:
         """Evaluates the plant and its reference with more and more random
-        numbers, and tells each time what is known."""
+        numbers, and sends the numbers each time."""
         slow = self._bench.slow
         mine = place.samples(shown.genome)
         its = place.samples(shown.reference)
@@ -264,14 +266,15 @@ class Session:
 
     def _picture(self, shown: Shown) -> dict[str, Any]:
         bench, now = self._bench, shown.conditions
-        # A plant looks alike at every place, so that its own stand will do.
+        # The shape of a plant does not depend on its place, so that any stand
+        # serves.
         stand = bench.place(bench.own).stand
         growth = bench.growth if now.when == "season" else None
 
         def draw(genome: Genome) -> dict[str, Any]:
             return plant_of(stand, genome, shown.component, growth, now.age)
 
-        # The plant that it is compared with seldom changes.
+        # The reference plant seldom changes.
         key = shown.reference.tobytes(), shown.component, now.when, now.age
         if self._drawn[0] != key:
             self._drawn = key, draw(shown.reference)

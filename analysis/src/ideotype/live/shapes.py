@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The surfaces of plants, panels and neighbours as the live page draws
-them."""
+"""The surfaces of plants, panels and neighbours for the live page."""
 
 from __future__ import annotations
 
@@ -35,7 +34,7 @@ class Growth:
         hourly = np.array(weather["temperature"], float)
         steps = len(weather["hours"])
         daily = hourly.reshape(-1, steps)[first:]
-        # A day has 24 hours for the crop, however many the file has.
+        # A day has 24 hours for the crop, whatever number the file has.
         at = np.arange(24) * steps // 24
         self._hourly = np.ascontiguousarray(daily[:, at].ravel())
         self._times: NDArray[np.float64] | None = None
@@ -65,8 +64,8 @@ def plant_of(
     growth: Growth | None,
     age: int,
 ) -> dict[str, Any]:
-    """Returns a plant as the page draws it, with the area of each leaf
-    [m2]."""
+    """Returns a plant in the form that the page draws, with the area of each
+    leaf [m2]."""
     if growth is not None and age and component == 0:
         mesh, _ = growth.mesh(stand.crop_file(genome), age)
     else:

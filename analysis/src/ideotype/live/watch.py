@@ -22,12 +22,12 @@ from .runs import Folder
 from .server import Guarded, add_options, answer, application, serve
 
 _FRESH = 1.0
-"""The age up to which what was read is told again [s], however many pages
-ask."""
+"""The age up to which read data are sent again [s], whatever number of pages
+asks."""
 
 
 class Watcher:
-    """Reads a folder in a thread of its own, for all pages together."""
+    """Reads a folder in a separate thread for all pages."""
 
     def __init__(self, folder: Folder) -> None:
         self._folder = folder
@@ -41,7 +41,7 @@ class Watcher:
 
     async def plants(self, name: str) -> str:
         """Returns JSON of the baseline and the best plant of a file. Raises
-        Error if it is no history of the folder, or has no plants yet."""
+        Error if the file is no history of the folder, or has no plants yet."""
         return await self._run(self._build, name)
 
     async def _run(self, work: Any, *words: Any) -> Any:
@@ -65,7 +65,7 @@ class Watcher:
         )
 
     def close(self) -> None:
-        """Ends when what is under way is read."""
+        """Ends the thread after the present reading."""
         self._pool.shutdown(cancel_futures=True)
 
 

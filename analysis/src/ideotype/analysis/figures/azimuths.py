@@ -38,8 +38,8 @@ def azimuths(case: Case, genomes: NDArray) -> NDArray[np.float64]:
     baseline = case.resolved.get("plant", {}).get("baseline", {})
     traits = baseline.get("trait")
     if traits is None:
-        #         In histories before crops declared traits, a gene is the
-        # azimuth itself.
+        # In histories before crops declared traits, a gene is the azimuth
+        # itself.
         columns = case.genes.columns("azimuth")
         if not len(columns):
             raise HistoryError("the plants have no azimuths")

@@ -100,8 +100,7 @@ def _draw_seeds(axes: Axes, runs: list[Generations]) -> None:
         ("best", style.BEST, "best of its generation (not evaluated again)"),
         ("mean", style.MEAN, "mean of the population"),
     ):
-        #         The table has NaN for generations that a seed has not
-        # reached.
+        # The table has NaN for generations that a seed has not reached.
         table = pandas.DataFrame(
             [[*getattr(run, what).values] for run in runs]
         )

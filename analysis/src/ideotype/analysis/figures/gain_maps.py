@@ -96,7 +96,7 @@ def _over(case: Case, other: Case) -> Interval:
         )
         for each in (case, other)
     )
-    #     Half widths are passed in the place of standard errors, so that the
+    # Half widths are passed in the place of standard errors, so that the
     # result is a half width too.
     found = relative_gain(
         *(Estimate(x.mean, x.below, x.unit) for x in (mine, theirs))

@@ -76,8 +76,7 @@ def draw(folder: Path, has_pdf: bool, drawing: Drawing) -> Block:
             return Note(f"{drawing.question} Not drawn: {reason}.", True)
         svg = _svg(figure)
         if has_pdf:
-            #             The figure is laid out once, so that both files are
-            # alike.
+            # The figure is laid out once, so that both files are alike.
             figure.set_layout_engine("none")
             FigureCanvasPdf(figure).print_pdf(  # type: ignore[no-untyped-call]
                 folder / f"{name}.pdf", metadata={"CreationDate": None}
@@ -96,7 +95,7 @@ def _svg(figure: Figure) -> str:
     out = io.StringIO()
     canvas = FigureCanvasSVG(figure)
     canvas.print_svg(out, metadata={"Date": None})  # type: ignore[no-untyped-call]
-    #     Coordinates in tenths of a point are finer than screens and printers.
+    # Coordinates in tenths of a point are finer than screens and printers.
     text = re.sub(
         r"\d+\.\d{3,}", lambda m: f"{float(m[0]):.2f}", out.getvalue()
     )

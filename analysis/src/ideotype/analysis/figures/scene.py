@@ -111,7 +111,7 @@ def _case(
         (case.baseline, plants.baseline)
     ]
     if front:
-        #         The page shows the numbers of light in tables.
+        # The page shows the numbers of light in tables.
         titles = [
             "baseline",
             *(member["title"] for member in front["members"]),

@@ -213,7 +213,7 @@ def _draw_mean(
     """Draws mean and standard deviation of each gene."""
     if is_circular:
         mean, deviation = circular_mean_and_deviation(values)
-        #         A bar that passes 360 deg continues at 0 deg.
+        # A bar that passes 360 deg continues at 0 deg.
         left, right = mean - deviation, 360.0 - mean - deviation
         past, before = y[right < 0], y[left < 0]
         axes.hlines(past, 0.0, -right[right < 0], color=style.ANEW)
@@ -232,10 +232,10 @@ def _draw_mean(
 def circular_mean_and_deviation(degrees: NDArray) -> tuple[NDArray, NDArray]:
     """Returns the circular mean, in [0, 360), and standard deviation, at most
     180, of each column [deg]."""
-    #     SciPy is imported at its use, because its import takes long.
+    # SciPy is imported at its use, because its import takes long.
     from scipy.stats import circmean, circstd
 
     deviation = circstd(degrees, high=360, axis=0)
-    #     The mean 360 deg becomes 0 deg.
+    # The mean 360 deg becomes 0 deg.
     mean = circmean(degrees, high=360, axis=0) % 360
     return mean, np.minimum(deviation, 180.0)

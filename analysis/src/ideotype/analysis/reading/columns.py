@@ -57,7 +57,7 @@ def columns(
     row = ""
     kept: Any = slice(None)
     if "status" in names:
-        #         The status is read first, since it decides which rows count
+        # The status is read first, since it decides which rows count
         # (FORMAT.md).
         status = data.read(f"{group}/status", first, last)
         (row,) = data.axes(f"{group}/status")

@@ -55,8 +55,7 @@ class Datasets:
         scale."""
         group, _, dataset = name.rpartition("/")
         if group not in self._axes:
-            #             Dimensions never change, and looking them up takes
-            # long.
+            # Dimensions never change, and looking them up takes long.
             self._axes[group] = self._axes_of(group)
         try:
             return self._axes[group][dataset]
@@ -67,7 +66,7 @@ class Datasets:
         """Returns a dataset's unit, as "units", and description, as
         "long_name"."""
         if name not in self._about:
-            #             Units and descriptions never change.
+            # Units and descriptions never change.
             with self._reading(name):
                 known = dict(self._dataset(name).attrs)
                 self._about[name] = {
@@ -85,12 +84,11 @@ class Datasets:
         Raises HistoryError."""
         with self._reading(name):
             dataset = self._dataset(name)
-            #             A live file changes, but recorded values in the file
-            # do not.
+            # A live file changes, but recorded values in the file do not.
             dataset.refresh()
             values = dataset[slice(first, last) if dataset.shape else ...]
-            #             Any byte except 0 is true, as in the program; numpy
-            # takes only 1 as true.
+            # Any byte except 0 is true, as in the program; numpy takes only 1
+            # as true.
             return values.view("i1") != 0 if values.dtype == bool else values
 
     def texts(self, name: str) -> tuple[str, ...]:
@@ -122,8 +120,7 @@ class Datasets:
                         for axis in dataset.dims
                     )
                 )
-                #                 HDF5 has no checksums of references to
-                # scales.
+                # HDF5 has no checksums of references to scales.
                 sizes = [len(datasets[a]) if a else -1 for a in found[name]]
                 if sizes != [*dataset.shape] or len({*found[name]}) < len(
                     sizes

@@ -33,33 +33,32 @@ class HistoryError(Error):
 
 
 class NotAHistory(HistoryError):
-    """An error for a file that is something else, or damaged."""
+    """An error for a file that is no history, or damaged."""
 
 
 class UnsupportedVersion(HistoryError):
-    """An error for a file of another major format version."""
+    """An error for a file whose major format version differs."""
 
 
 class Writer(Enum):
-    """The state of the process that writes a history, as far as it is
-    known."""
+    """The known state of the process that writes a history."""
 
     WRITING = "being written"
     CLOSED = "closed"
     GONE = "not closed"
-    """The writer was killed, or is alive where its lock can't be seen from
-    here."""
+    """The writer was killed, or is alive on a machine whose locks are not
+    visible."""
 
 
 class _Unmarked(io.FileIO):
-    """A file as it stands, but for the marks of a writer that has it open or
-    was killed, so that HDF5 reads it as a closed file.
+    """A file without the marks of a writer that has the file open or was
+    killed, so that HDF5 reads a closed file.
 
-    HDF5 reads a file with the marks in SWMR mode alone. It then takes a wrong
-    checksum for a write that is under way, and reads again a hundred times
-    with sleeps that double: for days, and deaf to interrupts. The parts that
-    describe the data of a history never change (FORMAT.md), so that it is
-    damaged where their checksum is wrong."""
+    HDF5 reads a marked file only in SWMR mode, in which HDF5 takes a wrong
+    checksum for a write in progress and reads a hundred times more with sleeps
+    that double: for days, and without reaction to interrupts. The metadata of
+    a history never change (FORMAT.md), so that a wrong checksum of metadata
+    means damage."""
 
     def __init__(self, path: Path) -> None:
         super().__init__(path)
@@ -69,7 +68,7 @@ class _Unmarked(io.FileIO):
         self.close()
 
     def readinto(self, buffer: Any) -> int:
-        """Fills the buffer."""
+        """Fills the buffer with bytes of the file and returns their number."""
         at, view = self.tell(), memoryview(buffer).cast("B")
         done = 0
         while done < len(view):
@@ -83,8 +82,8 @@ class _Unmarked(io.FileIO):
 
 
 def open_file(path: str | Path) -> h5py.File:
-    """Opens a history to read, without ever changing it: it may be closed,
-    being written, or left by a writer that was killed.
+    """Opens a history for reading without changing the file, which may be
+    closed, being written, or left by a writer that was killed.
 
     Raises FileNotFoundError or PermissionError, HistoryError."""
     path = Path(path)
@@ -113,8 +112,8 @@ def text(value: object) -> str:
 
 
 def writer_of(path: str | Path) -> Writer:
-    """Returns whether a process writes the file, as far as this machine can
-    tell."""
+    """Returns the state of the process that writes the file, as far as this
+    machine can tell."""
     if not _superblock(Path(path)).is_marked:
         return Writer.CLOSED
     return Writer.WRITING if _is_locked(Path(path)) else Writer.GONE
@@ -128,23 +127,24 @@ class _Superblock:
 
     @property
     def has_marks(self) -> bool:
-        """Whether the file has marks: only version 3 has them, and the
-        writer's HDF5 makes addresses of 8 bytes alone."""
+        """Whether the superblock can have marks: only version 3 has marks, and
+        the HDF5 of the program writes only addresses of 8 bytes."""
         return self.data[8] == 3 and self.data[9] == 8
 
     @property
     def is_whole(self) -> bool:
-        """Whether the superblock has its checksum."""
+        """Whether the checksum of the superblock is right."""
         return self._checksum(self.data) == self.data[_CHECKED:]
 
     @property
     def is_marked(self) -> bool:
-        """Whether a process has the file open to write, or was killed then."""
+        """Whether a process has the file open for writing, or was killed while
+        writing."""
         return self.has_marks and bool(self.data[11] & _OPEN_FOR_WRITING)
 
     @property
     def length(self) -> int:
-        """The length of the file [bytes]; 0 if it does not say."""
+        """The length of the file [bytes] in the superblock; 0 if unknown."""
         if not self.has_marks:
             return 0
         return struct.unpack_from("<Q", self.data, 28)[0]
@@ -189,8 +189,8 @@ def lookup3(data: bytes) -> int:
 
 
 def _superblock(path: Path) -> _Superblock:
-    """Returns the superblock of a file. Raises NotAHistory if there is none,
-    or it is not whole."""
+    """Returns the superblock of a file. Raises NotAHistory if there is no
+    superblock, or its checksum is wrong."""
     with path.open("rb") as file:
         block = _Superblock(file.read(_SUPERBLOCK_SIZE))
         if block.data[:8] != _SIGNATURE:
@@ -200,8 +200,7 @@ def _superblock(path: Path) -> _Superblock:
                 f"{path}: this history was cut short, only {len(block.data)} "
                 "bytes are left"
             )
-        # A writer that sets or takes away its mark may be in the middle of
-        # that.
+        # A writer may be in the middle of changing its mark.
         for _ in range(_LOOKS):
             if not block.has_marks or block.is_whole:
                 return block
@@ -215,7 +214,7 @@ def _superblock(path: Path) -> _Superblock:
 
 
 def _check_length(path: Path) -> None:
-    """Refuses a file that was cut short: the program makes it in its full
+    """Refuses a truncated file: the program creates a history in its full
     length."""
     missing = _superblock(path).length - path.stat().st_size
     if missing > 0:
@@ -253,15 +252,15 @@ def _check_format(file: h5py.File, path: Path) -> None:
 
 def _is_locked(path: Path) -> bool:
     """Returns whether a writer holds its lock on the file, on any machine if
-    the file system has locks. Looks only: a lock of our own, however short,
-    could stop a writer that starts."""
+    the file system has locks. The function takes no lock, because even a short
+    lock could stop a writer that starts."""
     try:
         import fcntl
 
         look, write, none = fcntl.F_OFD_GETLK, fcntl.F_WRLCK, fcntl.F_UNLCK
-    except (ImportError, AttributeError):  # Only Linux has this lock.
+    except (ImportError, AttributeError):  # Linux alone has F_OFD_GETLK.
         return False
-    form = "hhqqi4x"  # The form of struct flock.
+    form = "hhqqi4x"  # The layout of struct flock.
     whole = struct.pack(form, write, os.SEEK_SET, 0, 0, 0)
     try:
         with path.open("rb") as file:

@@ -18,8 +18,7 @@ _PLACE = {
     **dict.fromkeys(("latitude", "longitude"), "deg"),
     **dict.fromkeys(("row_spacing", "plant_spacing"), "m"),
 }
-"""Root attributes that become columns, as far as a history has them, with
-their units."""
+"""Root attributes of a history that become columns, with their units."""
 
 
 def frame_of(histories: Sequence[History]) -> pandas.DataFrame:
@@ -28,8 +27,9 @@ def frame_of(histories: Sequence[History]) -> pandas.DataFrame:
     plant_spacing, row, generation, slot, status, origin, seconds, worker,
     violation, then quantities by their names (a quantity with an axis has one
     column for each label, such as "absorbed_by_leaf 3"), each with its
-    standard error as <name>_standard_error, and genes. Histories without a
-    column have NaN there; the unit of a column is .attrs["units"][column]."""
+    standard error as <name>_standard_error, and genes. Histories that lack a
+    column have NaN in the column; the unit of a column is
+    .attrs["units"][column]."""
     tables = [_columns(history) for history in histories]
     parts = (
         pandas.DataFrame({name: values for name, (values, _) in table.items()})
@@ -44,7 +44,7 @@ def frame_of(histories: Sequence[History]) -> pandas.DataFrame:
 
 
 def _columns(history: History) -> dict[str, tuple[Any, str]]:
-    """Returns values and unit by name."""
+    """Returns the values and the unit of each column by name."""
     rows, has = history.evaluations(), history.attributes
     found: dict[str, tuple[Any, str]] = {
         name: (np.repeat(has[name], len(rows)), unit)

@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 from ..figures.style import unit_label
 
 Kind = Literal["leaf", "plant", "profile"]
-"""The things that a trait has a gene for: each leaf, the plant, or each point
-of a smooth curve over leaf position, at equal distances from the lowest leaf
-to the highest."""
+"""The kinds of traits: a trait has a gene for each leaf, for the plant, or for
+each point of a smooth curve over leaf position, at equal distances from the
+lowest leaf to the highest."""
 
 
 @dataclass(frozen=True)
@@ -25,15 +25,17 @@ class Genes:
     traits: tuple[str, ...]
     """The trait of each gene, such as "length"."""
     leaves: NDArray[np.int64]
-    """The rank of the leaf of each gene: 1 is the lowest leaf, 0 no single
-    one."""
+    """The rank of the leaf of each gene: 1 is the lowest leaf, 0 means no
+    single leaf."""
     units: tuple[str, ...]
     lower: NDArray[np.float64]
     upper: NDArray[np.float64]
     is_circular: NDArray[np.bool_]
-    """Whether lower and upper are the same point."""
+    """Whether the bounds `lower` and `upper` of each gene are the same
+    point."""
     is_free: NDArray[np.bool_]
-    """Whether the gene is bred; the others keep the baseline's value."""
+    """Whether each gene is bred; a gene that is not bred keeps the baseline's
+    value."""
 
     def columns(self, trait: str) -> NDArray[np.int64]:
         """Returns the genes of a trait, lowest leaf or point first."""
@@ -48,7 +50,7 @@ class Genes:
         return "profile" if len(columns) > 1 else "plant"
 
     def bred(self, kind: Kind) -> list[str]:
-        """Returns the traits of that kind with a free gene."""
+        """Returns the traits of a kind that have a free gene."""
         free = dict.fromkeys(
             t for t, is_free in zip(self.traits, self.is_free) if is_free
         )
@@ -56,7 +58,7 @@ class Genes:
 
     def number(self, gene: int) -> int:
         """Returns the leaf rank, or the point of a profile from 1; 0 for a
-        plant's trait."""
+        trait of the whole plant."""
         trait = self.traits[gene]
         if self.kind(trait) == "profile":
             return int(np.flatnonzero(self.columns(trait) == gene)[0]) + 1

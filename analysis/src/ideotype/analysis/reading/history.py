@@ -37,8 +37,8 @@ def open_history(path: str | Path) -> History:
 
 
 class History:
-    """A history as a context manager. Every call looks at the file again, so
-    that calling again follows a run; complete rows never change."""
+    """A history as a context manager. Every call reads the file again, so that
+    repeated calls follow a run; complete rows never change."""
 
     def __init__(self, path: str | Path) -> None:
         self.path = Path(path)
@@ -72,8 +72,8 @@ class History:
             raise
 
     def verify(self) -> None:
-        """Compares what is recorded with its checksums. Raises HistoryError
-        if a part is damaged."""
+        """Compares recorded data with their checksums. Raises HistoryError if
+        a part is damaged."""
         verify(self.datasets)
 
     def __repr__(self) -> str:
@@ -90,8 +90,8 @@ class History:
         self.datasets.close()
 
     def evaluations(self, generation: int | None = None) -> Rows:
-        """Returns complete evaluations, done or failed: all, or those of one
-        generation, which need not be committed."""
+        """Returns complete evaluations, done or failed, of the whole history
+        or of one generation, which need not be committed."""
         if generation is None:
             return self._read("evaluations")
         if generation < 0:
@@ -101,8 +101,8 @@ class History:
         return self._read("evaluations", first, first + count)
 
     def unchecked(self) -> int:
-        """Counts complete evaluations of generations that are not complete,
-        and so have no checksum."""
+        """Counts complete evaluations of incomplete generations, which have no
+        checksum."""
         committed = self.datasets.read("generations/committed").astype(bool)
         count = self.datasets.read("generations/count")
         status = self.datasets.read("evaluations/status")
@@ -148,7 +148,8 @@ class History:
 
     def baseline(self) -> Evaluation | None:
         """Returns the unbred plant: its final evaluation if the finals are
-        complete, else its latest in the run; None if there is none yet."""
+        complete, or else its latest evaluation in the run; None if there is no
+        evaluation yet."""
         if (pair := self._final_pair()) is not None:
             return pair.baseline
         done = self.evaluations().done
@@ -156,17 +157,17 @@ class History:
         return done.one(int(found[-1]), False) if len(found) else None
 
     def best(self) -> Evaluation | None:
-        """Returns the fittest finalist but the baseline if the finals are
-        complete. Otherwise it is, provisionally, the fittest of the last
-        committed generation, or of all rows before the first; None if nothing
-        is done yet."""
+        """Returns the fittest finalist except the baseline if the finals are
+        complete, or else, provisionally, the fittest plant of the last
+        committed generation, or of all rows before the first commit. None if
+        no row is done yet."""
         if (pair := self._final_pair()) is not None:
             return pair.best
         top = self.latest().top(1)
         return top.one(0, False) if len(top) else None
 
     def comparison(self) -> Pair | None:
-        """Returns baseline and best, if both are known."""
+        """Returns the baseline and the best plant, if both are known."""
         if (pair := self._final_pair()) is not None:
             return pair
         baseline, best = self.baseline(), self.best()
@@ -175,11 +176,11 @@ class History:
         return Pair(baseline, best)
 
     def front(self) -> Front | None:
-        """Returns for several objectives the finalists but the baseline if the
-        finals are complete, and which of them no other dominates. Otherwise it
-        is, provisionally, the front of the last committed generation, or of
-        all rows before the first. None if there is one objective, or nothing
-        is done yet."""
+        """Returns the front of a search for several objectives: the finalists
+        without the baseline if the finals are complete, or else,
+        provisionally, the front of the last committed generation, or of all
+        rows before the first commit. None if there is a single objective, or
+        no row is done yet."""
         if len(self.objectives) < 2:
             return None
         if (done := self._finals()) is not None:
@@ -188,8 +189,8 @@ class History:
         return front_of(self.latest(), baseline) if baseline else None
 
     def atlas(self) -> Atlas | None:
-        """Returns the best plants of all kinds, if the search is an atlas and
-        its finals are complete."""
+        """Returns the atlas of the best plant of each kind, if the search
+        makes an atlas and its finals are complete."""
         axes = self.resolved.get("search", {}).get("axes")
         if not axes or (done := self._finals()) is None:
             return None
@@ -203,8 +204,8 @@ class History:
 
     @property
     def is_sensitivity(self) -> bool:
-        """Whether the rows are those of a sensitivity study, in which no plant
-        is the best."""
+        """Whether the history holds a sensitivity study, in which no plant is
+        the best."""
         return "sensitivity" in self.resolved
 
     def state(self) -> State:
@@ -235,8 +236,8 @@ class History:
 
     @cached_property
     def resolved(self) -> dict[str, Any]:
-        """The campaign with every default; empty if the history does not have
-        it."""
+        """The campaign with every default; empty if the history has no
+        resolved campaign."""
         try:
             return tomllib.loads(self.campaign("resolved"))
         except (HistoryError, tomllib.TOMLDecodeError):
@@ -245,12 +246,12 @@ class History:
     @property
     def is_isolated(self) -> bool:
         """Whether the plants are an isolated plot, lit from all sides, and no
-        stand without end."""
+        periodic field."""
         return self.resolved.get("field", {}).get("boundary") == "isolated"
 
     def read_all(self) -> None:
-        """Reads all that the other calls read. Raises HistoryError if some of
-        it is missing or damaged."""
+        """Reads all data of the history. Raises HistoryError if data are
+        missing or damaged."""
         self.evaluations()
         self.finalists()
         self.generations()
@@ -268,13 +269,14 @@ class History:
         if group == "evaluations":
             count = self.datasets.read("generations/count")
             starts = self.datasets.read("generations/first_row").astype(int)
-            # Generations that have no rows yet come after all others.
+            # Generations that have no rows yet come after all generations with
+            # rows.
             starts = starts[: np.count_nonzero(count)]
         return rows_of(found, starts, self.genes, self.objectives)
 
     def _finals(self) -> Rows | None:
-        """Returns the finalists that are done, the baseline first, once it is
-        done and none of the others is pending."""
+        """Returns the finalists that are done, the baseline first, once the
+        baseline is done and no finalist is pending."""
         status = self.datasets.read("final/status")
         if not len(status) or status[0] != Status.DONE:
             return None
@@ -283,8 +285,8 @@ class History:
         return self.finalists().done
 
     def _final_pair(self) -> Pair | None:
-        """Returns baseline and best among the finalists, once none of them is
-        pending."""
+        """Returns the baseline and the best plant of the finalists, once no
+        finalist is pending."""
         if (done := self._finals()) is None:
             return None
         bred = done.take(done.slot > 0).top(1)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Checks whether a file of format 2.0 still holds what was written: FORMAT.md
-says what its checksums cover."""
+"""Checks whether a file of format 2.0 is unchanged since it was written;
+FORMAT.md describes the checksums."""
 
 from __future__ import annotations
 
@@ -24,11 +24,11 @@ def verify(data: Datasets) -> None:
     """Compares header, committed generations and recorded finalists with
     their checksums.
 
-    Raises HistoryError, naming the file and the first that differs."""
+    Raises HistoryError, naming the file and the first part that differs."""
     _check(
         data, "the header", _header(data), data.attributes().get("checksum")
     )
-    # The first check is of what tells that the rest is complete.
+    # Marks of completion are read before the data that they mark as complete.
     committed = data.read("generations/committed").astype(bool)
     status = data.read("final/status")
     table = _columns(data, "generations", _NOT_HASHED)
@@ -53,7 +53,7 @@ def verify(data: Datasets) -> None:
         _check(data, f"finalist {i}", found, final_sums[i])
     if not data.read("state/finished"):
         return
-    # A case that is over has no checksum of rows that are not recorded.
+    # A finished case has no checksum of rows that are not recorded.
     if count < len(sums):
         _check(data, f"the mark of generation {count}", "", sums[count])
     for i in np.flatnonzero(~recorded):
@@ -87,7 +87,7 @@ def _header(data: Datasets) -> str:
 def _columns(
     data: Datasets, group: str, without: Iterable[str]
 ) -> dict[str, NDArray]:
-    """Returns all datasets but scales, by name."""
+    """Returns all datasets except scales by name."""
     return {
         name: data.read(f"{group}/{name}")
         for name in sorted({*data.names(group)} - {*without})

@@ -22,11 +22,12 @@ def open_arrays(
     """Reads a group of a history, "evaluations", "final", "generations",
     "genes" and so on, into memory: arrays by name, whose dimensions have names
     and labels. Finished, live and killed files can be read. /evaluations and
-    /final give only the rows whose outcome is recorded, with `all_rows` all of
-    them. The attribute `unchecked_rows` of /evaluations counts those of a
-    generation that is not complete and so has no checksum.
+    /final give only the rows whose outcome is recorded, or with `all_rows` all
+    rows. The attribute `unchecked_rows` of /evaluations counts the rows of
+    incomplete generations, which have no checksum.
 
-    Raises as open_history(), KeyError if there is no such group."""
+    Raises the errors of open_history(), and KeyError if there is no such
+    group."""
     with open_history(Path(path)) as history:
         try:
             found = columns(history.datasets, group, all_rows=all_rows)

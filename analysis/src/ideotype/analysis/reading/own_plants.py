@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Plants of one's own, evaluated as the finalists of a case are."""
+"""The user's own plants, evaluated like the finalists of a case."""
 
 from __future__ import annotations
 
@@ -37,10 +37,10 @@ class OwnPlant:
     _by_leaf: Profile | None
 
     def profile(self, name: str) -> Profile:
-        """Returns what its leaves absorb.
+        """Returns the light that the leaves of the plant absorb.
 
-        Raises HistoryError for any other quantity, and where leaves are not
-        told apart."""
+        Raises HistoryError for other quantities, and if leaves are not
+        distinguished."""
         if name != _BY_LEAF or self._by_leaf is None:
             raise HistoryError(f"{self.name} has no {name}")
         return self._by_leaf
@@ -49,10 +49,10 @@ class OwnPlant:
 def own_plants(case: Case, paths: Sequence[Path]) -> Iterator[OwnPlant]:
     """Returns plants of crop files, measured leaves (.csv), digitised plants
     (.obj, .ply, .dat, or .csv of midribs) and histories (their best plant), in
-    the fields and the light in which the finalists of a case were evaluated.
-    Of digitised plants it is the crop that `ideotype fit` makes of them.
+    the fields and the light in which the finalists of a case were evaluated. A
+    digitised plant is evaluated as the crop that `ideotype fit` makes.
 
-    Raises Error if one cannot be read or evaluated."""
+    Raises Error if a plant cannot be read or evaluated."""
     if not paths:
         return
     from ..._views.compared import compare_plants
@@ -87,7 +87,7 @@ def _profile(values: Sequence[Estimate]) -> Profile | None:
 
 
 def _read(path: Path, stand: ideotype.Stand) -> Plant:
-    # These need the compiled module, without which all else can be drawn.
+    # The imports need the compiled module; the rest of a report does not.
     from ..._scans.plant_sources import is_digitised, read_plant
     from ..._views.compared import Plant
     from ...fit import readable_crop

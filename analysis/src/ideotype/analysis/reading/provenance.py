@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Tells where the figures of a report come from."""
+"""Tells from which histories the figures of a report come."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ _DIGITS = 12
 
 
 def provenance(cases: Sequence[Case]) -> list[Block]:
-    """Tells where the figures come from: a row per history, the commands, and
+    """Returns the origin of the figures: a row per history, the commands, and
     the campaigns with all defaults."""
     histories = [h for case in cases for h in case.histories]
     header = (

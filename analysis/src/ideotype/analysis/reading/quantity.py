@@ -20,10 +20,10 @@ class Axis:
 
     name: str
     labels: NDArray
-    """Numbers or words."""
+    """The labels of the axis, numbers or words."""
     units: str = "1"
     meaning: str = ""
-    """The meaning in words; "" where the name says it."""
+    """The meaning of the axis in words; "" if the name is clear."""
 
     def __eq__(self, other: object) -> bool:
         return (
@@ -38,7 +38,7 @@ class Axis:
 
 @dataclass(frozen=True)
 class Quantity:
-    """Values [rows], or [rows, axis]; NaN where they are not known."""
+    """Values [rows], or [rows, axis]; unknown values are NaN."""
 
     name: str
     unit: str
@@ -47,7 +47,7 @@ class Quantity:
     axis: Axis | None = None
 
     def take(self, index: NDArray) -> Quantity:
-        """Returns the rows of a mask or of row numbers."""
+        """Returns the quantity in the rows of a mask or of row numbers."""
         values, error = self.values[index], self.standard_error[index]
         return Quantity(self.name, self.unit, values, error, self.axis)
 
@@ -65,7 +65,7 @@ class Profile:
     """The meaning of the labels."""
 
     def estimates(self) -> list[Estimate]:
-        """Returns the figure of each label."""
+        """Returns the estimate of each label."""
         pairs = zip(self.values, self.standard_error)
         return [
             Estimate(float(x), float(error), self.unit) for x, error in pairs
@@ -81,7 +81,7 @@ class Profile:
 
 @dataclass(frozen=True)
 class Objective:
-    """A quantity that evolution looks at."""
+    """A quantity that a search maximises or minimises."""
 
     name: str
     unit: str

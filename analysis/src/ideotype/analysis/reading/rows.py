@@ -19,7 +19,7 @@ from .quantity import Floats, Integers, Objective, Profile, Quantity
 
 
 class Status(IntEnum):
-    """The progress of an evaluation, as in the file."""
+    """The progress of an evaluation, as numbered in the file."""
 
     EMPTY = 0
     PROPOSED = 1
@@ -28,7 +28,7 @@ class Status(IntEnum):
 
 
 class Origin(IntEnum):
-    """The origin of a genome, as in the file."""
+    """The origin of a genome, as numbered in the file."""
 
     NONE = 0
     BASELINE = 1
@@ -40,7 +40,8 @@ class Origin(IntEnum):
 
 @dataclass(frozen=True)
 class Rows:
-    """Complete evaluations, done or failed; outcomes of failed ones are NaN.
+    """Complete evaluations, done or failed; outcomes of failed evaluations are
+    NaN.
 
     rows["absorbed_par"] is a quantity, objective or gene by its name."""
 
@@ -48,11 +49,11 @@ class Rows:
     goals: tuple[Objective, ...]
     quantities: dict[str, Quantity]
     row: Integers
-    """The row in /evaluations, or of finalists in /final."""
+    """The number of the row in /evaluations, or for finalists in /final."""
     generation: Integers
     """The generation, -1 for finalists."""
     slot: Integers
-    """The slot in the generation, which finalists have as `row`."""
+    """The slot in the generation; for finalists the number of the row."""
     status: Integers
     origin: Integers
     parents: Integers
@@ -64,10 +65,10 @@ class Rows:
     objectives_standard_error: Floats
     randomisations: Floats
     """The objectives by randomisation [rows, objectives, randomisations]; the
-    last is 0 where the file has none. Rows of one generation, and all
-    finalists, share random numbers in the same randomisation."""
+    number of randomisations is 0 if the file has none. Rows of one generation,
+    and all finalists, share random numbers in the same randomisation."""
     violation: Floats
-    """The violation, 0 where all constraints are kept."""
+    """The violation of constraints, 0 if all constraints are met."""
     attempt: Integers
     seconds: Floats
     worker: Integers
@@ -102,7 +103,7 @@ class Rows:
         return [*self.quantities, *names, *self.genes.names]
 
     def with_axis(self, axis: str) -> list[Quantity]:
-        """Returns the quantities that have this axis."""
+        """Returns the quantities that have the given axis."""
         found = self.quantities.values()
         return [q for q in found if q.axis and q.axis.name == axis]
 
@@ -124,9 +125,9 @@ class Rows:
 
     def ranking(self, count: int) -> Integers:
         """Returns row numbers of the best with different genomes, best first;
-        equal genomes are there by the best of them. Rows that violate
-        constraints come last, the less they do the earlier. There are fewer if
-        there are not as many."""
+        equal genomes are represented by their best row. Rows that violate
+        constraints come last, in the order of their violation. The result is
+        shorter if there are fewer different genomes than wanted."""
         done = np.flatnonzero(self.status == Status.DONE)
         worse = -self.goals[0].sign * self.objectives[done, 0]
         violation = self.violation[done]
@@ -140,7 +141,8 @@ class Rows:
         return self.take(self.ranking(count))
 
     def one(self, index: int, is_final: bool) -> Evaluation:
-        """Returns a single row; negative numbers count from the end."""
+        """Returns one row as an evaluation; negative numbers count from the
+        end."""
         return Evaluation(self.take(np.array([index])), is_final)
 
 
@@ -149,9 +151,9 @@ _ARRAYS = [f.name for f in fields(Rows)][3:]
 
 def join(parts: Sequence[Rows]) -> Rows:
     """Returns rows of several histories, one after the other, with the
-    quantities and the number of randomisations that all of them have.
+    quantities and the number of randomisations that all histories have.
 
-    Raises HistoryError if their genes or objectives differ."""
+    Raises HistoryError if the genes or objectives of histories differ."""
     first = parts[0]
     for part in parts:
         if part.genes.names != first.genes.names or part.goals != first.goals:
@@ -193,7 +195,7 @@ class Evaluation:
 
     row: Rows
     is_final: bool
-    """Whether it was evaluated again at the end, with fresh random numbers."""
+    """Whether the row is a final evaluation, with new random numbers."""
 
     @property
     def objective(self) -> Estimate:
@@ -230,9 +232,10 @@ class Evaluation:
     @property
     def per_leaf_area(self) -> Estimate:
         """The absorbed PAR per one-sided leaf area, with randomisations if the
-        objective has them for the same light: the leaf area is exact.
+        objective is the same light with randomisations: the leaf area is
+        exact.
 
-        Raises HistoryError if the history does not tell it."""
+        Raises HistoryError if the history lacks one of both quantities."""
         name, objective = "absorbed_par_per_leaf_area", self.row.goals[0].name
         if objective == name:
             return self.objective

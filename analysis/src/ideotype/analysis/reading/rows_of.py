@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Turns columns of a history into its evaluations."""
+"""Turns columns of a history into evaluations."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from .quantity import Axis, Integers, Objective, Quantity
 from .rows import Rows
 
 _FINAL = -1
-"""The number in the place of the generation of a finalist."""
+"""The number of the generation that finalists have."""
 _ERROR = "_standard_error"
 _NO_QUANTITIES = {
     *("status", "genome", "origin", "parents", "violation"),
@@ -27,16 +27,15 @@ def rows_of(
     genes: Genes,
     goals: tuple[Objective, ...],
 ) -> Rows:
-    """Returns evaluations, with whatever quantities the columns have, of
-    generations that start with these rows; finalists if there are none.
+    """Returns evaluations with all quantities of the columns. `starts` has the
+    first row of each generation; without it the rows are finalists.
 
     Raises HistoryError if a column is missing."""
     (row_axis,) = found["status"].axes
     row = found[row_axis].values.astype(int)
     generation, slot = np.full(len(row), _FINAL), row
     if starts is not None and len(row):
-        # The first generation begins with the first row, also before it is
-        # complete.
+        # The first generation begins with row 0 even while it is incomplete.
         starts = starts if len(starts) else np.zeros(1, int)
         generation = np.searchsorted(starts, row, side="right") - 1
         slot = row - starts[generation]
@@ -48,7 +47,7 @@ def rows_of(
             _, labels, told = found[axes[1]]
             meaning = told.get("long_name", "")
             axis = Axis(axes[1], labels, told.get("units", ""), meaning)
-        # Exact quantities have no error of their own.
+        # Exact quantities have no standard error.
         is_exact = name + _ERROR not in found
         error = 0 * values if is_exact else found[name + _ERROR].values
         return Quantity(name, about.get("units", ""), values, error, axis)

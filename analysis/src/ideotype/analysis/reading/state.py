@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The state of a case, and what is kept of its generations."""
+"""The state of a case, and the summaries of its generations."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ class State:
     writer: Writer
     finished: bool
     reason: str
-    """The reason why it finished, such as "generations"."""
+    """The reason why the case finished, such as "generations"."""
     wall_time: float
-    """The time of all sessions, as far as they reported [s]."""
+    """The time of all sessions up to their last report [s]."""
 
     def __str__(self) -> str:
         if self.finished:
@@ -41,7 +41,7 @@ class Session:
     """One start of the program on this history."""
 
     started: str
-    """The time when it started, UTC in ISO 8601."""
+    """The time when the session started, UTC in ISO 8601."""
     host: str
     command: str
     ranks: int
@@ -57,26 +57,26 @@ class Generations:
 
     first_row: NDArray[np.int64]
     count: NDArray[np.int64]
-    """The number of rows of a generation, which stand one after the other."""
+    """The number of rows of each generation; rows are consecutive."""
     best_row: NDArray[np.int64]
-    """The row of the best; -1: none."""
+    """The row of the best plant of each generation; -1: none."""
     best: Quantity
     mean: Quantity
-    """The mean over the rows that keep all constraints, once there is one; its
-    standard error is not stored."""
+    """The mean over the rows that meet all constraints, if there is such a
+    row; the standard error of the mean is not stored."""
     spread: Quantity
-    """The standard deviation over the same rows."""
+    """The standard deviation over the rows that meet all constraints."""
     diversity: Quantity
     """The mean over the free genes of standard deviation over range."""
     failures: NDArray[np.int64]
     evaluations: NDArray[np.int64]
-    """The number of rows that were evaluated, and not copied from one with the
-    same genome."""
+    """The number of rows that were evaluated, and not copied from a row with
+    an equal genome."""
     wall_time: Quantity
     """The time since the case began, in all sessions [s]."""
     hypervolume: Quantity | None = None
-    """The hypervolume that the front dominates, for several objectives
-    only."""
+    """The hypervolume that the front dominates; only for several
+    objectives."""
 
     def __len__(self) -> int:
         return len(self.best_row)

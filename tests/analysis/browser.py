@@ -76,7 +76,8 @@ def run_in_browser(
 
 
 def _run(command: list[str]) -> tuple[str, str]:
-    """Returns output and log. A browser is many processes: all of them end."""
+    """Returns output and log. A browser has many processes, all of which are
+    ended."""
     process = subprocess.Popen(
         command,
         stdout=subprocess.PIPE,

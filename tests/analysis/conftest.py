@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Sample histories made to the letter of analysis/FORMAT.md."""
+"""Sample histories that follow analysis/FORMAT.md exactly."""
 
 from __future__ import annotations
 
@@ -45,11 +45,12 @@ LONG = {
     "test_watch.py",
 }
 """Tests of the manual, the study, browsers and other programs: ./test.sh
-leaves them out. They begin first, so that none is left for the end."""
+leaves these tests out. Long tests begin first, so that none runs alone at the
+end."""
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Marks the long tests, and begins with them."""
+    """Marks the long tests, and puts long tests first."""
     items.sort(key=lambda item: item.path.name not in LONG)
     for item in items:
         if item.path.name in LONG:
@@ -77,7 +78,8 @@ class WriterProcess:
         self._await()
 
     def do(self, command: str) -> None:
-        """Obeys a command, and returns when it is carried out and flushed."""
+        """Sends a command, and returns when the writer has executed and
+        flushed it."""
         assert self._process.stdin is not None
         self._process.stdin.write(command + "\n")
         self._process.stdin.flush()
@@ -105,7 +107,7 @@ def writer(tmp_path: Path) -> Iterator[WriterProcess]:
 
 @pytest.fixture(scope="session")
 def finished(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Gives a closed history of six generations with three failures and
+    """Gives a closed history of six generations with three failed rows and
     finals."""
     path = tmp_path_factory.mktemp("finished") / "case.h5"
     made = MadeHistory(path)
@@ -118,7 +120,7 @@ def finished(tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.fixture(scope="session")
 def drained(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Gives a history of two generations and five rows of the third, whose
-    rest is only proposed; it is closed, not finished."""
+    other rows are only proposed; the history is closed, but not finished."""
     path = tmp_path_factory.mktemp("drained") / "case.h5"
     made = MadeHistory(path)
     made.evolve(2)

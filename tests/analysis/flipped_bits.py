@@ -25,13 +25,13 @@ def flip(content: bytes, bit: int) -> bytes:
 
 
 def marked(content: bytes, marks: int) -> bytes:
-    """Returns the content with these marks in its superblock."""
+    """Returns the content with the given marks in its superblock."""
     start = content[:11] + bytes([marks]) + content[12:44]
     return start + struct.pack("<I", lookup3(start)) + content[48:]
 
 
 def metadata(path: Path) -> np.ndarray:
-    """Returns the bits of all that ideotype.open() reads of a history but its
+    """Returns the bits of a history that ideotype.open() reads, except the
     data, which have checksums."""
     is_read = np.zeros(path.stat().st_size, bool)
     readinto = _Unmarked.readinto

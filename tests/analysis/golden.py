@@ -3,9 +3,9 @@
 the program.
 
 `golden.py write` makes tests/data/golden/*.txt anew with the program that
-IDEOTYPE_EXECUTABLE names, after a change that is meant to change results; the commit
-says why they change. Each line is a figure: its name, how many values it has, a
-digest of their bits, and the first of them to read.
+IDEOTYPE_EXECUTABLE names, after a change that is meant to change results; the
+commit says why they change. Each line is a figure: the name, the number of
+values, a digest of the bits of the values, and the first values as text.
 """
 
 from __future__ import annotations
@@ -92,7 +92,7 @@ def _mesh_figures(options: list[str]) -> dict[str, np.ndarray]:
     )
     _flatten("", report, found)
     found.pop("seconds")
-    # Quantities that came later have no golden figures.
+    # Quantities that were added later have no golden figures.
     return {k: v for k, v in found.items() if not k.startswith("quantities.")}
 
 

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Gives the figures of a history the names that the golden files have for
-them."""
+"""Gives the figures of a history their names in the golden files."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Uses live pages in a browser as a person does."""
+"""Uses live pages in a browser like a person."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def shown(
 
 
 def settle(phone: Phone) -> None:
-    """Waits until all that was asked is answered and refined."""
+    """Waits until all requests are answered and refined."""
     phone.wait(
         "document.body.dataset.cases || (typeof page !== 'undefined' && "
         "page.number > 0 && document.body.dataset.final === 'true' && "
@@ -40,7 +40,7 @@ def settle(phone: Phone) -> None:
 
 
 def move(phone: Phone, slider: str, part: float) -> None:
-    """Drags a slider to a part of its way, from 0 to 1."""
+    """Drags a slider to a fraction of its range, from 0 to 1."""
     phone.value(
         f"""(() => {{
           const s = byId("s-{slider}");
@@ -54,14 +54,15 @@ def move(phone: Phone, slider: str, part: float) -> None:
 
 
 def click(phone: Phone, selector: str) -> None:
-    """Clicks what a selector finds; what nobody sees cannot be clicked."""
+    """Clicks the element that a selector finds; a hidden element cannot be
+    clicked."""
     found = f"document.querySelector({json.dumps(selector)})"
     assert phone.value(f"{found}.getClientRects().length > 0"), selector
     phone.value(f"{found}.click()")
 
 
 def text(phone: Phone, selector: str) -> str:
-    """Returns the text that is seen there."""
+    """Returns the visible text of an element."""
     found = f"document.querySelector({json.dumps(selector)})"
     return str(phone.value(f"{found}.innerText"))
 
@@ -74,7 +75,7 @@ def number(phone: Phone, name: str) -> list[float]:
 
 
 def view(phone: Phone) -> str:
-    """Returns the picture of the plants, when it is drawn."""
+    """Returns the picture of the plants when the page has drawn it."""
     phone.value("new Promise((done) => requestAnimationFrame(() => "
                 "requestAnimationFrame(done)))")  # fmt: skip
     return str(phone.value("byId('view').toDataURL()"))
@@ -98,14 +99,14 @@ def bare(phone: Phone) -> float:
 
 
 def fits(phone: Phone) -> bool:
-    """Tells whether nothing is wider than the screen."""
+    """Returns whether no element is wider than the screen."""
     return bool(
         phone.value("document.documentElement.scrollWidth <= innerWidth")
     )
 
 
 def serious_findings(phone: Phone) -> list[dict[str, Any]]:
-    """Returns what axe finds serious or critical: its rule, and where."""
+    """Returns the serious and critical findings of axe: rules and places."""
     script = files("axe_core_python").joinpath("axe.min.js").read_text("utf-8")
     phone.value(f"{script}; undefined")
     found = phone.value(
@@ -120,8 +121,8 @@ def serious_findings(phone: Phone) -> list[dict[str, Any]]:
 
 
 def memory(phone: Phone) -> dict[str, float]:
-    """Returns how much the page holds, after what is unused is given back:
-    the heap of scripts [bytes], elements, and listeners of events."""
+    """Returns the memory of the page after garbage collection: the heap of
+    scripts [bytes], the numbers of elements and of event listeners."""
     phone.ask("Performance.enable")
     phone.ask("HeapProfiler.collectGarbage")
     metrics = phone.ask("Performance.getMetrics")["metrics"]

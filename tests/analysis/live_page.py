@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Starts live pages as a user does, and talks with them."""
+"""Starts live pages like a user, and exchanges messages with the pages."""
 
 from __future__ import annotations
 
@@ -47,10 +47,11 @@ def token(page: Served) -> str:
 
 @contextlib.contextmanager
 def served(*words: object) -> Iterator[Served]:
-    """Serves `ideotype play` or `ideotype watch` while it is used. A program
-    that does not end when it is told to fails the test, and is killed."""
+    """Serves `ideotype play` or `ideotype watch` within a context. A program
+    that does not end at the signal fails the test, and is killed."""
     command = [sys.executable, "-m", "ideotype", *map(str, words)]
-    # Nobody reads a pipe of errors, and a full one would hold the program.
+    # Errors go to no pipe: nobody would read it, and a full pipe blocks the
+    # program.
     with (
         tempfile.TemporaryFile("w+") as errors,
         subprocess.Popen(
@@ -76,11 +77,11 @@ def served(*words: object) -> Iterator[Served]:
 
 
 _ENDING = 30
-"""The longest time in which a program ends that was told to [s]."""
+"""The longest time between the signal and the end of a program [s]."""
 
 
 class Talk:
-    """Talks to the program as a page does."""
+    """Exchanges messages with the program like a page."""
 
     def __init__(self, link: WebSocketClientConnection) -> None:
         self._link = link
@@ -101,14 +102,14 @@ class Talk:
         self._link.write_message(json.dumps(message))
 
     async def first(self, number: int) -> dict[str, Any]:
-        """Returns the first numbers of a question."""
+        """Returns the first numbers that answer a question."""
         while True:
             told = await self.hear("numbers")
             if told["number"] == number:
                 return told
 
     async def final(self, number: int) -> dict[str, Any]:
-        """Returns the refined numbers of a question."""
+        """Returns the refined numbers that answer a question."""
         while True:
             told = await self.hear("numbers")
             if told["number"] == number and told.get("is_final"):
@@ -116,7 +117,7 @@ class Talk:
 
 
 def talk_with(page: Served, do: Callable[[Talk], Awaitable[T]]) -> T:
-    """Returns what a talk with the page comes to."""
+    """Returns the result of an exchange of messages with the page."""
 
     async def work() -> T:
         address = f"{page.address}talk".replace("http", "ws")

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Makes the campaign of made histories, from which their plants have
-shapes."""
+"""Makes the campaign of made histories, which gives plants their shapes."""
 
 from __future__ import annotations
 
@@ -18,8 +17,8 @@ SITES = {"ames": (42.0, 10), "edmonton": (53.5, 30)}
 
 @cache
 def resolved(*over: str, folding_angle: float = 10) -> str:
-    """Returns a campaign with every key, of two seeds. `over` names what may
-    be scenarios, such as sites."""
+    """Returns a campaign with every key and two seeds. `over` names the axis
+    of scenarios, such as sites."""
     settings = {
         "plant.baseline": str(DATA / "golden" / "pole.toml"),
         "replicates": 2,

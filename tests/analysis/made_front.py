@@ -17,8 +17,8 @@ from made_numbers import LAI
 LIGHT, AREA = ("absorbed_par", "maximise"), ("lai", "minimise")
 LEAVES = ("absorbed_par_per_leaf_area", "maximise")
 LAIS = [LAI, 3.0, 3.5, 3.2]
-"""Leaf area indices of the finalists: another has more light than the last on
-fewer leaves."""
+"""Leaf area indices of the finalists: the last finalist is dominated by a
+finalist with more light on less leaf area."""
 KEPT = [True, True, False]
 SCENARIOS = ["dense stand", "wide rows"]
 

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Makes small histories to the letter of analysis/FORMAT.md, without the
+"""Makes small histories that follow analysis/FORMAT.md exactly, without the
 program.
 
 As a program of its own, `made_history.py PATH` creates a history and obeys
-commands from its standard input, one a line, such as `record 0 3`; it answers
-each with `ok`. It is then the writer in another process."""
+commands from its standard input, one per line, such as `record 0 3`; each
+command is answered with `ok`. The script then serves as a writer in another
+process."""
 
 from __future__ import annotations
 
@@ -45,7 +46,7 @@ from made_numbers import (
 _HEADER = 1 << 18  # The size of the header [bytes].
 
 Extra = tuple[Measured, float | np.ndarray]
-"""A quantity, and which part of the absorbed PAR it is."""
+"""A quantity, and its value as a part of the absorbed PAR."""
 
 
 ATTRIBUTES: dict[str, object] = {
@@ -101,11 +102,11 @@ class MadeHistory:
             ("absorbed_par", "maximise"),
         ),
     ) -> None:
-        """Creates all datasets, empty, but the dataset `without`. `attributes`
-        are those of the root beside or instead of the usual, `shift` is added
-        to what bred plants absorb and `baseline_shift` to what the baseline
-        does at the end, `extra` are more quantities and `labels`
-        those of their axes."""
+        """Creates all datasets, empty, except the dataset `without`.
+        `attributes` add to or replace root attributes, `shift` is added to the
+        light that bred plants absorb and `baseline_shift` to the light of the
+        baseline in the finals, `extra` are more quantities and `labels` the
+        labels of their axes."""
         self._shift, self._baseline_shift = shift, baseline_shift
         self._objectives = [name for name, _ in objectives]
         self._extra = {name: part for name, (_, part) in extra.items()}
@@ -265,8 +266,8 @@ class MadeHistory:
             self.commit(generation)
 
     def propose_final(self) -> None:
-        """Proposes finals: row 0 is the baseline, the others the fittest of
-        generation 3."""
+        """Proposes finals: row 0 is the baseline, other rows are the fittest
+        plants of generation 3."""
         rows = self.file["final"]
         for slot in range(FINALISTS):
             bred = genome(3, POPULATION - slot)
@@ -297,14 +298,14 @@ class MadeHistory:
         self.file.flush()
 
     def close(self) -> None:
-        """Closes the file, so that no lock stays behind, as the program does
-        at its end."""
+        """Closes the file, like the program at its end, so that no lock
+        remains."""
         self.file.close()
         os.close(self._lock)
 
 
 def main() -> None:
-    """Creates a history and obeys commands."""
+    """Creates a history and executes commands."""
     made = MadeHistory(Path(sys.argv[1]))
     print("ok", flush=True)
     for line in sys.stdin:

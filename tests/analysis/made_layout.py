@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Lays out an empty history of format 2.0 to the letter of
-analysis/FORMAT.md."""
+"""Lays out an empty history of format 2.0 exactly as in analysis/FORMAT.md."""
 
 from __future__ import annotations
 
@@ -17,19 +16,19 @@ AXES_UNITS = {"layer": "m", "hour": "h"}
 
 
 def fixed(length: int) -> np.dtype:
-    """Returns the type of a text of at most so many bytes."""
+    """Returns the type of a text with at most the given number of bytes."""
     return h5py.string_dtype("utf-8", length)
 
 
 def texts(values: Iterable[str]) -> np.ndarray:
-    """Returns texts as they stand in a file."""
+    """Returns texts in the encoding of the file."""
     encoded = [value.encode() for value in values]
     return np.array(encoded, fixed(max(map(len, encoded))))
 
 
 @dataclass
 class Layout:
-    """The content of a file before SWMR writing starts, but the dataset
+    """The content of a file before SWMR writing starts, except the dataset
     `without`."""
 
     file: h5py.File
@@ -51,7 +50,7 @@ class Layout:
     def create(
         self, attributes: Mapping[str, object], campaign: Mapping[str, str]
     ) -> None:
-        """Creates all datasets, which are empty but for the header."""
+        """Creates all datasets, which are empty except for the header."""
         for name, value in attributes.items():
             self._attribute(name, value)
         for form, text in campaign.items():

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Computes the numbers in the made histories, which all follow from a formula
-here."""
+"""Computes the numbers in made histories, all of which follow from formulas in
+this file."""
 
 from __future__ import annotations
 
@@ -97,8 +97,8 @@ def final_absorbed(slot: int) -> float:
 
 
 def hypervolume(generation: int) -> float:
-    """Returns the hypervolume of the front of a generation, where there are
-    several objectives."""
+    """Returns the hypervolume of the front of a generation for several
+    objectives."""
     return 1.0 - 0.5 ** (generation + 1)
 
 
@@ -108,13 +108,14 @@ def leaf_share(leaf: int) -> float:
 
 
 def hour_par(total: float, hour: float) -> float:
-    """Returns PAR absorbed at a local time [W m-2] by a canopy of this daily
-    total."""
+    """Returns PAR absorbed at a local time [W m-2] by a canopy with the given
+    daily total."""
     return 36.0 * total * np.sin(np.pi * (hour - 6.0) / 15.0)
 
 
 def quantities(total: float) -> dict[str, float | np.ndarray]:
-    """Returns all quantities of a canopy of this total [MJ m-2 day-1]."""
+    """Returns all quantities of a canopy with the given total [MJ m-2
+    day-1]."""
     fraction = total / INCIDENT
     shares = (fraction, *((1 - fraction) * np.array([0.2, 0.5, 0.3])))
     return {
@@ -133,8 +134,8 @@ def quantities(total: float) -> dict[str, float | np.ndarray]:
 def randomisations(
     total: float, error: float, count: int, generation: int, slot: int
 ) -> np.ndarray:
-    """Draws randomisations with this mean and standard error; most of the
-    noise is that of the generation."""
+    """Draws randomisations with the given mean and standard error; rows of a
+    generation share most of the noise."""
 
     def noise(*seed: int) -> np.ndarray:
         found = np.random.default_rng(seed).normal(size=count)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Makes files of a plant whose two leaves were digitised."""
+"""Makes files of a plant with two digitised leaves."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ MIDRIBS = (
 
 
 def obj_of(midribs: str) -> str:
-    """Returns the mesh of the leaves of such a plant as an OBJ file."""
+    """Returns the mesh of the leaves of a digitised plant as an OBJ file."""
     with TemporaryDirectory() as folder:
         path = Path(folder) / "plant.csv"
         path.write_text(midribs)

@@ -13,17 +13,17 @@ DRAWN = CASE_FIGURES.keys() - {
     *("profiles", "plant_traits", "sunlit", "assimilation", "days"),
     *("leaf_area", "carbon"),
 }
-"""The figures of each case, which is bred in traits of leaves for the light of
-a day."""
+"""The figures of each case, which breeds traits of leaves for the light of a
+day."""
 OWN = ("field", "importance")
-"""Figures of each case besides, which need the compiled module."""
+"""Further figures of each case, which need the compiled module."""
 ELITE = 11.08
 """The absorbed PAR of the elite plant of the cross-evaluation."""
 
 
 @dataclass(frozen=True)
 class Made:
-    """A report as the command leaves it."""
+    """A report that the command has written."""
 
     folder: Path
     log: str

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Writes the same days of weather as files of many formats."""
+"""Writes equal days of weather as files of many formats."""
 
 from __future__ import annotations
 
@@ -145,7 +145,7 @@ def write_knmi(file: Path) -> None:
 
 
 def write_dwd(file: Path) -> None:
-    """Writes ten minutes' light."""
+    """Writes the light of ten-minute steps in the format of DWD."""
     rows = [
         f"       123;{t + pd.Timedelta('10min'):%Y%m%d%H%M};    3;"
         f"{r.diffuse * 0.06:.5f};{r['global'] * 0.06:.5f};0.1;  -999;eor"

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Shows a page on a phone: Chromium without a window, 390 points wide, touched
-by fingers; or on a wider screen. A pipe tells it what to do, in the DevTools
+"""Shows a page on a phone: Chromium without a window, 390 points wide, with a
+touch screen; or on a wider screen. Commands go through a pipe in the DevTools
 protocol."""
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ class Phone:
         """Errors of scripts, of the console and of refused loads."""
 
     def open(self, page: Page, width: int, height: int = HEIGHT) -> None:
-        """Opens a page in a tab of its own, and returns when it is loaded."""
+        """Opens a page in a new tab, and returns when the page is loaded."""
         self._session = ""
         target = self.ask("Target.createTarget", url="about:blank")
         session = self.ask("Target.attachToTarget", flatten=True, **target)
@@ -56,7 +56,8 @@ class Phone:
 
     @property
     def tab(self) -> str:
-        """The tab that is asked; another one can be put in its place."""
+        """The tab that receives commands, which can be replaced by another
+        tab."""
         return self._session
 
     @tab.setter
@@ -64,7 +65,8 @@ class Phone:
         self._session = session
 
     def show(self, page: Page) -> None:
-        """Shows another page in its place, and returns when it is loaded."""
+        """Shows another page in this tab, and returns when the page is
+        loaded."""
         url = page.as_uri() if isinstance(page, Path) else page
         self.ask("Page.navigate", url=url)
         while self._message().get("method") != "Page.loadEventFired":
@@ -80,7 +82,8 @@ class Phone:
         return said["result"].get("value")
 
     def wait(self, condition: str, seconds: float = 30) -> Any:
-        """Waits until a JavaScript expression is true, and returns it."""
+        """Waits until a JavaScript expression is true, and returns its
+        value."""
         end = time.monotonic() + seconds
         while not (found := self.value(condition)):
             assert time.monotonic() < end, (condition, self.errors)
@@ -88,7 +91,7 @@ class Phone:
         return found
 
     def picture(self, path: Path) -> None:
-        """Writes what the screen shows to a PNG file."""
+        """Writes the picture on the screen to a PNG file."""
         data = self.ask("Page.captureScreenshot")["data"]
         path.write_bytes(base64.b64decode(data))
 
@@ -114,7 +117,7 @@ class Phone:
             )
 
     def press(self, key: str) -> None:
-        """Presses a key that has a name."""
+        """Presses the key with the given name."""
         for kind in ("keyDown", "keyUp"):
             self.ask(
                 "Input.dispatchKeyEvent", type=kind, key=key, code=key,
@@ -156,7 +159,7 @@ class Phone:
 
 
 _CODES = {"ArrowRight": 39, "ArrowLeft": 37}
-"""The numbers of keys, without which sliders do not move."""
+"""The key codes, without which sliders do not move."""
 
 
 @contextlib.contextmanager
@@ -169,7 +172,7 @@ def phone_with(
         pytest.fail(f"no browser: install one of {', '.join(NAMES)}")
     orders, to_browser = os.pipe()
     from_browser, answers = os.pipe()
-    # These numbers are out of the way of 3 and 4, which the browser reads and
+    # File descriptors are moved away from 3 and 4, which the browser reads and
     # writes.
     ends = [fcntl.fcntl(end, fcntl.F_DUPFD, 10) for end in (orders, answers)]
     command = [

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Runs the program itself, with a campaign that takes it a second."""
+"""Runs the program itself with a campaign that takes a second."""
 
 from __future__ import annotations
 
@@ -74,7 +74,7 @@ def executable() -> str:
 
 
 def write_campaign(folder: Path, generations: int) -> Path:
-    """Writes tiny.toml with its plant, of so many generations."""
+    """Writes tiny.toml with its plant and the given number of generations."""
     shutil.copy(_PLANT, folder)
     campaign = folder / "tiny.toml"
     campaign.write_text(_CAMPAIGN.format(generations=generations) + _FAST)
@@ -83,7 +83,7 @@ def write_campaign(folder: Path, generations: int) -> Path:
 
 def run_crop(folder: Path, crop: str, free: list[str]) -> Path:
     """Returns a finished history of a crop of campaigns/crops, two generations
-    in the stand of the tiny campaign, with these traits bred."""
+    in the stand of the tiny campaign, with the given traits bred."""
     campaign = write_campaign(folder, 2)
     baseline = json.dumps(str(CAMPAIGNS / "crops" / f"{crop}.toml"))
     text = campaign.read_text().replace('"maize.toml"', baseline)
@@ -95,8 +95,8 @@ def run_crop(folder: Path, crop: str, free: list[str]) -> Path:
 
 
 def run_shortened(folder: Path, name: str) -> list[Path]:
-    """Returns finished histories of campaigns/NAME.toml, of two generations of
-    eight plants and with little light."""
+    """Returns finished histories of campaigns/NAME.toml, with two generations
+    of eight plants and few paths of light."""
     light = _FAST.replace("paths = 64", "paths = 256")
     text = (CAMPAIGNS / f"{name}.toml").read_text() + light
     for key, value in (("population", 8), ("generations", 2)):
@@ -122,7 +122,7 @@ def start(folder: Path, generations: int) -> subprocess.Popen[str]:
 
 
 def output_of(*arguments: object) -> str:
-    """Returns what the program prints; it has to succeed."""
+    """Returns the output of the program, which has to succeed."""
     done = subprocess.run(
         [executable(), *map(str, arguments)],
         capture_output=True,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Checks documents against the schemas of what the program prints as JSON."""
+"""Checks JSON documents of the program against their schemas."""
 
 from __future__ import annotations
 
@@ -19,14 +19,14 @@ def validator(name: str) -> Draft202012Validator:
 
 
 def assert_needs_all(name: str, document: dict[str, Any]) -> None:
-    """Asserts that the document is valid, and is not if any member lacks, is
-    of another type, or is not known."""
+    """Asserts that the document is valid, and becomes invalid if any member is
+    missing, has another type, or is unknown."""
     checked = validator(name)
     checked.validate(document)
     for key in document:
         rest = {k: v for k, v in document.items() if k != key}
         assert not checked.is_valid(rest), key
-        # A client may send anything as `id`.
+        # A client may send any value as `id`.
         changed = {**document, key: object()}
         assert key == "id" or not checked.is_valid(changed), key
     assert not checked.is_valid({**document, "other": 1})

@@ -82,7 +82,7 @@ def test_assimilation_is_drawn_by_hour_and_leaf(case: Case) -> None:
         *("gross assimilation\n[µmol m⁻² s⁻¹ of ground]", "best"),
         "assimilation [mol m⁻² day⁻¹ of ground]",
     } <= labels(figure)
-    # They are in a figure of their own alone.
+    # Sunlit leaves are only in their separate figure.
     assert len(draw_leaves(case).axes) == 1
     assert len(draw_hours(case).axes) == 2
 

@@ -26,7 +26,7 @@ ACROSS, UP = (0.0, 8.0, 4), (0.0, 90.0, 3)
 
 def run(folder: Path, *axes: tuple[str, tuple[float, float, int]]) -> Path:
     """Returns the history of an atlas with a few generations of the tiny
-    campaign, and beside it what the program told."""
+    campaign, and the output of the program."""
     campaign = write_campaign(folder, 8)
     search = 'population = 12\noptimizer = "atlas"\n' + "".join(
         f'[[search.axes]]\nquantity = "{name}"\n'

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Scripts of campaigns/study that are no part of the study do what they
-say."""
+"""Scripts of campaigns/study that are no part of the study do what their
+descriptions say."""
 
 from __future__ import annotations
 
@@ -55,7 +55,8 @@ def test_neighbours_share_land_and_are_invaded(tmp_path: Path) -> None:
         assert 0.7 < float(whole) < 1.4 and float(error) < 0.2
     invaders = re.findall(rf"(?m)^\| [a-z\' ]+ \|{2 * cell}$", told)
     assert len(invaders) == 2, told
-    # Nobody shades a larger plant; a stand of them is worth what it is.
+    # No neighbour shades a larger plant, whose stand has the value of the
+    # plant.
     assert float(invaders[0][0]) > 2 * float(invaders[0][1])
 
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Measured light beside ours: a table that the program itself could have
-measured agrees, a biased one is told as such, and bad tables are refused."""
+"""Measured light beside computed light: a table made by the program agrees, a
+biased table is reported as biased, and bad tables are refused."""
 
 from __future__ import annotations
 

@@ -159,7 +159,7 @@ def test_both_commands_hand_over(finished: Path, tmp_path: Path) -> None:
     by_package = run(BIN / "ideotype", "summary", finished)
     assert by_package[0] == 0
     assert run(program, "summary", finished) == by_package
-    # Files in the current folder take the place of no module.
+    # Files in the current folder replace no module.
     (tmp_path / "numpy.py").write_text("raise SystemExit('not NumPy')")
     assert run(program, "summary", finished, cwd=tmp_path) == by_package
     python = {"IDEOTYPE_PYTHON": "/usr/bin/python3"}

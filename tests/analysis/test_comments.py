@@ -14,7 +14,8 @@ MARKS = {"//[!/]?<?": ("*.cpp", "*.hpp", "*.js"), "#:?": ("*.py", *SHELL)}
 
 
 def offences(text: str, mark: str) -> list[str]:
-    """Returns comments that begin so, on lines of their own or behind code."""
+    """Returns comments with a forbidden beginning, on separate lines or behind
+    code."""
     first = rf"^(?:(?! *{mark}).*|.*SPDX.*)\n *{mark} *({BEGINNING}.*)"
     behind = rf"^ *(?!{mark})\S.* {mark} +({BEGINNING}.*)"
     quoted = rf'^ *"""({BEGINNING}.*)'

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Plants in the same light: values, paired differences, profiles; measured
-plants; what is told of wrong use."""
+plants; messages about wrong use."""
 
 from __future__ import annotations
 

@@ -79,7 +79,7 @@ def test_leaf_area_stands_beside_every_gain(tmp_path: Path) -> None:
         best = case.best.estimate("lai").mean
     ratio = 1.015 * 3.44 / np.array(lais)
     assert pair.gain_per_leaf_area.mean == pytest.approx(100 * (ratio[0] - 1))
-    # The leaf area is exact: the error is that of the light.
+    # The leaf area is exact, so that the light alone has an error.
     error = pair.gain.standard_error * 3.44 / 6.0
     assert pair.gain_per_leaf_area.standard_error == pytest.approx(error)
     found = dict(zip(table.header, table.rows[0]))
@@ -206,7 +206,7 @@ def test_a_cross_evaluation_serves_two_campaigns(tmp_path: Path) -> None:
         over = {c.name: cross.relative_gain(c, ELITE) for c in study.cases()}
         table, *notes = gains(study.cases(), cross)
     best = final_absorbed(2)
-    # "c" may be that of either campaign.
+    # "c" may be the case of either campaign.
     assert over.pop("one: c") is None
     assert {name: gain and gain.mean for name, gain in over.items()} == {
         "one: a": pytest.approx(100 * (best / 10.0 - 1)),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Figures from above tell which way they are turned."""
+"""Figures from above show their orientation."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def copy_with(history: Path, folder: Path, campaign: str) -> Path:
 
 
 def turned(history: Path, folder: Path, direction: float) -> Path:
-    """Makes a copy whose rows run that way."""
+    """Makes a copy whose rows run in the given direction."""
     text = f'[[spacing]]\nname = "30x6"\nrow_direction = {direction}'
     return copy_with(history, folder, text)
 

@@ -99,8 +99,8 @@ def test_what_is_not_finished_or_elsewhere_has_no_crate(
 def test_a_validator_finds_nothing_wrong(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """The context, which the validator would load from the network, is told
-    here for the terms of our crates."""
+    """The context, which the validator would load from the network, is given
+    by the test for the terms of our crates."""
     import requests
     from rdflib.plugins.shared.jsonld.context import Context
     from rocrate_validator import models, services
@@ -144,7 +144,7 @@ def test_a_validator_finds_nothing_wrong(
         ]
 
     assert problems() == []
-    # The validator does see what is wrong.
+    # The validator does notice an error.
     for each in crate["@graph"]:
         each.pop("license", None)
     (tmp_path / METADATA).write_text(json.dumps(crate))

@@ -136,7 +136,8 @@ def test_ten_stages_have_the_carbon_of_twenty() -> None:
         error = float(one.gross_assimilation_standard_error[0])
         found.append((carbon, error))
         assert one.sizes["stage"] == stages
-        # The area of lower leaves follows that of the plant's own.
+        # The area of lower leaves, which only growing plants have, follows the
+        # area of the leaves of the full-grown plant.
         assert one.lai_by_stage.max() == pytest.approx(3.84, rel=0.05)
         assert one.dead_area_index_by_stage[0, -1] > 1
     (ten, ten_error), (twenty, twenty_error) = found

@@ -32,8 +32,8 @@ def maize(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def leaves_of(history: Path, folder: Path) -> dict[str, np.ndarray]:
-    """Returns what the leaves of the best plant measure, as the program
-    says."""
+    """Returns the measures of the leaves of the best plant from the
+    program."""
     path = folder / "leaves.csv"
     output_of("export", history, "--best", "--to", path)
     rows = list(csv.DictReader(path.read_text().splitlines()))

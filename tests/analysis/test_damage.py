@@ -38,7 +38,7 @@ def damage(path: Path, byte: int) -> Path:
 
 @pytest.fixture
 def folder(tmp_path: Path) -> Path:
-    """Gives a good history between two others, of which one can't be read."""
+    """Gives a good history between two others, one of which can't be read."""
     place = tmp_path / "results"
     place.mkdir()
     damage(place / "a.h5", UNREADABLE)
@@ -69,8 +69,8 @@ def small(tmp_path: Path) -> Path:
 
 @pytest.mark.parametrize("marks", [0, OPEN])
 def test_no_bit_of_the_metadata_is_endless(small: Path, marks: int) -> None:
-    """150 bits are flipped, in a file that is closed and in one that is marked
-    as open; tests/stress/flip.py takes any number."""
+    """150 bits are flipped, in a closed file and in a file that is marked as
+    open; tests/stress/flip.py takes any number."""
     content = marked(small.read_bytes(), marks)
     small.write_bytes(content)
     whole = ideotype.open(small)

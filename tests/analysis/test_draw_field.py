@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Pictures of fields are as campaigns/README.md makes them."""
+"""Pictures of fields are drawn by the commands of campaigns/README.md."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Pictures of plants are as campaigns/README.md makes them."""
+"""Pictures of plants are drawn by the commands of campaigns/README.md."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from real_program import CAMPAIGNS
 
 
 def draw(*arguments: object) -> subprocess.CompletedProcess[str]:
-    """Returns what campaigns/study/draw_plants.py says."""
+    """Returns the output of campaigns/study/draw_plants.py."""
     script = CAMPAIGNS / "study" / "draw_plants.py"
     words = [sys.executable, script, *arguments]
     return subprocess.run(

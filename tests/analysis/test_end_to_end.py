@@ -2,8 +2,8 @@
 """The package reads a file of the program itself.
 
 IDEOTYPE_EXECUTABLE names the built program: a tiny campaign is run with it.
-IDEOTYPE_SAMPLE_HISTORY names a finished history that is looked at instead;
-tests that need the program are then skipped if it is not given too."""
+IDEOTYPE_SAMPLE_HISTORY names a finished history that is tested instead; tests
+that need the program are then skipped if the program is not given too."""
 
 from __future__ import annotations
 
@@ -29,12 +29,13 @@ PROMISED = {
     *("site", "day", "spacing", "trait_set", "replicate"),
     *("latitude", "longitude", "row_spacing", "plant_spacing"),
 }
-"""Root attributes of FORMAT.md beyond those that no reader can do without."""
+"""Root attributes of FORMAT.md that readers can do without."""
 
 
 @pytest.fixture(scope="session", params=["own", "sorghum"])
 def sample(request: pytest.FixtureRequest) -> Path:
-    """Gives the given history, or else one of our own and one of sorghum."""
+    """Gives the named history, or else a new history and a history of
+    sorghum."""
     if given := os.environ.get("IDEOTYPE_SAMPLE_HISTORY"):
         return Path(given)
     found = request.getfixturevalue(request.param)
@@ -117,7 +118,7 @@ def test_hours_integrate_to_the_day(own: Path) -> None:
         best = history.best()
     assert best is not None and best.is_final
     profile = best.profile("absorbed_by_hour")
-    # The sum is that of trapezoids: the sun of Ames is up from the first hour
+    # The sum is a sum of trapezoids: the sun of Ames is up from the first hour
     # to the last.
     assert list(profile.labels) == list(range(7, 21))
     ends = profile.values[0] + profile.values[-1]

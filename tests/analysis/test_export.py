@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Exported plants and fields can be opened with the readers of VTK, which are
-those of ParaView."""
+"""Exported plants and fields can be opened with the readers of VTK, which
+ParaView also uses."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ FINAL_PATHS = 256
 
 
 def opened(reader: Any, path: Path) -> vtkPolyData:
-    """Returns what VTK reads, without an error."""
+    """Returns the data that VTK reads, without an error."""
     errors: list[str] = []
     reader.AddObserver("ErrorEvent", lambda *_: errors.append("error"))
     reader.SetFileName(str(path))
@@ -65,14 +65,14 @@ def areas(data: vtkPolyData) -> NDArray[np.float64]:
 
 
 def exported(own: Path, to: Path, *options: object) -> Path:
-    """Returns the file, once the program has written it."""
+    """Writes a file by the program and returns its path."""
     output_of("export", own, *options, "--to", to)
     return to
 
 
 def totals(data: vtkPolyData) -> tuple[float, float]:
-    """Returns what leaves and stalks absorb on the ground below [MJ m-2
-    day-1]."""
+    """Returns the light that leaves and stalks absorb per area of ground [MJ
+    m-2 day-1]."""
     fields = data.GetFieldData()
     ground = fields.GetArray("ground_area [m2]").GetValue(0)
     energy = cells(data, ABSORBED) * areas(data) / ground

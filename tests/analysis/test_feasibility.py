@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A bred plant is told with its distance from measured lines."""
+"""The report tells the distance of a bred plant from measured lines."""
 
 from __future__ import annotations
 

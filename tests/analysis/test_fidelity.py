@@ -28,8 +28,7 @@ KEYS = [
 
 
 class Fake:
-    """Evaluations of known error, for which a clock of their own counts long
-    times."""
+    """Evaluations of known error, whose long times a fake clock counts."""
 
     def __init__(self, second: float = 1.0) -> None:
         self.now = 0.0
@@ -69,7 +68,7 @@ def test_what_takes_too_long_is_left_out_and_told() -> None:
         "light.tolerance=0.005",
     ]
     assert (("light.tolerance", 0.005),) not in survey.draws
-    # The campaign itself is the most accurate that is left.
+    # The campaign itself is the most accurate of the remaining settings.
     assert survey.ladders[0][-1] == OWN
 
 
@@ -86,7 +85,7 @@ def test_biases_and_noise_are_found() -> None:
         {"plant.cells": 16},
     ]
     for row, n in zip(cells, (4, 8, 12, 16), strict=True):
-        # All draws share their random numbers: what is left is the bias.
+        # All draws share their random numbers, so that only the bias remains.
         wanted = 0.5 / 16**2 - 0.5 / n**2
         assert row["value"]["bias"].mean == pytest.approx(wanted, abs=1e-4)
         assert row["value"]["bias"].standard_error < 1e-4
@@ -110,7 +109,8 @@ def test_of_a_front_each_is_more_accurate_than_all_cheaper() -> None:
 
 
 def measure(campaign: Path, *options: object) -> str:
-    # Users do so: the program hands the verb to Python, which it then serves.
+    # The program hands the verb to Python, as for users, and then serves
+    # Python.
     done = subprocess.run(
         [executable(), "fidelity", campaign, *map(str, options)],
         env=os.environ | {"IDEOTYPE_PYTHON": sys.executable},
@@ -124,11 +124,10 @@ def measure(campaign: Path, *options: object) -> str:
 
 
 def pasted(campaign: Path, told: str) -> Path:
-    """Returns the campaign with the tables of the output in the place of its
-    own."""
+    """Returns the campaign, whose tables the tables of the output replace."""
     block = told.split("\n# ")[1].split("\n", 1)[1]
     headers = re.findall(r"^\[.*", block, re.MULTILINE)
-    # There is none where the campaign itself is the cheapest that will do.
+    # The output has no tables if the campaign itself is the cheapest setting.
     assert len(headers) == len(set(headers))
     changed = {name.split(".")[0] for name in tomllib.loads(block)}
     head, *tables = re.split(
@@ -170,7 +169,7 @@ def test_keys_can_be_pasted_and_time_is_kept(made, tmp_path: Path) -> None:
     unique = {str(r["settings"]): 2 * r["draws"] * r["seconds"] for r in rows}
     assert 1 < sum(unique.values()) < 12.5
     keys = {key for row in rows for key in row["settings"]}
-    # A busy machine has no time for keys besides these.
+    # A busy machine may have no time for more keys than these.
     assert {"plant.cells_along", "field.rows"} <= keys
     assert ("light.dates" in keys) == (made is of_a_season)
     assert ("day.step_minutes" in keys) == (made is of_a_day)

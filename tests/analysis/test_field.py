@@ -33,7 +33,7 @@ MAST = Mesh(
     ((0, 1, 2, 3), (0, 1, 4)),
     ("stalk", "leaf01"),
 )
-"""A mast that is higher than eyes, and a leaf."""
+"""A mast that is higher than the eyes, and a leaf."""
 
 
 def test_plants_stand_in_rows_and_are_turned() -> None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Figures show what histories say."""
+"""Figures show the numbers of histories."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ from ideotype.analysis.study import open_study
 
 
 def bars(axes: Axes, label: str) -> tuple[np.ndarray, np.ndarray]:
-    """Returns values and half-lengths of the vertical bars of that label."""
+    """Returns values and half-lengths of the vertical bars with a label."""
     (found,) = [
         c for c in axes.containers if (c.get_label() or "_").startswith(label)
     ]
@@ -115,8 +115,8 @@ def test_circular_means_and_their_bars_stay_on_the_axis(
     ]
     ends = np.array(parts)[..., 0]
     assert ends.min() >= 0 and ends.max() <= 360
-    # The bars of leaf 1 are on both sides of the seam: together they are twice
-    # its deviation.
+    # The bars of leaf 1 are on both sides of the seam: both bars together are
+    # twice the deviation.
     at = np.array(parts)[:, 0, 1] < 1
     lengths = (ends[:, 1] - ends[:, 0])[at]
     away = (top + 180) % 360 - 180
@@ -149,8 +149,7 @@ def test_the_legend_of_many_seeds_fits(sweep: Path) -> None:
 
 
 def horizontal_bars(axes: Axes, index: int = 0) -> tuple[np.ndarray, ...]:
-    """Returns means by leaf and half-lengths of their bars, of so many
-    bars."""
+    """Returns means by leaf and half-lengths of the given number of bars."""
     from matplotlib.container import ErrorbarContainer
 
     found = [c for c in axes.containers if isinstance(c, ErrorbarContainer)]

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Digitised plants become crop files: plants whose leaves are known are
-written in every layout that is read, and found again."""
+written in every readable layout, and found again."""
 
 from __future__ import annotations
 
@@ -30,8 +30,8 @@ SIZES = (3, 6)
 def fitted(
     source: Path, capsys: pytest.CaptureFixture[str], *words: str
 ) -> tuple[list[dict[str, Any]], list[dict[str, Any]]]:
-    """Returns leaves of the crop file that a source becomes, and the table of
-    how well they are met."""
+    """Returns leaves of the crop file that is fitted to a source, and the
+    table of agreement."""
     to = source.parent / f"{source.stem}_fitted.toml"
     to.unlink(missing_ok=True)
     arguments = [str(source), "--crop", str(MAIZE), "--to", str(to), "--json"]
@@ -135,7 +135,7 @@ def write_nurbs(
     mesh: Mesh, path: Path, unit: float, *, u_fastest: bool, from_tip: bool,
     names: bool, noise: float = 0,
 ) -> None:  # fmt: skip
-    """Writes leaves as MaizeField3D has them: the net that fits their rows
+    """Writes leaves in the form of MaizeField3D: the net that fits their rows
     best."""
     u = np.array([0.0, 0, 0, 1, 1, 1])
     v = np.array([0.0, 0, 0, 0, 1 / 3, 2 / 3, 1, 1, 1, 1])

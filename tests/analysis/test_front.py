@@ -80,7 +80,8 @@ def test_members_that_fall_off_are_told(history: Path) -> None:
     area = front.pair(0).gain_in("lai")
     assert area.mean == pytest.approx(100 * (3.0 / LAI - 1))
     assert area.standard_error == 0
-    # Quantities that are no objectives have the error of independent figures.
+    # Quantities that are no objectives have the error of independent
+    # estimates.
     soil = front.pair(0).gain_in("soil_fraction")
     assert soil.mean == pytest.approx(100 * (1.2 - 0.11) / 1.2 - 100)
     assert soil.standard_error > gain.standard_error
@@ -100,7 +101,7 @@ def test_before_the_finals_it_is_that_of_the_last_generation(
     assert fronts[0] is None
     front = fronts[1]
     assert front is not None and not front.is_final
-    # All have the same leaf area.
+    # All plants have the same leaf area.
     assert front.members["absorbed_par"].values == [
         absorbed(1, POPULATION - 1)
     ]
@@ -121,8 +122,8 @@ def test_plants_along_the_front_are_drawn(history: Path) -> None:
         plants = build_plants(case)
         figure = draw_front_plants(case, plants.baseline, plants.members)
     titles = [axes.get_title() for axes in figure.axes if axes.get_title()]
-    # Plants are in the order of the first objective; those that have fallen
-    # off are left out.
+    # Plants are in the order of the first objective; dominated plants are left
+    # out.
     light = [BASELINE, *sorted(final_absorbed(i + 1) for i in (0, 1))]
     area = [LAIS[0], *LAIS[1:3]]
     error = ERROR / 4

@@ -87,7 +87,7 @@ def test_each_plant_has_the_shape_of_its_row(history: Path) -> None:
         mesh.area("leaf01") / row[sizes].prod()
         for mesh, row in zip([plants.baseline, *plants.members], rows)
     ]
-    # The part is that of the rectangle around a blade, which all have one
+    # The part is a part of the rectangle around a blade; all blades have one
     # outline.
     assert parts == pytest.approx([parts[0]] * 4, rel=0.01)
     assert np.array_equal(plants.best.vertices, plants.members[1].vertices)
@@ -113,10 +113,11 @@ def test_a_plant_of_the_front_is_chosen(
         boxes = phone.value(BOXES)
         chart, plant, numbers = boxes.values()
         if width == 1280:
-            # They are side by side, the numbers below the chart.
+            # Chart and plant are side by side, and the numbers are below the
+            # chart.
             assert chart[2] < plant[0] and plant[1] < chart[3] < numbers[1]
             assert numbers[2] < plant[0]
-        else:  # Both are on one screen.
+        else:  # Chart and plant are on one screen.
             assert chart[3] < plant[1] < plant[3] < min(HEIGHT, numbers[1])
         for i, (left, top, right, bottom) in enumerate(
             labels := phone.value(LABELS)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A history says what its file holds."""
+"""A history gives the contents of its file."""
 
 from __future__ import annotations
 
@@ -162,7 +162,8 @@ def test_without_common_randomisations_errors_are_independent(
     drained: Path,
 ) -> None:
     with open_history(drained) as history:
-        # These are the baseline of generation 0 and the best of generation 1.
+        # The plants are the baseline of generation 0 and the best of
+        # generation 1.
         pair = history.comparison()
     assert pair is not None and not pair.is_paired
     expected = math.hypot(ERROR, ERROR)
@@ -178,7 +179,7 @@ def test_the_order_is_failed_violating_objective(tmp_path: Path) -> None:
             (made.fail if slot == 5 else made.record)(0, slot)
         rows = made.file["evaluations"]
         rows["objectives"][:5, 0] = [9.0, -2.0, 0.5, 4.0, -9.0]
-        # A violation counts whatever the objective says.
+        # A violation counts more than any objective.
         rows["violation"][:5] = [0.3, 0.0, 0.0, 0.0, 0.1]
         made.close()
         with open_history(path) as history:

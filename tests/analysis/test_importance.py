@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Traits matter as far as the best plant changes with them."""
+"""The importance of traits is the change of the best plant with each trait."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def test_changes_are_paired_and_of_one_trait(own: Path) -> None:
     assert [x.back.mean for x in changes] == sorted(
         (x.back.mean for x in changes), reverse=True
     )
-    # The first again, from evaluations of its own.
+    # The first change is evaluated again in a separate stand.
     first = changes[0]
     plant = best.copy()
     columns = genes.columns(first.trait)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A sensitivity study is read, and a report tells it."""
+"""A sensitivity study is read, and a report shows its results."""
 
 from __future__ import annotations
 

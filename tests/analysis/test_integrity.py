@@ -104,8 +104,8 @@ def test_live_and_killed_files_are_compared_too(writer: WriterProcess) -> None:
 
 
 def test_comparing_costs_little(tmp_path: Path) -> None:
-    """It reads at least 50 MB a second, measured with quantities that fill 20
-    MB."""
+    """The comparison reads at least 50 MB a second, measured with quantities
+    that fill 20 MB."""
     path = tmp_path / "large.h5"
     made = MadeHistory(path)
     made.evolve(8)

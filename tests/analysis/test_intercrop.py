@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Objectives of single components, as the command line tells them."""
+"""Objectives of single components, in the output of the command line."""
 
 from __future__ import annotations
 

@@ -42,7 +42,7 @@ def make(
 def test_each_interval_of_a_gain_holds_the_search(
     tmp_path: Path, seeds: tuple[int, int]
 ) -> None:
-    """A single search takes it from other searches, and says so."""
+    """A single search takes its scatter from other searches, and says so."""
     place = (("ames", 42.0), ("edmonton", 53.5))
     for (site, latitude), count in zip(place, seeds):
         for seed in range(1, count + 1):
@@ -90,7 +90,8 @@ def test_searches_that_agree_do_not_exclude_a_better_optimum(
     ends = f"{found.below:.2f}", f"{found.above:.2f}"
     assert found.number() == f"{sign * 10:.2f} −{ends[0]} +{ends[1]}"
     assert found.is_sure
-    # Searches that differ by more have an interval that is as wide above.
+    # The interval of searches with more scatter is as wide above the mean as
+    # below.
     apart = gain_interval([Estimate(x, 0.1, "%") for x in (5.0, 15.0)], sign)
     assert apart.below == apart.above and not apart.is_sure
 
@@ -143,8 +144,8 @@ def test_a_plant_has_one_number_everywhere(tmp_path: Path) -> None:
 
 
 def test_the_interval_of_several_seeds_is_that_between_them() -> None:
-    """These are four searches of the trial of version 0.2.0, whose errors knew
-    the noise of the light alone."""
+    """These are four searches of the trial of version 0.2.0, whose errors
+    contained only the noise of the light."""
     gains = [
         Estimate(mean, error, "%")
         for mean, error in (

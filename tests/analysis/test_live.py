@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Live pages as a program sees them: who may ask, and what is served."""
+"""Live pages as seen by a client program: permitted requests, and served
+files."""
 
 from __future__ import annotations
 

@@ -28,7 +28,7 @@ def test_tabs_do_not_disturb_each_other(day: Served, tmp_path: Path) -> None:
         settle(phone)
         assert phone.value("page.shown.genome") == genome
         second = phone.tab
-        # Both ask at once.
+        # Both pages send requests at once.
         ask = (
             f"byId('s-{SHAPE}').value = %s;"
             f"byId('s-{SHAPE}').dispatchEvent(new Event('input'))"
@@ -82,7 +82,7 @@ def test_a_program_that_is_gone_is_told(how: str, tmp_path: Path) -> None:
         phone.value(f"byId('s-{SHAPE}').value = 60;"
                     f"byId('s-{SHAPE}').dispatchEvent(new Event('input'))")  # fmt: skip
         assert phone.value("byId('progress').hidden")
-        # Only links that cannot be had again are told on the console.
+        # Only connections that fail for good appear on the console.
         assert all("ERR_CONNECTION_REFUSED" in e for e in phone.errors)
 
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The talk of `ideotype play` with a page: whether its numbers are right, and
-what ends."""
+"""The talk of `ideotype play` with a page: right numbers, and the end of work
+that is not needed."""
 
 from __future__ import annotations
 
@@ -223,7 +223,8 @@ def test_the_program_ends_at_once_while_it_searches() -> None:
 
 def test_rough_answers_are_right_within_their_errors() -> None:
     """A season answers by a coarse stand first; the refined numbers lie within
-    three standard errors of those, in all but one of eight moves at most."""
+    three standard errors of the rough numbers, except for at most one of eight
+    moves."""
     told = ("absorbed_par", "net_assimilation", "carbon_balance", "fapar",
             "lai")  # fmt: skip
 

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Every command block of the manual runs, and no page is wider than a phone. A
 block of bash or python is a program of its own; pages begin in a clone of the
-project. A block of console has commands after `$ ` and what they print: each
-line of it has to be among what is printed, apart from numbers. A block whose
-caption is the name of a file is that file."""
+project. A block of console has commands after `$ ` and their output: each line
+has to be in the real output, apart from numbers. A block whose caption is the
+name of a file is that file."""
 
 from __future__ import annotations
 
@@ -84,8 +84,8 @@ def without_numbers(line: str) -> str:
 
 @pytest.fixture
 def clone(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """Makes a copy of what the pages use of the project; the program is on
-    PATH."""
+    """Makes a copy of the parts of the project that pages use; the program is
+    on PATH."""
     program = os.environ.get("IDEOTYPE_EXECUTABLE")
     assert program, "IDEOTYPE_EXECUTABLE names no program"
     for folder in ("campaigns", "analysis", "docs", "slurm", "tests/data"):
@@ -157,7 +157,7 @@ def test_few_blocks_are_exempt(capsys: pytest.CaptureFixture[str]) -> None:
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
 def test_no_block_escapes(page: Path) -> None:
-    """Every block of code is of a kind that is known here or is no program."""
+    """Every block of code has a kind that this test knows or is no program."""
     text = page.read_text()
     fences = re.findall(r"(?m)^```+(?=[^`\s])(.*)$", text)
     code = [

@@ -21,8 +21,8 @@ SETS = ("erect", "flat")
 
 
 def shift(trait_set: str, latitude: float, plant: float) -> float:
-    """Returns what is added to the light of bred plants [MJ m-2 day-1]: erect
-    ones have more in the dense stand alone."""
+    """Returns the light that is added for bred plants [MJ m-2 day-1]: erect
+    plants have more only in the dense stand."""
     if trait_set == "flat":
         return 0.0
     return (0.3 if plant == PLANTS[0] else -0.1) + latitude / 1000

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Files are read in every state that a writer can leave them in."""
+"""Files are read in every state in which a writer can leave a file."""
 
 from __future__ import annotations
 

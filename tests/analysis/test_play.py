@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The page of `ideotype play` in a browser: what is seen, changed and saved
-there. test_live.py and test_talk.py talk with the program without a page."""
+"""The page of `ideotype play` in a browser: its views, changes and saved
+files. test_live.py and test_talk.py talk with the program without a page."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A report shows what the program itself has written: a history, and its
-plants under each other's light."""
+"""A report shows files that the program itself has written: a history, and a
+cross-evaluation of its plants."""
 
 from __future__ import annotations
 

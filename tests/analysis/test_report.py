@@ -165,7 +165,7 @@ def test_figures_of_single_cases_are_drawn_on_request(
 def test_what_is_missing_or_saturated_is_told(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    # An installation without the compiled module is so.
+    # An installation may lack the compiled module.
     monkeypatch.setitem(sys.modules, "ideotype._core", None)
     monkeypatch.delitem(sys.modules, "ideotype._stand", raising=False)
     for name in ("_core", "Stand"):
@@ -175,7 +175,8 @@ def test_what_is_missing_or_saturated_is_told(
     made.evolve(1)
     made.finish()
     made.close()
-    # The report is made in this process alone, since others would not follow.
+    # The report is made in this process alone, since changes of the test do
+    # not reach other processes.
     assert report([str(path), "-o", str(tmp_path / "out"), "-j", "1"]) == 0
     text = (tmp_path / "out" / "report.html").read_text()
     assert "&lt;full&gt;.h5" in text and "<full>" not in text
@@ -211,7 +212,7 @@ def test_three_searches_tell_how_far_the_optimum_may_be(
     for folder in (sweep, tmp_path):
         with open_study(folder) as study:
             notes = [b.text for b in gains(study.cases(), None)[1:]]
-        # The note about intervals tells it of all cases.
+        # The note about intervals covers all cases.
         told.append([note for note in notes[1:] if "optimum" in note])
     (two,), (three,) = told
     assert two.startswith("Three searches (replicates = 3) would tell")

@@ -107,7 +107,8 @@ def test_leaf_colours_are_per_ground_and_per_leaf_area(
     for plant, by_ground, by_leaf, mesh in plants:
         assert plant["shape"] == 0 and shape["groups"][-1] == "stalk"
         assert by_ground[-1] is by_leaf[-1] is None
-        # This is all that the plant's leaves take, on its part of the ground.
+        # The number is all light that the plant's leaves absorb on its part of
+        # the ground.
         taken = sum(
             value * mesh.area(group)
             for value, group in zip(by_leaf[:-1], shape["groups"])

@@ -42,7 +42,7 @@ CASES = [
 
 
 def design(method, genes, together, samples):
-    """Returns the rows of the program's design, as its histories have them."""
+    """Returns the rows of the program's design in the order of histories."""
     build = Path(os.environ["IDEOTYPE_EXECUTABLE"]).parents[1]
     words = (method, genes, together, samples, LEVELS)
     run = subprocess.run(
@@ -65,7 +65,7 @@ def design(method, genes, together, samples):
 
 
 def analyse(made, function, spread=0.0, told=0.0):
-    """Makes rows with normal noise, whose standard errors tell so much."""
+    """Makes rows with normal noise and the standard errors of this noise."""
     x = made.points.reshape(-1, made.points.shape[2])
     y = function(x) + spread * np.random.default_rng(5).normal(size=len(x))
     y = y.reshape(made.points.shape[:2])

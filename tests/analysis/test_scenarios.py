@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Plants that are bred for several scenarios are told in each."""
+"""Plants that are bred for several scenarios are reported in each scenario."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ CASES = {
     "day": "ames_all_762x152_all",
     "spacing": "ames_0807_all_all",
 }
-"""Names of cases by what has scenarios."""
+"""Names of cases by the axis of scenarios."""
 
 
 def make(folder: Path, over: str = "", **place: float) -> None:
@@ -105,7 +105,7 @@ def test_a_report_tells_scenarios_apart(tmp_path: Path) -> None:
     with pytest.raises(HistoryError, match="over scenarios"):
         cases[0].headroom()
     assert cases[1].headroom().mean > 0
-    # The light of the objective is not that per leaf area.
+    # The light of the objective is not the light per leaf area.
     over, one = (case.best_pair.gain_per_leaf_area for case in cases)
     assert over.mean == pytest.approx(one.mean)
     assert over.standard_error > 2 * one.standard_error

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""JSON that status, check, plan and compare print is as their schemas say."""
+"""JSON of the verbs status, check, plan and compare agrees with the
+schemas."""
 
 from __future__ import annotations
 
@@ -14,8 +15,8 @@ from schemas import assert_needs_all, validator
 
 
 def told(expected: int, *words: object) -> dict[str, Any]:
-    """Returns the document that a command prints, which ends with this
-    code."""
+    """Returns the document that a command prints, and checks the command's
+    exit code."""
     done = subprocess.run(
         [executable(), *map(str, words), "--json"],
         capture_output=True,

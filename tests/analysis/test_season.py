@@ -58,7 +58,7 @@ def test_hours_and_days_sum_to_the_mean_day(season: Path) -> None:
     assert set(range(6, 19)) <= set(hours.labels)
     mean = 3600 * hours.values.sum() / 1e6
     assert mean == pytest.approx(best.objective.mean, rel=1e-9)
-    # This is the light of the file.
+    # The number is the light of the weather file.
     weather = season.parents[1] / _WEATHER
     table = np.genfromtxt(weather, delimiter=",", skip_header=1, max_rows=240)
     mol = table[:, 1].sum() * 3600 / 10 / 1e6
@@ -79,7 +79,7 @@ def test_hours_are_told_on_the_clock_of_the_site(
     )
     output_of("run", late, "--out", tmp_path)
     (new,) = (tmp_path / "tiny").glob("*.h5")
-    # Version 0.2.0 wrote it so.
+    # Version 0.2.0 wrote the hours so.
     old = Path(shutil.copy(new, tmp_path / "old.h5"))
     with h5py.File(old, "r+") as file:
         for group in ("evaluations", "final"):

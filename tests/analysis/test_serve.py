@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`ideotype serve` gives the same bits as a run, and lines as its schemas
-say."""
+"""`ideotype serve` gives the same bits as a run, and lines that agree with its
+schemas."""
 
 from __future__ import annotations
 

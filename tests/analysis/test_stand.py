@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Plants evaluated in Python have the same bits as those of the program."""
+"""Plants evaluated in Python have the same bits as in the program."""
 
 from __future__ import annotations
 
@@ -144,7 +144,7 @@ def test_the_interpreter_goes_on_while_a_plant_is_evaluated(
     stand.evaluate(stand.baseline, tolerance=0.0005, threads=1)
     done.set()
     counter.join()
-    # It would be one or two if the lock were held.
+    # The count would be one or two if the lock were held.
     assert counted > 5
 
 

@@ -60,8 +60,8 @@ def test_the_error_of_a_gain_is_that_of_independent_figures() -> None:
 
 def test_errors_of_figures_with_common_noise_are_paired() -> None:
     """Two plants with strong common noise are evaluated many times: the
-    scatter of their difference and gain is what a single evaluation has as
-    error."""
+    scatter of their difference and gain equals the error of a single
+    evaluation."""
     draw, runs, count = np.random.default_rng(2), 4000, 16
     common = draw.normal(0.0, 0.4, (runs, 1, count))
     draws = common + draw.normal(0.0, 0.1, (runs, 2, count))

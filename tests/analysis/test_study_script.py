@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """The script campaigns/study/study.py makes tables from histories, and finds
-what they do not say."""
+missing data."""
 
 from __future__ import annotations
 

@@ -107,7 +107,8 @@ NEARER = (
   return [[at(0, -1), at(0, 1)], [at(1, -1), at(1, 1)]];
 """
 )
-"""The colours of what is nearer on the left and on the right of each plant."""
+"""The colours of the nearer leaf on the left and on the right of each
+plant."""
 
 
 def hue(color: list[int]) -> np.ndarray:
@@ -183,7 +184,7 @@ def test_the_ground_shows_north_from_above(
     assert errors == []
     assert shown["ground"] == [240, 233, 222]
     if direction is None:
-        # Only the word of the row is there.
+        # The view shows only the word for the row.
         assert shown["count"] < 200
         return
     assert shown["count"] > 500

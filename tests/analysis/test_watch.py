@@ -24,8 +24,8 @@ def folder(
     finished: Path,
     own: Path,
 ) -> Path:
-    """Gives histories that ended, that stopped, that are broken, and one
-    whose names are HTML."""
+    """Gives finished, stopped and broken histories, and a history whose names
+    are HTML."""
     path = tmp_path_factory.mktemp("runs")
     (path / "a_real.h5").write_bytes(own.read_bytes())
     (path / "case.h5").write_bytes(finished.read_bytes())

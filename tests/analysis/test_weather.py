@@ -49,7 +49,8 @@ to = {last}
 
 
 def convert(folder: Path, *arguments: object) -> pd.DataFrame:
-    """Returns what main() writes, by the middles of steps on its clock."""
+    """Returns the table that main() writes, by the middles of time steps on
+    its clock."""
     to = folder / "weather.csv"
     assert main([*map(str, arguments), "--to", str(to)]) == 0
     return read(to)
@@ -62,7 +63,8 @@ def read(file: Path) -> pd.DataFrame:
 
 
 def weather_of(folder: Path, file: Path, first: str, last: str) -> dict:
-    """Returns what the program reads for a campaign of this period."""
+    """Returns the weather that the program reads for a campaign of the given
+    period."""
     campaign = write_campaign(folder, 1)
     text = campaign.read_text()
     begin, end = text.index("[[site]]"), text.index("[[spacing]]")
@@ -100,7 +102,7 @@ def test_the_program_reads_a_typical_year_as_pvlib(
     temperature = table.temp_air.to_numpy()
     assert np.array(weather["temperature"]) == pytest.approx(temperature)
     # Diffuse light is as given, but with the sun at or below the horizon, and
-    # where the beam would be more than there is outside the atmosphere.
+    # where the beam would exceed the beam outside the atmosphere.
     is_up = cosine > 0.02
     outside = (
         pvlib.irradiance.get_extra_radiation(at, 1361.1).to_numpy() * cosine
@@ -120,7 +122,7 @@ def test_the_program_reads_a_typical_year_as_pvlib(
 )
 def test_formats_that_the_program_once_read(name: str, tmp_path: Path) -> None:
     found = convert(tmp_path, DATA / name)
-    # Wind and pressure are those of the files' rows: test_wind_and_pressure().
+    # test_wind_and_pressure() tests wind and pressure.
     found = found.drop(columns=["wind", "pressure"], errors="ignore")
     expected = read_expected()[list(found)]
     assert ("diffuse" in found) == (name != "power_lst.csv")
@@ -151,7 +153,7 @@ def test_the_program_reads_what_is_written(tmp_path: Path) -> None:
 def test_a_file_of_another_format_is_told_how_to_convert(
     tmp_path: Path,
 ) -> None:
-    """The command in the error is one that works."""
+    """The command in the error message works."""
     file = tmp_path / "mine.epw"
     file.write_bytes((DATA / "small.epw").read_bytes())
     with pytest.raises(AssertionError) as failure:
@@ -300,7 +302,7 @@ def test_a_typical_year_of_pvgis_begins_on_the_site_s_clock(
 
 
 def without_hours(folder: Path, *hours: int) -> Path:
-    """Writes the NSRDB file without these rows."""
+    """Writes the NSRDB file without the given rows."""
     lines = (DATA / "nsrdb.csv").read_text().splitlines()
     for hour in sorted(hours, reverse=True):
         del lines[3 + hour]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Single traits are worth what campaigns/study/what_pays.py tells."""
+"""The values of single traits agree with campaigns/study/what_pays.py."""
 
 from __future__ import annotations
 

@@ -19,8 +19,8 @@ from ideotype.analysis.workers import workers
 
 
 def meet(folder: Path, number: int) -> tuple[int, int]:
-    """Returns, with the process, once number 0 and 1 are both under way; the
-    first returns last."""
+    """Returns the number and the process once numbers 0 and 1 are both
+    running; number 0 returns last."""
     (folder / str(number)).touch()
     other = folder / str(1 - number)
     end = time.monotonic() + 60
@@ -33,7 +33,7 @@ def meet(folder: Path, number: int) -> tuple[int, int]:
 
 
 def die(number: int) -> None:
-    """Dies as a process does when the memory runs out."""
+    """Dies like a process when the memory runs out."""
     os.kill(os.getpid(), signal.SIGKILL)
 
 
@@ -86,5 +86,5 @@ def test_a_copy_of_a_case_shows_the_same_moment(writer: WriterProcess) -> None:
         copy = pickle.loads(pickle.dumps(case))
         assert copy.best.objective == case.best.objective
         assert list(copy.top(3).generation) == [0, 0, 0]
-        # It reads the file itself for all else.
+        # All other data come from the file itself.
         assert len(copy.histories[0].generations()) == 2

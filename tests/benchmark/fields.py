@@ -126,7 +126,7 @@ def noise(draws: Numbers, seconds: float) -> Noise:
         """Returns the variance of a mean over randomisations."""
         return float(parts.var(2, ddof=1).mean() / count)
 
-    # The mean over plants is the part that they share in a field.
+    # The mean over plants is the common part of the noise in a field.
     apart = draws - draws.mean(1, keepdims=True)
     own = rows - rows.mean(0)
     own -= own.mean(1, keepdims=True)
@@ -167,7 +167,7 @@ def parts(light: float, whole: float) -> str:
 
 
 def of_field(fine: Noise) -> float:
-    """Returns the part of a difference's variance that more light cannot
+    """Returns the variance of a difference that more paths of light cannot
     reduce."""
     return max(fine.difference - fine.light_of_difference, 0.0)
 

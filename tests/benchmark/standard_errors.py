@@ -34,7 +34,7 @@ def apart(row: float, plant: float) -> list[str]:
 
 
 CARBON_BALANCE = 'objective.maximise="carbon_balance"'
-# Set-ups by name: campaign, settings, tolerance, quantities.
+# The set-ups by name: campaign, settings, tolerance, quantities.
 SETUPS = {
     "30 x 6 inches": ("ames_quick", [], 0.01, LIGHT),
     "2 x 2 m": ("ames_quick", apart(2, 2), 0.01, LIGHT),

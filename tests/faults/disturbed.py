@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Runs the program while one of its calls fails, and judges what comes of it."""
+"""Runs the program while one of its calls fails, and judges the outcome."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ def place(rank: int | None, note: Path) -> dict[str, str]:
 
 @dataclass
 class Ended:
-    """An ended run: exit code, all output, and the calls that were hit."""
+    """An ended run: exit code, output, and the disturbed calls."""
 
     code: int
     output: str
@@ -67,7 +67,7 @@ class Ended:
 
 @dataclass
 class Verdict:
-    """The outcome of a fault, and everything that is wrong with it."""
+    """The outcome of a fault, and all errors in the outcome."""
 
     outcome: str
     wrong: list[str] = field(default_factory=list)
@@ -102,12 +102,12 @@ class Setup:
         return self.folder / out / self._path
 
     def run(self, out: str, variables: dict[str, str]) -> Ended:
-        """Runs the campaign, or goes on with it; with VARIABLES the library of
-        faults is loaded."""
+        """Runs or resumes the campaign; with VARIABLES the library of faults
+        is loaded."""
         words = [*self._run, "--resume", "--out", out]
         if variables:
             variables = {**variables, "LD_PRELOAD": str(self.library)}
-        # Ranks have the library, mpirun has not.
+        # Only ranks load the library, and not mpirun.
         faults = ["env", *(f"{k}={v}" for k, v in variables.items())]
         start = [] if self.ranks is None else ["mpirun", "-n", f"{self.ranks}"]
         job = subprocess.Popen(
@@ -144,7 +144,8 @@ class Setup:
         return {kind: int(count) for kind, count in found}
 
     def judge(self, fault: Fault, out: str) -> Verdict:
-        """Runs with a fault, looks at what it has left, and goes on."""
+        """Runs with a fault, checks the remaining files, and resumes the
+        run."""
         note = self.folder / f"{out}.note"
         ended = self.run(out, fault.environment(note))
         if note.exists():
@@ -162,7 +163,7 @@ class Setup:
             verdict.wrong += self._look(history, ended)
         elif ended.code == 0:
             verdict.wrong.append("success without a history")
-        # Without any file the next run is one from the beginning.
+        # Without any file the next run starts from the beginning.
         if ended.code != 0 and any((self.folder / out).rglob("*.h5*")):
             verdict.wrong += self._resume(out)
         shutil.rmtree(self.folder / out, ignore_errors=True)
@@ -227,7 +228,7 @@ def numbers_of(path: Path) -> Numbers:
 
 
 def differences(whole: Numbers, found: Numbers) -> list[str]:
-    """Returns what differs from the undisturbed history."""
+    """Returns the differences from the undisturbed history."""
     if whole.keys() != found.keys():
         return ["other data"]
     return [
@@ -244,7 +245,7 @@ def _is_same(a: np.ndarray, b: np.ndarray) -> bool:
 
 
 def wrong_rows(group: str, whole: Numbers, found: Numbers) -> list[str]:
-    """Returns data of complete rows that differ from the undisturbed ones."""
+    """Returns data of complete rows that differ from the undisturbed rows."""
     rows = np.isin(found[f"{group}/status"], _DONE)
     return [
         f"wrong: {name}"
@@ -256,7 +257,7 @@ def wrong_rows(group: str, whole: Numbers, found: Numbers) -> list[str]:
 
 
 def lost_rows(found: Numbers, output: str) -> list[str]:
-    """Returns reported rows and generations that are missing."""
+    """Returns the rows that were reported but are missing."""
     reported = [
         int(n) for n in re.findall(r"generation \d+, (\d+) of", output)
     ]

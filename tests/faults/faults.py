@@ -66,7 +66,8 @@ def prepared(program: Path, library: Path, name: str, folder: Path) -> Setup:
 
 
 def numbers(count: int, most: int, sample: int, seed: str) -> list[int]:
-    """Returns each number up to MOST, and so many others up to COUNT."""
+    """Returns each number up to MOST, and a sample of larger numbers up to
+    COUNT."""
     rest = range(most + 1, count + 1)
     chosen = random.Random(seed).sample(rest, min(sample, len(rest)))
     return [*range(1, min(count, most) + 1), *sorted(chosen)]
@@ -88,7 +89,7 @@ def faults_of(
 def tried(
     setup: Setup, faults: list[Fault], jobs: int
 ) -> Iterator[tuple[Fault, Verdict]]:
-    """Yields what comes of each fault."""
+    """Yields the outcome of each fault."""
     with ThreadPoolExecutor(jobs) as pool:
         outs = [f"out{i}" for i in range(len(faults))]
         verdicts = pool.map(setup.judge, faults, outs)
@@ -102,7 +103,7 @@ def mode_of(fault: Fault) -> str:
 def report(
     name: str, counts: dict[str, int], found: list[tuple[Fault, Verdict]]
 ) -> list[str]:
-    """Prints a row for each kind and mode; returns all errors."""
+    """Prints a row for each kind and mode; returns the errors."""
     outcomes: dict[tuple[str, str], Counter[str]] = {}
     wrong = []
     for fault, verdict in found:

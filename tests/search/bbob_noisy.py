@@ -27,7 +27,8 @@ class Function:
     """Counts the evaluations of a problem until it is solved."""
 
     def __init__(self, problem):
-        # The package tells the optimum in a file of the working folder alone.
+        # The package writes the optimum only into a file in the working
+        # folder.
         problem._best_parameter("print")
         best = np.loadtxt("._bbob_problem_best_parameter.txt")
         self.problem, self.optimum = problem, problem(best)

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Writes tests/data/dd_cma.txt: what the dd-CMA-ES of the package pypop7
-0.0.82 makes of points that test_dd_cma.cpp shows to ours. Each case has a line
-with dimension, population, generations and mean, then for each generation a
-line with its points, best first, and at the end lines with the mean, the
-standard deviations and the correlations."""
+"""Writes tests/data/dd_cma.txt: the result of the dd-CMA-ES of the package
+pypop7 0.0.82 for the points of test_dd_cma.cpp. Each case has a line with
+dimension, population, generations and mean, then for each generation a line
+with its points, best first, and at the end lines with the mean, the standard
+deviations and the correlations."""
 
 import sys
 

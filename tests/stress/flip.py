@@ -219,7 +219,7 @@ def serve(parent: multiprocessing.connection.Connection) -> None:
 
 
 class Readers:
-    """All readers; those in Python are in a process of their own."""
+    """All readers; Python readers run in a separate process."""
 
     def __init__(self) -> None:
         self._start()
@@ -246,7 +246,8 @@ class Readers:
         return kind, ""
 
     def read(self, place: Place, content: bytes) -> dict[str, Said]:
-        """Returns what each reader says of the history with that content."""
+        """Returns the answer of each reader to the history with the given
+        content."""
         path = place.path
         found = {}
         for name in (*PYTHON, *PROGRAMS):
@@ -262,7 +263,7 @@ class Readers:
 
 
 def without_checksum(path: Path) -> list[range]:
-    """Returns where a history has bytes that no checksum covers."""
+    """Returns the places of the bytes of a history that no checksum covers."""
     found = []
     with open_history(path) as history:
         generations = history.generations()

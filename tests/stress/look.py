@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Looks at the history of a killed run, as a reader of the analysis would.
+"""Reads the history of a killed run like a reader of the analysis.
 
 look.py WHOLE KILLED REPORTED: WHOLE is the history of an uninterrupted run and
 REPORTED the number of generations that the killed one's log reported.

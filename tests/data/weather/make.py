@@ -1,4 +1,5 @@
-"""Makes the weather files of this folder and what pvlib reads from them.
+"""Makes the weather files of this folder and the table that pvlib reads from
+each.
 
     pip install pvlib==0.16.1 && python make.py
 
@@ -109,7 +110,8 @@ def write_expected(table):
     sun = pvlib.solarposition.get_solarposition(
         table.index, LATITUDE, LONGITUDE, altitude=273
     )
-    # Erbs of pvlib has another solar constant than the project.
+    # The model of Erbs in pvlib has a different solar constant than the
+    # project.
     scale = 1366.1 / 1361.1
     day = pd.Series(table.index.day_of_year, index=table.index)
     erbs = pvlib.irradiance.erbs(scale * table.ghi, sun.zenith, day)["dhi"]
@@ -130,8 +132,8 @@ def write_expected(table):
 
 
 def same(table, read):
-    """Asserts that a reader finds the same numbers, whatever pvlib calls the
-    hours."""
+    """Asserts that a reader finds equal numbers, whatever labels pvlib gives
+    to hours."""
     for name in ("ghi", "dni", "dhi", "temp_air", "relative_humidity"):
         assert abs(read[name].to_numpy() - table[name].to_numpy()).max() < 1e-9
 

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Writes a finished study as a Research Object Crate (RO-Crate 1.1,
-doi:10.3233/DS-210053): the inputs, the program, the results and the authors of
-the study."""
+doi:10.3233/DS-210053): inputs, program, results, authors."""
 
 from __future__ import annotations
 
@@ -75,9 +74,8 @@ def write_crate(
     title: str | None = None,
 ) -> Path:
     """Writes the metadata of a folder that holds all histories of a study, and
-    writes the inputs of the histories beside them; an earlier crate is
-    replaced. Authors are "NAME" or "NAME, ORCID". Returns the path of the
-    metadata.
+    the histories' inputs beside them; an earlier crate is replaced. Authors
+    are "NAME" or "NAME, ORCID". Returns the path of the metadata.
 
     Raises HistoryError if a history is not finished or lies elsewhere, OSError
     if the folder can't be written."""
@@ -143,8 +141,8 @@ def _of(name: str) -> _Entity:
 def _all_of(
     every: Sequence[_Entity], kind: str = ""
 ) -> _Entity | list[_Entity]:
-    """Returns references to all entities or to the entities of a type, as a
-    list unless there is a single entity."""
+    """Returns references to all entities, or to the entities of a type: a
+    list, or the reference to a single entity."""
     found = [_of(e["@id"]) for e in every if kind in ("", e["@type"])]
     return found[0] if len(found) == 1 else found
 
@@ -173,7 +171,7 @@ def _entities(
 
 
 def _people(authors: Sequence[str], organisation: str | None) -> list[_Entity]:
-    """Returns the authors, and their organisation if given."""
+    """Returns the authors and any organisation."""
     people = [_person(author, k) for k, author in enumerate(authors, start=1)]
     if not organisation:
         return people

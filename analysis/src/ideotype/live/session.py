@@ -99,8 +99,7 @@ class Session:
             )
 
     def shown(self, message: dict[str, Any]) -> Shown:
-        """Returns the plants and conditions of a message. Raises Error if the
-        message is impossible."""
+        """Returns the plants of a message. Raises Error for a bad message."""
         bench = self._bench
         conditions = message.get("conditions", {})
         component = message.get("component", 0)
@@ -266,8 +265,7 @@ class Session:
 
     def _picture(self, shown: Shown) -> dict[str, Any]:
         bench, now = self._bench, shown.conditions
-        # The shape of a plant does not depend on its place, so that any stand
-        # serves.
+        # The shape of a plant does not depend on its place.
         stand = bench.place(bench.own).stand
         growth = bench.growth if now.when == "season" else None
 

@@ -26,7 +26,7 @@ inline CLI::Option* add_settings(CLI::App& verb,
         ->allow_extra_args(false);
 }
 
-//! Declares a campaign file and what is set in its place.
+//! Declares a campaign file and the settings that replace its values.
 inline void add_campaign(CLI::App& verb, std::string& path,
                          std::vector<std::string>& settings) {
     verb.add_option("campaign", path, "campaign file (TOML)")->required();

@@ -20,7 +20,8 @@ struct PythonVerb {
     const char* about;
 };
 
-//! `ideotype.__main__.VERBS` of the package has the same names.
+//! The verbs that Python answers, as in `ideotype.__main__.VERBS` of the
+//! package.
 constexpr std::array python_verbs{
     PythonVerb{"summary",
                "tell the gains of cases as a table, with seeds put together"},
@@ -54,7 +55,8 @@ constexpr std::array python_verbs{
 };
 
 //! The program that answers a verb in Python. Its arguments are a message for a
-//! missing package, and the words. No file of this folder replaces a module.
+//! missing package, and the words. Files of the working folder cannot replace
+//! modules.
 constexpr const char* answer_code = R"py(import sys
 sys.path[:] = filter(None, sys.path)
 try:
@@ -90,7 +92,7 @@ void hand_to_python(const std::vector<std::string>& words) {
     std::vector<char*> arguments;
     for (std::string& each : all) arguments.push_back(each.data());
     arguments.push_back(nullptr);
-    // Verbs of the package that evaluate plants start this program.
+    // Verbs of the Python package start this program to evaluate plants.
     const auto own = std::filesystem::read_symlink("/proc/self/exe");
     setenv("IDEOTYPE_EXECUTABLE", own.c_str(), 0);
     execvp(python.c_str(), arguments.data());

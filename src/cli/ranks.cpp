@@ -18,8 +18,8 @@ int number_in(const char* text, int otherwise) {
     return text != nullptr ? std::atoi(text) : otherwise;
 }
 
-//! The variables in which launchers tell rank and size. PMIx tells no size;
-//! under srun SLURM does.
+//! The variables in which launchers tell rank and size. PMIx tells no size, but
+//! SLURM does under srun.
 struct Variables {
     const char *rank, *size;
 };
@@ -29,8 +29,8 @@ constexpr std::array<Variables, 3> variables{{
     {"PMIX_RANK", "SLURM_STEP_NUM_TASKS"},
 }};
 
-//! Refuses a job of which MPI has found fewer ranks than were started, as it
-//! does under the launcher of another MPI: each would do all the work.
+//! Refuses a job with fewer ranks found than started, as under the launcher of
+//! another MPI, where each rank would do all the work.
 void require_all_ranks(int found, int started) {
     if (found >= started) return;
     throw Error(
@@ -103,7 +103,7 @@ ExitCode share_work(const Session& session, const Evaluators& evaluators,
     } catch (...) {
         failure = std::current_exception();
     }
-    // A worker that hangs would keep the program from ending.
+    // A hanging worker would keep the program from ending.
     const bool all_answer = dispatcher->dismiss();
     try {
         if (failure) std::rethrow_exception(failure);

@@ -14,8 +14,8 @@ namespace ideotype {
 //! The most threads that `--threads` starts.
 inline constexpr int most_threads = 4096;
 
-//! Reads how many threads "3" or "auto" stands for.
-//! @throws Error of wrong usage.
+//! Returns the number of threads that a text such as "3" or "auto" stands for.
+//! @throws Error (usage) for other texts.
 int parse_threads(const std::string& text);
 
 //! The place of this process among those that an MPI launcher, such as mpirun
@@ -26,21 +26,21 @@ struct Launch {
     int size = 1;
 };
 
-//! Asks the environment, so that MPI need not be started for it.
+//! Reads the place of this process from the environment, without starting MPI.
 Launch launch_of_this_process();
 
-//! Starts MPI if a launcher has started this process; it is not needed else.
-//! @throws Error of wrong usage if the ranks do not find each other.
+//! Starts MPI if a launcher has started this process.
+//! @throws Error (usage) if the ranks do not find each other.
 Session start_session();
 
-//! Lets an action run on all ranks and reports its error. Rank 0 tells the
-//! others to leave before an Error of its own; ranks would wait for ever for
-//! one that fails by itself, which therefore ends all.
+//! Lets an action run on all ranks and reports its error. Before an Error of
+//! its own, rank 0 tells all ranks to leave. Another rank that fails ends the
+//! whole job, since the rest would wait for ever.
 ExitCode on_ranks(const Session& session, const Log& log,
                   const std::function<ExitCode()>& action);
 
 //! Lets rank 0 direct the work of the evaluators of all ranks.
-//! @throws whatever directing throws, once the workers have gone.
+//! @throws any exception of the director, once the workers have left.
 ExitCode share_work(const Session& session, const Evaluators& evaluators,
                     const StopFlag& stop, const AnswerRules& rules,
                     const std::function<ExitCode(Dispatcher&)>& direct);

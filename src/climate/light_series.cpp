@@ -20,7 +20,7 @@ double mean_day(const LightSeries& series, double Irradiance::*component) {
     return sum / series.days;
 }
 
-//! Returns how many steps the span has.
+//! Returns the number of steps of a span.
 int step_count(const DaySpan& span) {
     const double steps = (span.end - span.start) * 60 / span.step_minutes;
     const double whole = std::round(steps);
@@ -31,7 +31,7 @@ int step_count(const DaySpan& span) {
     return static_cast<int>(whole);
 }
 
-//! Elevation of the sun [deg] by the local clock.
+//! The elevation of the sun [deg] as a function of the local clock.
 class Elevation {
   public:
     Elevation(const Site& site, const Date& date) : site_(site), date_(date) {}
@@ -40,8 +40,8 @@ class Elevation {
         return 90 - sun_position(site_, date_, hour).zenith;
     }
 
-    //! Returns the hour of the largest value between two hours, which rises
-    //! before it and falls after it.
+    //! Returns the hour of the highest elevation between two hours, before
+    //! which it rises and after which it falls.
     double highest(double first, double last) const {
         while (last - first > precision) {
             const double third = (last - first) / 3;
@@ -53,8 +53,8 @@ class Elevation {
         return (first + last) / 2;
     }
 
-    //! Returns the hour when the sun is at the horizon, if it is above at one
-    //! of two hours and below at the other.
+    //! Returns the hour when the sun is at the horizon, between an hour below
+    //! and an hour above the horizon.
     std::optional<double> crossing(double low, double high) const {
         if (at(low) >= 0 || at(high) < 0) return std::nullopt;
         while (std::abs(high - low) > precision) {
@@ -65,15 +65,16 @@ class Elevation {
     }
 
   private:
-    static constexpr double precision = 1e-4;  //!< [h]
+    static constexpr double precision = 1e-4;  //!< precision of hours [h]
 
     const Site& site_;
     const Date& date_;
 };
 
-//! The equation of time is below 17 minutes; far north and south the sun's
-//! declination moves the highest place a little.
-constexpr double largest_shift = 1;  //!< [h]
+//! The largest distance of the highest sun from mean noon: the equation of time
+//! is below 17 minutes, and at high latitudes the changing declination adds a
+//! little.
+constexpr double largest_shift = 1;
 
 }  // namespace
 

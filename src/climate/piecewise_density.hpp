@@ -8,9 +8,9 @@
 
 namespace ideotype {
 
-//! A density on [0, 1] that is smooth within each of several equal panels.
-//! There it is kept as the polynomial through Gauss-Legendre nodes, whose
-//! integral is known and is inverted to rounding.
+//! A density on [0, 1] that is smooth within each of several equal panels. In
+//! each panel a polynomial through Gauss-Legendre nodes approximates the
+//! density; its known integral is inverted to rounding.
 template <std::size_t panels>
 class PiecewiseDensity {
   public:
@@ -26,7 +26,7 @@ class PiecewiseDensity {
         }
     }
 
-    //! Integral over [0, 1].
+    //! Returns the integral over [0, 1].
     double total() const { return integrals_.back(); }
 
     //! Returns the place where the integral from 0 reaches a share of the
@@ -55,7 +55,7 @@ class PiecewiseDensity {
         return (static_cast<double>(panel) + (1 + x) / 2) / panels;
     }
 
-    //! Legendre polynomials of degrees 0 to order.
+    //! Returns the Legendre polynomials of degrees 0 to order.
     static std::array<double, order + 1> legendre(double x) {
         std::array<double, order + 1> p{1, x};
         for (std::size_t k = 1; k < order; ++k) {
@@ -65,10 +65,11 @@ class PiecewiseDensity {
         return p;
     }
 
-    //! Returns where in [-1, 1] the integral from -1 reaches an amount:
-    //! Newton's method, or bisection where that would leave the bracket.
+    //! Returns the point of [-1, 1] where the integral from -1 reaches an
+    //! amount, by Newton's method, or by bisection where Newton's step leaves
+    //! the bracket.
     static double solve(const Values& values, double amount) {
-        // Scaled coefficients: those of the density over (2 k + 1).
+        // Scaled coefficients: coefficient k of the density over (2 k + 1).
         Values c{};
         for (std::size_t j = 0; j < order; ++j) {
             const auto p = legendre(nodes[j]);
@@ -76,7 +77,7 @@ class PiecewiseDensity {
                 c[k] += weights[j] * values[j] * p[k] / 2;
         }
         double low = -1, high = 1;
-        // Only shares at the very ends reach a panel that holds nothing.
+        // Only shares of 0 and 1 reach a panel whose integral is zero.
         if (!(c[0] > 0)) return low;
         double x = std::clamp(amount / c[0] - 1, low, high);
         for (int i = 0; i < 60; ++i) {

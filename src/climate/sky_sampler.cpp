@@ -19,26 +19,27 @@ using std::numbers::pi;
 
 //! The two factors of the CIE clear sky, see relative_radiance().
 
-//! Scattering at an angle from the sun [rad].
+//! Returns the scattering at an angle from the sun [rad].
 double indicatrix(double to_sun) {
     const double c = std::cos(to_sun);
     return 0.91 + 10 * std::exp(-3 * to_sun) + 0.45 * c * c;
 }
 
-//! Brightening from the zenith to the horizon.
+//! Returns the brightening from the zenith to the horizon.
 double gradation(double cos_zenith) {
     return cos_zenith > 0 ? 1 - std::exp(-0.32 / cos_zenith) : 1;
 }
 
-//! Returns a direction of travel from a place at an angle from the zenith.
+//! Returns a direction of travel from a place of the sky at an angle from the
+//! zenith.
 glm::dvec3 travel_from(double cos_zenith, double sin_zenith, double azimuth) {
     return {sin_zenith * std::cos(azimuth), -sin_zenith * std::sin(azimuth),
             -cos_zenith};
 }
 
-//! Inverse of (3 m^2 + 4 m^3) / 7, the share of an overcast sky's irradiance
-//! from below a place with cos z = m. With m = (2 w - 1) / 4 the cubic becomes
-//! the Chebyshev polynomial 4 w^3 - 3 w = 56 share - 1.
+//! Returns the inverse of (3 m^2 + 4 m^3) / 7, the share of an overcast sky's
+//! irradiance from below a place with cos z = m. With m = (2 w - 1) / 4 the
+//! cubic becomes the Chebyshev polynomial 4 w^3 - 3 w = 56 share - 1.
 double overcast_cos_zenith(double share) {
     const double k = 56 * share - 1;
     const double w =
@@ -64,11 +65,11 @@ double relative_radiance(const SkyRadiance& sky, const glm::dvec3& travel) {
     return indicatrix(std::acos(cos_to_sun)) * gradation(cos_zenith);
 }
 
-//! In polar coordinates about the sun, where nothing is singular: one factor
-//! of the radiance depends on the angle to the sun only, the other changes
-//! smoothly along circles about it. The angle has a tabulated distribution;
-//! that of the position on a circle is integrated again for each direction. The
-//! sampled density is off by at most 3e-7 of itself on average.
+//! The clear sky in polar coordinates about the sun, without singularities: one
+//! factor of the radiance depends only on the angle to the sun, the second
+//! changes smoothly along circles about the sun. The distribution of the angle
+//! is tabulated; that of the position on a circle is integrated for each
+//! direction. The mean relative error of the sampled density is at most 3e-7.
 class SkySampler::ClearSky {
   public:
     explicit ClearSky(const SunPosition& sun)
@@ -89,8 +90,8 @@ class SkySampler::ClearSky {
         const double side = 2 * v - 1;
         const double around =
             std::copysign(Circle(*this, to_sun).quantile(std::abs(side)), side);
-        // Components towards the sun, square to it on the side of the zenith,
-        // and level.
+        // The components point to the sun, perpendicular to the sun on the
+        // zenith's side, and horizontally.
         const double s = std::cos(to_sun);
         const double t = std::sin(to_sun) * std::cos(around);
         const double b = std::sin(to_sun) * std::sin(around);
@@ -103,8 +104,8 @@ class SkySampler::ClearSky {
     }
 
   private:
-    //! All places at an angle to the sun, as far as they are above the
-    //! horizon; their position angle is 0 on the side of the zenith.
+    //! All places above the horizon at one angle to the sun; the position angle
+    //! is 0 on the side of the zenith.
     class Circle {
       public:
         Circle(const ClearSky& sky, double to_sun)
@@ -119,7 +120,8 @@ class SkySampler::ClearSky {
 
         double irradiance() const { return 2 * end_ * half_.total(); }
 
-        //! Position angle that splits off a share of one half.
+        //! Returns the position angle that splits off a share of half the
+        //! circle.
         double quantile(double share) const {
             return position(half_.quantile(share));
         }
@@ -130,8 +132,8 @@ class SkySampler::ClearSky {
             return a >= b ? pi : a <= -b ? 0 : std::acos(-a / b);
         }
 
-        //! Position angle for x in [0, 1], denser towards the horizon, where
-        //! the radiance factor is hardest to follow.
+        //! Returns the position angle for x in [0, 1], denser towards the
+        //! horizon, where the radiance changes fastest.
         double position(double x) const { return end_ * x * (2 - x); }
 
         double end_;
@@ -140,12 +142,12 @@ class SkySampler::ClearSky {
 
     struct Angle {
         double to_sun;
-        double rate;  //!< its derivative
+        double rate;  //!< derivative of the angle
     };
 
-    //! Angle to the sun, t in [0, 1]: whole circles in the first half, those
-    //! that the horizon cuts in the second. The cosine removes the square
-    //! roots with which the cut begins and ends.
+    //! Returns the angle to the sun for t in [0, 1]: whole circles in the first
+    //! half, circles that the horizon cuts in the second half. The cosine
+    //! removes the square roots at both ends of the cut.
     Angle angle_at(double t) const {
         const double cut = std::max(0.0, pi / 2 - sun_zenith_);
         const double begin = t < 0.5 ? 0 : cut;

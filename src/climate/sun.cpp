@@ -11,13 +11,13 @@ namespace ideotype {
 
 namespace {
 
-//! Days since noon of 1 January 2000, in universal time.
+//! Returns the days since noon of 1 January 2000, in universal time.
 double days_since_2000(const Date& date, double universal_hour) {
     const auto whole_days = (day_of(date) - day_of({2000, 1, 1})).count();
     return static_cast<double>(whole_days) - 0.5 + universal_hour / 24;
 }
 
-//! Direction on the celestial sphere [rad].
+//! A direction on the celestial sphere [rad].
 struct Equatorial {
     double right_ascension;
     double declination;
@@ -43,18 +43,18 @@ Equatorial apparent_sun(double days) {
 constexpr double solar_constant = 1361.1;       //!< [W m-2]
 constexpr double sea_level_pressure = 1013.25;  //!< [hPa]
 
-//! Days since 1 January of the same year.
+//! Returns the days since 1 January of the same year.
 int day_of_year(const Date& date) {
     return static_cast<int>((day_of(date) - day_of({date.year, 1, 1})).count());
 }
 
-//! Pressure in the standard atmosphere [hPa] at an elevation [m].
+//! Returns the pressure of the standard atmosphere [hPa] at an elevation [m].
 double standard_pressure(double elevation) {
     return std::pow((44331.514 - elevation) / 11880.516, 1 / 0.1902632);
 }
 
-//! Optical path through the air over that of a zenith sun at sea level
-//! (Kasten and Young 1989, doi:10.1364/AO.28.004735).
+//! Returns the optical path through the air over that for a zenith sun at sea
+//! level (Kasten and Young 1989, doi:10.1364/AO.28.004735).
 double air_mass(double zenith, double elevation) {
     const double relative =
         1 / (std::cos(zenith * degree) +
@@ -62,8 +62,8 @@ double air_mass(double zenith, double elevation) {
     return relative * standard_pressure(elevation) / sea_level_pressure;
 }
 
-//! Returns the cosine of the zenith angle [deg], or the smallest that a
-//! clearness index is reckoned with.
+//! Returns the cosine of the zenith angle [deg], but at least the limit for
+//! clearness indices.
 double bounded_cosine(double zenith) {
     return std::max(std::cos(zenith * degree), 0.065);
 }
@@ -93,8 +93,8 @@ SunPosition sun_position(const Site& site, const Date& date, double hour) {
         std::cos(latitude) * std::cos(hour_angle) * std::cos(sun.declination) +
         std::sin(sun.declination) * std::sin(latitude);
     const double zenith = std::acos(std::clamp(cos_zenith, -1.0, 1.0));
-    // Seen from the surface the sun stands lower than from the centre of the
-    // Earth: mean radius over astronomical unit.
+    // The sun is lower as seen from the surface than from the centre of the
+    // Earth: the parallax is mean radius over astronomical unit.
     const double parallax = 6371.01 / 149597890.0 * std::sin(zenith);
 
     const double azimuth = std::atan2(
@@ -141,7 +141,7 @@ Irradiance clear_sky(const Site& site, const Date& date,
     const double b = 0.664 + 0.163 / fh1;
     const double beam_normal =
         b * extraterrestrial * std::exp(-0.09 * mass * (turbidity - 1));
-    // Some light is always scattered, whatever the beam equation says.
+    // Some light is always scattered, even where the beam equation leaves none.
     const double largest_beam_share =
         1 - (0.1 - 0.2 * std::exp(-turbidity)) / (0.1 + 0.882 / fh1);
     const double beam =
@@ -160,8 +160,8 @@ double diffuse_fraction(double global, double extraterrestrial_normal,
 }
 
 double par_share(double par, double extraterrestrial_normal, double zenith) {
-    // Each step divides the error of the share by nine or more, which is the
-    // ratio of photons to energy over 0.191.
+    // Each step divides the error of the share by at least nine, the ratio of
+    // photons to energy over 0.191.
     constexpr int steps = 18;
     double share = 0.45;
     for (int i = 0; i < steps; ++i) {

@@ -12,10 +12,11 @@ namespace ideotype {
 
 namespace {
 
-//! The difference between instruments [W m-2]; more is worth a warning.
+//! The usual difference between instruments [W m-2]; a larger one is worth a
+//! warning.
 constexpr double noticeable = 20;
 
-//! Counts what is slightly negative, and leaves it out.
+//! Counts slightly negative values and removes them.
 WeatherValues without_negative(WeatherValues values, int line,
                                Findings& findings) {
     for (const auto member :
@@ -104,7 +105,7 @@ std::vector<Irradiance> light_of(const std::vector<WeatherStep>& series,
                 "a step of the night has no light in the file; it counts as 0");
         } else {
             missing = &step;
-            // The first of several in a row is told.
+            // Only the first of consecutive missing steps is told.
             if (!was_missing)
                 findings.add(
                     step.line, 1,

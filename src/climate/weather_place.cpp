@@ -14,7 +14,7 @@ namespace {
 
 using namespace std::chrono;
 
-//! Light outside the atmosphere on a horizontal plane [W m-2].
+//! Returns the light outside the atmosphere on a horizontal plane [W m-2].
 double extraterrestrial(const Site& site, ClockTime time) {
     const Date date = date_at(time);
     const double zenith = sun_position(site, date, hour_at(time)).zenith;
@@ -35,8 +35,8 @@ double correlation(const std::vector<double>& a, const std::vector<double>& b) {
     return aa > 0 && bb > 0 ? ab / std::sqrt(aa * bb) : 0;
 }
 
-//! Compares light with the sun of the site, and with that of clocks which are
-//! ahead of its by quarters of an hour, up to half a day.
+//! Compares light with the sun of the site, and with its sun by clocks shifted
+//! by quarters of an hour, up to half a day.
 void check_clock(const std::vector<WeatherStep>& series,
                  const std::vector<double>& measured, Site site,
                  Findings& findings) {
@@ -55,7 +55,8 @@ void check_clock(const std::vector<WeatherStep>& series,
         const double r = at(quarters);
         if (r > best) best = r, shift = quarters;
     };
-    // Hours first, then the quarters around the best of them.
+    // Whole hours are tried first, then quarters of an hour around the best
+    // one.
     for (int hours = -11; hours <= 12; ++hours) try_it(4 * hours);
     const int coarse = shift;
     for (int quarters = -3; quarters <= 3; ++quarters)
@@ -67,7 +68,7 @@ void check_clock(const std::vector<WeatherStep>& series,
                       "the light hardly follows the sun (a correlation of "
                       "{:.2f}); is it the column of the light?",
                       best);
-    // Clouds move it too: up to half an hour in ten days.
+    // Clouds also shift the best clock, by up to half an hour in ten days.
     const bool long_enough =
         series.back().middle - series.front().middle > 9 * 24h;
     const double hours = std::abs(shift) / 4.0;
@@ -80,7 +81,7 @@ void check_clock(const std::vector<WeatherStep>& series,
     if (hours >= (long_enough ? 0.5 : 1)) findings.doubt(line, text, false);
 }
 
-//! Looks for days with more light than almost all of the sun's.
+//! Looks for days with more light than almost all extraterrestrial light.
 void check_days(const std::vector<WeatherStep>& series,
                 const std::vector<double>& measured, const Site& site,
                 Findings& findings) {

@@ -13,12 +13,13 @@ namespace {
 
 using namespace std::chrono;
 
-//! Returns every time step of the period, with the values of the rows that
-//! there are. A 29 February of which there is none is left out.
+//! Returns every time step of the period, with the values of existing rows. A
+//! 29 February without rows is left out.
 std::vector<WeatherStep> all_steps(const WeatherTable& table,
                                    Findings& findings) {
     const auto& rows = table.rows;
-    // The first step of the period that is whole steps from the first row.
+    // The middle of the first step of the period, a whole number of steps from
+    // the first row.
     ClockTime middle = rows.front().middle;
     middle -= (middle - table.begin) / table.step * table.step;
     const auto steps = (table.end - middle) / table.step;
@@ -58,7 +59,7 @@ std::vector<WeatherStep> all_steps(const WeatherTable& table,
     return series;
 }
 
-//! Fills what is not known between two values that are.
+//! Fills unknown values between two known ones.
 void interpolate(std::vector<WeatherStep>& series,
                  std::optional<double> WeatherValues::*member,
                  const std::string& name, seconds step, Findings& findings) {
@@ -102,17 +103,17 @@ void place_sun(WeatherStep& step, const Site& site, seconds length) {
                        at(step.middle + length / 2).zenith});
 }
 
-//! Returns the solar radiation beyond PAR, which has the diffuse fraction of
-//! PAR, from the share of PAR in all of it.
+//! Returns the solar radiation beyond PAR from the share of PAR in solar
+//! radiation; its diffuse fraction is that of PAR.
 Irradiance beyond(const Irradiance& par, double share) {
     const double ratio = 1 / share - 1;
     return {ratio * par.beam, ratio * par.diffuse};
 }
 
-//! Warns of photons that are not as many as the global light should have.
+//! Warns if the number of photons does not match the global light.
 void compare_photons(const std::vector<WeatherStep>& steps, double par_fraction,
                      Findings& findings) {
-    // Photons of PAR over solar energy of a whole season [umol J-1].
+    // The photons of PAR over solar energy in a whole season [umol J-1].
     constexpr double expected = 2.06, tolerated = 0.05;
     double photons = 0, energy = 0;
     for (const WeatherStep& step : steps)

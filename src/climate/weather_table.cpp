@@ -21,7 +21,8 @@ bool has(const std::vector<CsvField>& header, std::string_view name) {
                        [&](const CsvField& each) { return each.text == name; });
 }
 
-//! Returns the columns that `ideotype weather` writes, of those that are there.
+//! Returns the columns that `ideotype weather` writes, as far as they are
+//! present.
 ColumnMap native_columns(ColumnMap columns,
                          const std::vector<CsvField>& header) {
     columns.time = {"time"};
@@ -41,7 +42,7 @@ ColumnMap native_columns(ColumnMap columns,
     return columns;
 }
 
-//! Says how a file of another format becomes one that can be read.
+//! Returns advice on how to convert a file of another format.
 std::string way_to_convert(const WeatherRequest& request) {
     const std::string& file = request.file;
     std::string command = fmt::format(
@@ -58,7 +59,7 @@ std::string way_to_convert(const WeatherRequest& request) {
            command;
 }
 
-//! Takes the names of the columns from the first line that has that of the
+//! Takes the names of the columns from the first line that has the column of
 //! time.
 WeatherTable read_head(const std::vector<std::string_view>& lines,
                        const WeatherRequest& request, Findings& findings) {
@@ -108,7 +109,8 @@ void read_stamps(WeatherTable& table,
             continue;
         }
         if (written->utc_offset) {
-            // Summer time may come and go: one clock for all.
+            // The first offset holds for all rows, since summer time may come
+            // and go.
             if (!offset) offset = written->utc_offset;
             written->time =
                 later(written->time, *offset - *written->utc_offset);
@@ -121,8 +123,8 @@ void read_stamps(WeatherTable& table,
         findings.stop(0, 0, "there are not two rows of data");
 }
 
-//! Takes the most frequent difference between neighbours, and moves stamps to
-//! the middles of steps.
+//! Sets the step to the most frequent difference between neighbours, and moves
+//! stamps to the middles of steps.
 void find_step(WeatherTable& table, Findings& findings) {
     auto& rows = table.rows;
     std::map<seconds, int> count;
@@ -144,7 +146,8 @@ void find_step(WeatherTable& table, Findings& findings) {
         row.middle += stamp == Stamp::beginning ? half : -half;
 }
 
-//! Takes the site's clock where days of the file's would end by day.
+//! Chooses the site's clock if dates of the file's clock would change by
+//! daylight.
 void choose_clock(WeatherTable& table, Site site) {
     const double shift = site.utc_offset - table.utc_offset;
     std::swap(site.utc_offset, table.utc_offset);

@@ -17,13 +17,13 @@
 
 namespace ideotype {
 
-//! An instant by some clock.
+//! An instant on the clock of a file or a site.
 using ClockTime = std::chrono::local_seconds;
 
-//! A time as it stands in a file.
+//! A time as it is written in a file.
 struct WrittenTime {
     ClockTime time;
-    std::optional<double> utc_offset;  //!< [h]
+    std::optional<double> utc_offset;  //!< offset of the clock [h]
 };
 
 //! Returns the first instant of a date.
@@ -32,26 +32,25 @@ ClockTime midnight(const Date& date);
 //! Returns the date at an instant.
 Date date_at(ClockTime time);
 
-//! Hours since midnight.
+//! Returns the hours since midnight at an instant.
 double hour_at(ClockTime time);
 
-//! Returns the instant so many hours later, to the nearest second.
+//! Returns the instant a number of hours later, to the nearest second.
 ClockTime later(ClockTime time, double hours);
 
-//! Reads the columns of a time: one, a date, T or a blank, a clock time, and
-//! perhaps Z or an offset like -06:00; two, date and clock time; four or five,
-//! year, month, day, hour and minute. Dates are 2011-07-21, or in another
-//! order, also with / or . or nothing between, clock times 13:30, 13:30:00,
-//! 1330 or 24:00.
+//! Reads a time from one column (date, T or a blank, clock time, and perhaps Z
+//! or an offset like -06:00), two (date, clock time), or four or five (year,
+//! month, day, hour, minute). Dates are 2011-07-21, or in another order, also
+//! with / or . or no separator; clock times are 13:30, 13:30:00, 1330 or 24:00.
 std::optional<WrittenTime> parse_time(const std::vector<CsvField>& parts,
                                       DateOrder order);
 
-//! Collects what is wrong with a file, and what is doubtful about it.
+//! Collects problems and doubts about a file.
 class Findings {
   public:
     explicit Findings(std::string file) : file_(std::move(file)) {}
 
-    //! Adds a problem. More than can be read are only counted.
+    //! Adds a problem, or only counts it if there are too many to read.
     template <class... Args>
     void add(int line, int column, fmt::format_string<Args...> what,
              Args&&... args) {
@@ -73,7 +72,7 @@ class Findings {
         throw InputError(std::move(all));
     }
 
-    //! @throws InputError of one problem.
+    //! @throws InputError with one problem.
     template <class... Args>
     [[noreturn]] void stop(int line, int column,
                            fmt::format_string<Args...> what,
@@ -82,7 +81,7 @@ class Findings {
                            fmt::format(what, std::forward<Args>(args)...)}});
     }
 
-    //! Adds a doubt; those of the same text become one warning.
+    //! Adds a doubt; doubts with equal texts become one warning.
     void doubt(int line, const std::string& text, bool is_counted = true) {
         for (Doubt& each : doubts_)
             if (is_counted && each.text == text) {
@@ -92,7 +91,7 @@ class Findings {
         doubts_.push_back({text, line, is_counted ? 1 : 0});
     }
 
-    //! Returns "text (N times)" of each doubt, with the place of the first.
+    //! Returns "text (N times)" for each kind of doubt, with its first place.
     std::vector<Problem> warnings() const {
         std::vector<Problem> all;
         for (const auto& [text, line, count] : doubts_)
@@ -108,7 +107,7 @@ class Findings {
     struct Doubt {
         std::string text;
         int line;
-        int count;  //!< 0 if there can be only one
+        int count;  //!< number of times; 0 if there can be only one
     };
     std::string file_;
     std::vector<Problem> problems_;
@@ -116,20 +115,21 @@ class Findings {
     int left_out_ = 0;
 };
 
-//! The values of a row in our units; nothing where one is not known.
+//! The values of a row in the program's units; nothing for an unknown value.
 struct WeatherValues {
-    std::optional<double> global;            //!< [W m-2]
-    std::optional<double> beam_normal;       //!< [W m-2]
-    std::optional<double> diffuse;           //!< [W m-2]
-    std::optional<double> diffuse_fraction;  //!< of global, 0 to 1
-    std::optional<double> ppfd;              //!< as solar radiation [W m-2]
-    std::optional<double> temperature;       //!< [deg C]
-    std::optional<double> humidity;          //!< 0 to 1
-    std::optional<double> wind;              //!< [m s-1]
-    std::optional<double> pressure;          //!< [kPa]
-    std::optional<double> longwave;          //!< [W m-2]
+    std::optional<double> global;  //!< all solar radiation [W m-2]
+    std::optional<double>
+        beam_normal;  //!< beam on a plane that faces the sun [W m-2]
+    std::optional<double> diffuse;           //!< diffuse light [W m-2]
+    std::optional<double> diffuse_fraction;  //!< part of global light, 0 to 1
+    std::optional<double> ppfd;         //!< photons as solar radiation [W m-2]
+    std::optional<double> temperature;  //!< of the air [deg C]
+    std::optional<double> humidity;     //!< relative humidity, 0 to 1
+    std::optional<double> wind;         //!< speed [m s-1]
+    std::optional<double> pressure;     //!< of the air [kPa]
+    std::optional<double> longwave;     //!< radiation of the sky [W m-2]
 
-    //! Returns whether the light on the ground follows from its columns.
+    //! Returns whether the light on the ground follows from the values.
     bool lit() const { return global || (beam_normal && diffuse); }
 };
 
@@ -138,51 +138,51 @@ struct WeatherStep {
     int line = 0;  //!< line of its row, or of the row before it
     ClockTime middle;
     WeatherValues values{};
-    SunPosition sun{};   //!< in the middle
-    double highest = 0;  //!< elevation of the sun, begin, middle or end [deg]
+    SunPosition sun{};   //!< sun in the middle of the step
+    double highest = 0;  //!< highest sun at begin, middle or end [deg]
 };
 
 //! The rows of a period in order.
 struct WeatherTable {
     ColumnMap columns;
-    std::vector<CsvField> header;  //!< names of the columns
-    std::size_t header_line = 0;   //!< from 1
+    std::vector<CsvField> header;  //!< names of the columns of the file
+    std::size_t header_line = 0;   //!< line of the names, from 1
     std::vector<WeatherStep> rows{};
     double utc_offset = 0;  //!< offset from UTC of the clock [h]
     std::chrono::seconds step{3600};
-    //! True if the global light, or else the beam, is told in photons.
+    //! True if the global light, or else the beam, is given in photons.
     bool counts_photons = false;
-    //! The ends of a period: its first and last midnight; else the first and
-    //! last rows.
+    //! The ends of the period: its first and last midnight; by default those of
+    //! the rows.
     ClockTime begin{}, end{};
 
-    //! Returns the index of the column of this name; adds a problem if there is
-    //! not one.
+    //! Returns the index of the column with a name; adds a problem unless there
+    //! is exactly one.
     std::optional<std::size_t> index_of(const std::string& name,
                                         Findings& findings) const;
 };
 
-//! Reads head and rows of a period, without values.
-//! @throws InputError if the file is no such table, of stamps that cannot be
-//! read, of rows that are not in order, and if it does not have the period.
+//! Reads the header and the rows of a period, without values.
+//! @throws InputError if the file is no weather table or lacks the period, if a
+//! stamp is unreadable, or if rows are not in order.
 WeatherTable read_table(const std::vector<std::string_view>& lines,
                         const WeatherRequest& request, Findings& findings);
 
-//! Reads the values of each of the rows, and whether light counts photons.
-//! @throws InputError of columns, units and numbers that cannot be read.
+//! Reads the values of each row, and whether light is given in photons.
+//! @throws InputError for unreadable columns, units and numbers.
 void read_values(WeatherTable& table,
                  const std::vector<std::string_view>& lines,
                  double par_fraction, Findings& findings);
 
-//! Returns all solar radiation on the ground [W m-2], of each step. Where
-//! photons are counted, it is PAR over the fraction that the request gives.
-//! @throws InputError if light is not known by day.
+//! Returns all solar radiation on the ground [W m-2], of each step. From
+//! photons, it is PAR over the fraction of the request.
+//! @throws InputError if light is unknown by day.
 std::vector<Irradiance> light_of(const std::vector<WeatherStep>& series,
                                  Findings& findings);
 
-//! Stops or warns if the light is hardly that of a site, whose clock is that
-//! of the steps.
-//! @throws InputError
+//! Checks that the light matches the sun of a site, whose clock is that of the
+//! steps; warns of a doubtful match.
+//! @throws InputError if the light cannot be that of the site.
 void check_place(const std::vector<WeatherStep>& series,
                  const std::vector<Irradiance>& light, const Site& site,
                  Findings& findings);

@@ -18,7 +18,8 @@ enum class Kind { light, fraction, temperature, speed, pressure };
 //! The part of an energy or of photons that a unit counts.
 enum class Per { itself, second, photon };
 
-//! The way from the number in a file to ours: factor times it, plus offset.
+//! The conversion of a number of a file to the program's unit: factor times
+//! number plus offset.
 struct Scale {
     double factor = 1;
     double offset = 0;
@@ -54,7 +55,7 @@ constexpr std::array units{
     Unit{Kind::pressure, "Pa", {1e-3}},
 };
 
-//! Returns one of several ways to write a unit.
+//! Returns the one plain form of a unit that has several.
 std::string plain(std::string_view unit) {
     std::string text(unit);
     constexpr std::array<std::pair<std::string_view, std::string_view>, 10>
@@ -67,14 +68,16 @@ std::string plain(std::string_view unit) {
               {" m-2", "/m2"},
               {" ", ""},
               {"W-hr", "Wh"},
-              {"MJ/hr", "MJ/m2"}}};  // NASA POWER for agriculture, per m2
+              {"MJ/hr",
+               "MJ/m2"}}};  // unit of NASA POWER for agriculture, per m2
     for (const auto& [what, by] : ways)
         for (std::size_t at; (at = text.find(what)) != text.npos;)
             text.replace(at, what.size(), by);
     return text;
 }
 
-//! The index of a column, how its numbers become ours, and what is believed.
+//! The index of a column, the conversion of its numbers, and their credible
+//! range.
 struct Source {
     std::size_t index = 0;
     Scale scale;
@@ -84,7 +87,7 @@ struct Source {
 };
 
 //! Finds the columns that hold the values, the scales of their units, and
-//! whether light counts photons.
+//! whether light is given in photons.
 std::vector<Source> sources_of(WeatherTable& table, double par_fraction,
                                Findings& findings) {
     using Values = WeatherValues;
@@ -164,7 +167,7 @@ std::optional<double> value_of(const CsvField& field, const Source& source,
         std::find(codes.begin(), codes.end(), *number) != codes.end())
         return std::nullopt;
     const double value = source.scale.factor * *number + source.scale.offset;
-    // Values that no weather has: most often the unit is another.
+    // Impossible values are most often due to a wrong unit.
     if (value < source.lowest || value > source.highest)
         findings.add(line, field.column,
                      "{} means {:.4g} {} (outside {:g} to {:g}); check the "

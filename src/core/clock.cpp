@@ -13,7 +13,7 @@ namespace ideotype {
 
 namespace {
 
-//! The most digits of a number: these are more seconds than any job lasts.
+//! The most digits of a number, enough for the seconds of any job.
 constexpr std::size_t longest = 9;
 
 std::optional<double> hours_minutes_seconds(Scanner text) {

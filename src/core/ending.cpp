@@ -36,14 +36,15 @@ void tell(const char* reason) {
     std::_Exit(static_cast<int>(ExitCode::runtime));
 }
 
-// OpenSSL and HDF5 use some pointers that they got no memory for. When this
-// returns, the instruction is executed again and ends the process by the
-// signal itself.
+// Tells the reason of a segmentation fault: OpenSSL and HDF5 use some null
+// pointers of failed allocations. The instruction is then executed again, and
+// the signal ends the process.
 void tell_of_segmentation_fault(int /*signal*/) {
     tell("segmentation fault");
 }
 
-// A sanitizer that watches for the signal already says more.
+// Handles segmentation faults, unless a sanitizer does, whose message says
+// more.
 void watch_for_segmentation_fault() {
     struct sigaction action {};
     sigaction(SIGSEGV, nullptr, &action);

@@ -73,7 +73,7 @@ std::string with_short_quotes(const std::string& message) {
         const std::size_t end = std::min(
             rest.find_first_of(is_quote ? "\"" : "\" \n"), rest.size());
         const std::string_view part = rest.substr(0, end);
-        // Paths outside quotes are whole, since one may want to copy them.
+        // Paths outside quotes are not cut, so that users can copy them.
         if (is_quote || part.find('/') == part.npos)
             add(part);
         else
@@ -108,8 +108,8 @@ std::string nearest_name(const std::string& word,
     // A suggestion that shares less than half of the letters only confuses.
     std::size_t least = word.size() / 2 + 1;
     for (const std::string& candidate : candidates) {
-        // A word that is longer by so much is too far, and it may be megabytes
-        // long.
+        // A much longer word is too far from the candidate, and may have
+        // megabytes.
         if (word.size() >= candidate.size() + least) continue;
         const std::size_t distance = edit_distance(word, candidate);
         if (distance < least) {

@@ -49,7 +49,7 @@ Estimate relative_gain(const Randomisations& a, const Randomisations& b) {
         const double nan = std::numeric_limits<double>::quiet_NaN();
         return {nan, nan};
     }
-    // For r = b / a, b / a - r has to first order the error of (b - r a) / a.
+    // To first order, the ratio r = b / a has the error of (b - r a) / a.
     const double ratio = b.figure.mean / reference;
     return {100 * (ratio - 1),
             100 * error_of_difference(a, b, ratio) / std::abs(reference)};

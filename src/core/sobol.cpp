@@ -5,9 +5,9 @@ namespace ideotype {
 
 namespace {
 
-//! The direction numbers of all dimensions from the second one on: those of the
-//! set new-joe-kuo-6 whose primitive polynomials have a degree s of at most 11.
-//! Each dimension has its polynomial as bits, then its initial direction
+//! The direction numbers of all dimensions from the second one on: the part of
+//! the set new-joe-kuo-6 whose primitive polynomials have a degree s of at most
+//! 11. Each dimension has the polynomial as bits, then initial direction
 //! integers m_2 ... m_s; m_1 is 1.
 constexpr std::uint16_t joe_kuo[] = {
     // clang-format off

@@ -12,8 +12,8 @@ namespace ideotype {
 
 namespace {
 
-// A signal handler can only reach the process's own storage; the owner of
-// this one is the single StopFlag.
+// Storage for the signal handler, which can reach static variables only; its
+// owner is the single StopFlag.
 std::atomic<int> first_signal{0};
 std::atomic<bool> interrupted{false};
 std::atomic<bool> stop_requested{false};
@@ -65,7 +65,7 @@ void StopFlag::request_after(double seconds) {
     const steady_clock::time_point now = steady_clock::now();
     const std::chrono::duration<double> wait(seconds);
     constexpr auto never = steady_clock::time_point::max();
-    // The clock cannot tell times that are centuries away.
+    // The clock cannot represent times that are centuries away.
     end_ = wait < (never - now) / 2
                ? now + std::chrono::duration_cast<steady_clock::duration>(wait)
                : never;

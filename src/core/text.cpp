@@ -15,8 +15,8 @@ bool continues(unsigned char byte) {
     return (byte & 0xC0U) == 0x80U;
 }
 
-//! Returns the bytes of the character that a text begins with; 0 if it is a
-//! control character or no UTF-8.
+//! Returns the number of bytes of a text's first character; 0 if the character
+//! is a control character or no UTF-8.
 std::size_t size_of_character(std::string_view text) {
     IDEOTYPE_EXPECT(!text.empty());
     const auto byte = [&](std::size_t i) {
@@ -28,7 +28,7 @@ std::size_t size_of_character(std::string_view text) {
     if (text.size() < size) return 0;
     for (std::size_t i = 1; i < size; ++i)
         if (!continues(byte(i))) return 0;
-    // Terminals obey U+0080 to U+009F too.
+    // U+0080 to U+009F are control characters of terminals too.
     return byte(0) == 0xC2 && byte(1) < 0xA0 ? 0 : size;
 }
 

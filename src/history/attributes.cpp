@@ -21,8 +21,8 @@ Handle enumeration(
     return type;
 }
 
-// Exceptions must not pass through C; these functions could run out of memory
-// only.
+// Adds a dataset to a list. No exception may pass through C, but only a lack of
+// memory could throw here.
 herr_t keep_dataset(hid_t, const char* name, const H5O_info_t* info,
                     void* target) {
     if (info->type == H5O_TYPE_DATASET)
@@ -39,7 +39,7 @@ herr_t keep_name(hid_t, const char* name, const H5A_info_t*, void* target) {
 
 Handle string_type(std::size_t size) {
     Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "create a string type");
-    // There are no strings of no bytes in HDF5.
+    // HDF5 has no strings of zero bytes.
     checked(H5Tset_size(type, size == 0 ? 1 : size), "size a string type");
     checked(H5Tset_cset(type, H5T_CSET_UTF8), "encode a string type");
     checked(H5Tset_strpad(type, H5T_STR_NULLPAD), "pad a string type");

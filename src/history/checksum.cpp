@@ -35,7 +35,7 @@ void add(Sha256& sum, const std::string& name, const std::vector<char>& bytes) {
 class HashedTable {
   public:
     //! Opens the datasets.
-    //! @param mapping of the file, if there is one
+    //! @param mapping mapping of the file, if there is one
     HashedTable(hid_t file, const std::string& name,
                 const std::vector<std::string>& left_out,
                 const Mapping* mapping = nullptr) {
@@ -50,8 +50,8 @@ class HashedTable {
         }
     }
 
-    //! Adds rows, dataset by dataset.
-    //! @param status to take in place of that in the file
+    //! Adds rows to a checksum, dataset by dataset.
+    //! @param status status that replaces the one in the file
     void add_rows(Sha256& sum, const Span& rows,
                   std::optional<Status> status = {}) const {
         for (const auto& [name, column] : columns_)
@@ -85,7 +85,8 @@ std::string header_checksum(hid_t file) {
         const std::string group = path.substr(0, path.find('/'));
         const bool is_description =
             contains({"campaign", "genes", "objectives"}, group);
-        // Studies of version 0.2.0 have the indices themselves.
+        // Studies of version 0.2.0 store the indices as attributes, not as a
+        // table.
         const bool is_table =
             contains({"evaluations", "final", "sensitivity"}, group);
         if (is_description || (is_table && data.is_scale()))
@@ -136,8 +137,8 @@ void require_intact(GenerationChecksums& found, const Generations& generations,
 
 void require_intact(hid_t file, const std::string& path) {
     require_header_intact(file, path);
-    // This is read first, because a case that runs may end before the last
-    // read.
+    // The end of the case is read first, because a running case may end before
+    // the last read.
     const bool is_finished = Journal(file).finished().has_value();
     const Generations generations(file);
     GenerationChecksums found(file, nullptr);
@@ -149,7 +150,7 @@ void require_intact(hid_t file, const std::string& path) {
     const auto statuses = status.read<Status>(0, status.rows());
     const auto expected = checksum.read_text(0, status.rows());
     IDEOTYPE_ENSURE(expected.size() == statuses.size());
-    // A case that is over has no checksums beyond the rows that are recorded.
+    // A finished case has no checksums beyond its recorded rows.
     if (is_finished && committed < generations.most() &&
         !generations.checksum(committed).empty())
         refuse(path, fmt::format("the mark of generation {}", committed));

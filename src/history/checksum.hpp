@@ -11,12 +11,12 @@
 
 namespace ideotype {
 
-// The parts of each checksum are written in analysis/FORMAT.md.
+// analysis/FORMAT.md lists the parts of each checksum.
 
 //! The number of characters of a checksum.
 inline constexpr std::size_t checksum_size = 64;
 
-//! Returns the SHA-256 of all that is known before the first evaluation.
+//! Returns the SHA-256 of all data that are known before the first evaluation.
 std::string header_checksum(hid_t file);
 
 //! Computes the SHA-256 of the rows and the summary of generations. The first
@@ -25,7 +25,7 @@ class GenerationChecksums {
   public:
     //! Opens the datasets of a history. File and mapping must outlive this
     //! object.
-    //! @param mapping of the file. Null: HDF5 reads it
+    //! @param mapping mapping of the file; null: HDF5 reads the file
     GenerationChecksums(hid_t file, const Mapping* mapping);
     ~GenerationChecksums();
 

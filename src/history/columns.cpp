@@ -59,7 +59,7 @@ void Columns::create(hid_t file, const GeneSpace& genes,
             its.axes.insert(its.axes.end(), axes.begin(), axes.end());
             create_dataset(group, its);
         };
-    // The status says which of the others mean something.
+    // The status tells which columns have a meaning.
     create_dataset(group, {.name = "status",
                            .type = status_type(),
                            .axes = {rows},
@@ -87,7 +87,8 @@ void Columns::create(hid_t file, const GeneSpace& genes,
     for (DatasetForm& each : number_forms(schema, rows)) {
         each.room = form.room;
         create_dataset(group, each);
-        // A file that is cut short keeps what selection needs for longest.
+        // The columns that selection needs come first, so that a truncated file
+        // keeps them longest.
         if (++count == essential_numbers) add_book();
     }
 }
@@ -210,7 +211,7 @@ std::vector<Row> Columns::read(hsize_t first, hsize_t count) const {
 Population Columns::population(hsize_t first, hsize_t count) const {
     const auto status = statuses(first, count);
     auto candidate = candidates(first, count);
-    // Objectives are the first of number_forms().
+    // Objectives are the first numbers of number_forms().
     const std::size_t width = numbers_[0].width();
     const auto means = numbers_[0].read<double>(first, count);
     const auto errors = numbers_[1].read<double>(first, count);
@@ -248,8 +249,8 @@ void Columns::write(hsize_t first, const std::vector<Candidate>& candidates) {
     genome_.write(first, genes);
     origin_.write(first, origins);
     parents_.write(first, parents);
-    // Rows are zeros at first; a reader of a column alone shall not take them
-    // for outcomes.
+    // New rows are zeros, which a reader of a single column must not take for
+    // outcomes.
     const auto clear = [&](Dataset& column) {
         column.write(first, std::vector<double>(
                                 candidates.size() * column.width(), nan));
@@ -291,8 +292,8 @@ void Columns::set_checksum(hsize_t row, const std::string& checksum) {
 }
 
 void Columns::set_statuses(hsize_t first, const std::vector<Status>& statuses) {
-    // Everything that statuses vouch for is there before them, for other
-    // processors too.
+    // All numbers of a row must be visible to other processors before its
+    // status.
     std::atomic_thread_fence(std::memory_order_release);
     status_.write(first, statuses);
 }

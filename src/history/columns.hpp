@@ -26,12 +26,12 @@ inline constexpr const char* error_suffix = "_standard_error";
 inline constexpr std::size_t essential_numbers = 4;
 
 //! Returns the forms of the columns of an outcome's numbers.
-//! @param rows name of their first axis
+//! @param rows name of the first axis
 std::vector<DatasetForm> number_forms(const OutcomeSchema& schema,
                                       const std::string& rows);
 
-//! Returns the numbers of an outcome for each of number_forms(), row-major.
-//! Standard errors that have no column become 0.
+//! Returns pointers to the numbers of an outcome for each of number_forms(),
+//! row-major. Standard errors without a column become 0.
 std::vector<std::vector<double*>> columns_of(const OutcomeSchema& schema,
                                              Outcome& outcome);
 
@@ -39,27 +39,27 @@ std::vector<std::vector<double*>> columns_of(const OutcomeSchema& schema,
 //! axes themselves.
 void write_measured(hid_t group, const QuantitySet& measured);
 
-//! Reads what write_measured() wrote, also from a file that is cut short.
+//! Reads what write_measured() wrote, also from a truncated file.
 QuantitySet read_measured(hid_t group);
 
 //! The shape of a table of rows.
 struct TableForm {
-    std::string group;  //!< "evaluations" or "final"
+    std::string group;  //!< name, "evaluations" or "final"
     Axis rows;
-    Room room = Room::at_once;  //!< room of all columns but the status
+    Room room = Room::at_once;  //!< room of all columns except the status
     bool has_checksums = false;
 };
 
-//! Candidates and their outcomes, one dataset per quantity. What a row holds is
-//! decided by its status alone, which is written last and read first.
+//! Candidates and their outcomes, one dataset per quantity. Only the status,
+//! written last and read first, tells the contents of a row.
 class Columns {
   public:
     //! Creates the group of a table with its axes and columns.
     static void create(hid_t file, const GeneSpace& genes,
                        const OutcomeSchema& schema, const TableForm& form);
 
-    //! Reads the quantities and the number of randomisations of a table; there
-    //! are no objectives in what is returned.
+    //! Reads the quantities and the number of randomisations of a table; the
+    //! returned schema has no objectives.
     static OutcomeSchema read_schema(hid_t file, const std::string& group);
 
     Columns(hid_t file, const std::string& group, const OutcomeSchema& schema);
@@ -71,15 +71,15 @@ class Columns {
 
     hsize_t rows() const { return status_.rows(); }
 
-    //! Tells that from now on only the file up to this position is there; other
-    //! numbers are read as NaN.
+    //! Limits all later reads to the file before a position; numbers beyond it
+    //! are read as NaN.
     void cut(haddr_t end);
 
-    //! Returns the number of leading rows of which candidate, objectives and
-    //! violation are there.
+    //! Returns the number of leading rows with intact candidate, objectives and
+    //! violation.
     hsize_t intact_rows() const { return intact_rows_; }
 
-    //! Returns the number of leading rows that are there with all columns.
+    //! Returns the number of leading rows whose columns are all intact.
     hsize_t whole_rows() const { return whole_rows_; }
 
     std::vector<Status> statuses(hsize_t first, hsize_t count) const {
@@ -89,19 +89,20 @@ class Columns {
     //! Returns the candidates of rows that are not empty.
     std::vector<Candidate> candidates(hsize_t first, hsize_t count) const;
 
-    //! Returns rows, with NaN in everything that their status does not vouch
-    //! for.
+    //! Returns rows, with NaN in place of all numbers that the status does not
+    //! confirm.
     std::vector<Row> read(hsize_t first, hsize_t count) const;
 
-    //! Returns what selection needs of rows that all have an outcome.
+    //! Returns the columns that selection needs, of rows that all have an
+    //! outcome.
     Population population(hsize_t first, hsize_t count) const;
 
-    //! Writes everything of candidates but their status, and clears the
-    //! outcomes of their rows.
+    //! Writes candidates without their status, and clears the outcomes of their
+    //! rows.
     void write(hsize_t first, const std::vector<Candidate>& candidates);
 
-    //! Writes everything of the outcomes of some rows but their status. Numbers
-    //! of failed outcomes are stored as NaN, whatever they are.
+    //! Writes the outcomes of some rows without their status. All numbers of
+    //! failed outcomes are stored as NaN.
     void write_outcomes(hsize_t first, const std::vector<Row>& rows);
 
     void set_statuses(hsize_t first, const std::vector<Status>& statuses);
@@ -118,7 +119,8 @@ class Columns {
     Dataset origin_;
     Dataset parents_;
     std::vector<Dataset> numbers_;  //!< numbers of outcomes, see number_forms()
-    std::vector<hsize_t> intact_;   //!< leading rows that are there, of each
+    std::vector<hsize_t>
+        intact_;  //!< number of leading intact rows of each dataset
     hsize_t intact_rows_;
     hsize_t whole_rows_;
     Dataset attempt_;

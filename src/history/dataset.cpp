@@ -37,8 +37,8 @@ std::size_t size_of(int descriptor) {
                : 0;
 }
 
-//! Says that the file was cut short at the very moment of an access, or that
-//! its disk fails, and ends the program.
+//! Reports that the file was truncated during an access, or that its disk
+//! fails, and ends the program.
 extern "C" void end_without_file(int) {
     constexpr std::string_view text =
         "ideotype: a history was cut short while it was written, or its disk "
@@ -53,13 +53,14 @@ extern "C" void end_without_file(int) {
 std::unique_ptr<Mapping> Mapping::of(hid_t file) {
     if (!has_all_room(file)) return nullptr;
     const int descriptor = descriptor_of(file);
-    // HDF5 1.14 cuts off what is behind the last block when it flushes.
+    // HDF5 1.14 cuts off all bytes after the last block when it flushes.
     haddr_t size = 0;
     checked(H5Fget_eoa(file, &size), "map the file");
     void* begin =
         mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_SHARED, descriptor, 0);
     if (begin == MAP_FAILED) return nullptr;
-    std::signal(SIGBUS, end_without_file);  // MPI has its own until here
+    std::signal(SIGBUS,
+                end_without_file);  // before this, MPI has its own handler
     return std::unique_ptr<Mapping>(
         new Mapping(descriptor, static_cast<char*>(begin), size));
 }
@@ -201,7 +202,8 @@ std::vector<char> Dataset::bytes(hsize_t first, hsize_t count) const {
     return bytes;
 }
 
-//! Reads values of a type, which is that of the file where this is mapped.
+//! Reads values of a type, which must be that of the file if the dataset is
+//! mapped.
 void Dataset::fetch(hid_t type, hsize_t first, void* values,
                     std::size_t count) const {
     IDEOTYPE_EXPECT(count % width_ == 0);

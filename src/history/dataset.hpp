@@ -11,14 +11,14 @@
 
 namespace ideotype {
 
-//! An open file as memory. What is stored there is in the system's hands at
-//! once, as after a write, for a hundredth of its price: it outlives a kill of
-//! this process, and other processes read it.
+//! An open file that is mapped to memory. The system has stored values at once,
+//! as after a write but at a hundredth of the cost: they outlive a kill of this
+//! process, and other processes can read them.
 class Mapping {
   public:
-    //! Maps a file, or returns null where the system has not reserved the room
-    //! for the whole file: a full disk would end the process instead of failing
-    //! a write. From then on SIGBUS, which tells of a file cut short, ends the
+    //! Maps a file. Returns null if the system has not reserved room for the
+    //! whole file, since a full disk would then end the process instead of
+    //! failing a write. SIGBUS, the signal of a truncated file, then ends the
     //! process with a message.
     static std::unique_ptr<Mapping> of(hid_t file);
 
@@ -26,19 +26,19 @@ class Mapping {
     Mapping(const Mapping&) = delete;
     Mapping& operator=(const Mapping&) = delete;
 
-    //! Returns the place of the first value of a dataset, as it is in the file;
-    //! null unless the dataset is one block.
+    //! Returns the address of the first value of a dataset as in the file; null
+    //! unless the dataset is one block.
     char* find(hid_t dataset) const;
 
-    //! Returns false once somebody cut the file short: what is lost may not be
-    //! touched.
+    //! Returns false if the file has been truncated; lost parts must not be
+    //! accessed.
     bool is_whole() const;
 
   private:
     Mapping(int descriptor, char* begin, std::size_t size)
         : descriptor_(descriptor), begin_(begin), size_(size) {}
 
-    int descriptor_;  //!< file descriptor that HDF5 has open
+    int descriptor_;  //!< file descriptor of HDF5
     char* begin_;
     std::size_t size_;
 };
@@ -49,13 +49,13 @@ class Dataset {
   public:
     Dataset() = default;
 
-    //! Opens a dataset. @throws Hdf5Error if there is none of this name.
+    //! Opens a dataset. @throws Hdf5Error if no dataset has this name.
     Dataset(hid_t location, const std::string& name);
 
     //! Returns the size of the first dimension.
     hsize_t rows() const;
 
-    //! Returns an attribute that is a text, "" if there is none.
+    //! Returns an attribute that is a text, or "" if it does not exist.
     std::string text(const std::string& attribute) const;
 
     //! Returns whether the dataset is the scale of a dimension.
@@ -67,17 +67,16 @@ class Dataset {
     //! Returns the number of values in one row.
     std::size_t width() const { return width_; }
 
-    //! Returns how many whole rows lie before this position in the file. No row
+    //! Returns the number of whole rows before a position in the file. No row
     //! of a compressed dataset has a position.
     hsize_t rows_before(haddr_t end) const;
 
-    //! Reads and writes from now on in the memory that a file is mapped to.
-    //! Nothing changes for values that are stored otherwise than in memory, or
-    //! not in one block. The mapping must outlive this object.
+    //! Makes all later reads and writes use the mapped file, unless values have
+    //! another form in memory or are not in one block. The mapping must outlive
+    //! this object.
     void use(const Mapping& mapping);
 
-    //! Writes as many rows as there are values for, which have the dataset's
-    //! type in memory.
+    //! Writes rows of values, which have the dataset's type in memory.
     template <class Values>
     void write(hsize_t first, const Values& values) {
         put(first, std::data(values), std::size(values),
@@ -90,7 +89,7 @@ class Dataset {
         put(row, &value, 1, sizeof(Value));
     }
 
-    //! Reads rows, one after the other.
+    //! Reads consecutive rows.
     template <class Value>
     std::vector<Value> read(hsize_t first, hsize_t count) const {
         std::vector<Value> values(static_cast<std::size_t>(count) * width_);
@@ -98,10 +97,10 @@ class Dataset {
         return values;
     }
 
-    //! Reads rows as the bytes that the file has.
+    //! Reads rows as bytes of the file.
     std::vector<char> bytes(hsize_t first, hsize_t count) const;
 
-    //! Writes and reads fixed-length strings; too long ones are cut.
+    //! Writes and reads fixed-length strings; too long strings are cut.
     void write_text(hsize_t row, const std::string& text);
     std::vector<std::string> read_text(hsize_t first, hsize_t count) const;
 
@@ -120,8 +119,8 @@ class Dataset {
     void fetch(hid_t type, hsize_t first, void* values,
                std::size_t count) const;
 
-    //! Returns the place of a row in memory. @throws Hdf5Error if there are no
-    //! such rows.
+    //! Returns the address of a row in memory. @throws Hdf5Error if it does not
+    //! exist.
     char* at(hsize_t first, std::size_t values) const;
 
     std::string name_;
@@ -129,7 +128,7 @@ class Dataset {
     Handle memory_type_;
     std::size_t value_size_ = 0;
     std::size_t width_ = 1;
-    char* mapped_ = nullptr;  //!< place of all rows; null: HDF5 moves them
+    char* mapped_ = nullptr;  //!< address of all rows; null if HDF5 moves them
     std::size_t mapped_values_ = 0;
 };
 

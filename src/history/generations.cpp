@@ -19,7 +19,7 @@ const std::string group_name = "generations";
 template <class Value>
 struct SummaryColumn {
     const char* name;
-    const char* unit;  //!< null: that of the first objective
+    const char* unit;  //!< unit; null is that of the first objective
     const char* meaning;
     Value GenerationSummary::*member;
 };
@@ -27,7 +27,8 @@ struct SummaryColumn {
 //! The unit that stands for the product of the units of all objectives.
 constexpr auto product = "product";
 
-//! The number of last columns that only cases with several objectives have.
+//! The number of columns at the end that only cases with several objectives
+//! have.
 constexpr std::size_t front_columns = 2;
 constexpr std::array number_columns{
     SummaryColumn<double>{"best", nullptr, "first objective of the best row",

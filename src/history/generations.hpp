@@ -10,7 +10,7 @@
 
 namespace ideotype {
 
-//! Rows of /evaluations that belong together.
+//! Consecutive rows of /evaluations that belong together.
 struct Span {
     hsize_t first = 0;
     hsize_t count = 0;
@@ -18,14 +18,14 @@ struct Span {
     hsize_t end() const { return first + count; }
 };
 
-//! The table /generations: which rows each has, and its summary.
+//! The table /generations: the rows of each generation and its summary.
 class Generations {
   public:
     static void create(hid_t file, const HistoryHeader& header);
 
     explicit Generations(hid_t file);
 
-    //! Returns the number of generations that there is room for.
+    //! Returns the number of generations for which the file has room.
     std::uint32_t most() const {
         return static_cast<std::uint32_t>(committed_.rows());
     }
@@ -34,21 +34,20 @@ class Generations {
     //! ones.
     std::uint32_t committed() const;
 
-    //! Returns the rows of a generation, of which there are none before it is
-    //! proposed.
+    //! Returns the rows of a generation; none before it is proposed.
     Span span(std::uint32_t generation) const;
     void set_span(std::uint32_t generation, const Span& span);
 
     std::vector<GenerationSummary> read(std::uint32_t count) const;
 
-    //! Writes the summary of a generation; its best slot becomes a row.
+    //! Writes the summary of a generation; its best slot is stored as a row.
     void write(std::uint32_t generation, const GenerationSummary& summary);
 
     std::string checksum(std::uint32_t generation) const {
         return checksum_.read_text(generation, 1)[0];
     }
     void set_checksum(std::uint32_t generation, const std::string& checksum);
-    //! Marks a generation complete, as the next one of those that are.
+    //! Marks the first incomplete generation complete.
     void set_committed(std::uint32_t generation);
 
   private:
@@ -56,9 +55,10 @@ class Generations {
     Dataset first_row_;
     Dataset count_;
     Dataset best_row_;
-    //! Columns of number_columns, in their order.
+    //! Datasets of number_columns, in their order.
     std::vector<Dataset> numbers_;
-    std::vector<Dataset> counts_;  //!< columns of count_columns, in their order
+    std::vector<Dataset>
+        counts_;  //!< datasets of count_columns, in their order
     Dataset checksum_;
 };
 

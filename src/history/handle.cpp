@@ -13,8 +13,8 @@ herr_t keep_first(unsigned, const H5E_error2_t* entry, void* text) {
     return 0;
 }
 
-// Returns the system's own words from a description of a failed system call,
-// which also has addresses and offsets.
+// Returns the system's message from a description of a failed system call that
+// also has addresses and offsets.
 std::string system_message(const std::string& description) {
     const std::string opening = "error message = '";
     const std::size_t begin = description.find(opening);

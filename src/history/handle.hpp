@@ -18,8 +18,7 @@ class Hdf5Error : public std::runtime_error {
 };
 
 //! Silences HDF5's own messages and its clean-up at exit, which crashes after a
-//! full disk. It is cheap, and has to be called before a file is opened or
-//! created.
+//! full disk. This cheap call must precede opening or creating a file.
 void initialize_hdf5();
 
 //! Reports the failure of an action.
@@ -53,13 +52,13 @@ class Handle {
         return *this;
     }
 
-    // Everything that a close could fail to write was flushed before, and a
-    // destructor has nobody to tell.
+    // Failures are ignored: all data were flushed before, and a destructor
+    // cannot report.
     ~Handle() {
         if (id_ >= 0) close_(id_);
     }
 
-    //! Closes now, so that a failure is reported.
+    //! Closes the identifier and reports a failure.
     void close(const std::string& action) {
         IDEOTYPE_EXPECT(id_ >= 0);
         checked(close_(std::exchange(id_, -1)), action);

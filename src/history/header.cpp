@@ -31,7 +31,7 @@ void write_genes(hid_t file, const GeneSpace& genes) {
         group,
         {.name = "unit", .axes = {"gene"}, .meaning = "of the gene's values"},
         texts_of(genes, &Gene::unit));
-    // Adds a number of each gene; the last argument has its type in the file.
+    // Adds a number of each gene; the last argument tells the type in the file.
     const auto add = [&](const std::string& name, const std::string& meaning,
                          const std::string& unit, hid_t type, auto member,
                          auto stored) {

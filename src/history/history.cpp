@@ -72,7 +72,7 @@ std::uint64_t History::evaluated() const {
 }
 
 std::uint32_t History::next_generation() const {
-    // A writer knows the number; under a reader the file grows.
+    // A writer knows the number, but a reader's file may have grown.
     if (file_->lock) return file_->next_generation;
     std::uint32_t count =
         file_->read([&] { return file_->generations.committed(); });

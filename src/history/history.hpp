@@ -26,21 +26,21 @@ struct HistoryHeader {
     std::string campaign_source;
     std::string campaign_resolved;
     GeneSpace genes;
-    OutcomeSchema schema;  //!< form of the outcomes in /evaluations
-    //! The number of randomisations that finalists' objectives are the means
-    //! of; all else is as in schema.
+    OutcomeSchema schema;  //!< form of outcomes in /evaluations
+    //! The number of randomisations whose means are finalists' objectives; the
+    //! rest is as in schema.
     std::size_t final_randomisations = 2;
     std::uint64_t seed = 0;  //!< seed of the case
-    int population = 0;      //!< rows of a generation, on average at most
-    int generations = 0;     //!< at most
-    int finalists = 0;       //!< rows of /final
+    int population = 0;      //!< mean number of rows of a generation, at most
+    int generations = 0;     //!< largest number of generations
+    int finalists = 0;       //!< number of rows of /final
 
-    //! Returns the room of /evaluations.
+    //! Returns the number of rows of /evaluations.
     int rows() const { return population * generations; }
     OutcomeSchema final_schema() const;
 };
 
-//! An evaluation as it is stored.
+//! A stored evaluation.
 struct Row {
     Candidate candidate;
     Outcome outcome;
@@ -52,70 +52,70 @@ inline constexpr std::size_t longest_command = 512;
 
 //! A start of the program on a history.
 struct SessionRecord {
-    std::string started;  //!< UTC, ISO 8601
+    std::string started;  //!< time in UTC, ISO 8601
     std::string host;
     std::string command;
     int ranks = 0;
-    std::string program{};    //!< name and version
+    std::string program{};    //!< name and version of the program
     std::string compiler{};   //!< compiler that built the program
-    std::string libraries{};  //!< name and version of each
+    std::string libraries{};  //!< names and versions of libraries
 };
 
-//! Tells what became of the program that writes a history.
+//! The state of the program that writes a history.
 enum class Writer {
-    alive,   //!< holds the file on this or another host
-    closed,  //!< ended in order
+    alive,   //!< writes the file on this or another host
+    closed,  //!< ended regularly
     killed,  //!< was killed, or its machine stopped
 };
 
-//! Looks at the lock of a history and tells what became of its writer. Never
-//! changes anything. Where the file system has no locks, a living writer on
-//! another host looks killed.
+//! Returns the state of a history's writer by the lock, without changing the
+//! file. Without locks of the file system, a living writer on another host
+//! seems killed.
 Writer writer_of(const std::string& path);
 
-//! Returns whether there is a file at this path. Never waits, as opening a pipe
-//! would. @throws Error if there is something else, or if that cannot be known.
+//! Returns whether a file exists at a path, without opening it. @throws Error
+//! if the path is no regular file or cannot be examined.
 bool history_exists(const std::string& path);
 
-//! Returns the bytes that the file of such a history reserves on the disk.
+//! Returns the bytes that a history with this header reserves on the disk.
 std::uint64_t history_bytes(const HistoryHeader& header);
 
-//! The error that another program writes this history at this moment.
+//! The error that another program is writing the history.
 class InUseError : public Error {
   public:
     explicit InUseError(const std::string& message)
         : Error(message, ExitCode::refused) {}
 };
 
-//! The file of one case: written by rank 0 as the evolution goes, in SWMR
-//! mode, and its only checkpoint. Every function throws Error with the file's
+//! The file of one case: rank 0 writes it during the evolution, in SWMR mode,
+//! and it is the only checkpoint. Every function throws Error with the file's
 //! name if HDF5 fails.
 class History {
   public:
-    //! Creates the file with everything in it that will ever be there, only
-    //! empty. @throws Error (refused) if it exists.
+    //! Creates the file with all datasets, which are empty. @throws Error
+    //! (refused) if it exists.
     static History create(const std::string& path, const HistoryHeader& header);
 
-    //! Opens the file of a killed, drained or finished run to go on.
-    //! @throws InUseError if another process writes it, Error (refused) if it
-    //! is not a history, of another format version, or if something in it does
-    //! not have its checksum.
+    //! Opens the file of a killed, drained or finished run to continue the run.
+    //! @throws InUseError if another process writes it, Error (refused) if the
+    //! file is no history, has another format version, or any part differs from
+    //! its checksum.
     static History resume(const std::string& path);
 
-    //! Opens to read only, also while another process writes.
-    //! @throws Error (refused) if something in it does not have its checksum.
-    //! Rows of a generation that is not complete have none.
+    //! Opens a file to read only, also while another process writes.
+    //! @throws Error (refused) if any part differs from its checksum. Rows of
+    //! an incomplete generation have no checksum.
     static History read(const std::string& path);
 
     //! Reads the header alone and compares its checksum.
     static HistoryHeader header_of(const std::string& path);
 
-    //! As read(), but opens also what is left of a file that was cut short.
-    //! Then only header(), next_generation(), rows(), generation() and
-    //! summaries() mean something: a generation counts if candidates,
-    //! objectives and violations of its rows are left.
-    //! @throws Error (refused) if the header, or a generation of which all is
-    //! left, does not have its checksum.
+    //! Opens a file as read() does, even if it was truncated. Then only
+    //! header(), next_generation(), rows(), generation() and summaries() are
+    //! valid: a generation counts if candidates, objectives and violations of
+    //! its rows are left.
+    //! @throws Error (refused) if the header or an intact generation differs
+    //! from its checksum.
     static History salvage(const std::string& path);
 
     History(History&&) noexcept;
@@ -127,17 +127,18 @@ class History {
 
     const HistoryHeader& header() const;
 
-    //! Returns how many bytes the end of the file lacks; 0 unless salvaged.
+    //! Returns the number of bytes lost at the end of the file; 0 unless
+    //! salvaged.
     std::uint64_t missing_bytes() const;
 
-    //! Returns the number of complete generations of which nothing is lost, and
-    //! which so could be compared with their checksums.
+    //! Returns the number of complete generations that are intact, and so have
+    //! been compared with their checksums.
     std::uint32_t whole_generations() const;
 
-    //! Adds an entry to /sessions. To be called once per start.
+    //! Adds an entry to /sessions. Call it once per start.
     void begin_session(const SessionRecord& session);
 
-    //! Returns the last start of the program; none for a new file.
+    //! Returns the last start of the program, or nothing for a new file.
     std::optional<SessionRecord> last_session() const;
 
     //! Returns the number of recorded evaluations, finalists and incomplete
@@ -147,12 +148,12 @@ class History {
     //! Returns the next generation to breed or complete: 0 for a new file.
     std::uint32_t next_generation() const;
 
-    //! Writes candidates from this slot of a generation of `size` rows on
-    //! before any is sent out, and returns how many of them are there already:
-    //! these are verified instead. Generations may differ in size, and the next
-    //! may be proposed before one is complete.
+    //! Writes candidates of a generation of `size` rows, from a slot on, before
+    //! any is evaluated. Candidates that are stored already are verified
+    //! instead; returns their number. Generations may differ in size, and the
+    //! next may be proposed before one is complete.
     //! @throws Error (refused) if a genome, origin or parent differs in any
-    //! bit, naming the slot, or if there is no room for them.
+    //! bit, naming the slot, or if there is no room for the candidates.
     std::size_t propose(std::uint32_t generation, std::size_t size,
                         std::uint32_t slot,
                         const std::vector<Candidate>& candidates);
@@ -164,54 +165,56 @@ class History {
     void record(std::uint32_t generation, std::uint32_t slot,
                 const Outcome& outcome, std::uint32_t attempt);
 
-    //! Returns one row, complete or not.
+    //! Returns one row, evaluated or not.
     Row row(std::uint32_t generation, std::uint32_t slot) const;
 
-    //! Returns the rows of a complete generation, with NaN in what a file that
-    //! was cut short has lost.
+    //! Returns the rows of a complete generation, with NaN for all numbers that
+    //! a truncated file has lost.
     std::vector<Row> rows(std::uint32_t generation) const;
 
-    //! Returns the number of slots of a proposed generation; 0 before.
+    //! Returns the number of slots of a proposed generation; 0 before it is
+    //! proposed.
     std::uint32_t size(std::uint32_t generation) const;
 
-    //! Returns what selection needs of the rows of a complete generation.
+    //! Returns the columns that selection needs, of all rows of a complete
+    //! generation.
     Population generation(std::uint32_t generation) const;
 
-    //! Marks a generation complete. It is in the file at once, and on the disk
-    //! within a second and the next commit.
+    //! Marks a generation complete. The mark is in the file at once, and on the
+    //! disk at the first commit after a second.
     void commit(std::uint32_t generation, const GenerationSummary& summary);
 
     //! Returns the summaries of all committed generations.
     std::vector<GenerationSummary> summaries() const;
 
-    //! These functions do for finalists, in /final, what propose, record and
-    //! row do for generations. pending_final() returns slots that are proposed,
-    //! and not done or failed yet. Slot 0 is the baseline.
+    //! The following functions propose, record and return finalists, in /final,
+    //! as their namesakes do for generations. pending_final() returns proposed
+    //! slots that are neither done nor failed. Slot 0 is the baseline.
     void propose_final(const std::vector<Candidate>& candidates);
     std::vector<std::uint32_t> pending_final() const;
     void record_final(std::uint32_t slot, const Outcome& outcome);
     std::vector<Row> finalists() const;
 
-    //! Refuses a file that was deleted or replaced, since nobody could ever
-    //! read what is written to it. Every write looks at this too. @throws Error
-    //! (refused)
+    //! Refuses a file that was deleted or replaced, whose new rows nobody could
+    //! read. Every write checks this too. @throws Error (refused)
     void require_in_place() const;
 
-    //! Returns the seconds that all sessions together spent.
+    //! Returns the sum of the wall times of all sessions [s].
     double wall_time() const;
     void set_wall_time(double seconds);
 
-    //! Adds a line to /messages, which keeps the oldest when it is full.
+    //! Adds a line to /messages, which keeps the oldest lines when full.
     void message(const std::string& text);
 
     //! Marks the case finished with a reason such as "generations".
     void finish(const std::string& reason);
 
-    //! Closes the file of a writer, after which nothing else may be asked.
-    //! @throws Error if the last of it cannot be written; rows are safe then.
+    //! Closes the file of a writer, after which no other function may be
+    //! called.
+    //! @throws Error if the last data cannot be written; rows are safe then.
     void close();
 
-    //! Returns why the case finished, if it did.
+    //! Returns the reason why the case finished, if it did.
     std::optional<std::string> finished() const;
 
   private:
@@ -226,9 +229,9 @@ struct Verified {
     std::uint32_t finalists = 0;
 };
 
-//! Reads all of a history, also while it is written, and compares header,
-//! complete generations and finalists with their checksums.
-//! @throws Error (refused) that names what is damaged.
+//! Compares header, complete generations and finalists of a history, which may
+//! be live, with their checksums.
+//! @throws Error (refused) that names the damaged part.
 Verified verify_file(const std::string& path);
 
 }  // namespace ideotype

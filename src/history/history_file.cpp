@@ -22,7 +22,7 @@ bool is_same(double a, double b) {
 }
 
 //! Describes the first gene, origin or parent in which two candidates differ in
-//! any bit, with both values; empty if they are the same.
+//! any bit, with both values; "" if there is no difference.
 std::string first_difference(const GeneSpace& genes, const Candidate& was,
                              const Candidate& is) {
     IDEOTYPE_EXPECT(was.genome.size() == genes.size() &&
@@ -140,13 +140,14 @@ void History::File::record(Columns& columns, const std::string& label,
         if (&columns == &finals)
             columns.set_checksum(row,
                                  finalist_checksum(id, row, outcome.status));
-        // Rows are never buffered, so each write is the system's when it
-        // returns; a flush would look at all datasets to find nothing.
+        // Rows are never buffered, so the system has each write at its return;
+        // a flush would search all datasets for nothing.
         columns.set_statuses(row, {outcome.status});
     });
 }
 
-//! Refuses a mapped file that was cut short: lost pages may not be touched.
+//! Refuses a truncated file that is mapped: its lost pages must not be
+//! accessed.
 void History::File::require_whole() const {
     if (mapping && !mapping->is_whole())
         fail(

@@ -22,7 +22,7 @@
 
 namespace ideotype {
 
-//! Runs an action that may fail in HDF5, and names the file if it does.
+//! Runs an action, and names the file in an Error if HDF5 fails.
 template <class Action>
 auto with_name_of(const std::string& path, Action action) {
     try {
@@ -32,17 +32,18 @@ auto with_name_of(const std::string& path, Action action) {
     }
 }
 
-//! The open file, and what History does with generations and finalists alike.
+//! The open file, with the work that History does for generations and finalists
+//! alike.
 struct History::File {
-    //! Takes over the file. A reader holds no lock.
+    //! Takes over an open file. A reader holds no lock.
     File(std::string name, std::optional<FileLock> held, Handle opened);
 
-    //! Returns the rows of a generation, of which there are none before it is
-    //! proposed. @throws Error if there can be no such generation.
+    //! Returns the rows of a generation; none before it is proposed. @throws
+    //! Error if there can be no such generation.
     Span span(std::uint32_t generation) const;
 
-    //! Returns the row of a slot in /evaluations. @throws Error if there is
-    //! none.
+    //! Returns the row of a slot in /evaluations. @throws Error if the slot
+    //! does not exist.
     hsize_t row(std::uint32_t generation, std::uint32_t slot) const;
 
     [[noreturn]] void fail(const std::string& what,
@@ -77,11 +78,11 @@ struct History::File {
     }
 
     //! Requires that genomes have the genes of this history. @throws Error if
-    //! not.
+    //! the genes differ.
     void require_genes(const std::vector<Candidate>& candidates) const;
 
-    //! Stores candidates, or verifies what an interrupted session stored, and
-    //! returns how many these are. label names a row together with its slot.
+    //! Stores candidates, or verifies those of an interrupted session and
+    //! returns their number. label names a row together with its slot.
     std::size_t propose(Columns& columns, const std::string& label,
                         std::uint32_t first_slot, hsize_t first,
                         const std::vector<Candidate>& candidates);
@@ -90,14 +91,14 @@ struct History::File {
     void record(Columns& columns, const std::string& label, hsize_t row,
                 const Outcome& outcome, std::uint32_t attempt);
 
-    //! Forces the file to the disk unless that was done within the last second:
-    //! it takes milliseconds, as long as a small generation.
+    //! Forces the file to the disk at most once a second, since this takes
+    //! milliseconds, as long as a small generation.
     void synchronize_each_second();
 
     std::string path;
     std::optional<FileLock> lock;
     Handle id;
-    std::unique_ptr<Mapping> mapping;  //!< the file as memory, for a writer
+    std::unique_ptr<Mapping> mapping;  //!< file mapped to memory, for a writer
     HistoryHeader header;
     Columns evaluations;
     Columns finals;
@@ -105,7 +106,7 @@ struct History::File {
     Journal journal;
     GenerationChecksums checksums;
     std::uint32_t next_generation = 0;
-    std::vector<Span> spans;  //!< generations of a writer
+    std::vector<Span> spans;  //!< rows of generations, for a writer
     //! The time at which the file was last forced to the disk.
     std::chrono::steady_clock::time_point synchronized{};
     bool is_broken = false;

@@ -11,25 +11,25 @@
 
 namespace ideotype {
 
-//! The tables /state, /sessions and /messages: what happens to the case besides
-//! its evolution.
+//! The tables /state, /sessions and /messages: events of the case besides its
+//! evolution.
 class Journal {
   public:
     static void create(hid_t file);
 
     explicit Journal(hid_t file);
 
-    //! Both functions drop what does not fit any more.
+    //! Both functions drop entries for which there is no room.
     void add(const SessionRecord& session);
     void add(const std::string& message);
 
-    //! Returns the last session, or none if there was none yet.
+    //! Returns the last session, or nothing before the first.
     std::optional<SessionRecord> last_session() const;
 
     double wall_time() const { return wall_time_.read<double>(0, 1)[0]; }
     void set_wall_time(double seconds) { wall_time_.write_one(0, seconds); }
 
-    //! Writes why the case is over. To be called before set_finished().
+    //! Writes the reason of the end of the case. Call it before set_finished().
     void set_reason(const std::string& reason);
     void set_finished() { finished_.write_one(0, std::int8_t{1}); }
     std::optional<std::string> finished() const;
@@ -38,7 +38,7 @@ class Journal {
     Dataset finished_;
     Dataset reason_;
     Dataset wall_time_;
-    //! Columns of session_columns, in their order.
+    //! Datasets of session_columns, in their order.
     std::vector<Dataset> sessions_;
     Dataset ranks_;
     Dataset messages_;

@@ -27,7 +27,7 @@ Handle create_space(const Sizes& sizes) {
 Handle create_properties(const DatasetForm& form) {
     const std::string action = "create " + form.name;
     Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, action);
-    // With times, two equal runs would give different files.
+    // Times of creation would make the files of equal runs differ.
     checked(H5Pset_obj_track_times(properties, false), action);
     checked(H5Pset_layout(properties, H5D_CONTIGUOUS), action);
     checked(H5Pset_alloc_time(properties, H5D_ALLOC_TIME_EARLY), action);
@@ -47,8 +47,7 @@ Handle create_block(hid_t group, const DatasetForm& form, const Sizes& sizes) {
         H5Dcreate2(group, form.name.c_str(), form.type, create_space(sizes),
                    H5P_DEFAULT, create_properties(form), H5P_DEFAULT),
         H5Dclose, "create " + form.name);
-    // These are the names of the CF conventions, which xarray writes on its
-    // axes.
+    // Attributes have names of the CF conventions, which xarray shows at axes.
     create_attribute(dataset, "units", form.unit);
     create_attribute(dataset, "long_name", form.meaning);
     return dataset;

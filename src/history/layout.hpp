@@ -13,8 +13,8 @@ namespace ideotype {
 //! NUL.
 Handle string_type(std::size_t size);
 
-//! Returns the types of Status, Origin and yes/no, which are enumerations of 8
-//! bits. The last one is that which h5py takes for bool.
+//! The following functions return the types of Status, Origin and yes/no, which
+//! are enumerations of 8 bits. h5py reads yes/no as bool.
 Handle status_type();
 Handle origin_type();
 Handle bool_type();
@@ -24,8 +24,8 @@ void create_attribute(hid_t object, const std::string& name,
 void create_attribute(hid_t object, const std::string& name, hid_t type,
                       const void* value);
 
-//! Returns the names of the attributes of an object but those that make up
-//! HDF5's dimension scales: these hold addresses in their file.
+//! Returns the names of the attributes of an object except those of HDF5's
+//! dimension scales, which hold addresses in the file.
 std::vector<std::string> attributes_of(hid_t object);
 
 //! An attribute: its type in the file and its bytes.
@@ -36,10 +36,10 @@ struct Attribute {
     std::vector<char> bytes;
 };
 
-//! Returns a string attribute of an object, empty if it has none of this name.
+//! Returns a string attribute of an object, or "" if it does not exist.
 std::string text_attribute(hid_t object, const std::string& name);
 
-//! Returns an attribute that is a number, in the native type of this kind.
+//! Returns an attribute that is a number, in the native type of Value.
 template <class Value>
 Value number_attribute(hid_t object, const std::string& name,
                        hid_t memory_type) {
@@ -53,38 +53,37 @@ Value number_attribute(hid_t object, const std::string& name,
 //! Returns the paths of all datasets of a file or group, by name.
 std::vector<std::string> datasets_of(hid_t location);
 
-//! Tells when the values of a dataset take room on the disk.
+//! The time at which the values of a dataset take room on the disk.
 enum class Room {
-    at_once,    //!< values are written with the one for empty
-    as_needed,  //!< rows are holes of the file, zeros, until they are written
+    at_once,    //!< room is taken by writing the empty value
+    as_needed,  //!< rows are holes of zeros until they are written
 };
 
-//! The form that a dataset has for its whole life.
+//! The permanent form of a dataset.
 struct DatasetForm {
     std::string name;
     hid_t type = -1;
-    //! Names of axes of its group; none: a scalar.
+    //! The names of axes in the group of the dataset; none for a scalar.
     std::vector<std::string> axes{};
-    std::string unit = "1";  //!< "" of texts
+    std::string unit = "1";  //!< unit; "" for texts
     std::string meaning{};
-    //! The value of numbers that are not written, in the type's native form;
-    //! null: zeros.
+    //! The value of unwritten numbers, in the type's native form; null for
+    //! zeros.
     const void* empty = nullptr;
     Room room = Room::at_once;
 };
 
 //! Creates a dataset as one block at a fixed place, with a dimension scale on
-//! each axis. A kill can cut a single write in two, at the end of a memory
-//! page, and HDF5 cannot read an index of chunks of which that happened; one
-//! block needs no index.
-//! @param group with a scale of the name of each axis
+//! each axis. One block needs no index of chunks, which HDF5 could not read
+//! after a kill that cuts a write in two at the end of a memory page.
+//! @param group group that has a scale for each axis
 Handle create_dataset(hid_t group, const DatasetForm& form);
 
 //! Creates the dimension scale of an axis.
 void create_axis(hid_t group, const Axis& axis);
 
 //! Creates and fills a dataset of strings, one for each entry of its axis, as
-//! long as the longest. The type of the form is not looked at.
+//! long as the longest. The type in the form is ignored.
 void create_texts(hid_t group, DatasetForm form,
                   const std::vector<std::string>& texts);
 

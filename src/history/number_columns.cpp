@@ -17,8 +17,8 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 // Returns names and axes in the order of a schema: "lai
-// absorbed_by_leaf[leaf]". In a file that is cut short this is there when the
-// scales' references are not.
+// absorbed_by_leaf[leaf]". A truncated file may have this text but lack
+// references to scales.
 std::string text_of(const std::vector<Quantity>& quantities) {
     std::string text;
     for (const Quantity& each : quantities)

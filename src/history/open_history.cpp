@@ -15,7 +15,8 @@ namespace ideotype {
 History History::create(const std::string& path, const HistoryHeader& header) {
     FileLock lock = FileLock::of_new(path);
     if (history_exists(path)) {
-        const FileLock held(path);  // or another program begins it right now
+        const FileLock held(
+            path);  // fails if another program has just begun it
         throw Error(
             path +
                 ": this history exists already; add --resume to go on with it",
@@ -58,7 +59,8 @@ HistoryHeader History::header_of(const std::string& path) {
 
 Verified verify_file(const std::string& path) {
     const History history = History::read(path);
-    // Compressed blocks have checksums of their own, which reading looks at.
+    // Compressed blocks have checksums of their own, which are checked at
+    // reading.
     with_name_of(path, [&] {
         constexpr hsize_t most = 1000;
         const Handle file = open_as_it_is(path);
@@ -84,7 +86,7 @@ History History::salvage(const std::string& path) {
         if (remains.missing == 0) return History(std::move(file));
         file->evaluations.cut(remains.bytes);
         History history(std::move(file));
-        // The header of a file with no generation left need not be whole.
+        // The header need not be whole if no generation is left.
         if (history.next_generation() > 0)
             require_header_intact(history.file_->id, path);
         for (std::uint32_t g = 0; g < history.whole_generations(); ++g)

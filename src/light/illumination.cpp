@@ -28,7 +28,7 @@ std::vector<Date> dates_of_suns(const LightSeries& series, int count) {
     return dates;
 }
 
-//! Returns for each instant the one whose sun it has.
+//! Returns, for each instant, the instant whose sun represents its own.
 std::vector<std::size_t> instants_of_suns(const LightSeries& series,
                                           int count) {
     const std::vector<Date> dates = dates_of_suns(series, count);
@@ -80,7 +80,7 @@ SeriesIllumination illuminate(LightSeries series, SkyModel sky_model,
         const SunPosition& position = steps[i].sun;
         return SunPosition{position.zenith, position.azimuth - row_direction};
     };
-    // Adds one source for each sun that has light; returns that of each
+    // Adds one source for each sun that has light; returns the source of each
     // instant.
     const auto add = [&](double Irradiance::*part, const auto& source_of) {
         std::vector<double> energy(steps.size());
@@ -106,7 +106,7 @@ SeriesIllumination illuminate(LightSeries series, SkyModel sky_model,
     });
     if (sky_model == SkyModel::clear || skies == Skies::each) {
         result.sky_of = add(&Irradiance::diffuse, [&](std::size_t i) {
-            // A night without end has no clear sky.
+            // Without sun there is no clear sky.
             return Source{
                 std::nullopt, 0,
                 SkySampler(is_up(steps[i]) ? SkyRadiance{sky_model, sun(i)}

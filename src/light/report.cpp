@@ -15,8 +15,8 @@ double count(const std::vector<Tally>& tallies) {
     return static_cast<double>(tallies.size());
 }
 
-//! Returns the resolution of all tallies together; an empty one if they were
-//! not simulated.
+//! Returns the resolution of all tallies together, or an empty resolution if
+//! they were not simulated.
 Resolution resolution_of(const std::vector<Tally>& tallies) {
     Resolution all;
     const Resolution* last = nullptr;
@@ -45,8 +45,8 @@ Estimate over(const std::vector<Tally>& tallies, const Resolution& resolution,
                     part * resolution.largest_path() / count(tallies));
 }
 
-//! Returns a figure that is a sum over sources, each with its weight; a path
-//! may add a part of its energy.
+//! Returns the estimate of a weighted sum over sources, to which a path may add
+//! a part of its energy.
 Estimate weighted(const std::vector<Tally>& tallies,
                   const Resolution& resolution,
                   const std::vector<double>& weights, double part,
@@ -121,7 +121,7 @@ struct Part {
 };
 
 //! Returns the light of Tally::parts.
-//! @param hours the light of each hour
+//! @param hours light of each hour
 std::vector<PartLight> light_of_parts(const std::vector<Tally>& tallies,
                                       const Resolution& resolution,
                                       const std::vector<Part>& hours) {

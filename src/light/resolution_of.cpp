@@ -17,13 +17,13 @@ Resolution resolution_of(const RayScene& scene,
     result.path_energy = std::move(path_energy);
     result.groups.resize(groups.size());
     result.layers.resize(layers.count);
-    // Light ends in groups that absorb, in soil that absorbs, or, if anything
-    // scatters it, in the sky.
+    // Light ends in groups that absorb, in soil that absorbs, or, if a surface
+    // scatters light, in the sky.
     bool scatters = optics.soil_albedo > 0;
     const double soil_keeps = 1 - optics.soil_albedo;
     struct Kind {
-        std::size_t absorbing = 0;  //!< groups
-        double keeps = 0;  //!< largest part of light that a group keeps
+        std::size_t absorbing = 0;  //!< number of absorbing groups
+        double keeps = 0;  //!< largest part of light that a group absorbs
     } leaves, organs, objects;
     for (std::size_t g = 0; g < groups.size(); ++g) {
         const Interval heights = scene.heights(g);

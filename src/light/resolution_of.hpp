@@ -10,7 +10,7 @@
 
 namespace ideotype {
 
-//! Returns the resolution of a scene: which figures depend on the paths of
+//! Returns the resolution of a scene: the dependence of figures on paths of
 //! light, and the energy of a path of each source.
 Resolution resolution_of(const RayScene& scene,
                          const std::vector<Group>& groups, const Optics& optics,

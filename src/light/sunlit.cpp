@@ -53,9 +53,9 @@ SunlitFractions sunlit_fractions(const RayScene& scene, const Mesh& mesh,
 
 namespace {
 
-//! A hit of a leaf that is edge-on to the sun stands for much leaf area, and
-//! without a bound for an infinite one. Taken this far from the edge, what hits
-//! miss is less than a thousandth of the leaf area.
+//! The smallest cosine between a leaf's normal and the sun. A hit of a leaf
+//! edge-on to the sun would stand for an infinite leaf area; this bound makes
+//! hits miss less than a thousandth of the leaf area.
 constexpr double least_cosine = 1e-3;
 
 }  // namespace
@@ -111,7 +111,7 @@ SunlitReport report(const SunlitFractions& sunlit,
                     const SeriesIllumination& illumination) {
     const LightSeries& series = illumination.series;
     IDEOTYPE_EXPECT(sunlit.steps.size() == illumination.light.sources.size());
-    // Returns a weighted mean over steps by randomisation, which is certain
+    // Returns a weighted mean over steps by randomisation, which is exact
     // without any sun.
     const auto mean = [&](const std::vector<std::size_t>& steps,
                           const auto& weight,

@@ -25,8 +25,8 @@ namespace {
 //! Finds the first hits of one source.
 class SourceRun {
   public:
-    //! Uses the first hits of a randomisation, with a number that is uniform in
-    //! [0, 1).
+    //! A function of a randomisation's first hits and a number uniform in [0,
+    //! 1).
     using Use = std::function<void(std::size_t, const FirstHits&, double)>;
 
     SourceRun(const RayScene& scene, const Source& source, std::uint32_t number,
@@ -38,7 +38,8 @@ class SourceRun {
           randomness_(randomness) {}
 
     //! Finds first hits and calls `use` for each randomisation.
-    //! @param all randomisations, of which those from `first` up to `last`
+    //! @param all number of randomisations; hits are found from `first` up to
+    //! `last`
     void find(std::uint32_t first_hits, int all, std::size_t first,
               std::size_t last, const Use& use) const {
         if (is_drawn(scene_, source_, first_hits, all))
@@ -60,14 +61,14 @@ class SourceRun {
                 number_};
     }
 
-    //! Returns a number beyond the dimensions that first hits use.
+    //! Returns a random number in a dimension that first hits do not use.
     double start(PathSampler& numbers) const {
         numbers.begin(0, scene_.boundary() == Boundary::periodic ? 4 : 8);
         return numbers.next();
     }
 
-    //! Draws the beam, for so many randomisations at a time as memory is
-    //! reasonable for.
+    //! Draws the beam, for a number of randomisations at a time that limits
+    //! memory.
     void draw(std::uint32_t first_hits, int all, std::size_t first,
               std::size_t last, const Use& use) const {
         const glm::dvec3 direction = not_level(*source_.direction);
@@ -99,8 +100,7 @@ class SourceRun {
     const Randomness& randomness_;
 };
 
-//! The number of nets of paths of scattered light in a band, which no other
-//! band has.
+//! The number of nets of scattered light that are reserved for each band.
 constexpr std::uint32_t nets_of_band = 1u << 26;
 
 //! Follows the light of one band on its way from surface to surface.
@@ -135,10 +135,11 @@ struct BandRun {
     std::uint32_t first_net;
     Tracer tracer;
     bool has_leaf_light;
-    std::vector<double> of_hit, of_path;  //!< energies by source [J m-2]
-    std::vector<double> scale;            //!< energy over that of first hits
-    double from_soil = 1;   //!< scale for light that soil sends into a plot
-    double most_paths = 0;  //!< most paths of a randomisation
+    std::vector<double> of_hit,
+        of_path;  //!< energies of hits and paths by source [J m-2]
+    std::vector<double> scale;  //!< energy over that of first hits
+    double from_soil = 1;       //!< scale for light that soil sends into a plot
+    double most_paths = 0;      //!< most paths of a randomisation
     LeafSums leaf_sums{};
 };
 
@@ -189,8 +190,7 @@ BandTallies simulate(const Subject& subject, const Workload& work,
         tallies.emplace_back(static_cast<std::size_t>(randomisations), empty);
     }
     if (sources.empty()) return tallies;
-    // Randomisations are simulated so many at a time as memory is reasonable
-    // for.
+    // The number of randomisations simulated together limits memory.
     constexpr std::size_t room = 1 << 18;
     const auto all = static_cast<std::size_t>(randomisations);
     const auto together = static_cast<std::size_t>(

@@ -42,8 +42,8 @@ void Dispatcher::remove(Batch& batch) {
     std::erase(complete_, &batch);
 }
 
-//! Adds what the source of a batch has next to the work that waits; returns
-//! false if that is nothing, or if the source failed.
+//! Adds the next work of a batch's source to the waiting work; returns false if
+//! there is none, or if the source failed.
 bool Dispatcher::fetch(Batch& batch) {
     std::optional<Work> work;
     try {
@@ -73,7 +73,7 @@ void Dispatcher::resume_complete() {
     }
 }
 
-//! Lets all routines go on with the outcomes that there are.
+//! Lets all routines go on with the outcomes so far.
 void Dispatcher::release_all() {
     while (!open_.empty()) close(*open_.begin()->second);
 }

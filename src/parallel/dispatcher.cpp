@@ -16,8 +16,8 @@ namespace ideotype {
 
 namespace {
 
-//! The factor by which an evaluation has to take longer than the longest before
-//! it is late.
+//! An evaluation is late if it takes longer than the longest one by this
+//! factor.
 constexpr double longest_factor = 20;
 
 std::string name_of(const Task& task) {
@@ -29,7 +29,7 @@ std::string name_of(const Task& task) {
 }  // namespace
 
 struct Dispatcher::Assignment {
-    std::uint64_t batch = 0;  //!< number of the batch, which may be gone since
+    std::uint64_t batch = 0;  //!< number of the batch, which may be gone
     std::uint64_t item = 0;
     Task task;
     double began = 0;     //!< time of now() [s]
@@ -52,7 +52,7 @@ Dispatcher::Dispatcher(std::unique_ptr<Workers> workers, const StopFlag& stop,
 }
 
 Dispatcher::~Dispatcher() {
-    // The reply of a busy worker could not leave it if nobody took it.
+    // A busy worker could not send its reply if nobody received it.
     if (dismiss()) return;
     while (has_late()) drop_next();
 }
@@ -69,8 +69,7 @@ void Dispatcher::run(Director& director) {
             has_told_of_stop_ = true;
             director.on_stop(busy_in_time());
         }
-        // Work is handed out before routines go on, since they take their time
-        // to breed.
+        // Work is handed out before routines go on, since breeding takes time.
         while (hand_out()) continue;
         resume_complete();
         while (!idle_.empty() && !is_ending())
@@ -103,7 +102,7 @@ bool Dispatcher::dismiss() {
     return !has_late();
 }
 
-//! Returns how many workers may still answer in time.
+//! Returns the number of workers that may still answer in time.
 int Dispatcher::busy_in_time() const {
     return static_cast<int>(deadlines_.size());
 }
@@ -112,8 +111,8 @@ bool Dispatcher::has_late() const {
     return idle_.size() + deadlines_.size() < given_.size();
 }
 
-//! Tells how long this process has run [s]. While a job stands still, as after
-//! Ctrl-Z, nobody is late.
+//! Returns the running time of this process [s]. It stands still while a job is
+//! paused, as after Ctrl-Z, so that no worker becomes late.
 double Dispatcher::now() {
     constexpr double longest_step = 0.5;
     const double looked = clock_.now();
@@ -145,7 +144,7 @@ Dispatcher::Assignment Dispatcher::take(int worker, const Outcome& outcome) {
     return given;
 }
 
-//! Returns a worker that is late from now on, if there is one.
+//! Returns a worker that has just become late, if there is one.
 std::optional<int> Dispatcher::next_late() {
     const auto first = deadlines_.begin();
     if (first == deadlines_.end() || now() <= first->first) return {};
@@ -154,8 +153,8 @@ std::optional<int> Dispatcher::next_late() {
     return worker;
 }
 
-//! Sends the next work to an idle worker; returns false if there is none of
-//! either, or a stop is requested.
+//! Sends the next work to an idle worker; returns false without work or idle
+//! worker, or if a stop is requested.
 bool Dispatcher::hand_out() {
     if (is_ending() || idle_.empty()) return false;
     for (const auto& [precedence, open] : open_) {
@@ -196,7 +195,7 @@ void Dispatcher::receive(Director& director) {
     while (const auto worker = next_late()) give_up(*worker, director);
 }
 
-//! Notes that a machine could not evaluate, which says nothing of the plant.
+//! Notes that a machine could not evaluate, whatever the plant.
 void Dispatcher::note_obstacle(int worker, const Task& task,
                                const std::string& reason) {
     if (!obstacle_.empty()) return;
@@ -206,7 +205,8 @@ void Dispatcher::note_obstacle(int worker, const Task& task,
         worker, name_of(task), reason);
 }
 
-//! Records an outcome, unless its batch is gone or another attempt was first.
+//! Records an outcome, unless its batch has ended or another attempt answered
+//! first.
 void Dispatcher::settle(const Assignment& given, const Outcome& outcome) {
     IDEOTYPE_EXPECT(outcome.status == Status::done ||
                     outcome.status == Status::failed);
@@ -238,7 +238,8 @@ void Dispatcher::give_up(int worker, Director& director) {
     const auto found = by_number_.find(given.batch);
     const bool is_needed = found != by_number_.end() &&
                            found->second->unanswered_.contains(given.item);
-    // If nobody is left, the fault is hardly the candidate's: it stays pending.
+    // If no worker is left, the fault is hardly the candidate's, which stays
+    // pending.
     const bool is_alone = idle_.empty() && busy_in_time() == 0;
     const bool is_last =
         given.task.attempt >= static_cast<std::uint32_t>(rules_.attempts);
@@ -270,7 +271,7 @@ double Dispatcher::seconds_to_wait() const {
                       rules_.attention);
 }
 
-//! Takes an answer that nobody needs any more, or notices who is late.
+//! Takes and drops an answer, or notices a late worker.
 void Dispatcher::drop_next() {
     if (const auto answer = workers_->wait(seconds_to_wait()))
         take(answer->worker, answer->outcome);

@@ -29,23 +29,23 @@ struct Work {
     bool operator==(const Work&) const = default;
 };
 
-//! Returns the next work of a batch that can be handed out, if there is any
-//! now; called again after each outcome. Work of later generations comes later.
+//! A function that returns the next work of a batch, if any is ready; it is
+//! called again after each outcome. Work of later generations comes later.
 using NextWork = std::function<std::optional<Work>()>;
 
-//! Records an outcome. Called on rank 0 for each as it arrives, and must make
-//! it durable before it returns. The task says which attempt was answered.
+//! A function that records an outcome. It is called on rank 0 for each arriving
+//! outcome, and must make it durable. The task tells the answered attempt.
 using Record = std::function<void(const Work&, const Outcome&)>;
 
-//! The rules that tell how long to wait for an answer, and how often to try.
+//! The rules for the time to wait for an answer and the number of attempts.
 struct AnswerRules {
-    //! The time after which an evaluation is late [s], unless 20 times what the
-    //! longest took so far is longer.
+    //! The time after which an evaluation is late [s], or 20 times the longest
+    //! so far if that is longer.
     double deadline = 60;
     //! The number of late attempts after which an evaluation has failed, unless
     //! no worker is left.
     int attempts = 3;
-    //! The time that a final evaluation takes over that of another.
+    //! The time of a final evaluation over that of a usual one.
     double final_effort = 1;
     //! The time within which a stop request, a passed deadline or new work of a
     //! source is noticed while evaluations are in flight [s].
@@ -56,21 +56,21 @@ struct AnswerRules {
     }
 };
 
-//! Decides what begins, and hears of all that is not an outcome.
+//! Starts routines, and is told all events except outcomes.
 class Director {
   public:
     virtual ~Director() = default;
 
-    //! Called when workers have nothing to do: starts another routine that will
-    //! await evaluations, or returns false if there is none.
+    //! Starts another routine that will await evaluations, when workers are
+    //! idle; returns false if there is none.
     virtual bool start_next() = 0;
 
-    //! Called when a worker did not answer in time; `what` says so for the
-    //! user.
+    //! Is called when a worker did not answer in time; `what` is a message for
+    //! the user.
     virtual void on_silence(const Task& task, const std::string& what) = 0;
 
-    //! Called once when a stop is requested and so many evaluations are in
-    //! flight.
+    //! Is called once when a stop is requested, with the number of evaluations
+    //! in flight.
     virtual void on_stop(int in_flight) = 0;
 };
 
@@ -78,47 +78,47 @@ class Batch;
 class Workers;
 
 //! Hands the work of several routines to evaluators on demand. Work of the case
-//! that is furthest behind comes first, so that each fills the gaps at the ends
-//! of the others' generations and cases that were begun together end together.
+//! that is furthest behind comes first: cases fill gaps at the ends of each
+//! other's generations, and cases that begin together end together.
 class Dispatcher {
   public:
     Dispatcher(std::unique_ptr<Workers> workers, const StopFlag& stop,
                const AnswerRules& rules = {},
                const RankClock& clock = machine_clock);
-    //! Dismisses the workers, and waits for ever for those that are late.
+    //! Dismisses the workers, and waits for late workers without limit.
     ~Dispatcher();
     Dispatcher(const Dispatcher&) = delete;
     Dispatcher& operator=(const Dispatcher&) = delete;
 
     //! Evaluates work of one case in any order, until nothing is in flight and
-    //! the source has nothing more; for routines within run(), which co_await
-    //! it. If a stop is requested, hands out nothing more and goes on when what
-    //! is in flight has arrived or is late. Rethrows an exception of source or
-    //! record; what was in flight is then lost.
+    //! the source is empty; routines within run() co_await the batch. After a
+    //! stop request, no work is handed out, and the routine goes on when all
+    //! work in flight has arrived or is late. Rethrows an exception of source
+    //! or record; work in flight is then lost.
     Batch evaluate(NextWork source, Record record);
 
-    //! Evaluates work that is known, as a source would give it piece by piece.
+    //! Evaluates a list of work, as if a source gave it piece by piece.
     Batch evaluate(std::vector<Work> work, Record record);
 
     //! Runs routines until all have ended. A late evaluation is given to
     //! another worker, and the first answer counts. A late worker gets no
     //! work until it answers.
-    //! @throws Error if no worker answers any more, or, after the routines have
-    //! gone on as after a stop, if a machine could not evaluate. Routines that
+    //! @throws Error if no worker answers any more, or if a machine could not
+    //! evaluate, after routines have gone on as after a stop. Routines that
     //! still pause must be destroyed before the dispatcher.
     void run(Director& director);
 
-    //! Returns how many evaluations can run at the same time.
+    //! Returns the number of evaluations that can run at one time.
     int width() const;
 
-    //! Waits for what is in flight, but not beyond its deadline, drops it and
-    //! tells the workers that there is no more. False if one does not answer;
-    //! then only Session::abort() can end the job.
+    //! Waits for work in flight until its deadline, drops it and dismisses the
+    //! workers. Returns false if a worker does not answer; then only
+    //! Session::abort() can end the job.
     [[nodiscard]] bool dismiss();
 
   private:
     friend Batch;
-    //! The work that a worker was given, and when.
+    //! The work that was given to a worker, with its times.
     struct Assignment;
     //! Orders batches: lowest generation first, then lowest case, then oldest.
     using Precedence = std::tuple<std::uint32_t, std::uint32_t, std::uint64_t>;
@@ -149,10 +149,11 @@ class Dispatcher {
     AnswerRules rules_;
     const RankClock& clock_;
     std::vector<std::optional<Assignment>> given_;  //!< assignments by worker
-    // Work is never done for each of all workers, since there may be thousands.
+    // The idle workers. Loops never run over all workers, since there may be
+    // thousands.
     std::set<int> idle_;
-    //! The times at which workers that are in time become late, as now() tells
-    //! [s].
+    //! The times at which workers that are in time become late, in the time of
+    //! now() [s].
     std::set<std::pair<double, int>> deadlines_;
     std::map<Precedence, Batch*> open_;
     std::map<std::uint64_t, Batch*> by_number_;  //!< open batches by number
@@ -161,9 +162,9 @@ class Dispatcher {
     //! The longest time that an evaluation of usual effort took [s]; late ones
     //! do not count.
     double longest_ = 0;
-    double looked_;         //!< when now() was asked last, on the clock [s]
+    double looked_;         //!< clock time at which now() was called last [s]
     double running_ = 0;    //!< result of now() at that time [s]
-    std::string obstacle_;  //!< why a machine could not evaluate
+    std::string obstacle_;  //!< reason why a machine could not evaluate
     bool has_told_of_stop_ = false;
     bool is_dismissed_ = false;
 };
@@ -180,7 +181,7 @@ class [[nodiscard]] Batch {
     Batch(const Batch&) = delete;
     Batch& operator=(const Batch&) = delete;
 
-    // These functions make a batch something that routines co_await.
+    // The following functions allow routines to co_await a batch.
     bool await_ready() {
         return dispatcher_.stop_.requested() || !dispatcher_.fetch(*this);
     }
@@ -200,28 +201,31 @@ class [[nodiscard]] Batch {
     Record record_;
     std::uint64_t number_;
     std::uint64_t fetched_ = 0;
-    std::map<std::uint64_t, Work> unanswered_;  //!< with the latest attempt
-    std::vector<std::uint64_t> waiting_;  //!< for a worker; may be answered
-    //! Precedence of the work that was fetched last.
+    std::map<std::uint64_t, Work>
+        unanswered_;  //!< unanswered work with its latest attempt
+    std::vector<std::uint64_t>
+        waiting_;  //!< work that waits for a worker; may be answered
+    //! The precedence of the work that was fetched last.
     Dispatcher::Precedence precedence_;
     std::coroutine_handle<> awaiting_;
     std::exception_ptr failure_;
 };
 
 //! Makes the dispatcher of a job. Without other ranks, threads of this process
-//! evaluate. With them, rank 0 sends work to idle workers, sleeps in between,
-//! and asks its evaluators for their schema only, unless each rank has several;
-//! then its own threads take part. All references must outlive the dispatcher.
-//! @param evaluators one for each thread, as many on all ranks
+//! evaluate. With them, rank 0 sends work to idle workers and sleeps in
+//! between. Its own evaluators only tell their schema, unless each rank has
+//! several threads, which then take part. All references must outlive the
+//! dispatcher.
+//! @param evaluators one for each thread, equally many on all ranks
 std::unique_ptr<Dispatcher> make_dispatcher(const Session& session,
                                             const Evaluators& evaluators,
                                             const StopFlag& stop,
                                             const AnswerRules& rules = {});
 
-//! Runs a worker rank: receives work, evaluates, replies, until rank 0 says
-//! that there is no more. An Error in an evaluation becomes a failed outcome
-//! with its message, cut to 160 bytes.
-//! @throws Error if a message arrives that is neither.
+//! Runs a worker rank: receives work, evaluates, replies, until rank 0
+//! dismisses it. An Error in an evaluation becomes a failed outcome with its
+//! message, cut to 160 bytes.
+//! @throws Error if a message is neither work nor dismissal.
 void serve(const Session& session, const Evaluators& evaluators);
 
 }  // namespace ideotype

@@ -14,12 +14,13 @@ enum class SkyModel { uniform, overcast, clear };
 //! The shape of a sky's radiance.
 struct SkyRadiance {
     SkyModel model = SkyModel::uniform;
-    SunPosition sun;  //!< sun of a clear sky; azimuth in the axes of the caller
+    SunPosition
+        sun;  //!< sun of a clear sky; its azimuth is in the axes of the caller
 };
 
-//! Radiance of the light that travels in a direction (unit length, z up), up
-//! to a factor; zero if it travels upwards. With z the angle of the place it
-//! comes from to the zenith and g that to the sun [rad]:
+//! Returns the radiance of light that travels in a direction (unit length, z
+//! up), up to a factor; zero for light upwards. The place of the sky that the
+//! light comes from has the angle z to the zenith and g to the sun [rad]:
 //!
 //! - uniform: 1
 //! - overcast: (1 + 2 cos z) / 3 (Moon and Spencer 1942; CIE standard
@@ -28,12 +29,13 @@ struct SkyRadiance {
 //!   (Kittler 1967; CIE publication 22, 1973; ISO 15469:2004)
 double relative_radiance(const SkyRadiance& sky, const glm::dvec3& travel);
 
-//! Chooses directions of light from a sky in proportion to what they carry to
-//! horizontal ground, radiance times cos z. The map from the unit square
-//! is continuous and one to one, so that evenly spread points stay so, and
-//! nothing is rejected or weighted. Uniform and overcast skies are exact to
-//! rounding, clear ones to 2e-7 in the probability of any set of directions.
-//! A clear one takes some 0.3 ms to set up; copies share that.
+//! Chooses directions of light from a sky in proportion to their irradiance of
+//! horizontal ground, radiance times cos z. The map from the unit square is
+//! continuous and one to one, so that evenly spread points stay evenly spread,
+//! and no point is rejected or weighted. Uniform and overcast skies are exact
+//! to rounding, clear skies to 2e-7 in the probability of any set of
+//! directions. A clear sky takes some 0.3 ms to set up; copies share its
+//! tables.
 class SkySampler {
   public:
     //! Makes the sampler of a uniform sky.
@@ -46,11 +48,12 @@ class SkySampler {
     //! two numbers uniform in [0, 1).
     glm::dvec3 sample(double u, double v) const;
 
-    //! Integral of relative_radiance() times cos z over the hemisphere.
+    //! Returns the integral of relative_radiance() times cos z over the
+    //! hemisphere.
     double horizontal_irradiance() const;
 
-    //! Radiance of the light that travels in a direction, over that of a
-    //! uniform sky with the same irradiance of level ground.
+    //! Returns the radiance of light that travels in a direction, over that of
+    //! a uniform sky with equal irradiance of level ground.
     double relative_brightness(const glm::dvec3& travel) const;
 
   private:

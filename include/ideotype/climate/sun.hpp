@@ -12,12 +12,12 @@ namespace ideotype {
 //! A place on Earth and its clear-sky air.
 struct Site {
     std::string name;
-    double latitude = 0;         //!< [deg], north positive
-    double longitude = 0;        //!< [deg], east positive
+    double latitude = 0;         //!< north positive [deg]
+    double longitude = 0;        //!< east positive [deg]
     double utc_offset = 0;       //!< offset from UTC of the local clock [h]
-    double elevation = 0;        //!< above sea level [m]
-    double linke_turbidity = 3;  //!< [-], 2 very clear ... 7 hazy
-    std::string weather{};       //!< file of it, if there is one
+    double elevation = 0;        //!< height above sea level [m]
+    double linke_turbidity = 3;  //!< from 2, very clear, to 7, hazy [-]
+    std::string weather{};       //!< name of the weather file, if there is one
 };
 
 //! A day of the Gregorian calendar.
@@ -40,18 +40,18 @@ std::string to_string(const Date& date);  //!< such as 2025-08-07
 
 //! The direction of the sun's centre, without refraction.
 struct SunPosition {
-    double zenith = 0;   //!< [deg], 0 overhead, 90 at the horizon
-    double azimuth = 0;  //!< [deg], clockwise from north
+    double zenith = 0;   //!< angle to the vertical [deg], 90 at the horizon
+    double azimuth = 0;  //!< angle clockwise from north [deg]
 };
 
-//! Position of the sun at a local clock time, hour in [0, 24] or beyond, by
-//! the PSA algorithm with the 2020 coefficients (Blanco et al. 2020,
-//! doi:10.1016/j.solener.2020.10.084), parallax included: within 30 arc
-//! seconds from 2020 to 2050.
+//! Returns the position of the sun at a local clock time, hour in [0, 24] or
+//! beyond, by the PSA algorithm with the 2020 coefficients (Blanco et al. 2020,
+//! doi:10.1016/j.solener.2020.10.084), parallax included: within 30 arc seconds
+//! from 2020 to 2050.
 SunPosition sun_position(const Site& site, const Date& date, double hour);
 
-//! Direction in which the light of this sun travels (x east, y north, z up):
-//! -(sin z sin a, sin z cos a, cos z).
+//! Returns the direction in which the light of a sun travels (x east, y north,
+//! z up): -(sin z sin a, sin z cos a, cos z) at zenith angle z and azimuth a.
 glm::dvec3 beam_direction(const SunPosition& sun);
 
 //! Irradiance of a horizontal surface [W m-2].
@@ -60,43 +60,45 @@ struct Irradiance {
     double diffuse = 0;
 };
 
-//! Extraterrestrial irradiance normal to the rays on a date [W m-2] (Spencer
-//! 1971), with a solar constant of 1361.1 W m-2.
+//! Returns the extraterrestrial irradiance normal to the rays on a date [W m-2]
+//! (Spencer 1971), with a solar constant of 1361.1 W m-2.
 double extraterrestrial_normal(const Date& date);
 
-//! Broadband irradiance under a cloudless sky from the Linke turbidity
-//! (Ineichen and Perez 2002, doi:10.1016/S0038-092X(02)00045-2, with the
-//! corrections of Perez et al. 2002, doi:10.1016/S0038-092X(02)00122-6);
+//! Returns the broadband irradiance under a cloudless sky from the Linke
+//! turbidity (Ineichen and Perez 2002, doi:10.1016/S0038-092X(02)00045-2, with
+//! the corrections of Perez et al. 2002, doi:10.1016/S0038-092X(02)00122-6);
 //! zero with the sun below the horizon. Neither part is negative.
 Irradiance clear_sky(const Site& site, const Date& date,
                      const SunPosition& sun);
 
-//! Diffuse over global light of an hour by its clearness index, which is
-//! global over extraterrestrial horizontal irradiance (Erbs, Klein and Duffie
-//! 1982, doi:10.1016/0038-092X(82)90302-4). Limits are those of pvlib: the
-//! cosine of the zenith angle is at least 0.065 and the index at most 1 in
-//! the correlation, and lower than 3 deg the sun has no beam.
+//! Returns diffuse over global light of an hour by its clearness index, which
+//! is global over extraterrestrial horizontal irradiance (Erbs, Klein and
+//! Duffie 1982, doi:10.1016/0038-092X(82)90302-4). Limits are those of pvlib:
+//! in the correlation the cosine of the zenith angle is at least 0.065 and the
+//! index at most 1, and a sun lower than 3 deg has no beam.
 //!
-//! @param global [W m-2]
-//! @param extraterrestrial_normal on a plane that faces the sun [W m-2]
-//! @param zenith of the sun [deg]
+//! @param global light on a horizontal plane [W m-2]
+//! @param extraterrestrial_normal irradiance of a plane that faces the sun [W
+//! m-2]
+//! @param zenith angle of the sun to the vertical [deg]
 double diffuse_fraction(double global, double extraterrestrial_normal,
                         double zenith);
 
-//! Returns PAR over all solar radiation. Clouds absorb near infrared rather
-//! than PAR, whose share rises as the clearness index k falls: photons of PAR
-//! over solar energy are 1.832 - 0.191 ln k + 0.099 cos z [umol J-1] at the
+//! Returns PAR over all solar radiation. Clouds absorb more of near infrared
+//! than of PAR, whose share rises as the clearness index k falls: photons of
+//! PAR over solar energy are 1.832 - 0.191 ln k + 0.099 cos z [umol J-1] at the
 //! zenith angle z (Alados, Foyo-Moreno and Alados-Arboledas 1996, Agricultural
 //! and Forest Meteorology 78, 121-131, doi:10.1016/0168-1923(95)02245-7).
 //!
-//! The index depends on the solar radiation that the share leads to; the share
-//! solves both. Cosine and index have the limits of diffuse_fraction(), and the
-//! index is at least 0.05. The share is therefore between 0.40 and 0.55, at
-//! night too.
+//! The clearness index depends on the solar radiation, and so on the share:
+//! both equations are solved together. Cosine and index have the limits of
+//! diffuse_fraction(), and the index is at least 0.05. The share is therefore
+//! between 0.40 and 0.55, also at night.
 //!
-//! @param par global [W m-2]
-//! @param extraterrestrial_normal on a plane that faces the sun [W m-2]
-//! @param zenith of the sun [deg]
+//! @param par global PAR on a horizontal plane [W m-2]
+//! @param extraterrestrial_normal irradiance of a plane that faces the sun [W
+//! m-2]
+//! @param zenith angle of the sun to the vertical [deg]
 double par_share(double par, double extraterrestrial_normal, double zenith);
 
 }  // namespace ideotype

@@ -10,8 +10,8 @@ namespace ideotype {
 //! nothing if the text is none of these.
 std::optional<double> parse_duration(const std::string& text);
 
-//! Returns what a clock is called that is so many hours ahead of UTC: "UTC-5",
-//! "UTC+5:30" or "UTC".
+//! Returns the name of a clock by its lead over UTC [h]: "UTC-5", "UTC+5:30" or
+//! "UTC".
 std::string clock_name(double utc_offset);
 
 //! Returns a local clock time [h], which may be of the day before or after, as

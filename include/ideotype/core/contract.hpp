@@ -6,8 +6,8 @@
 namespace ideotype {
 
 //! A mistake in the program: a caller or a function has not kept its contract.
-//! It is no Error, so that nobody takes it for a mistake in the input. In a
-//! function that is `noexcept` it ends the program with its message.
+//! This type is no Error, so that nobody takes it for a mistake in the input.
+//! Thrown in a `noexcept` function, it ends the program with its message.
 class ContractError : public std::logic_error {
   public:
     using std::logic_error::logic_error;
@@ -22,7 +22,7 @@ class ContractError : public std::logic_error {
 }  // namespace ideotype
 
 // The option IDEOTYPE_CONTRACTS of the build decides whether contracts are
-// looked at. If not, conditions are still compiled, so that they stay up to
+// checked. Unchecked conditions are still compiled, so that they stay up to
 // date, but never evaluated.
 #ifdef IDEOTYPE_CONTRACTS
 #define IDEOTYPE_CONTRACT(kind, condition, text) \
@@ -34,10 +34,10 @@ class ContractError : public std::logic_error {
     static_cast<void>(false && (condition))
 #endif
 
-//! Expects of the caller that a condition holds.
+//! Checks a condition that the caller of a function must meet.
 #define IDEOTYPE_EXPECT(...) \
     IDEOTYPE_CONTRACT("precondition", (__VA_ARGS__), #__VA_ARGS__)
 
-//! Ensures that a result, or what an object always keeps, is as promised.
+//! Checks a promise about a result, or about the state of an object.
 #define IDEOTYPE_ENSURE(...) \
     IDEOTYPE_CONTRACT("promise", (__VA_ARGS__), #__VA_ARGS__)

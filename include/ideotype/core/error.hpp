@@ -14,10 +14,10 @@ enum class ExitCode {
     usage = 2,             //!< wrong command line
     invalid_campaign = 3,  //!< an input file has errors
     refused = 4,           //!< going on would break the contract C1-C5
-    stopped = 5,           //!< a run stopped early on request; can be resumed
+    stopped = 5,  //!< a run stopped early on request; it can be resumed
 };
 
-//! An error whose message is meant for the user: what, why, what to do.
+//! An error whose message tells the user the problem, its cause and the remedy.
 class Error : public std::runtime_error {
   public:
     explicit Error(const std::string& message,
@@ -33,14 +33,14 @@ class Error : public std::runtime_error {
 //! Returns the message of an exception, in plain words where its type has none.
 std::string reason_of(const std::exception& error);
 
-//! A place in a text file; line and column start at 1, 0 means unknown.
+//! A place in a text file; line and column count from 1, and 0 means unknown.
 struct Location {
     std::string file;
     int line = 0;
     int column = 0;
 };
 
-//! One thing that is wrong with an input file.
+//! One fault of an input file.
 struct Problem {
     Location where;
     std::string what;  //!< "problem (why); remedy"
@@ -49,9 +49,9 @@ struct Problem {
 //! Returns `file:line:column: what`.
 std::string to_string(const Problem& problem);
 
-//! Returns a message in which texts between double quotes, and words that are
-//! no paths, have some 80 characters at most, since a text of a user may be
-//! megabytes long.
+//! Returns a message whose texts between double quotes, and words that are no
+//! paths, are cut to some 80 characters, since a user's text may have
+//! megabytes.
 std::string with_short_quotes(const std::string& message);
 
 //! All problems of an input, found in one pass, in the order of the text.

@@ -14,20 +14,20 @@ struct Estimate {
     double standard_error = 0;
 };
 
-//! Returns the mean of independent values and the standard error of that
-//! mean, sqrt(sum (x - mean)^2 / (n (n - 1))). A single value tells nothing
-//! of its error: the standard error is then NaN.
+//! Returns the mean of independent values and the standard error of that mean,
+//! sqrt(sum (x - mean)^2 / (n (n - 1))). The standard error of a single value
+//! is NaN.
 Estimate estimate(std::span<const double> values);
 
-//! A figure, and its values in each randomisation if they are known.
+//! A figure with its values by randomisation, if they are known.
 struct Randomisations {
     Estimate figure;
     std::span<const double> values;
 };
 
 //! Returns b - a. If both share their randomisations, the standard error is
-//! that of the differences in each of them, else that of independent figures,
-//! which is if anything too large.
+//! that of the differences by randomisation, else that of independent figures,
+//! which may only be too large.
 Estimate difference(const Randomisations& a, const Randomisations& b);
 
 //! Returns 100 (b / a - 1) [%], with the standard error of the ratio to first
@@ -39,8 +39,8 @@ inline Estimate scaled(Estimate x, double a) {
     return {a * x.mean, (a < 0 ? -a : a) * x.standard_error};
 }
 
-//! Returns a part of the incident light as a fraction of it; 0 where there is
-//! no light.
+//! Returns a part of the incident light as a fraction of the incident light, or
+//! 0 if that is 0.
 template <class Light>
 Light fraction_of(Light part, double incident) {
     IDEOTYPE_EXPECT(!(incident < 0));

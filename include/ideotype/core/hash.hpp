@@ -6,21 +6,21 @@
 #include <string>
 #include <string_view>
 
-struct evp_md_ctx_st;  // of OpenSSL
+struct evp_md_ctx_st;  // a type of OpenSSL
 
 namespace ideotype {
 
 //! Returns the SHA-256 of the bytes of a text, as 64 hexadecimal digits.
 std::string sha256(std::string_view text);
 
-//! Computes the SHA-256 of bytes that come in parts.
+//! Computes the SHA-256 of bytes that are given in parts.
 class Sha256 {
   public:
     Sha256();
 
     void add(std::string_view bytes);
 
-    //! Returns the SHA-256 of all parts, as 64 hexadecimal digits. May be
+    //! Returns the SHA-256 of all parts, as 64 hexadecimal digits. It may be
     //! called once.
     std::string finish();
 

@@ -8,13 +8,13 @@ namespace ideotype {
 //! Returns the name of this machine, cut to 255 bytes.
 std::string host_name();
 
-//! Returns how many cores this process may use: those of its affinity, or of
-//! the quota of its container if that is less, but at least 1.
+//! Returns the number of cores that this process may use: the smaller of its
+//! affinity and the quota of its container, but at least 1.
 int available_cores();
 
-//! Returns a hash, as 16 hexadecimal digits, of the values that the C library's
-//! functions which results depend on (sin, exp, pow and the like) have for
-//! thousands of fixed arguments. Their last bits differ between versions of the
+//! Returns a hash, as 16 hexadecimal digits, of the values of sin, exp, pow and
+//! other functions of the C library for thousands of fixed arguments. The last
+//! bits of these values, and so of results, differ between versions of the
 //! library and between its variants for processors with and without fused
 //! multiply-add.
 const std::string& maths_fingerprint();

@@ -12,15 +12,18 @@ namespace ideotype {
 
 //! Identifies the part of a plant or object that a surface belongs to.
 struct SurfaceId {
-    //! Number of the component of the scene; fixed objects follow components.
+    //! The component of the scene by number; fixed objects follow components.
     std::uint32_t component = 0;
-    std::uint32_t organ = 0;  //!< 0 is the leaves; others count from 1
-    std::uint32_t rank = 0;   //!< leaf from the lowest, 1; 0: not known
-    std::uint32_t part = 0;   //!< part of the organ, such as a face; 0: all
+    std::uint32_t organ =
+        0;  //!< organ by number: 0 is the leaves, others count from 1
+    std::uint32_t rank =
+        0;  //!< leaf rank from the lowest, 1; 0 if it is unknown
+    std::uint32_t part =
+        0;  //!< part of the organ, such as a face; 0 is all of the organ
 
     bool is_leaf() const { return organ == 0; }
 
-    //! Fixed objects have this number in place of an organ.
+    //! The number that fixed objects have in place of an organ.
     static constexpr std::uint32_t object = ~std::uint32_t{0};
     bool is_object() const { return organ == object; }
 };
@@ -29,13 +32,14 @@ struct SurfaceId {
 struct Group {
     std::string name;  //!< for people; nothing is read from it
     SurfaceId id{};
-    std::uint32_t material = 0;  //!< place in Optics::materials
-    //! Surfaces that move with the sun are there for light of sources of this
-    //! pose alone; 0: it stands.
+    std::uint32_t material = 0;  //!< index into Optics::materials
+    //! Number of the pose of a surface that moves with the sun, which only
+    //! light from sources of this pose meets; 0 for fixed surfaces.
     std::uint32_t pose = 0;
 };
 
-//! Surfaces as quadrilaterals [m], z up. A triangle repeats its last vertex.
+//! Surfaces as quadrilaterals with vertices in [m], z up. A triangle repeats
+//! its last vertex.
 struct Mesh {
     std::vector<glm::dvec3> vertices;
     std::vector<std::array<std::uint32_t, 4>> faces;
@@ -48,8 +52,9 @@ std::vector<double> face_areas(const Mesh& mesh);
 
 //! The area of plants, half of their surface [m2].
 struct PlantArea {
-    double leaves = 0;        //!< the one-sided area of leaves
-    double other_organs = 0;  //!< half of what is outside, since they are solid
+    double leaves = 0;  //!< the one-sided area of leaves
+    double other_organs =
+        0;  //!< half of the outer surface of other organs, which are solid
 
     PlantArea& operator+=(const PlantArea& more) {
         leaves += more.leaves;
@@ -58,7 +63,7 @@ struct PlantArea {
     }
 };
 
-//! Returns the area of all faces of a mesh but those of fixed objects.
+//! Returns the area of all faces of a mesh except those of fixed objects.
 PlantArea plant_area(const Mesh& mesh);
 
 }  // namespace ideotype

@@ -16,7 +16,7 @@ using Coordinates = std::variant<std::vector<double>, std::vector<std::int64_t>,
 //! of its entries.
 struct Axis {
     std::string name;
-    std::string unit;  //!< "1" of whole numbers, "" of names
+    std::string unit;  //!< "1" for whole numbers, "" for names
     std::string meaning;
     Coordinates coordinates;
 
@@ -30,7 +30,7 @@ struct Axis {
 Axis counted(const std::string& name, const std::string& meaning,
              std::size_t size, std::int64_t first = 0);
 
-//! Tells a quantity that is estimated from one that follows from the scene.
+//! Tells an estimated quantity from one that follows exactly from the scene.
 enum class Certainty { estimated, exact };
 
 //! A measured quantity: numbers along axes, in row-major order.
@@ -40,7 +40,7 @@ struct Quantity {
     std::string meaning;
     //! Names of the axes; none for a single number.
     std::vector<std::string> axes{};
-    //! An exact quantity has no standard error, and none is kept of it.
+    //! The kind of quantity; an exact one has no standard error.
     Certainty certainty = Certainty::estimated;
 };
 
@@ -49,19 +49,20 @@ struct QuantitySet {
     std::vector<Axis> axes;
     std::vector<Quantity> quantities;
 
-    //! Returns the axis of a name. @throws std::out_of_range if there is none.
+    //! Returns the axis with this name. @throws std::out_of_range if there is
+    //! none.
     const Axis& axis(const std::string& name) const;
 
     bool has(const std::string& quantity) const;
 
-    //! Returns how many numbers a quantity has.
+    //! Returns the number of values of a quantity.
     std::size_t size(const Quantity& quantity) const;
 
-    //! Returns how many numbers all quantities have together.
+    //! Returns the number of values of all quantities together.
     std::size_t size() const;
 
-    //! Returns the place at which the numbers of a quantity begin among those
-    //! of all. @throws std::out_of_range if there is no quantity of this name.
+    //! Returns the index of the first value of a quantity among the values of
+    //! all. @throws std::out_of_range if there is no quantity of this name.
     std::size_t offset(const std::string& name) const;
 };
 

@@ -27,15 +27,16 @@ enum class Purpose : std::uint32_t {
     leaf_point = 15,
 };
 
-//! Selects the random numbers of an evaluation, which are a function of these.
+//! Selects the random numbers of an evaluation, which are a function of all
+//! members.
 struct Randomness {
     std::uint64_t seed = 0;
     std::uint32_t generation = 0;
-    //! The first randomisation. The others count up from it, and each has
-    //! random numbers of its own.
+    //! The number of the first randomisation. Further ones count up, and each
+    //! has random numbers of its own.
     std::uint32_t first_randomisation = 0;
     //! Tells whether fields are common to all generations and randomisations,
-    //! so that rows whose other random numbers differ have the same ones.
+    //! so that rows with different paths of light have equal fields.
     bool has_common_fields = false;
 };
 

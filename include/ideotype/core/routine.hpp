@@ -10,10 +10,10 @@
 
 namespace ideotype {
 
-//! A coroutine that returns a Result: a function that pauses where it awaits
-//! something and goes on once that is there. It begins with start(), or when
-//! another routine awaits it, which goes on when this one has returned. All on
-//! one thread. Arguments by reference must outlive it.
+//! A coroutine that returns a Result: a function that pauses until an awaited
+//! event has come. It begins with start(), or when another routine awaits it,
+//! which goes on after its end. All routines share one thread. Arguments by
+//! reference must outlive the routine.
 template <class Result>
 class [[nodiscard]] Routine {
   public:
@@ -26,12 +26,13 @@ class [[nodiscard]] Routine {
         std::swap(handle_, other.handle_);
         return *this;
     }
-    //! Ends the routine; one that pauses is ended there, as by an exception.
+    //! Ends the routine; a paused one unwinds from its pause as by an
+    //! exception.
     ~Routine() {
         if (handle_) handle_.destroy();
     }
 
-    //! Runs the routine until it pauses or returns. May be called once.
+    //! Runs the routine until it pauses or returns. It may be called once.
     void start() {
         IDEOTYPE_EXPECT(handle_ && !handle_.done());
         handle_.resume();
@@ -43,7 +44,7 @@ class [[nodiscard]] Routine {
     }
 
     //! Returns the result of a routine that has ended, or rethrows its
-    //! exception. May be called once.
+    //! exception. It may be called once.
     Result result() {
         IDEOTYPE_EXPECT(handle_ && handle_.done());
         promise_type& promise = handle_.promise();
@@ -51,7 +52,7 @@ class [[nodiscard]] Routine {
         return std::move(*promise.value);
     }
 
-    // These functions make a routine one that others can co_await.
+    // The following functions allow other routines to co_await this one.
     bool await_ready() const noexcept { return false; }
     Handle await_suspend(std::coroutine_handle<> awaiting) noexcept {
         handle_.promise().awaiting = awaiting;
@@ -68,7 +69,7 @@ class [[nodiscard]] Routine {
 //! The functions by which the compiler makes a coroutine a Routine.
 template <class Result>
 struct Routine<Result>::promise_type {
-    //! Goes on with the routine that awaits this one, when it ends.
+    //! Continues the routine that awaits this one when this one ends.
     struct Return {
         bool await_ready() const noexcept { return false; }
         std::coroutine_handle<> await_suspend(Handle handle) const noexcept {

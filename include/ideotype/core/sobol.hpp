@@ -13,16 +13,16 @@ namespace ideotype {
 //! The number of dimensions of the low-discrepancy sequence.
 inline constexpr std::size_t sobol_dimensions = 337;
 
-//! The fractions by which each bit of an index moves a coordinate of its point,
-//! the lowest bit first.
+//! The fraction by which each bit of an index moves a coordinate of the point
+//! of this index, lowest bit first.
 using SobolDirections = std::array<std::uint32_t, 32>;
 
 //! The directions of each dimension, from the direction numbers of Joe and Kuo
 //! (2008, doi:10.1137/070709359).
 extern const std::array<SobolDirections, sobol_dimensions> sobol_directions;
 
-//! Returns a coordinate of the unscrambled Sobol' point of an index, as a
-//! 32-bit fraction.
+//! Returns one coordinate, as a 32-bit fraction, of the unscrambled Sobol'
+//! point with an index.
 inline std::uint32_t sobol(std::uint32_t index, std::size_t dimension) {
     IDEOTYPE_EXPECT(dimension < sobol_dimensions);
     std::uint32_t x = 0;
@@ -32,7 +32,7 @@ inline std::uint32_t sobol(std::uint32_t index, std::size_t dimension) {
     return x;
 }
 
-//! Returns the bits of x from the last to the first.
+//! Returns the bits of x in reversed order.
 constexpr std::uint32_t reversed(std::uint32_t x) {
     x = (x & 0x55555555u) << 1 | (x >> 1 & 0x55555555u);
     x = (x & 0x33333333u) << 2 | (x >> 2 & 0x33333333u);
@@ -45,8 +45,8 @@ constexpr std::uint32_t reversed(std::uint32_t x) {
 //! doi:10.1007/978-1-4612-2552-2_19; Laine and Karras 2011,
 //! doi:10.1111/j.1467-8659.2011.02000.x; constants of Vegdahl 2021).
 constexpr std::uint32_t scrambled(std::uint32_t x, std::uint32_t seed) {
-    // Every step lets a bit act only on higher bits; with the bits reversed
-    // that means on lower bits, as nested scrambling asks for.
+    // In each step a bit acts only on higher bits. On reversed bits this is an
+    // action on lower bits, as nested scrambling requires.
     x = reversed(x);
     x ^= x * 0x3D20ADEAu;
     x += seed;

@@ -6,10 +6,10 @@
 
 namespace ideotype {
 
-//! Turns SIGINT, SIGTERM and SIGUSR1 into a request to stop after the work
-//! in flight. A second SIGINT ends the process at once. Signal handlers are
-//! a property of the process: only one StopFlag may exist at a time. The
-//! former handlers come back with its destruction.
+//! Turns SIGINT, SIGTERM and SIGUSR1 into a request to stop after the work in
+//! flight. A second SIGINT ends the process at once. Signal handlers are a
+//! property of the process: only one StopFlag may exist at a time. Its
+//! destructor restores the former handlers.
 class StopFlag {
   public:
     StopFlag();
@@ -24,7 +24,8 @@ class StopFlag {
     //! Asks to stop, as a signal would.
     void request();
 
-    //! Asks to stop after this time [s], which a set clock does not change.
+    //! Asks to stop after a time [s], which does not depend on changes of the
+    //! system clock.
     void request_after(double seconds);
 
     //! Returns the signal that asked first, or 0 if none did.

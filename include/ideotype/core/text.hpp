@@ -11,12 +11,12 @@
 
 namespace ideotype {
 
-//! Returns the start of a text that fits into this many bytes, cut between two
-//! UTF-8 characters.
+//! Returns the longest start of a text that fits into a number of bytes, cut
+//! between two UTF-8 characters.
 std::string first_bytes(const std::string& text, std::size_t size);
 
-//! Returns a text of unknown origin as one line for a terminal, where it can do
-//! no harm: control characters, and bytes that are not UTF-8, stand as a
+//! Returns a text of unknown origin as one harmless line for a terminal:
+//! control characters, and bytes that are not UTF-8, are written as a
 //! backslash, an x and two hexadecimal digits.
 std::string printable(const std::string& text);
 
@@ -26,22 +26,23 @@ std::string printable_lines(const std::string& text);
 
 //! One entry of a line of a table.
 struct CsvField {
-    std::string_view text;  //!< without blanks and quotes around it
-    int column = 0;         //!< where it begins, from 1
+    std::string_view text;  //!< entry without the blanks and quotes around it
+    int column = 0;         //!< column of its first character, from 1
 };
 
 //! Returns the lines of a text, without the characters that end them.
 std::vector<std::string_view> lines_of(std::string_view text);
 
-//! Returns the entries between commas; a comma within quotes ends none.
+//! Returns the entries of a line between commas; a comma within quotes ends no
+//! entry.
 std::vector<CsvField> fields_of(std::string_view line);
 
-//! Returns the number that a text consists of, or nothing if there is anything
-//! else in it.
+//! Returns the number that a text consists of, or nothing if it has anything
+//! else.
 std::optional<double> number_of(std::string_view text);
 
-//! Reads a text from the left to the right. Each function takes what it finds
-//! off the text, or leaves the text as it is.
+//! Reads a text from left to right. Each function removes a match from the
+//! front of the text, or leaves the text as it is.
 class Scanner {
   public:
     explicit Scanner(std::string_view text) : text_(text) {}
@@ -49,14 +50,14 @@ class Scanner {
     std::string_view rest() const { return text_; }
     bool is_at_end() const { return text_.empty(); }
 
-    //! Takes one character if it is any of these.
+    //! Takes the next character if it is any of those given.
     bool take(std::string_view any) {
         if (text_.empty() || any.find(text_.front()) == any.npos) return false;
         text_.remove_prefix(1);
         return true;
     }
 
-    //! Takes all digits that come next, if their number is within these limits.
+    //! Takes all digits that come next if their number is within two limits.
     //! @returns the digits as they are written
     std::optional<std::string_view> digits(std::size_t least,
                                            std::size_t most) {
@@ -69,8 +70,7 @@ class Scanner {
         return found;
     }
 
-    //! Takes a whole number, if the number of its digits is within these
-    //! limits.
+    //! Takes a whole number, if the number of its digits is within two limits.
     std::optional<int> number(std::size_t least, std::size_t most) {
         IDEOTYPE_EXPECT(most <= 9);
         const auto found = digits(least, most);

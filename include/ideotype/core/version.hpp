@@ -5,15 +5,15 @@
 
 namespace ideotype {
 
-//! Identifies the program that was built; every history records it.
+//! The identity of the built program, which every history records.
 struct BuildInfo {
-    //! The version: "0.1.1" of a release; between releases the last one and the
-    //! commit, "0.1.1+0123456789ab", and "-dirty" if sources have changed
-    //! since.
+    //! The version, such as "0.1.1" for a release; between releases the last
+    //! one with the commit, "0.1.1+0123456789ab", and "-dirty" if sources
+    //! differ from the commit.
     std::string version;
     std::string git_sha;    //!< commit, or "unknown" outside git
     std::string git_dirty;  //!< "yes", "no" or "unknown"
-    std::string compiler;   //!< name and version
+    std::string compiler;   //!< name and version of the compiler
     std::string build_type;
 };
 

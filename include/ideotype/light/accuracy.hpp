@@ -5,22 +5,22 @@
 
 namespace ideotype {
 
-//! The accuracy that an estimate of the light is to have, and so the work that
-//! it may cost.
+//! The wished accuracy of an estimate of the light, which also sets its work.
 struct Accuracy {
-    int paths = 4096;        //!< per randomisation; with a tolerance at most
-    int randomisations = 8;  //!< independent, at least 2
-    //! The relative standard error of the leaves' light that will do; 0: none,
-    //! as many paths as given.
+    int paths =
+        4096;  //!< paths per randomisation; their limit if there is a tolerance
+    int randomisations = 8;  //!< independent randomisations, at least 2
+    //! The accepted relative standard error of the light of leaves; 0 asks for
+    //! exactly the given number of paths.
     double tolerance = 0;
     //! The number of random fields among which the randomisations are divided
-    //! evenly. With several, the standard error also contains how fields
-    //! differ.
+    //! evenly. With several fields, the standard error includes the differences
+    //! among fields.
     int fields = 1;
 
-    //! Returns the number of independent values of each figure, whose spread
-    //! gives its error: one of each field if there are several, else one of
-    //! each randomisation.
+    //! Returns the number of independent values of a figure, whose spread gives
+    //! its error: one for each field if there are several, else for each
+    //! randomisation.
     int repetitions() const { return fields > 1 ? fields : randomisations; }
 
     //! Returns the number of paths in all randomisations.

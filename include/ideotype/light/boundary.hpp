@@ -3,8 +3,8 @@
 
 namespace ideotype {
 
-//! Tells how a canopy goes on beyond its mesh: in copies without end, or not at
-//! all, on an infinite plane of soil.
+//! The surroundings of a mesh: copies of the mesh without end, or nothing but
+//! an infinite plane of soil.
 enum class Boundary { periodic, isolated };
 
 }  // namespace ideotype

@@ -7,8 +7,8 @@
 
 namespace ideotype {
 
-//! The ray tracer, on one thread and with one instruction set. Which rays
-//! graze which edge depends on the instruction set; histories record it.
+//! The ray tracer, on one thread and with one instruction set. Rays that graze
+//! an edge may hit or miss by instruction set, which histories record.
 class Device {
   public:
     //! Starts the ray tracer. @throws Error if the processor lacks the

@@ -8,10 +8,10 @@ namespace ideotype {
 
 //! Layers of equal thickness from the soil up; the last one has no upper end.
 struct Layers {
-    double thickness = 1;  //!< [m]
+    double thickness = 1;  //!< thickness of each layer [m]
     std::size_t count = 1;
 
-    //! Returns the layer of a height [m].
+    //! Returns the number of the layer at a height [m].
     std::size_t at(double height) const {
         const double last = static_cast<double>(count - 1);
         return static_cast<std::size_t>(

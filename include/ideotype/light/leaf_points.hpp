@@ -11,34 +11,35 @@ namespace ideotype {
 
 //! A point of a leaf.
 struct LeafPoint {
-    glm::dvec3 position;  //!< where the mesh has it [m]
+    glm::dvec3 position;  //!< position in the axes of the mesh [m]
     glm::dvec3 normal;    //!< normal of the adaxial side, unit length
     std::uint32_t group;  //!< group of the mesh
-    //! Tells whether light cannot come here: the point is below the soil, or of
-    //! a face with the same corners as an earlier one.
+    //! Tells whether light cannot reach the point, because it is below the soil
+    //! or on a face with the same corners as an earlier face.
     bool is_hidden;
 };
 
-//! Returns the part of a point's leaf area that is not on another's.
+//! Returns the part of the leaf area at a point that does not lie on another
+//! face.
 double own_part(const RayScene& scene, const LeafPoint& point);
 
 //! The surface of leaves, as the triangles that light meets, from which points
 //! can be drawn.
 class LeafPoints {
   public:
-    //! Tells whether a group of the mesh counts.
+    //! A function that tells whether a group of the mesh is included.
     using Wanted = std::function<bool(std::uint32_t)>;
 
-    //! Takes all leaves.
+    //! Makes the surface of all leaves.
     explicit LeafPoints(const Mesh& mesh);
     LeafPoints(const Mesh& mesh, const Wanted& is_wanted);
 
     //! Returns the one-sided area of all leaves [m2].
     double area() const { return ends_.empty() ? 0 : ends_.back(); }
 
-    //! Returns a point of leaves, of which there must be some. Points are
-    //! spread evenly over their area.
-    //! @param share,s,t uniform in [0, 1)
+    //! Returns a point of the leaves, which must have some area. Points for
+    //! uniform numbers are spread evenly over this area.
+    //! @param share,s,t numbers in [0, 1)
     LeafPoint at(double share, double s, double t) const;
 
   private:
@@ -53,7 +54,8 @@ class LeafPoints {
              std::uint32_t group, bool is_repeated);
 
     std::vector<Triangle> triangles_;
-    std::vector<double> ends_;  //!< summed area up to and with each [m2]
+    std::vector<double>
+        ends_;  //!< sum of the areas up to and with each triangle [m2]
 };
 
 }  // namespace ideotype

@@ -7,8 +7,8 @@
 
 namespace ideotype {
 
-//! A Lambertian face that reflects, transmits and absorbs the rest of the light
-//! that comes to it.
+//! A Lambertian face that reflects and transmits parts of the incident light
+//! and absorbs the rest.
 struct Lambertian {
     double reflectance = 0;
     double transmittance = 0;
@@ -16,8 +16,8 @@ struct Lambertian {
     double scattered() const { return reflectance + transmittance; }
 };
 
-//! A thin sheet in one waveband. Its faces may reflect differently; as much
-//! light passes from one face to the other as back (Helmholtz reciprocity).
+//! A thin sheet in one waveband. Its faces may reflect differently;
+//! transmittance is equal from both faces (Helmholtz reciprocity).
 struct Material {
     Lambertian adaxial;
     Lambertian abaxial;
@@ -37,29 +37,31 @@ struct Material {
         return is_adaxial ? adaxial : abaxial;
     }
 
-    //! Returns the largest part of light that either face absorbs.
+    //! Returns the larger absorptance of both faces.
     double most_absorbed() const {
         return 1 - std::min(adaxial.scattered(), abaxial.scattered());
     }
-    //! Returns the largest part of light that either face scatters.
+    //! Returns the larger scattered part of light of both faces.
     double most_scattered() const {
         return std::max(adaxial.scattered(), abaxial.scattered());
     }
 };
 
-//! The optical properties, in one waveband, of all that light can meet.
+//! The optical properties, in one waveband, of all surfaces.
 struct Optics {
-    //! Materials, to which Group::material points.
+    //! The materials, to which Group::material is an index.
     std::vector<Material> materials;
-    double soil_albedo = 0;  //!< Lambertian
+    double soil_albedo = 0;  //!< reflectance of the Lambertian soil
 
-    //! Returns a material; one that is not listed absorbs all light.
+    //! Returns a material by its index; a material that is not listed absorbs
+    //! all light.
     const Material& of(std::uint32_t material) const {
         static constexpr Material black;
         return material < materials.size() ? materials[material] : black;
     }
 
-    //! Returns the largest part of light that anything scatters.
+    //! Returns the largest part of light that any material or the soil
+    //! scatters.
     double most_scattered() const {
         double most = soil_albedo;
         for (const Material& each : materials)

@@ -18,31 +18,32 @@ struct RTCRayHit;
 
 namespace ideotype {
 
-//! The place at which light meets something.
+//! The place at which light meets a surface or leaves the scene.
 struct Hit {
-    //! The numbers of soil and sky in place of a group.
+    //! The numbers that stand for the soil and the sky in place of a group.
     static constexpr std::uint32_t soil = ~std::uint32_t{0};
     static constexpr std::uint32_t sky = soil - 1;
 
-    glm::dvec3 position{0};      //!< on the plane of the face [m]
-    glm::dvec3 normal{0, 0, 1};  //!< unit length; of faces the adaxial side
-    std::uint32_t group = 0;     //!< group of the mesh, or the soil, or the sky
-    //! Number among the triangles of the scene's surfaces.
+    glm::dvec3 position{0};  //!< point on the plane of the face [m]
+    glm::dvec3 normal{0, 0,
+                      1};  //!< unit normal; for faces that of the adaxial side
+    std::uint32_t group = 0;  //!< group of the mesh, or the soil, or the sky
+    //! The number of the triangle among those of the scene's surfaces.
     std::uint32_t triangle = 0;
 };
 
-//! A box along the axes [m].
+//! A box whose edges are parallel to the axes [m].
 struct Box {
     glm::dvec3 lower, upper;
 };
 
-//! The part of a ray inside a box, in multiples of its direction.
+//! The part of a ray inside a box, in multiples of the ray's direction.
 struct Segment {
     double first, last;
 };
 
-//! The lowest and the highest of some coordinates [m]. Where there are none,
-//! the lower one is above the upper one.
+//! The lowest and the highest of some coordinates [m]. Without coordinates, the
+//! lower end is above the upper end.
 struct Interval {
     double lower = std::numeric_limits<double>::infinity();
     double upper = -std::numeric_limits<double>::infinity();
@@ -53,64 +54,64 @@ struct Interval {
     }
 };
 
-//! The faces of a stand, each once, as the mesh has them. Face f is divided in
-//! two triangles as Embree does it: triangle 2 f has its corners 0, 1 and 3,
-//! and triangle 2 f + 1 its corners 2, 3 and 1.
+//! The faces of a stand, each once, in the positions that the mesh has. Face f
+//! is divided in two triangles as Embree does it: triangle 2 f has its corners
+//! 0, 1 and 3, and triangle 2 f + 1 its corners 2, 3 and 1.
 struct Surfaces {
     std::vector<glm::dvec3> vertices;
     std::vector<std::array<std::uint32_t, 4>> faces;
     std::vector<std::uint32_t> face_group;
-    //! The pose in which each face is there. 0: it is there in all poses.
+    //! The number of the pose in which each face is present; 0 for all poses.
     std::vector<std::uint32_t> face_pose;
-    //! The unit normal of each triangle on the adaxial side; 0 if the triangle
-    //! has no area.
+    //! The unit normal of each triangle on the adaxial side; a zero vector for
+    //! a triangle without area.
     std::vector<glm::dvec3> normals;
 
-    //! Adds a face of a mesh with the same vertices.
+    //! Adds a face of a mesh whose vertices the surfaces have.
     void add(const std::array<std::uint32_t, 4>& face, std::uint32_t group,
              std::uint32_t pose);
 
-    //! Returns whether a face is there for light of sources of a pose.
+    //! Returns whether a face is present for light of sources of a pose.
     bool is_there(std::size_t face, std::uint32_t pose) const {
         return face_pose[face] == 0 || face_pose[face] == pose;
     }
 };
 
-//! Returns the part of a ray that is inside a box, edges included; nothing if
-//! it misses the box.
+//! Returns the part of a ray inside a box, with its edges; nothing if the ray
+//! misses the box.
 std::optional<Segment> clip(const Box& box, const glm::dvec3& origin,
                             const glm::dvec3& direction);
 
 //! The surfaces of a canopy, ready to be traced.
 //!
 //! A periodic scene holds one cell of an infinite stand. The cell spans [0,
-//! period_x] x [0, period_y]; its lattice is where the mesh says, so any shift
-//! of the mesh by whole periods is the same scene. A face that reaches over the
-//! cell's boundary has images, as the neighbouring cells have it. Nothing is
-//! cut off and nothing counts twice, because rays end where the cell does.
+//! period_x] x [0, period_y]; a mesh that is shifted by whole periods gives the
+//! same scene. A face that reaches over the cell's boundary has images, which
+//! are the faces of neighbouring cells. Nothing is cut off and nothing counts
+//! twice, because rays end at the cell's boundary.
 //!
-//! Objects that move with the sun, such as panels that track it, stand apart:
-//! their faces are there for light of their pose alone.
+//! Objects that move with the sun, such as panels that track it, are kept
+//! apart: only light of their pose meets their faces.
 //!
-//! An isolated scene holds a plot, moved so that the corner of its bounding box
-//! is above the origin.
+//! An isolated scene holds a plot, shifted so that the corner of its bounding
+//! box is above the origin.
 class RayScene {
   public:
     //! Builds a periodic scene. Faces without area and faces below the soil are
     //! left out.
     //!
     //! Faces that lie on each other, closer than clearance(), are one surface:
-    //! light meets one of them, and the light that it sends on starts beyond
-    //! all of them. If faces have the same corners, in any order, only the
-    //! first in the mesh is kept. Otherwise rounding decides, point by point,
-    //! which of them the light meets.
-    //! @throws Error if a vertex is not finite or beyond reason, a period not
+    //! light meets one of these faces, and scattered light starts beyond all of
+    //! them. If faces have the same corners, in any order, only the first in
+    //! the mesh is kept. Otherwise rounding decides at each point which face
+    //! the light meets.
+    //! @throws Error if a vertex is not finite or too far away, a period is not
     //! positive, there are too many faces, or memory runs out.
     RayScene(const Device& device, const Mesh& mesh, double period_x,
              double period_y);
 
     //! Builds the scene of a plot that stands alone.
-    //! @param ground_area that all figures refer to [m2]
+    //! @param ground_area area of ground that all figures refer to [m2]
     //! @throws Error as for a periodic scene, with the ground area in place of
     //! the period.
     static RayScene isolated(const Device& device, const Mesh& mesh,
@@ -121,77 +122,88 @@ class RayScene {
     RayScene& operator=(RayScene&&) noexcept;
 
     Boundary boundary() const { return boundary_; }
-    double period_x() const { return period_x_; }        //!< if periodic [m]
-    double period_y() const { return period_y_; }        //!< if periodic [m]
-    double ground_area() const { return ground_area_; }  //!< [m2]
-    const Box& box() const { return box_; }  //!< around an isolated plot
-    double top() const { return top_; }      //!< above all surfaces [m]
+    double period_x() const {
+        return period_x_;
+    }  //!< period of a periodic scene [m]
+    double period_y() const {
+        return period_y_;
+    }  //!< period of a periodic scene [m]
+    double ground_area() const {
+        return ground_area_;
+    }  //!< area of the cell, or given for a plot [m2]
+    const Box& box() const {
+        return box_;
+    }                                    //!< bounding box of an isolated plot
+    double top() const { return top_; }  //!< height above all surfaces [m]
 
-    //! Returns the height of the soil [m]. It is below zero by the rounding
-    //! error, so that light can pass between it and a face that lies on it.
+    //! Returns the height of the soil [m]. The soil is below zero by the
+    //! rounding error, so that light can pass between the soil and a face at
+    //! height zero.
     double soil() const { return -2 * clearance_; }
     std::size_t faces() const { return standing_.face.size(); }
 
     //! Returns the one-sided area of all faces of the mesh [m2].
     double surface_area() const { return surface_area_; }
 
-    //! Returns the surfaces of the plot, or those that repeat, at the places
-    //! where the mesh has them.
+    //! Returns the surfaces of the plot or of one cell, at the positions in the
+    //! mesh.
     const Surfaces& surfaces() const { return surfaces_; }
 
-    //! Returns the heights of the faces of a group of the mesh.
+    //! Returns the lowest and the highest point of the faces of a group [m].
     Interval heights(std::size_t group) const;
 
     //! Finds the first face within a distance [m] of a point of the cell, along
-    //! a unit direction; returns false if there is none.
-    //! @param pose of the objects that move
+    //! a unit direction; returns false if there is no face.
+    //! @param pose number of the pose of moving objects
     bool intersect(const glm::dvec3& origin, const glm::dvec3& direction,
                    double distance, Hit& hit, std::uint32_t pose = 0) const;
 
-    //! Returns how many faces, with their images, are closer than a clearance
+    //! Returns the number of faces and images that are closer than a clearance
     //! to a point of the cell or the plot.
     int faces_at(const glm::dvec3& point) const;
 
-    //! Returns the position in this scene of a point of the mesh.
+    //! Returns the position that a point of the mesh has in this scene.
     glm::dvec3 placed(const glm::dvec3& point) const;
 
     //! Returns the position inside the cell that stands for a position anywhere
-    //! in the stand. In a plot it is the position itself.
+    //! in the stand. In a plot the position stays as it is.
     glm::dvec3 wrapped(const glm::dvec3& point) const;
 
-    //! Returns the position from which light restarts from a point of a face,
-    //! on the side of the normal: a clearance away, but not below the soil.
+    //! Returns the position from which light restarts at a point of a face, on
+    //! the side of the normal: a clearance away, but not below the soil.
     glm::dvec3 offset_origin(const glm::dvec3& point,
                              const glm::dvec3& normal) const;
 
-    //! Returns how far from a face light must restart so as not to meet it
-    //! again: a few times the rounding error of single precision in this cell
+    //! Returns the distance from a face at which light restarts so as not to
+    //! meet the face again: a few times the rounding error of single precision
     //! [m].
     double clearance() const { return clearance_; }
 
   private:
     struct Handle;
 
-    //! Faces with their images, as the ray tracer has them.
+    //! Faces with their images, as the ray tracer stores them.
     struct Part {
         Part();
         ~Part();
         Part(Part&&) noexcept;
         Part& operator=(Part&&) noexcept;
 
-        std::vector<std::array<float, 4>> corners;  //!< four per face, x y z 0
-        std::vector<std::uint32_t> face;  //!< face that each image shows
+        std::vector<std::array<float, 4>>
+            corners;  //!< corners of faces, four per face, as x y z 0
+        std::vector<std::uint32_t> face;  //!< face of the mesh of each image
         std::unique_ptr<Handle> handle;
         Interval heights;
     };
 
     RayScene() = default;
     void add_plot(const Mesh& mesh, const std::vector<double>& areas);
-    //! Adds a face of the mesh, as yet without images, and returns its part.
+    //! Adds a face of the mesh, without images, and returns the part that it
+    //! belongs to.
     Part& add_face(const std::array<std::uint32_t, 4>& face,
                    std::uint32_t group, std::uint32_t pose,
                    const Interval& heights);
-    //! Adds an image of the last face.
+    //! Adds an image of the face that was added last.
     void add_image(Part& part, const glm::dvec3& shift) const;
     void add_images(const std::array<std::uint32_t, 4>& face,
                     std::uint32_t group, std::uint32_t pose);
@@ -203,7 +215,7 @@ class RayScene {
 
     Boundary boundary_ = Boundary::periodic;
     Box box_{};
-    //! The corner of an isolated plot, in the axes of the mesh.
+    //! The position of an isolated plot's corner in the axes of the mesh.
     glm::dvec3 plot_corner_{0};
     double ground_area_ = 0;
     double period_x_ = 0;
@@ -213,7 +225,7 @@ class RayScene {
     double surface_area_ = 0;
     Surfaces surfaces_;
     Part standing_;
-    std::vector<Part> moving_;  //!< by pose, from 1
+    std::vector<Part> moving_;  //!< moving parts by pose, from 1
     std::vector<Interval> group_heights_;
 };
 

@@ -10,19 +10,19 @@
 
 namespace ideotype {
 
-//! The leading numbers of a path, which are of a low-discrepancy sequence;
-//! further ones are independent.
+//! The number of leading dimensions of a path that a low-discrepancy sequence
+//! fills; further numbers are independent.
 inline constexpr std::size_t path_dimensions = 16;
 
 //! The uniform numbers for the paths of one source in one randomisation: a
-//! scrambled Sobol' sequence, as long as is asked for. The numbers of other
-//! sources and randomisations are independent.
+//! scrambled Sobol' sequence of any length. The numbers of other sources and
+//! randomisations are independent.
 class PathSampler {
   public:
     PathSampler(std::uint64_t seed, std::uint32_t generation,
                 std::uint32_t randomisation, std::uint32_t source);
 
-    //! Goes to a number of a path, its first one unless said otherwise.
+    //! Goes to the number of a path in one dimension, by default the first.
     void begin(std::uint32_t path, std::size_t dimension = 0) {
         path_ = path;
         dimension_ = dimension;

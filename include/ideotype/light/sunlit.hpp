@@ -13,33 +13,32 @@
 
 namespace ideotype {
 
-//! The sunlit part of the leaf area, by randomisation.
+//! The sunlit part of the leaf area by randomisation.
 struct SunlitFractions {
-    //! The parts [randomisation][source]; 0 for skies.
+    //! The sunlit parts as [randomisation][source]; 0 for skies.
     std::vector<std::vector<double>> fractions;
-    //! The part that one point or path of each source tells in one
-    //! randomisation; 0 where there are no leaves.
+    //! The sunlit part that a single point or path of each source contributes
+    //! in one randomisation; 0 without leaves.
     std::vector<double> steps;
 };
 
-//! Returns the part of the leaf area from which the sun can be seen, one-sided;
-//! for each source. Points are spread evenly over all leaves, the same for
-//! every sun, and sent towards it. What is below the soil is shaded. Faces that
-//! lie on each other are one surface, see RayScene: of faces with the same
-//! corners only the first can be sunlit, others share equally what is.
-//! @param mesh that the scene was built from
-//! @param accuracy as many points as paths, for each randomisation
+//! Returns, for each source, the part of the one-sided leaf area that sees the
+//! sun. Rays go towards each sun from the same points, spread evenly over all
+//! leaves. Points below the soil are shaded. Faces that lie on each other are
+//! one surface, see RayScene: of faces with equal corners only the first can be
+//! sunlit, and other coincident faces share the sunlit area equally.
+//! @param mesh surfaces that the scene was built from
+//! @param accuracy number of points for each randomisation, given as paths
 SunlitFractions sunlit_fractions(const RayScene& scene, const Mesh& mesh,
                                  const Illumination& illumination,
                                  const Accuracy& accuracy,
                                  const Randomness& randomness);
 
-//! Returns the sunlit part of the area of pieces of leaves, from first hits
-//! that are known anyway, by the light that they absorb. Nothing is known, and
-//! told, of leaves that absorb nothing.
-//! @param tallies with the light of pieces
-//! @param groups of the scene's mesh
-//! @param leaf_area of all pieces [m2]
+//! Returns the sunlit part of the area of pieces of leaves, from the absorbed
+//! light of first hits. Leaves that absorb no light are left out.
+//! @param tallies results of a simulation with the light of pieces
+//! @param groups all groups of the scene's mesh
+//! @param leaf_area area of all pieces [m2]
 SunlitFractions sunlit_fractions(const std::vector<Tally>& tallies,
                                  const RayScene& scene,
                                  const std::vector<Group>& groups,
@@ -48,13 +47,12 @@ SunlitFractions sunlit_fractions(const std::vector<Tally>& tallies,
                                  double leaf_area);
 
 //! Returns the part of a beam that a triangle of the scene's surfaces absorbs.
-//! @param groups of the scene's mesh
+//! @param groups all groups of the scene's mesh
 double beam_absorptance(const RayScene& scene, const std::vector<Group>& groups,
                         const Optics& optics, std::uint32_t triangle,
                         const glm::dvec3& direction);
 
-//! Returns the irradiance of a beam on a triangle of the scene's surfaces over
-//! that on level ground.
+//! Returns the irradiance of a triangle by a beam over that of level ground.
 double beam_cosine(const RayScene& scene, std::uint32_t triangle,
                    const glm::dvec3& direction);
 

@@ -11,17 +11,18 @@
 
 namespace ideotype {
 
-//! The parts of the light of one source, by where it went [J m-2 of ground].
+//! The parts of the light of one source, by the place where they end [J m-2 of
+//! ground].
 struct Budget {
     double leaves = 0;
-    double organs = 0;   //!< stalks, sheaths and other organs
-    double objects = 0;  //!< fixed objects
+    double organs = 0;   //!< light of stalks, sheaths and other organs
+    double objects = 0;  //!< light of fixed objects
     double soil = 0;
     double reflected = 0;
-    //! Light that entered: into a plot also from soil around.
+    //! The light that entered; in a plot also from the soil around it.
     double incident = 0;
-    double unscattered = 0;  //!< light of leaves before it met anything else
-    double sent_on = 0;      //!< scattered by what was met first
+    double unscattered = 0;  //!< light that leaves absorb before any scattering
+    double sent_on = 0;      //!< light that the first surface has scattered
 
     Budget& operator+=(const Budget& more) {
         for (double Budget::*part : parts()) this->*part += more.*part;
@@ -55,28 +56,29 @@ struct LeafLight {
 
     //! The light straight from a sun, by triangle of the scene's surfaces.
     std::vector<Part> beam;
-    //! The light that is no beam, by piece; a piece may have several parts.
+    //! The light without beams, by piece; a piece may have several parts.
     std::vector<Part> diffuse;
 };
 
-//! The light that one randomisation found in one waveband [J m-2 of ground].
+//! The light of one randomisation in one waveband [J m-2 of ground].
 struct Tally {
     std::vector<Budget> sources;
-    std::vector<double> groups;    //!< absorbed, per group of the mesh
-    std::vector<double> layers{};  //!< absorbed by leaves, lowest layer first
-    //! Light of pieces by source, if there are pieces.
+    std::vector<double> groups;  //!< absorbed light per group of the mesh
+    std::vector<double>
+        layers{};  //!< light that leaves absorb, lowest layer first
+    //! The light of pieces of leaves by source, if there are pieces.
     std::vector<LeafLight> leaf_light{};
-    //! The light absorbed through the faces of leaves: the adaxial (upper) one
-    //! is that from which the corners of a face are seen counter-clockwise.
+    //! The light absorbed through the faces of leaves: the corners of a face
+    //! are counter-clockwise seen from its adaxial (upper) side.
     double adaxial = 0;
     double abaxial = 0;
-    //! Light that parts absorb, by source: the adaxial and the abaxial side of
-    //! each fixed object, then leaves of each component if there are several.
+    //! The light by part and source: the adaxial and the abaxial side of each
+    //! fixed object, then leaves of each component if there are several.
     std::vector<std::vector<double>> parts{};
     std::uint64_t rays = 0;  //!< number of rays to first hits
-    //! Number of rays of light that was scattered.
+    //! The number of rays of scattered light.
     std::uint64_t next_rays = 0;
-    //! The amounts that the paths can tell; shared by all randomisations of a
+    //! The least errors that the paths allow, shared by all randomisations of a
     //! simulation.
     std::shared_ptr<const Resolution> resolution{};
 

@@ -7,36 +7,36 @@
 
 namespace ideotype {
 
-//! The result of a simulation with just enough paths.
+//! The result of a simulation with just enough paths for a tolerance.
 struct Simulation {
     BandTallies tallies;
-    int paths = 0;           //!< first hits per randomisation
-    bool is_capped = false;  //!< more paths would be needed
-    Workload work{};         //!< work that the tolerance asked for
+    int paths = 0;  //!< first hits per randomisation
+    bool is_capped =
+        false;  //!< tells whether the limit of paths left the tolerance unmet
+    Workload work{};  //!< work that the tolerance asked for
 };
 
 //! The fewest paths per randomisation that an evaluation takes.
 inline constexpr int fewest_paths = 32;
 
-//! Simulates with as little work as the tolerance asks for, at most those
-//! given: the tolerance bounds the expected standard error, and the one that is
-//! found may exceed it by as much as it is uncertain itself. How many that is
-//! comes from trials with random numbers of their own, each with more paths
-//! than the one before; none is part of the result, and the result does not
-//! decide when to stop: else an error that is too small by chance would be
-//! likelier to be reported (Stein 1945, doi:10.1214/aoms/1177731088). They also
-//! tell how the scatter is made up of beams, skies and scattered light: each
-//! gets first hits or paths so that the whole costs least. With equal work two
-//! scenes share all random numbers, and the result is that of simulate() with
-//! this work.
+//! Simulates with as few paths as the tolerance needs, at most the given
+//! number. The tolerance bounds the expected standard error, and the standard
+//! error of the result may exceed it by its own uncertainty. Trials with random
+//! numbers of their own and ever more paths decide the number of paths. No
+//! trial is part of the result, and the result does not decide when to stop: an
+//! error that is too small by chance would then be reported more often (Stein
+//! 1945, doi:10.1214/aoms/1177731088). Trials also tell the variances of beams,
+//! skies and scattered light, among which first hits and paths are shared at
+//! the least cost. With equal work two scenes share all random numbers, and the
+//! result is that of simulate() with this work.
 //!
-//! With pieces there is more work, especially for diffuse light: so much that
-//! the relative error of what leaves make of it by a concave response is near
-//! the tolerance too, and each group of the mesh is met more than once.
+//! With pieces there is more work, especially for diffuse light: the relative
+//! error of a concave response of leaves shall be near the tolerance too, and
+//! each group of the mesh shall be met more than once.
 //!
-//! In several bands trials are of each that is bounded, and first hits are as
-//! many as the most demanding of them needs. Scattered light of other bands
-//! gets about as many paths as that of the first bounded one.
+//! With several bands, each bounded band has trials, and the most demanding
+//! band decides the number of first hits. Scattered light of unbounded bands
+//! gets about as many paths as that of the first bounded band.
 Simulation simulate_to_tolerance(const Subject& subject,
                                  const Accuracy& accuracy,
                                  const Randomness& randomness);

@@ -15,31 +15,31 @@
 
 namespace ideotype {
 
-//! The surfaces and bands that light is followed in, and its counters.
+//! The surfaces and bands in which light is followed, and its counters.
 struct Subject {
     const RayScene& scene;
-    const std::vector<Group>& groups;  //!< groups of the scene's mesh
-    std::span<const Band> bands;       //!< at least one
+    const std::vector<Group>& groups;  //!< all groups of the scene's mesh
+    std::span<const Band> bands;       //!< wavebands, at least one
     const Layers& layers;  //!< layers in which the light of leaves is counted
-    //! The number of leading groups, all of them leaves, whose light is told
-    //! place by place in the first band.
+    //! The number of leading groups, all of them leaves, whose light in the
+    //! first band is counted at each place.
     std::size_t pieces = 0;
 
-    //! Returns the light of the first band, whose sources all bands have.
+    //! Returns the light of the first band, whose sources are those of all
+    //! bands.
     const Illumination& light() const {
         IDEOTYPE_EXPECT(!bands.empty());
         return bands.front().light.light;
     }
 };
 
-//! The work of a simulation: how finely each source is looked at in one
-//! randomisation.
+//! The work of a simulation: the numbers of first hits and paths of each source
+//! in one randomisation.
 struct Workload {
-    //! First hits of each source; 0: left out.
+    //! The number of first hits of each source; 0 leaves the source out.
     std::vector<std::uint32_t> first_hits;
     //! The most that a path of scattered light carries, by band and source [J
-    //! m-2 of ground]; in a band that is not listed it is as much as a first
-    //! hit.
+    //! m-2 of ground]; by default the energy of a first hit.
     std::vector<std::vector<double>> path_energy{};
 };
 
@@ -47,7 +47,7 @@ struct Workload {
 using BandTallies = std::vector<std::vector<Tally>>;
 
 //! Splits first hits among sources in proportion to energy and effort, at least
-//! one each, by largest remainders.
+//! one each, by the method of largest remainders.
 std::vector<std::uint32_t> share_paths(const Illumination& illumination,
                                        std::uint32_t paths);
 
@@ -55,31 +55,30 @@ std::vector<std::uint32_t> share_paths(const Illumination& illumination,
 //! until leaves, stalks and soil have absorbed it or it has left upwards.
 //!
 //! Each source gets a share of the paths in proportion to its energy and
-//! effort, at least one; its paths share equally what enters of it, see
-//! Launcher. What the beams of a periodic stand meet first is drawn, see
-//! DepthBuffer, or found by rays, whichever costs less by what there is to do:
-//! that depends on faces and paths and never on a clock. Surfaces keep exactly
-//! their absorptance of what they meet first; what they send on is followed in
-//! paths of its own. There light is absorbed, reflected or transmitted
+//! effort, at least one; the paths share its entering light equally, see
+//! Launcher. First hits of beams in a periodic stand come from a DepthBuffer or
+//! from rays: numbers of faces and paths, never a clock, tell which costs less.
+//! At a first hit a surface absorbs exactly its absorptance; paths of their own
+//! follow the scattered light, which is absorbed, reflected or transmitted
 //! (Lambertian); see absorb_and_continue() in the source for the unbiased rule
-//! that ends paths. In every randomisation the budget of every source sums to
-//! what entered, to rounding: in a periodic stand its energy, in an isolated
-//! plot what came through its bounding box.
+//! that ends paths. In every randomisation the budget of every source sums, to
+//! rounding, to the light that entered: the source's energy in a periodic
+//! stand, the light through the bounding box of an isolated plot.
 //!
 //! Nothing is neglected around an isolated plot: the soil is infinite and lit,
-//! and light that leaves the box comes back by way of it. `soil` is then what
-//! soil anywhere absorbs, and `reflected` what goes to the sky, of the light
-//! that has been in the box.
+//! and light that leaves the box may return from the soil. Of the light that
+//! has been in the box, `soil` is then the part that soil anywhere absorbs, and
+//! `reflected` the part that goes to the sky.
 //!
 //! First hits are found once for all bands, by the energies of the first band;
-//! what surfaces scatter of them is followed in each band by itself.
+//! scattered light is followed in each band separately.
 //!
 //! @return tallies by band and randomisation
 BandTallies simulate(const Subject& subject, const Workload& work,
                      int randomisations, const Randomness& randomness);
 
-//! Follows light with so many first hits; the tolerance is not looked at, nor
-//! how many fields there are.
+//! Follows light with the first hits that the accuracy gives; its tolerance and
+//! number of fields are ignored.
 //! @throws Error if there are fewer paths than sources.
 BandTallies simulate(const Subject& subject, const Accuracy& accuracy,
                      const Randomness& randomness);
@@ -94,7 +93,7 @@ std::vector<Tally> simulate(const RayScene& scene,
                             const Randomness& randomness,
                             const Layers& layers = {}, std::size_t pieces = 0);
 
-//! Returns a band with this light alone, for light that follows no series.
+//! Returns a band with a light that follows no series.
 Band band_of(const Optics& optics, const Illumination& illumination);
 
 }  // namespace ideotype

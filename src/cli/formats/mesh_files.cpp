@@ -41,7 +41,8 @@ int organ_of(const std::string& name) {
     return rank;
 }
 
-//! Characters as VTK writes them in XML: numbers with a 0 at the end.
+//! Writes text as VTK stores it in XML: as numbers of characters, with a 0 at
+//! the end.
 void write_text(OutputFile& out, const std::string& name,
                 const std::string& text) {
     out.print(

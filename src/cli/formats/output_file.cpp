@@ -23,7 +23,7 @@ OutputFile::OutputFile(const std::string& path) : path_(path), target_(path) {
     const bool is_special =
         fs::exists(target_, unknown) && !fs::is_regular_file(target_, unknown);
     written_ = is_special ? target_ : target_ + ".part";
-    // Removes what a kill has left, but never the target of a link.
+    // Removes the rest of a killed process, but never the target of a link.
     if (!is_special) fs::remove(written_, unknown);
     file_ = std::fopen(written_.c_str(), is_special ? "wb" : "wbx");
     if (!file_) fail();
@@ -39,7 +39,7 @@ OutputFile::~OutputFile() {
 
 void OutputFile::finish() {
     flush();
-    // Some file systems tell of a full disk only now.
+    // Some file systems report a full disk only when a file is closed.
     if (std::fclose(std::exchange(file_, nullptr)) == 0 &&
         (written_ == target_ ||
          std::rename(written_.c_str(), target_.c_str()) == 0))

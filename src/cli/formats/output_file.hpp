@@ -11,23 +11,23 @@
 namespace ideotype {
 
 //! Checks that a path is free for a new file.
-//! @throws Error (refused) if there is something at this path.
+//! @throws Error (refused) if anything exists at this path.
 void require_new(const std::string& path);
 
-//! A new file, which gets its name when it is complete. Until then it is
-//! written beside that place, and removed if writing fails. A pipe, or anything
-//! else that is no plain file, is written directly.
+//! A new file, which gets its name when it is complete. An incomplete file has
+//! another name beside it, and is removed if writing fails. A pipe, or any
+//! other special file, is written directly.
 class OutputFile {
   public:
     //! Opens the file.
-    //! @throws Error if it cannot be written
+    //! @throws Error if the file cannot be written.
     explicit OutputFile(const std::string& path);
     OutputFile(const OutputFile&) = delete;
     OutputFile& operator=(const OutputFile&) = delete;
     ~OutputFile();
 
     //! Writes text.
-    //! @throws Error if the disk is full, for example.
+    //! @throws Error if writing fails, for example on a full disk.
     template <class... Values>
     void print(fmt::format_string<Values...> form, Values&&... values) {
         constexpr std::size_t block = 1 << 16;
@@ -37,7 +37,7 @@ class OutputFile {
     }
 
     //! Gives the file its name.
-    //! @throws Error if that fails
+    //! @throws Error if renaming fails.
     void finish();
 
   private:
@@ -45,8 +45,8 @@ class OutputFile {
     [[noreturn]] void fail() const;
 
     std::string path_;
-    std::string target_;   //!< where symbolic links lead to
-    std::string written_;  //!< the same, or a file beside it
+    std::string target_;   //!< path to which symbolic links lead
+    std::string written_;  //!< the target, or a file beside it
     std::FILE* file_ = nullptr;
     fmt::memory_buffer text_;
 };

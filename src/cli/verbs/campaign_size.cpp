@@ -24,7 +24,7 @@ namespace ideotype {
 
 namespace {
 
-//! Numbers of workers for which the cost is told.
+//! The numbers of workers for which the cost is printed.
 constexpr std::array<int, 4> shown_workers{1, 2, 16, 128};
 
 std::string clock(std::optional<double> hour) {
@@ -45,8 +45,8 @@ std::string by_day(const LightSeries& series,
     return fmt::format("{:.1f} {}", factor * sum / light, unit);
 }
 
-//! Adds what a climate whose weather tells any of it, or an estimate, has of
-//! wind, pressure, longwave radiation and CO2.
+//! Adds wind, pressure, longwave radiation and CO2 of a climate if its weather
+//! tells any of them or an estimate exists.
 void add_air(Json& row, const Campaign& campaign, const Site& site,
              LightSeries series) {
     const TimeStep& first = series.steps.front();
@@ -67,8 +67,8 @@ void add_air(Json& row, const Campaign& campaign, const Site& site,
     row["estimated"] = fmt::format("{}", fmt::join(series.estimated, ", "));
 }
 
-//! Tells the sun of the middle date of a day or climate at its site, and what
-//! light a climate has or a day leaves out.
+//! Returns the sun on the middle date of a day or climate at its site, and the
+//! light that a climate has or a day leaves out.
 Json sky_of(const Campaign& campaign, const Case& chosen,
             const LightSeries& series) {
     const bool is_climate = !campaign.climates.empty();
@@ -106,14 +106,15 @@ Json sky_of(const Campaign& campaign, const Case& chosen,
 
 }  // namespace
 
-//! The quickest of a few evaluations counts, since the first warms up and
-//! others may use the core too.
+//! The fastest of a few evaluations counts, since the first warms up and other
+//! processes may use the core.
 CampaignCost::CampaignCost(const Campaign& campaign, const Case& chosen)
     : population(campaign.search.population),
       generations(campaign.stop.generations),
       finalists(1 + campaign.final_rule.candidates) {
     CanopyEvaluator evaluator(campaign, Device::supported_isas().back());
-    constexpr double long_time = 1;  // [s], nothing to measure again
+    constexpr double long_time =
+        1;  // time that needs no second measurement [s]
     const auto measure = [&](int times, Task task) {
         task.case_index = static_cast<std::uint32_t>(chosen.index);
         double least = std::numeric_limits<double>::infinity();

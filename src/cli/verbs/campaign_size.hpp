@@ -20,22 +20,24 @@ struct CampaignCost {
     //! Measures evaluations of the baseline in a case.
     CampaignCost(const Campaign& campaign, const Case& chosen);
 
-    //! Returns the time of one case [s]: the slowest worker of a generation
-    //! counts.
+    //! Returns the time of one case [s], whose generations wait for the slowest
+    //! worker.
     double of_case(int workers) const;
-    //! Returns the time of cases that share a job [s]: they fill each other's
+    //! Returns the time of cases that share a job [s], which fill each other's
     //! gaps.
     double of_cases(std::size_t cases, int workers) const;
 
     Json json(std::size_t cases) const;
 
-    //! Tells the cost of one case on one core in a line without its end.
+    //! Returns the cost of one case on one core as a line without line break.
     std::string text() const;
 
-    //! Tells the time of one case and of all by the number of workers.
+    //! Returns a table of the times of one case and of all by the number of
+    //! workers.
     std::string table(std::size_t cases) const;
 
-    //! An evaluation here on one core, and a final one [s].
+    //! The times of a usual and of a final evaluation on one core of this
+    //! machine [s].
     double usual = 0, final = 0;
     int population, generations, finalists;
 };
@@ -50,7 +52,7 @@ class Extent {
 
     Json json(double unit = 1) const { return {lower_ / unit, upper_ / unit}; }
 
-    //! Returns "3.44", or "1.90 .. 9.50" if the ends differ in print.
+    //! Returns "3.44", or "1.90 .. 9.50" if both ends differ in print.
     std::string text(std::string_view form, double unit = 1) const {
         const std::string lower =
             fmt::format(fmt::runtime(form), lower_ / unit);
@@ -66,23 +68,23 @@ class Extent {
 
 //! The ranges over the stands of all cases and their scenarios.
 struct Stands {
-    Extent period_x, period_y;   //!< [m]
-    Extent lai;                  //!< LAI of the baseline and other components
-    Extent steps, par, diffuse;  //!< number, [J m-2 day-1], part of it
+    Extent period_x, period_y;  //!< periods of the cell [m]
+    Extent lai;                 //!< LAI of the baseline with other components
+    Extent steps, par,
+        diffuse;  //!< number of steps; PAR [J m-2 day-1], diffuse part
     //! A row for each site and day or climate: sun and light.
     std::vector<Json> sky;
 };
 
 //! Computes the ranges of a campaign.
-//! @param leaf_area of a place of the field, of all components on the average
-//! [m2]
+//! @param leaf_area mean over all components per place of the field [m2]
 Stands stands_of(const Campaign& campaign, double leaf_area);
 
 //! Returns the leaf area of the baseline at each stage of a season, if plants
 //! grow.
 Json season_of(const Campaign& campaign, const Case& chosen);
 
-//! Returns a line that tells what is searched for.
+//! Returns a line that tells the objectives.
 std::string objective_text(const Campaign& campaign);
 
 }  // namespace ideotype

@@ -23,7 +23,7 @@ namespace ideotype {
 
 namespace {
 
-//! Names the scenarios of a case that has several.
+//! Returns the names of the scenarios of a case that has several.
 std::vector<std::string> scenario_names(const Campaign& campaign,
                                         const Case& chosen) {
     if (chosen.scenarios.empty()) return {};
@@ -61,9 +61,9 @@ Json to_json(const std::vector<Problem>& problems) {
     return all;
 }
 
-//! Prints index and evaluations done of each case that is not finished in a
-//! folder, with a tab between them.
-//! @throws Error (refused) if a history is of another campaign.
+//! Prints, separated by a tab, the index and the number of evaluations of each
+//! case that is not finished in a folder.
+//! @throws Error (refused) if a history belongs to another campaign.
 void list_left(const Campaign& campaign, const std::string& out) {
     for (const Case& each : cases(campaign)) {
         const std::string path = path_of(out, campaign, each);
@@ -89,7 +89,7 @@ void tell_next(const std::string& path,
     fmt::print("next: {}\n", quoted(words));
 }
 
-//! All that check finds, in the first case alone unless said otherwise.
+//! The results of `check`, for the first case unless said otherwise.
 struct Findings {
     Mesh plant;
     LightSeries light;
@@ -97,12 +97,12 @@ struct Findings {
     Stands stands;
     CampaignCost cost;
     DiskRoom room;
-    double excess;  //!< excess of constraints, by the baseline
+    double excess;  //!< violation of constraints by the baseline
     std::size_t genes, free_genes;
 };
 
-//! Returns the mean leaf area of a place of the field, of plants that do not
-//! deviate from their lines [m2].
+//! Returns the mean leaf area per place of the field, for plants without
+//! deviations from their lines [m2].
 double leaf_area_of_place(const Scene& scene, const Case& chosen) {
     double lai = 0;
     for (const Component& each : scene.components)
@@ -255,7 +255,7 @@ ExitCode check(const CheckOptions& options) try {
             list_left(campaign, options.out);
         return ExitCode::ok;
     }
-    // Nothing is bred here, but that is what most checked campaigns are for.
+    // `check` breeds no plants, but most checked campaigns are for breeding.
     campaign.warnings.insert(campaign.warnings.end(),
                              campaign.outside_bounds.begin(),
                              campaign.outside_bounds.end());

@@ -17,8 +17,8 @@ namespace ideotype {
 
 namespace {
 
-//! Names the objectives, each with its number and unit. The error of a land
-//! equivalent ratio contains those of crops alone.
+//! Returns the objectives with name, number and unit. The error of a land
+//! equivalent ratio contains the errors of sole crops.
 std::vector<Measured> objectives_of(const CanopyReport& report,
                                     const Campaign& campaign) {
     std::vector<Measured> all;
@@ -42,8 +42,8 @@ bool same_bits(const std::vector<Estimate>& a, const std::vector<Estimate>& b) {
     return std::ranges::equal(a, b, {}, bits, bits);
 }
 
-//! Returns whether all that is stored of a row is found again. An older format
-//! may lack quantities, or have some that are computed no more.
+//! Returns whether an outcome repeats all stored numbers of a row. A file of an
+//! older format may lack quantities or have obsolete ones.
 bool agrees_with(const ChosenRow& which, const Outcome& again) {
     const OutcomeSchema now = outcome_schema(which.campaign, which.chosen, {});
     const Outcome& was = which.row.outcome;
@@ -115,8 +115,8 @@ Json to_json(const std::vector<Study>& all) {
     return each.size() == 1 ? each.front() : Json{{"scenarios", each}};
 }
 
-//! Prints what fits on a screen: no parts by leaf, layer or hour, whose names
-//! stand below, unless all is wanted.
+//! Prints the results that fit on a screen; with `all` also figures by leaf,
+//! layer and hour, of which otherwise only the names are printed.
 void print_studies(const std::vector<Study>& all, bool is_all) {
     for (const Study& study : all) {
         if (&study != &all.front()) fmt::print("\n");
@@ -134,7 +134,7 @@ void print_studies(const std::vector<Study>& all, bool is_all) {
     }
 }
 
-//! Returns the outcome that a row would have in its history.
+//! Returns the outcome of a row as its history would store it.
 Outcome outcome_of(const Campaign& campaign, const Case& chosen,
                    const Plant& plant, const std::vector<Study>& all) {
     std::vector<Outcome> each;
@@ -143,7 +143,7 @@ Outcome outcome_of(const Campaign& campaign, const Case& chosen,
     return AcrossScenarios(campaign, chosen).combine(each);
 }
 
-//! Objectives over all stages and scenarios, where plants grow.
+//! Returns the objectives over all stages and scenarios, if plants grow.
 Json season_of(const Campaign& campaign, const Case& chosen,
                const std::vector<Study>& all) {
     Json season;
@@ -190,7 +190,7 @@ std::string name_of(const Task& task) {
                                        task.slot);
 }
 
-//! Recomputes a row, and compares every bit.
+//! Recomputes a row and compares every bit with the history.
 ExitCode repeat_row(const ChosenRow& which, const EvaluateOptions& options) {
     const auto& [campaign, chosen, task, row, schema, isa] = which;
     const Plants plants = grow(campaign, row.candidate.genome);

@@ -21,7 +21,7 @@ namespace ideotype {
 
 namespace {
 
-//! Returns the measures that tables of these leaves have.
+//! Returns the measures that are columns in a table of these leaves.
 std::vector<Measure<Leaf>> written_measures(const std::vector<Leaf>& leaves) {
     const auto usual = leaf_measures.begin() + usual_leaf_measures;
     std::vector<Measure<Leaf>> written(leaf_measures.begin(), usual);
@@ -52,7 +52,8 @@ void write_csv(const std::string& path, const Plant& plant) {
     out.finish();
 }
 
-//! The plant's name is that of the file, as far as names allow.
+//! Writes a crop file. The plant has the name of the file as far as names allow
+//! it.
 void write_crop_file(const std::string& path, const std::string& title,
                      const Campaign& campaign, Plant plant,
                      std::size_t component) {
@@ -64,7 +65,7 @@ void write_crop_file(const std::string& path, const std::string& title,
     out.finish();
 }
 
-//! Returns words about surfaces of a file, for other ray tracers.
+//! Returns lines about the surfaces in a file, for users of other ray tracers.
 std::vector<std::string> about(const std::string& title, const Case& chosen) {
     return {title, "metres, z up, y along the rows",
             fmt::format("y points {} deg clockwise from north",
@@ -80,8 +81,8 @@ std::string about_ground(const Field& field) {
                        cell.period_x, cell.period_y);
 }
 
-//! Returns the PAR that each face of a request's components absorbs, or, as the
-//! row's evaluation draws it, of its field [J m-2 day-1].
+//! Returns the PAR that each face absorbs, of the components of a request or of
+//! the field that the row's evaluation draws [J m-2 day-1].
 std::vector<Estimate> light_on_faces(CanopyRequest request, std::size_t faces,
                                      std::optional<int> paths,
                                      const std::string& isa) {
@@ -92,8 +93,8 @@ std::vector<Estimate> light_on_faces(CanopyRequest request, std::size_t faces,
     return evaluate(request, Device(isa)).par().faces;
 }
 
-//! Leaves what moves as it stands for the strongest sun.
-//! @param light of each face, or nothing
+//! Fixes moving objects in their pose at the strongest sun.
+//! @param light light of each face, or nothing
 void stand_still(Shape& shape, std::vector<Estimate>& light,
                  const std::vector<Source>& sources) {
     std::uint32_t pose = 0;
@@ -119,7 +120,7 @@ void stand_still(Shape& shape, std::vector<Estimate>& light,
     thin(light);
 }
 
-//! The surfaces of a plant or its field, with the light on them or without.
+//! Writes the surfaces of a plant or its field, with or without light.
 void write_shape(const ExportOptions& options, const ChosenRow& row,
                  const std::string& title, bool is_lit, const Plants& grown,
                  std::size_t component) {
@@ -157,8 +158,8 @@ void write_shape(const ExportOptions& options, const ChosenRow& row,
         write_obj(options.to, shape);
 }
 
-//! Returns a case, or one of its scenarios, with plants as they stand at the
-//! date or the thermal time that an option has.
+//! Returns a case, or one of its scenarios, with plants at the date or the
+//! thermal time of an option.
 Case as_it_stood(const Campaign& campaign, const Case& chosen,
                  const std::string& at) {
     const std::optional<Date> date = to_date(at);

@@ -12,7 +12,8 @@ namespace ideotype {
 
 namespace {
 
-//! Returns "MJ m-2 day-1" as the end of a name, "_MJ_per_m2_per_day".
+//! Returns a unit such as "MJ m-2 day-1" as the end of a name,
+//! "_MJ_per_m2_per_day".
 std::string suffix(const std::string& unit) {
     std::istringstream factors(unit == "1" ? "" : unit);
     std::string text;
@@ -30,11 +31,11 @@ std::string suffix(const std::string& unit) {
 struct Column {
     std::string name, unit;
     Certainty certainty;
-    std::size_t place;  //!< among the numbers of all quantities
+    std::size_t place;  //!< index among the numbers of all quantities
 };
 
-//! Single numbers, and those along axes of names; profiles by leaf, layer and
-//! hour are in the history.
+//! Returns columns of single numbers and of quantities along axes of names.
+//! Profiles by leaf, layer and hour are in the history only.
 std::vector<Column> columns_of(const QuantitySet& measured) {
     std::vector<Column> columns;
     for (const Quantity& each : measured.quantities) {
@@ -73,7 +74,8 @@ void write_rows(OutputFile& out, std::uint64_t first, std::uint32_t generation,
                 const std::vector<Row>& rows) {
     for (std::size_t slot = 0; slot < rows.size(); ++slot) {
         const auto& [candidate, outcome, attempt] = rows[slot];
-        // The shortest digits that give the same number again.
+        // Numbers have the fewest digits from which the same number is read
+        // again.
         out.print("{},{},{},{},{},{},{},{}", first + slot, generation, slot,
                   outcome.status == Status::done ? "done" : "failed",
                   name_of(candidate.origin), candidate.parents[0],

@@ -26,7 +26,7 @@ std::string unknown(const std::string& what, const std::string& word,
                        did_you_mean(word, names));
 }
 
-//! Returns the beginning of a value as text, for messages.
+//! Returns the beginning of a JSON value as text, for messages.
 std::string beginning(const Json& json) {
     constexpr std::size_t enough = 60;
     const std::string text = to_line(json);
@@ -51,7 +51,8 @@ double number(const Json& json, const char* key) {
     return json.get<double>();
 }
 
-//! Returns all genes; those that are not free stay as in the baseline.
+//! Returns the values of all genes; genes that are not free are those of the
+//! baseline.
 Genome read_genome(const Json& json, const ServedCase& served) {
     const GeneSpace& genes = served.genes;
     if (!json.is_array()) refuse("genome", "an array of numbers", json);
@@ -190,7 +191,8 @@ Json parse_line(const std::string& text) try {
         return true;
     });
 } catch (const Json::exception& error) {
-    // It is "[json.exception.parse_error.101] parse error at line 1, ...".
+    // The message is "[json.exception.parse_error.101] parse error at line 1,
+    // ...".
     const std::string what = error.what();
     const std::size_t column = what.find("column ");
     throw Error(fmt::format(
@@ -231,7 +233,7 @@ GenomeRequest read_request(const Json& json, const ServedCase& served) {
     if (json.contains("quantities"))
         request.quantities =
             read_quantities(json["quantities"], served.schema.measured);
-    // The call throws if something impossible is asked for.
+    // The call throws if the request is impossible.
     static_cast<void>(sampling_of(sampling, served.campaign, served.chosen));
     return request;
 }

@@ -11,7 +11,7 @@
 
 namespace ideotype {
 
-//! The case that genomes are sent to, and what is told of each.
+//! The case that evaluates sent genomes, and the figures of each answer.
 struct ServedCase {
     ServedCase(const Campaign& of, int index, const std::string& path);
 
@@ -20,17 +20,18 @@ struct ServedCase {
     GeneSpace genes;
     Genome baseline;
     //! The schema without objectives by randomisation, whose number depends on
-    //! the tolerance of a request.
+    //! each request's tolerance.
     OutcomeSchema schema;
 };
 
 //! The evaluation that a line asks for.
 struct GenomeRequest {
-    Json id;                 //!< that comes back with the answer; may be null
-    std::uint64_t line = 0;  //!< from 1
+    Json id;  //!< identity of the request for the answer; may be null
+    std::uint64_t line = 0;  //!< line of the request, from 1
     Genome genome;           //!< values of all genes
     SamplingRequest sampling{};
-    std::vector<std::string> quantities{};  //!< besides the objectives
+    std::vector<std::string>
+        quantities{};  //!< quantities to tell besides the objectives
 };
 
 //! Returns the first line of the output: genes, objectives and quantities.
@@ -39,10 +40,10 @@ Json hello(const ServedCase& served, int workers);
 //! @throws Error if the text is no JSON.
 Json parse_line(const std::string& text);
 
-//! Returns the member `id` of an object; else null.
+//! Returns the member `id` of an object, or null if there is none.
 Json id_of(const Json& json);
 
-//! @throws Error of what is wrong with it.
+//! @throws Error that tells the fault of the request.
 GenomeRequest read_request(const Json& json, const ServedCase& served);
 
 //! Returns the line about an outcome of a request.

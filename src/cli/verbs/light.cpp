@@ -48,7 +48,7 @@ double relative_error(const MeshReport& report) {
     return largest;
 }
 
-//! JSON has no infinity.
+//! Returns null for an infinite relative error, since JSON has no infinity.
 Json relative_error_json(const MeshReport& report) {
     const double error = relative_error(report);
     return std::isfinite(error) ? Json(error) : Json(nullptr);

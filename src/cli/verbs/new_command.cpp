@@ -40,8 +40,9 @@ namespace fs = std::filesystem;
 //! A question whose answer becomes the value of a key of the new campaign.
 struct Question {
     const char *option, *section, *key, *text;
-    std::string NewOptions::*answer;  //!< "": not given
-    const char* initial = "";         //!< "": none
+    std::string NewOptions::*
+        answer;  //!< option with the answer; "" if it is not given
+    const char* initial = "";  //!< initial answer; "" if there is none
 };
 
 constexpr Question questions[] = {
@@ -102,8 +103,8 @@ bool is_file(const std::string& plant) {
     return fs::path(plant).has_extension();
 }
 
-//! Checks an answer by what the documentation says of its key.
-//! @throws Error if the answer is not one that the key may have
+//! Checks an answer by the documentation of its key.
+//! @throws Error if the key may not have this answer.
 void check(const Question& question, const std::string& answer) {
     const std::string key = question.key;
     const auto require = [&](const std::string& what,
@@ -145,7 +146,7 @@ std::string ask(const Question& question) {
     }
 }
 
-//! Checks what is given, and asks for the rest on a terminal.
+//! Checks the given answers, and asks for missing ones on a terminal.
 void complete(NewOptions& options) {
     std::vector<std::string> missing;
     for (const Question& each : questions) {
@@ -178,8 +179,8 @@ void write(const std::string& path, const std::string& text) {
     file.finish();
 }
 
-//! Copies a crop of the program to a file, to be changed there; returns whether
-//! the file is new.
+//! Copies a built-in crop to a file that users can change; returns whether the
+//! file is new.
 bool place_crop(const std::string& crop, const std::string& path) {
     const std::string text = known_crop(crop).value();
     if (!fs::exists(path)) return write(path, text), true;
@@ -193,8 +194,7 @@ bool place_crop(const std::string& crop, const std::string& path) {
     return false;
 }
 
-//! Returns the text of a campaign that keeps the baseline of a plant within its
-//! bounds.
+//! Returns the text of a campaign whose bounds include the baseline of a plant.
 std::string text_for(const NewOptions& options, const std::string& plant) {
     const fs::path path = options.path;
     Site site;

@@ -15,7 +15,8 @@ namespace ideotype {
 
 namespace {
 
-//! A key without a value gets its default, one without a note its meaning.
+//! The form of a campaign file. A key without value gets its default, and a key
+//! without note its meaning.
 constexpr auto campaign_form =
     R"(# A campaign of ideotype, a whole study in one file:
 #     ideotype check FILE               what is wrong, size and cost
@@ -91,7 +92,7 @@ paths = 4096 # light paths per randomisation
 randomisations = 64 # each in a field of its own
 )";
 
-//! Returns a full hour in TOML, whose days end before 24:00.
+//! Returns a full hour as a time of TOML, where 24:00 does not exist.
 std::string clock(double hour) {
     return hour < 24 ? fmt::format("{:02}:00:00", hour) : "\"24:00\"";
 }

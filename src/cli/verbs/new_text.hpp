@@ -7,10 +7,10 @@
 
 namespace ideotype {
 
-//! Writes the text of a campaign file: all that matters, each key with its unit
-//! and meaning. Light is from sunrise to sunset.
-//! @param site with the name of the campaign
-//! @param bounds "\n" and a line of the table [plant]; "": none
+//! Returns the text of a campaign file with the most important keys, their
+//! units and meanings. Light lasts from sunrise to sunset.
+//! @param site place with the name of the campaign
+//! @param bounds "\n" and a line of the table [plant], or ""
 //! @throws Error if the sun does not rise.
 std::string new_text(const Site& site, const Date& date, double row,
                      double plant, const std::string& baseline,

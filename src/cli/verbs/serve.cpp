@@ -20,18 +20,18 @@ namespace ideotype {
 
 namespace {
 
-//! The time after which a new line is noticed while evaluations are in flight
-//! [s]; looking more often would take time from them.
+//! The time between looks at the input while evaluations are in flight [s];
+//! more frequent looks would slow the evaluations.
 constexpr double attention = 1e-3;
 
 //! The time between looks at the input while there is no work [s].
 constexpr double patience = 0.25;
 
-//! In the place of a number that was not given.
+//! The placeholder of a number that a request does not give.
 constexpr double none = -1;
 
-//! Numbers behind the genes: tolerance, and the seed in halves, since not every
-//! one is a double.
+//! The count of numbers after the genes: the tolerance and both halves of the
+//! seed, since a double cannot hold every seed.
 constexpr std::size_t extra = 3;
 
 double take_last(Genome& genome) {
@@ -55,8 +55,8 @@ SamplingRequest take_sampling(const Task& task, Genome& genome) {
     return sampling;
 }
 
-//! Returns a request as it travels: what its task does not say of the sampling
-//! stands behind the genes.
+//! Returns a request as work for a worker: the sampling, which the task cannot
+//! tell, follows the genes.
 Work to_work(const GenomeRequest& request) {
     Work work{{}, request.genome};
     work.task.generation = request.sampling.generation;
@@ -70,7 +70,7 @@ Work to_work(const GenomeRequest& request) {
     return work;
 }
 
-//! Evaluates genomes that are sent. The case must outlive it.
+//! Evaluates the genomes of requests. The case must outlive the evaluator.
 class RequestEvaluator : public Evaluator {
   public:
     //! @throws Error if the processor lacks the instruction set.
@@ -99,14 +99,14 @@ class RequestEvaluator : public Evaluator {
     Device device_;
 };
 
-//! Answers requests until the input ends. No more of them are read than there
+//! Answers requests until the input ends. No more requests are read than there
 //! are workers.
 class Service : public Director {
   public:
     Service(const ServedCase& served, const StopFlag& stop, const Log& log)
         : served_(served), stop_(stop), log_(log) {}
 
-    //! @throws Error if nobody reads the answers.
+    //! @throws Error if the reader of the answers has gone.
     ExitCode run(Dispatcher& dispatcher) {
         dispatcher_ = &dispatcher;
         const double began = now();
@@ -152,8 +152,8 @@ class Service : public Director {
         co_return true;
     }
 
-    //! Returns a genome that can be evaluated now. With nothing in flight it
-    //! waits for one; else answers that arrive must not wait for input.
+    //! Returns a genome to evaluate now. Only if nothing is in flight does it
+    //! wait for input; otherwise arriving answers must not wait.
     std::optional<Work> next() {
         while (!stop_.requested() && !reader_.has_ended()) {
             const bool is_idle = in_flight_.empty();
@@ -169,7 +169,8 @@ class Service : public Director {
         return std::nullopt;
     }
 
-    //! Returns a request; none if the line is empty or refused.
+    //! Returns the request of a line, or nothing if the line is empty or
+    //! refused.
     std::optional<GenomeRequest> read(const Line& line) {
         if (line.text.find_first_not_of(" \t\r") == std::string::npos &&
             !line.is_cut)
@@ -210,13 +211,13 @@ class Service : public Director {
     const Log& log_;
     LineReader reader_{STDIN_FILENO};
     LineWriter writer_;
-    std::map<std::uint32_t, GenomeRequest> in_flight_;  //!< by slot
+    std::map<std::uint32_t, GenomeRequest> in_flight_;  //!< requests by slot
     long long done_ = 0, failed_ = 0;
-    Dispatcher* dispatcher_ = nullptr;  //!< while running
+    Dispatcher* dispatcher_ = nullptr;  //!< dispatcher while running
     std::optional<Routine<bool>> service_;
 };
 
-//! Collective over all ranks.
+//! Serves a campaign; collective over all ranks.
 ExitCode serve_on(const Session& session, const ServeOptions& options,
                   const StopFlag& stop, const Log& log) {
     const std::vector<Machine> machines =
@@ -226,12 +227,12 @@ ExitCode serve_on(const Session& session, const ServeOptions& options,
         const Campaign read =
             read_campaign(options.campaign_path, options.settings);
         print_warnings(read, log);
-        // Looks whether there is this case.
+        // The constructor throws if the case does not exist.
         const ServedCase served(read, options.case_index,
                                 options.campaign_path);
         return {choose_isa(machines, std::nullopt, ""), read.resolved};
     });
-    if (isa.empty()) return ExitCode::ok;  // rank 0 tells why
+    if (isa.empty()) return ExitCode::ok;  // rank 0 tells the reason
     const Campaign campaign = parse_campaign(resolved, options.campaign_path);
     const ServedCase served(campaign, options.case_index,
                             options.campaign_path);

@@ -22,11 +22,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-//! Returns the files themselves, and for a folder all histories in it.
+//! Returns the given files, and for a folder all histories in the folder.
 std::vector<std::string> histories_in(const std::vector<std::string>& paths) {
     std::vector<std::string> files;
     for (const std::string& path : paths) {
-        std::error_code unknown;  // told when the path is opened
+        std::error_code unknown;  // ignored: opening the path tells it
         if (!fs::is_directory(path, unknown)) {
             files.push_back(path);
             continue;
@@ -44,16 +44,16 @@ std::vector<std::string> histories_in(const std::vector<std::string>& paths) {
     return files;
 }
 
-//! Returns the state in words. The writer is to be looked at before the reason
-//! is read: a case that ends in between is finished, not drained.
+//! Returns the state of a case in words. The writer must be read before the
+//! reason: a case that ends between the reads is finished, not drained.
 std::string state_of(Writer writer, const std::optional<std::string>& reason) {
     if (reason) return "finished";
     if (writer == Writer::alive) return "running";
     return writer == Writer::closed ? "drained" : "dead";
 }
 
-//! Returns the command that repeats the last start of a case; empty if it is
-//! not known in full, or is no start of this program.
+//! Returns the command that repeats the last start of a case; "" if this start
+//! is not fully known or was not by this program.
 std::string way_on_with(const History& history) {
     const auto last = history.last_session();
     if (!last || last->command.size() >= longest_command ||
@@ -62,14 +62,15 @@ std::string way_on_with(const History& history) {
     return way_on(last->command, last->ranks);
 }
 
-//! The state of a case as it is told; not all of it is known of each.
+//! The printed state of a case; some members may be unknown.
 struct CaseStatus {
     std::string path, case_name, state;
     std::uint64_t missing_bytes = 0;
     CaseResult result;
-    std::optional<double> rate, left;  //!< [evaluations/s], [s]
-    std::string way_on;                //!< if it has stopped
-    bool has_one_seed = false;         //!< with a gain, which that alone found
+    std::optional<double> rate, left;  //!< rate [evaluations/s], time left [s]
+    std::string way_on;                //!< command to resume a stopped case
+    bool has_one_seed =
+        false;  //!< tells whether a gain comes from a single seed
 };
 
 CaseStatus report_on(const std::string& path) {
@@ -156,11 +157,11 @@ Json to_json(const CaseStatus& report) {
             {"left_s", optional_json(report.left)}};
 }
 
-//! Prints sums over all files, and how to go on with what stopped.
+//! Prints sums over all files, and the commands that resume stopped cases.
 void print_overview(const std::vector<CaseStatus>& reports,
                     const std::vector<std::string>& commands) {
     std::map<std::string, int> states;
-    double rate = 0;  // of what runs [evaluations/s]
+    double rate = 0;  // rate of running cases [evaluations/s]
     for (const CaseStatus& each : reports) {
         ++states[each.state];
         if (each.state == "running") rate += each.rate.value_or(0);
@@ -186,7 +187,8 @@ void print_overview(const std::vector<CaseStatus>& reports,
 ExitCode status(const StatusOptions& options) {
     ExitCode worst = ExitCode::ok;
     std::vector<CaseStatus> reports;
-    std::vector<std::string> commands;  // cases of one job share one
+    std::vector<std::string>
+        commands;  // commands; cases of one job share one command
     Json json{{"histories", Json::array()}, {"unreadable", Json::array()}};
     const std::vector<std::string> paths = histories_in(options.paths);
     for (const std::string& path : paths) try {
@@ -202,7 +204,7 @@ ExitCode status(const StatusOptions& options) {
             if (report.missing_bytes > 0)
                 worst = std::max(worst, ExitCode::refused);
         } catch (const Error& error) {
-            // One unreadable file must not hide the others.
+            // One unreadable file must not hide other files.
             fmt::print(stderr, "{}\n", printable_lines(error.what()));
             worst = std::max(worst, error.exit_code());
             json["unreadable"].push_back(
@@ -225,7 +227,7 @@ ExitCode verify(const std::vector<std::string>& paths) {
                 "checksums\n",
                 path, found.generations, found.finalists);
         } catch (const Error& error) {
-            // A file that is damaged must not hide the others.
+            // A damaged file must not hide other files.
             fmt::print(stderr, "{}\n", printable_lines(error.what()));
             worst = std::max(worst, error.exit_code());
         }

@@ -26,8 +26,7 @@ constexpr auto smaller_history =
 
 void write_everything(hid_t file, const HistoryHeader& header) {
     write_header(file, header);
-    // The large tables come last: their end is what a file that is cut short
-    // loses.
+    // The large tables come last, since a truncated file loses its end.
     Generations::create(file, header);
     Journal::create(file);
     Columns::create(
@@ -48,10 +47,10 @@ void place_objects(hid_t access) {
     // A kill can cut a write in two where a page ends, but not within a number
     // at a multiple of its size.
     checked(H5Pset_alignment(access, 8, 8), "align the datasets");
-    // The descriptions of all data stand at the beginning, so that a file of
-    // which the end is lost can be opened.
+    // The descriptions of all data are at the beginning, so that a truncated
+    // file can be opened.
     checked(H5Pset_meta_block_size(access, 1 << 18), "place the descriptions");
-    // References to scales are kept with small data.
+    // References to scales are stored with small data.
     checked(H5Pset_small_data_block_size(access, 1 << 17),
             "place the descriptions");
 }
@@ -71,8 +70,8 @@ Handle create_in_memory(const HistoryHeader& header) {
     return file;
 }
 
-// Returns the size of a file with so many generations, which is made in memory
-// only.
+// Returns the size of a file with a number of generations, by making it in
+// memory.
 std::uint64_t bytes_with(HistoryHeader header, int generations) {
     header.generations = generations;
     const std::string action = "measure a file";
@@ -82,7 +81,8 @@ std::uint64_t bytes_with(HistoryHeader header, int generations) {
         checked(H5Fget_file_image(file, nullptr, 0), action));
 }
 
-//! Waits until the disk has an open file. Returns why it has not, or 0.
+//! Waits until the disk has an open file. Returns 0, or the number of the
+//! error.
 int wait_for_disk(int descriptor) {
     while (fsync(descriptor) != 0)
         if (errno != EINTR) return errno;
@@ -97,7 +97,7 @@ void synchronize_path(const std::filesystem::path& path) {
                     std::generic_category().message(errno));
     const int failure = wait_for_disk(descriptor);
     ::close(descriptor);
-    // Some file systems cannot wait for a folder.
+    // Some file systems cannot synchronize a folder.
     if (failure == 0 || failure == EINVAL) return;
     throw Error(
         fmt::format("{}: this file cannot be brought to the disk: {}; check "
@@ -105,8 +105,8 @@ void synchronize_path(const std::filesystem::path& path) {
                     path.string(), std::generic_category().message(failure)));
 }
 
-//! Gives a complete file the name of another, which it replaces if it exists;
-//! at no time is there neither.
+//! Gives a complete file the name of another file, which it replaces without a
+//! moment in which neither exists.
 void put_in_place(const std::string& from, const std::string& to) {
     std::error_code failure;
     std::filesystem::rename(from, to, failure);
@@ -118,7 +118,7 @@ void put_in_place(const std::string& from, const std::string& to) {
 
 std::uint64_t history_bytes(const HistoryHeader& header) {
     // Every dataset is one block, at a multiple of 8 bytes: 8 more generations
-    // take the same room each time.
+    // always take equal room.
     constexpr int step = 8;
     if (header.generations <= 2 * step)
         return bytes_with(header, header.generations);
@@ -130,7 +130,8 @@ std::uint64_t history_bytes(const HistoryHeader& header) {
 
 void create_file(const std::string& path, const HistoryHeader& header,
                  const FileLock& lock) {
-    // Numbers of rows alone can fill a disk before the whole is reserved.
+    // From this number on, row numbers alone can fill a disk before the file is
+    // reserved.
     constexpr int many = 1'000'000;
     if (header.rows() > many)
         require_room(path, history_bytes(header), smaller_history);

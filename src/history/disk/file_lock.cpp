@@ -40,7 +40,7 @@ std::string path_of(int descriptor) {
 }
 
 //! Returns the process of this host, other than this one, that has the file
-//! open to write; 0 if none can be seen.
+//! open to write; 0 if no such process is visible.
 long writer_here(int descriptor) {
     constexpr fs::perms write = fs::perms::owner_write;
     std::error_code unknown;
@@ -58,7 +58,7 @@ long writer_here(int descriptor) {
     return 0;
 }
 
-//! Returns a description of the writer of a history, as far as it can be known.
+//! Returns a description of the writer of a history, as far as known.
 std::string holder(const std::string& file, int descriptor) {
     if (const long id = writer_here(descriptor))
         return fmt::format("process {} on {}", id, host_name());
@@ -67,7 +67,7 @@ std::string holder(const std::string& file, int descriptor) {
             return fmt::format("the run that {} began at {}", last->host,
                                last->started);
     } catch (const Error&) {
-        // There is no history yet.
+        // There is no history yet if opening fails.
     }
     return "another process";
 }
@@ -96,8 +96,8 @@ Attempt try_lock(int descriptor) {
         is_new ? ExitCode::refused : ExitCode::runtime);
 }
 
-//! Returns whether a file is a regular one with no other name, so that nothing
-//! else is overwritten.
+//! Returns whether a file is regular and has no second name, so that no other
+//! file is overwritten.
 bool is_plain(int descriptor) {
     struct stat status {};
     return fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode) &&
@@ -173,7 +173,7 @@ FileLock::FileLock(const std::string& file, std::string path, int flags)
         is_exclusive_ = attempt == Attempt::locked;
         if (attempt == Attempt::taken ||
             (attempt == Attempt::unsupported && writer_here(descriptor_) > 0)) {
-            // A process that was killed may need a moment to go.
+            // A killed process may need a moment to end.
             if (++failed < tries) {
                 close(descriptor_);
                 std::this_thread::sleep_for(std::chrono::milliseconds(10));
@@ -186,8 +186,8 @@ FileLock::FileLock(const std::string& file, std::string path, int flags)
                             "program can write a history at a time",
                             file, who));
         }
-        // The file may have been renamed or replaced between our open and our
-        // lock.
+        // The file may have been renamed or replaced between opening and
+        // locking.
         if (is_of(path_)) break;
         close(descriptor_);
     }

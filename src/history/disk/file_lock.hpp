@@ -5,13 +5,13 @@
 
 namespace ideotype {
 
-//! Returns whether an open file is the one at this path.
+//! Returns whether an open file is the file at a path.
 bool is_at(const std::string& path, int descriptor);
 
 //! The right to write a file, held by one process at a time on all hosts that
-//! share the file system. It is the system's lock on the file itself, of the
-//! kind that does not meet HDF5's own, so that it keeps no reader out. A killed
-//! process loses it.
+//! share the file system. It is a lock of the system on the file, of a kind
+//! that does not conflict with HDF5's locks and excludes no reader. A killed
+//! process loses the lock.
 class FileLock {
   public:
     //! Locks a file that exists.
@@ -19,11 +19,11 @@ class FileLock {
     //! file system has no locks, only processes of this host are kept out.
     explicit FileLock(const std::string& file);
 
-    //! Creates and locks `<file>.new`, which is to be filled and renamed, and
-    //! is removed with the lock if it was not. What a killed process left of it
-    //! is used again.
-    //! @throws InUseError as above, Error (refused) if there is something that
-    //! is no plain file or has another name too.
+    //! Creates and locks `<file>.new`, which the caller fills and renames;
+    //! otherwise the lock removes it. The rest of a killed process is used
+    //! again.
+    //! @throws InUseError if it is locked, Error (refused) if a file of this
+    //! name is not plain or has a second name.
     static FileLock of_new(const std::string& file);
 
     //! Returns false where the file system has no locks.
@@ -32,8 +32,7 @@ class FileLock {
     //! Returns whether the locked file is at this path.
     bool is_of(const std::string& path) const;
 
-    //! Returns a path that leads to the locked file whatever became of its
-    //! name.
+    //! Returns a path that leads to the locked file even if it was renamed.
     std::string open_path() const;
 
     FileLock(FileLock&& other) noexcept;

@@ -38,8 +38,9 @@ struct Length {
 
 // Returns the length of a file and the length that HDF5 noted in its
 // superblock. A file that was cut short opens, and reads as zeros beyond its
-// end, so that only their difference tells. The superblock of the program has
-// version 3, that of h5repack has version 0 unless it is asked for more.
+// end, so that only the difference of lengths tells. The superblock of the
+// program has version 3, that of h5repack has version 0 unless it is asked for
+// more.
 Length length_of(const std::string& path) {
     constexpr std::array<unsigned char, 8> start{0x89, 'H',  'D',  'F',
                                                  '\r', '\n', 0x1a, '\n'};
@@ -126,12 +127,12 @@ Handle access_properties() {
             action);
     // Writers exclude each other with FileLock and readers need no lock.
     checked(H5Pset_file_locking(access, false, true), action);
-    // Without this buffer every write reaches the system, and every reader the
-    // file.
+    // Without this buffer every write reaches the system, and every reader sees
+    // the file.
     checked(H5Pset_sieve_buf_size(access, 0), action);
     // HDF5 reads a block again, each time after twice the wait, until its
-    // checksum is right: a second of backoff with a live file. Its default
-    // of 100 attempts would outlast us all on a damaged one.
+    // checksum is right, which waits a second for a live file. The default of
+    // 100 attempts would never end for a damaged file.
     checked(H5Pset_metadata_read_attempts(access, 30), action);
     return access;
 }
@@ -143,8 +144,8 @@ Handle open_to_write(const std::string& path) {
             "h5repack has rewritten this history so that it cannot be resumed; "
             "repack it again with the option -L");
     const Handle access = access_properties();
-    // A killed writer left a mark that it has the file open; h5clear forgets it
-    // in the same way.
+    // A killed writer leaves the file marked as open; this clears the mark as
+    // h5clear does.
     const hbool_t yes = true;
     checked(H5Pset(access, "clear_status_flags", &yes), "clear the flags");
     Handle file(
@@ -159,7 +160,7 @@ Handle open_to_write(const std::string& path) {
                "h5repack has rewritten this history before it was finished; go "
                "on with "
                "the file that it was made of");
-    // A copy may have lost what was reserved for the original.
+    // A copy may lack the room that was reserved for the original.
     reserve_space(file, path, "make room and resume again");
     return file;
 }

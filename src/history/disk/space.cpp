@@ -32,7 +32,7 @@ std::uintmax_t free_bytes(const std::string& path) {
     return failure ? 0 : space.available;
 }
 
-// Returns how many bytes up to a size are holes of the file.
+// Returns the number of bytes up to a size that are holes of the file.
 std::uintmax_t missing_bytes(const struct stat& status, std::uintmax_t size) {
     const auto present = static_cast<std::uintmax_t>(status.st_blocks) * 512;
     return size - std::min(size, present);
@@ -43,8 +43,8 @@ std::string needed_and_free(std::uintmax_t needed, std::uintmax_t free) {
                        mebibytes(needed), mebibytes(free));
 }
 
-// Takes room for a file, without posix_fallocate(): where the system can't,
-// that writes to every block.
+// Reserves room for a file without posix_fallocate(), which may write to every
+// block.
 int allocate(int descriptor, std::uintmax_t size) {
     while (fallocate(descriptor, 0, 0, static_cast<off_t>(size)) != 0)
         if (errno != EINTR) return errno;

@@ -11,11 +11,10 @@ namespace ideotype {
 
 namespace {
 
-//! The points that a depth buffer looks at together, whether they are needed or
-//! not.
+//! The number of points that a depth buffer handles together, needed or not.
 constexpr int width = 8;
 
-//! The points of a pixel that depth buffers have room for.
+//! The number of points of a pixel for which depth buffers have room.
 constexpr int room = 2 * width;
 
 }  // namespace
@@ -42,8 +41,8 @@ double cost_of_drawing(const RayScene& scene, const glm::dvec3& direction,
     const double groups = std::ceil(randomisations * fine / width);
     const double triangles =
         2. * static_cast<double>(scene.surfaces().faces.size());
-    // These are areas as the light sees them; leaves turn half of their area to
-    // it.
+    // Areas are as seen along the light, to which leaves turn half of their
+    // area.
     const double pixel_area =
         scene.ground_area() * std::abs(direction.z) / pixels;
     const double area = scene.surface_area() / 2 / std::max(1., triangles);

@@ -8,8 +8,8 @@
 
 #include "ideotype/core/contract.hpp"
 
-// The loops below are compiled for several instruction sets; which one runs is
-// chosen when the program starts. Each number is rounded the same way by all.
+// The loops below are compiled for several instruction sets; the program
+// chooses one at its start. All round each number alike.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
     !defined(__SANITIZE_ADDRESS__)
 #define IDEOTYPE_FOR_WIDE_VECTORS \
@@ -31,9 +31,10 @@ struct Corner {
     double u, v, z;
 };
 
-//! The triangles that are drawn together. A point is inside where a (u - u0) +
-//! b (v - v0) >= 0 for all three edges. Faces with a common edge get the same
-//! numbers for it, but for their sign: no light passes between.
+//! The triangles that are drawn together. A point is inside if a (u - u0) + b
+//! (v - v0) >= 0 for all three edges. Faces with a common edge have equal
+//! numbers for the edge but for the sign, so that no light passes between the
+//! faces.
 struct Batch {
     using Numbers = std::array<double, batch>;
 
@@ -41,7 +42,7 @@ struct Batch {
     std::array<Numbers, 3> a, b, u0, v0, inverse;  //!< edges
     Numbers least_u, most_u, least_v, most_v, least_z, most_z;
     Numbers slope_u, slope_v;  //!< slopes of the height
-    Numbers area;              //!< twice, positive if seen from its front
+    Numbers area;  //!< twice the area, positive if seen from its front
     std::array<std::uint32_t, batch> code;
     std::size_t count = 0;
 };
@@ -90,7 +91,7 @@ IDEOTYPE_FOR_WIDE_VECTORS void set_up(Batch& t) {
         for (std::size_t i = 0; i < batch; ++i) {
             const double pu = t.u[e][i], pv = t.v[e][i];
             const double qu = t.u[f][i], qv = t.v[f][i];
-            // An edge begins at the same end whichever face it belongs to.
+            // An edge begins at the same end in both of its faces.
             const bool is_other = (qu < pu) | ((qu == pu) & (qv < pv));
             const double sign =
                 (t.area[i] > 0 ? 1. : -1.) * (is_other ? -1. : 1.);
@@ -105,13 +106,13 @@ IDEOTYPE_FOR_WIDE_VECTORS void set_up(Batch& t) {
     }
 }
 
-//! The numbers of a triangle at the points of a pixel, less those at the
+//! The numbers of a triangle at the points of a pixel minus those at the
 //! pixel's corner, by lane.
 struct alignas(32) Lanes {
     DepthBuffer::Floats edge0, edge1, edge2, height;
 };
 
-//! The place where pixels are kept.
+//! The storage of pixels.
 struct Target {
     const BeamLattice& lattice;
     const std::vector<DepthBuffer::Places>& places;
@@ -128,7 +129,7 @@ IDEOTYPE_FOR_WIDE_VECTORS void draw_batch(const Batch& t, const Target& target,
     using Floats = DepthBuffer::Floats;
     const std::size_t groups = lanes.size();
     for (std::size_t i = 0; i < t.count; ++i) {
-        // Light only grazes such a triangle.
+        // Light only grazes a triangle without area.
         if (t.area[i] == 0) continue;
         const double a0 = t.a[0][i], a1 = t.a[1][i], a2 = t.a[2][i];
         const double b0 = t.b[0][i], b1 = t.b[1][i], b2 = t.b[2][i];
@@ -147,12 +148,12 @@ IDEOTYPE_FOR_WIDE_VECTORS void draw_batch(const Batch& t, const Target& target,
         const Floats most_z = static_cast<float>(t.most_z[i]) + Floats{};
         const DepthBuffer::Codes code =
             (t.code[i] + (t.area[i] > 0 ? 1u : 0u)) + DepthBuffer::Codes{};
-        // This is the most that an edge's number can grow within a pixel.
+        // The largest growth of an edge's number within a pixel.
         const double most0 = greater(0, a0) + greater(0, b0);
         const double most1 = greater(0, a1) + greater(0, b1);
         const double most2 = greater(0, a2) + greater(0, b2);
-        // A pixel is looked at if it may hold a point: rounding may only add
-        // some.
+        // A pixel is examined if it may hold a point; the slack lets rounding
+        // only add pixels.
         constexpr double slack = 1e-6;
         const std::int64_t first_u = floored(t.least_u[i] - slack);
         const std::int64_t last_u = floored(t.most_u[i] + slack);
@@ -250,7 +251,7 @@ DepthBuffer::DepthBuffer(const RayScene& scene, const glm::dvec3& direction,
       lanes_((shifts.size() * per_pixel_ + width - 1) / width * width) {
     IDEOTYPE_EXPECT(scene.boundary() == Boundary::periodic);
     IDEOTYPE_EXPECT(direction.z < 0 && !shifts.empty());
-    // The places of spare lanes are nowhere.
+    // Spare lanes have no place.
     const Floats nowhere = std::numeric_limits<float>::quiet_NaN() + Floats{};
     places_.assign(lanes_ / width, {nowhere, nowhere});
     std::size_t lane = 0;
@@ -263,7 +264,7 @@ DepthBuffer::DepthBuffer(const RayScene& scene, const glm::dvec3& direction,
             places.u[lane % width] = shifted(shift.x, j, lattice.fine);
             places.v[lane % width] = shifted(shift.y, v, lattice.fine);
         }
-    // A face on the soil is seen before it.
+    // A face on the soil hides the soil.
     const float ground = std::nextafter(static_cast<float>(scene.soil()), -1.f);
     points_.assign(static_cast<std::size_t>(lattice.pixels) * places_.size(),
                    {ground + Floats{}, Triangle::soil + Codes{}});

@@ -12,19 +12,18 @@
 
 namespace ideotype {
 
-//! Finds the faces that parallel light which falls on a periodic stand sees
-//! first, at the points of shifted lattices: one lattice for each
-//! randomisation.
+//! Finds the faces that parallel light meets first in a periodic stand, at the
+//! points of shifted lattices, one lattice for each randomisation.
 //!
 //! Faces are projected along the light onto the ground. The projection repeats
-//! with the cell, so each face is drawn once, and each point keeps the face
-//! that is highest there: heights do not change when a face is shifted by
-//! periods. This is exact for any overhang and any number of wraps. Edges
-//! belong to the faces on both of their sides. If faces are at the same height
-//! the first in the mesh is seen; soil is seen where no face is above it.
+//! with the cell, so each face is drawn once, and each point keeps the highest
+//! face: heights do not change if a face is shifted by periods. This is exact
+//! for any overhang and any number of wraps. Edges belong to the faces on both
+//! of their sides. Of faces at equal height the first in the mesh is seen; soil
+//! is seen where there is no face.
 class DepthBuffer {
   public:
-    //! A triangle of the scene's surfaces, as it is seen.
+    //! A visible triangle of the scene's surfaces with its visible side.
     struct Triangle {
         std::uint32_t code;
 
@@ -38,9 +37,9 @@ class DepthBuffer {
     };
 
     //! Draws all surfaces.
-    //! @param direction of the light, downwards
-    //! @param shifts of the lattices, in [0, 1) of a pixel
-    //! @param pose of what moves
+    //! @param direction direction of the light, downwards
+    //! @param shifts shifts of the lattices, in [0, 1) of a pixel
+    //! @param pose number of the pose of moving objects
     DepthBuffer(const RayScene& scene, const glm::dvec3& direction,
                 const BeamLattice& lattice,
                 const std::vector<glm::dvec2>& shifts, std::uint32_t pose = 0);
@@ -49,35 +48,35 @@ class DepthBuffer {
         return static_cast<std::size_t>(lattice_.points());
     }
 
-    //! Returns the triangle that is seen at a point of a randomisation.
+    //! Returns the visible triangle at a point of a randomisation.
     Triangle triangle(std::size_t randomisation, std::size_t point) const {
         const std::size_t i = place(randomisation, point);
         return {points_[i / width].code[i % width]};
     }
 
-    //! Returns the height of the surface that is seen [m].
+    //! Returns the height of the visible surface [m].
     float height(std::size_t randomisation, std::size_t point) const {
         const std::size_t i = place(randomisation, point);
         return points_[i / width].height[i % width];
     }
 
-    //! Returns the place at which light meets the surface, in any of the cells.
-    //! A place on the soil has no more than rounding to its height [m].
+    //! Returns the place at which light meets the surface, in any of the cells
+    //! [m]. The height of a place on the soil is only rounding.
     glm::dvec3 position(std::size_t randomisation, std::size_t point) const;
 
-    //! The number of points that are looked at together, in vectors as wide as
-    //! the processor has them: each number is rounded the same way by all.
+    //! The number of points that vectors handle together. Vectors of any width
+    //! round each number alike.
     static constexpr std::size_t width = 8;
     using Floats = float __attribute__((vector_size(32)));
     using Codes = std::uint32_t __attribute__((vector_size(32)));
 
-    //! The triangles that are seen at these points.
+    //! The visible triangles at the points of a vector.
     struct alignas(32) Points {
         Floats height;
         Codes code;
     };
 
-    //! The positions of these points in a pixel, in [0, 1).
+    //! The positions of a vector's points in a pixel, in [0, 1).
     struct alignas(32) Places {
         Floats u, v;
     };
@@ -91,10 +90,10 @@ class DepthBuffer {
     BeamLattice lattice_;
     glm::dvec3 direction_;
     std::size_t per_pixel_;
-    std::size_t
-        lanes_;  //!< points of all randomisations in a pixel, and spare ones
+    std::size_t lanes_;  //!< number of points of all randomisations in a pixel,
+                         //!< with spare ones
     std::vector<Places> places_;  //!< positions, by lane / width
-    std::vector<Points> points_;  //!< [pixel][lane / width]
+    std::vector<Points> points_;  //!< triangles by [pixel][lane / width]
 };
 
 }  // namespace ideotype

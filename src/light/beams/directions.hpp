@@ -5,8 +5,8 @@
 
 namespace ideotype {
 
-//! Returns a direction that is not so level that it would cross the stand
-//! almost for ever; the shift is far below any measurable angle.
+//! Returns a direction that is not so level as to cross the stand almost for
+//! ever; it is changed by far less than any measurable angle.
 glm::dvec3 not_level(glm::dvec3 d);
 
 //! Returns a direction around a unit normal with density cos / pi: Lambert's

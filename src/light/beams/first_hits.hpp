@@ -11,28 +11,27 @@
 
 namespace ideotype {
 
-//! The place at which light of a source meets something for the first time.
+//! The place at which light of a source first meets a surface or the sky.
 struct FirstHit {
     std::uint32_t group;     //!< group, soil or sky, as in Hit
-    std::uint32_t triangle;  //!< triangle of the scene's surfaces, if it is one
-    float height;            //!< [m]
-    bool is_adaxial;         //!< the side of the face that is met
-    bool is_direct;          //!< straight from the source
-    double energy;           //!< energy that arrives [J m-2 of ground]
+    std::uint32_t triangle;  //!< triangle of the scene's surfaces, if any
+    float height;            //!< height of the place [m]
+    bool is_adaxial;         //!< tells the side of the face
+    bool is_direct;  //!< tells whether light is straight from the source
+    double energy;   //!< arriving energy [J m-2 of ground]
 };
 
-//! The first hits of one source in one randomisation, which are seen in a depth
-//! buffer or found by rays. Their energies sum to the energy that enters.
-//! Neighbours in their order are near each other: by x in a depth buffer, and
-//! by blocks of the stand.
+//! The first hits of one source in one randomisation, from a depth buffer or
+//! from rays. Their energies sum to the energy that enters. Consecutive hits
+//! are near each other: by x in a depth buffer, and by blocks of the stand.
 class FirstHits {
   public:
-    //! Takes the hits that a randomisation of a beam's depth buffer sees.
-    //! @param scene,buffer must outlive it
+    //! Takes the hits of a randomisation from a beam's depth buffer.
+    //! @param scene,buffer objects that must outlive this one
     FirstHits(const RayScene& scene, const DepthBuffer& buffer,
               std::size_t randomisation, double energy);
 
-    //! Follows so many rays of this energy.
+    //! Follows a number of rays of equal energy.
     FirstHits(const RayScene& scene, const Launcher& launcher,
               PathSampler& sampler, std::uint32_t rays, double energy);
 
@@ -44,7 +43,7 @@ class FirstHits {
     std::size_t size() const { return hits_.size(); }
     const FirstHit& operator[](std::size_t i) const { return hits_[i]; }
 
-    //! Returns the point of a hit that is not the sky, and the normal there.
+    //! Returns point and normal of a hit that is not the sky.
     Hit at(std::size_t i) const;
 
   private:
@@ -54,7 +53,7 @@ class FirstHits {
     const DepthBuffer* buffer_ = nullptr;
     std::size_t randomisation_ = 0;
     std::vector<FirstHit> hits_;
-    std::vector<Hit> points_;  //!< if found by rays
+    std::vector<Hit> points_;  //!< points of hits that rays found
 };
 
 }  // namespace ideotype

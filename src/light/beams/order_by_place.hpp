@@ -9,16 +9,16 @@
 namespace ideotype {
 
 //! Returns an order of points of a scene in which neighbours are near each
-//! other: by blocks of the cell or the plot.
+//! other, by blocks of the cell or the plot.
 template <class PositionOf>
 std::vector<std::uint32_t> order_by_place(const RayScene& scene,
                                           std::size_t count,
                                           const PositionOf& position_of);
 
-//! The blocks of a scene, in Morton's order: near ones have near numbers.
+//! The blocks of a scene in Morton's order: near blocks have near numbers.
 class Blocks {
   public:
-    //! Divides a scene into some blocks for each point.
+    //! Divides a scene into a few blocks per point.
     Blocks(const RayScene& scene, std::size_t points);
 
     std::uint32_t at(const glm::dvec3& position) const;
@@ -26,7 +26,7 @@ class Blocks {
 
   private:
     const RayScene& scene_;
-    unsigned bits_ = 1;  //!< bits of each coordinate
+    unsigned bits_ = 1;  //!< bits of each coordinate's number
     glm::dvec3 per_metre_;
 };
 

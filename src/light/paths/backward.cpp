@@ -14,7 +14,7 @@ namespace ideotype {
 
 namespace {
 
-//! Returns whether the sky is seen from a surface, on the side of a normal.
+//! Returns whether a surface sees the sky, on the side of a normal.
 bool sees_sky(const RayScene& scene, const glm::dvec3& position,
               const glm::dvec3& normal, const glm::dvec3& direction,
               std::uint32_t pose) {
@@ -92,8 +92,8 @@ void BackwardLight::follow(glm::dvec3 position, glm::dvec3 normal,
                            double weight, std::uint32_t pose,
                            RandomStream& random,
                            std::vector<double>& light) const {
-    // Directions follow Lambert's law and paths end with the right odds: all
-    // that a path finds has the same weight.
+    // Directions follow Lambert's law and paths end with the right odds, so
+    // that all light that a path finds has equal weight.
     for (;;) {
         const double u = random.uniform();
         const glm::dvec3 d = lambertian(normal, u, random.uniform());

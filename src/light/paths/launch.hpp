@@ -10,30 +10,29 @@
 
 namespace ideotype {
 
-//! Lets the light of one source enter a scene.
+//! Launches the light of one source into a scene.
 //!
 //! A periodic stand is lit through the top of its cell. An isolated plot is lit
-//! through its bounding box, by two kinds of light that together are all there
-//! is, since light that has been in the box is followed until it is absorbed or
-//! lost to the sky, also by way of the soil outside: light straight from the
-//! source, through the top and the lit sides; light from the source by way of
-//! the infinite soil plane around, through the bottom and all sides, without
-//! that from soil in the box's own shadow.
+//! through its bounding box, by light straight from the source, through the top
+//! and the lit sides, and by light from the infinite soil around, through the
+//! bottom and all sides, without soil in the box's own shadow. Both are all
+//! light that enters, since light that has been in the box is followed until it
+//! is absorbed or lost to the sky, also over the soil outside.
 class Launcher {
   public:
     Launcher(const RayScene& scene, const Source& source, double soil_albedo);
 
-    //! Returns the energy that all paths share, over the energy of the source.
-    //! Paths from a sky that is not uniform through the sides carry more or
-    //! less than their share, as the sky is brighter or darker there than on
-    //! average.
+    //! Returns the energy of all paths over the energy of the source. Paths
+    //! through the sides from a sky that is not uniform carry more or less than
+    //! an equal share, in proportion to the brightness of their part of the
+    //! sky.
     double entering() const { return entering_; }
 
-    //! Returns the pose of what moves, for this light.
+    //! Returns the number of the pose of moving objects for this light.
     std::uint32_t pose() const { return source_.pose; }
 
-    //! Returns a packet that enters; without energy if it comes from soil that
-    //! the box may shade.
+    //! Returns an entering packet, without energy if it comes from soil in the
+    //! box's shadow.
     PhotonPacket launch(PathSampler& sampler, double energy) const;
 
   private:
@@ -44,7 +43,7 @@ class Launcher {
         int axis;
         bool is_upper;
         From from;
-        double area;  //!< area of horizontal ground with the same energy [m2]
+        double area;  //!< area of level ground with equal energy [m2]
     };
 
     void add_portals(double soil_albedo);
@@ -55,7 +54,7 @@ class Launcher {
 
     const RayScene& scene_;
     const Source& source_;
-    std::vector<Portal> portals_;  //!< empty for a periodic stand
+    std::vector<Portal> portals_;  //!< portals; none for a periodic stand
     double entering_ = 1;
 };
 

@@ -10,7 +10,7 @@
 
 namespace ideotype {
 
-//! Sums by place, most of which are 0.
+//! Sums by place, most of which are zero.
 class SparseSums {
   public:
     void resize(std::size_t places) { sums_.resize(places); }
@@ -26,11 +26,11 @@ class SparseSums {
 
   private:
     std::vector<double> sums_;
-    //! Places that have a sum, in the order in which they came.
+    //! The places that have a sum, in order of arrival.
     std::vector<std::uint32_t> places_;
 };
 
-//! The sums of the light of leaves in one randomisation, place by place.
+//! The sums of the light of leaves in one randomisationby place.
 struct LeafSums {
     SparseSums beam;
     std::vector<SparseSums> diffuse;  //!< sums by source
@@ -59,27 +59,27 @@ struct Counted {
     const RayScene& scene;
     const std::vector<Group>& groups;
     const Layers& layers;
-    std::size_t pieces = 0;  //!< leading groups whose light is told by place
+    std::size_t pieces = 0;  //!< leading groups whose light is counted by place
     PartNumbers parts{groups};
 };
 
-//! Counts where light of one source goes in one randomisation. Many small parts
-//! are added up in two steps, so that their rounding does not add up.
+//! Counts the ends of the light of one source in one randomisation. Small parts
+//! are summed in two steps to limit their rounding errors.
 class Ledger {
   public:
-    //! Counts in a tally.
-    //! @param counted,tally,leaf_sums must outlive it
+    //! Makes a ledger that counts in a tally.
+    //! @param counted,tally,leaf_sums objects that must outlive the ledger
     Ledger(const Counted& counted, std::uint32_t source, bool is_beam,
            Tally& tally, LeafSums& leaf_sums);
 
-    //! Counts light that arrives for the first time, part of which is sent on.
-    //! @param energy of the hit in the band that is counted
+    //! Counts light at its first hit, which scatters part of it.
+    //! @param energy energy of the hit in the counted band
     void arrive(const FirstHit& hit, double energy, double sent_on);
 
-    //! Counts the energy that something keeps of light that has been scattered.
+    //! Counts the energy that a surface or the sky keeps of scattered light.
     void keep(const Hit& hit, bool is_adaxial, double energy);
 
-    //! Adds all that was counted to the tally, and returns the budget.
+    //! Adds all counted light to the tally, and returns the budget.
     const Budget& close();
 
   private:
@@ -90,8 +90,8 @@ class Ledger {
     const Counted& counted_;
     Tally& tally_;
     Budget& budget_;
-    std::vector<double>* parts_ = nullptr;  //!< if there are any
-    LeafLight* leaf_light_ = nullptr;       //!< if asked for
+    std::vector<double>* parts_ = nullptr;  //!< sums of parts, if there are any
+    LeafLight* leaf_light_ = nullptr;       //!< light of leaves, if asked for
     SparseSums* beam_ = nullptr;
     SparseSums* diffuse_ = nullptr;
     Budget part_;

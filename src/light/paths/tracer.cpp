@@ -17,11 +17,11 @@ namespace ideotype {
 namespace {
 
 //! Returns the energy that a surface keeps of a path, which goes on with the
-//! rest. While the scattered part is a large share of what the path started
-//! with, the surface keeps exactly its absorptance. A small scattered part is
-//! not worth following: instead all or nothing is scattered, with the right
-//! odds. Both rules are unbiased and lose no energy.
-//! @param choice uniform in [0, 1)
+//! rest. While the scattered part is a large share of the path's initial
+//! energy, the surface keeps exactly its absorptance. Instead of a small part,
+//! all or nothing is scattered, with the right odds. Both rules are unbiased
+//! and lose no energy.
+//! @param choice number uniform in [0, 1)
 double absorb_and_continue(ScatteredPath& path, double scattered,
                            double choice) {
     IDEOTYPE_EXPECT(scattered >= 0 && scattered <= 1 + 1e-12);
@@ -82,7 +82,7 @@ void Tracer::arrive(const FirstHits& hits, const Arrival& how, Tally& tally,
     IDEOTYPE_EXPECT(how.path_energy > 0);
     const double count = std::max(1., std::ceil(all / how.path_energy - 1e-9));
     const double energy = all / count;
-    // Rounding must not lose the last one.
+    // Rounding must not lose the last path.
     std::size_t last = hits.size() - 1;
     while (sent_on[last] == 0) --last;
     double passed = 0, path = 0;

@@ -5,19 +5,18 @@
 
 namespace ideotype {
 
-//! A packet of light on its way.
+//! A packet of light at a point of its path.
 struct PhotonPacket {
     glm::dvec3 position;
     glm::dvec3 direction;
     double energy = 0;
-    bool is_scattered = false;  //!< has met a surface
+    bool is_scattered = false;  //!< tells whether it has met a surface
 };
 
-//! Returns the first thing straight on from a point, however far that is: a
-//! face, the soil or the sky. In a periodic stand the way goes on at the other
-//! side of the cell wherever it leaves it; light that leaves an isolated plot
-//! finds only soil or sky.
-//! @param pose of what moves
+//! Returns the first face, soil or sky straight on from a point, at any
+//! distance. In a periodic stand, a way that leaves the cell goes on at its
+//! opposite side; light that leaves an isolated plot finds only soil or sky.
+//! @param pose number of the pose of moving objects
 Hit travel(const RayScene& scene, glm::dvec3 from, const glm::dvec3& direction,
            std::uint32_t pose = 0);
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// Only this file knows which Embree this is: version 4 has no context of a
-// query but optional arguments.
+// Only this file depends on the version of Embree: queries of version 4 have
+// optional arguments in place of a context.
 #if IDEOTYPE_EMBREE >= 4
 #include <embree4/rtcore.h>
 #else
@@ -18,10 +18,10 @@ struct Device::Handle {
     RTCDevice device;
 };
 
-//! Requires that Embree could do what it was told.
-//! @throws std::runtime_error if not. That is the machine's fault, and no Error
-//! of the plant that is evaluated.
-//! @param device null: the error is that of creating one
+//! Requires that Embree has reported no error.
+//! @throws std::runtime_error otherwise, which is a fault of the machine and no
+//! Error of the evaluated plant.
+//! @param device device, or null after a failed creation
 void require_no_error(RTCDeviceTy* device, const std::string& action);
 
 struct RayScene::Handle {

@@ -13,8 +13,8 @@ namespace ideotype {
 
 namespace {
 
-//! Returns whether a point is closer to a triangle than a clearance, edges
-//! aside.
+//! Returns whether a point is closer to a triangle than a clearance, apart from
+//! edges.
 bool is_at(const glm::dvec3& point, const glm::dvec3& a, const glm::dvec3& b,
            const glm::dvec3& c, double clearance) {
     const glm::dvec3 u = b - a, v = c - a, p = point - a;
@@ -38,7 +38,7 @@ void RayScene::commit(const Device& device) {
 void RayScene::commit(const Device& device, Part& part) {
     RTCDevice embree = device.handle_->device;
     part.handle = std::make_unique<Handle>(rtcNewScene(embree));
-    // Without this, light slips through the edges that faces share.
+    // Robust mode keeps light from passing through common edges of faces.
     rtcSetSceneFlags(part.handle->scene, RTC_SCENE_FLAG_ROBUST);
     if (!part.face.empty()) attach_faces(embree, part);
     rtcCommitScene(part.handle->scene);
@@ -107,9 +107,9 @@ bool RayScene::intersect(const glm::dvec3& origin, const glm::dvec3& direction,
     hit.group = surfaces_.face_group[face];
     hit.triangle = 2 * face + (query.hit.u + query.hit.v > 1 ? 1 : 0);
 
-    // The distance along the ray is good to single precision only. Put the
-    // point back on the plane through a corner that both triangles of the
-    // face share.
+    // The distance along the ray has single precision only, so the point is
+    // moved onto the plane through a corner that both triangles of the face
+    // share.
     const auto& corner = part->corners[4 * std::size_t{query.hit.primID} + 1];
     const double t = query.ray.tfar;
     const glm::dvec3 p = origin + t * direction;

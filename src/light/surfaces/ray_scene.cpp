@@ -19,7 +19,7 @@ namespace ideotype {
 namespace {
 
 //! The largest distance of a vertex from the origin [m] and the most faces of a
-//! scene: beyond the Earth and beyond memory the input must be wrong.
+//! scene: larger numbers mean wrong input.
 constexpr double farthest = 1e7;
 constexpr std::size_t most_faces = 100'000'000;
 
@@ -66,7 +66,7 @@ double wrapped_into(double x, double period) {
     return w < period ? w : 0;
 }
 
-//! Returns the pose of a group; what no group tells of stands.
+//! Returns the pose of a group, which is 0 for unknown groups.
 std::uint32_t pose_of(const Mesh& mesh, std::uint32_t group) {
     return group < mesh.groups.size() ? mesh.groups[group].pose : 0;
 }
@@ -105,7 +105,8 @@ RayScene::RayScene(const Device& device, const Mesh& mesh, double period_x,
     IDEOTYPE_EXPECT(mesh.face_group.size() == mesh.faces.size());
     check_vertices(mesh);
     const std::vector<double> areas = face_areas(mesh);
-    // There is room for the faces that reach over the edge, as a rule.
+    // The reserve usually has room for images of faces that reach over the
+    // edge.
     constexpr double images = 1.5;
     const auto expected = static_cast<std::size_t>(
         images * static_cast<double>(mesh.faces.size()));
@@ -223,8 +224,8 @@ void Surfaces::add(const std::array<std::uint32_t, 4>& face,
         return length > 0 ? n / length : glm::dvec3(0);
     };
     normals.push_back(normal(0, 1, 3));
-    // Rounding may put a hit of a face with three corners into the second half
-    // that it does not have.
+    // Rounding may put a hit of a face with three corners into its second half,
+    // which has no area.
     normals.push_back(face[2] == face[3] ? normals.back() : normal(2, 3, 1));
 }
 

@@ -20,7 +20,7 @@ std::uint64_t mixed(std::uint64_t x) {
 }
 
 std::uint64_t hash_of(const glm::dvec3& v) {
-    // Adding zero makes one of both zeros.
+    // Adding zero makes both zeros equal.
     const auto bits = [](double x) {
         return std::bit_cast<std::uint64_t>(x + 0.0);
     };
@@ -46,8 +46,8 @@ std::vector<bool> repeated_faces(const Mesh& mesh) {
     hashes.reserve(mesh.vertices.size());
     for (const glm::dvec3& v : mesh.vertices) hashes.push_back(hash_of(v));
 
-    // The table has the first face of each kind, by the sum of its corners'
-    // hashes.
+    // The table has the first face of each set of corners, by the sum of hashes
+    // of the corners.
     constexpr std::uint32_t none = ~std::uint32_t{0};
     const std::size_t places = std::bit_ceil(2 * mesh.faces.size() + 1);
     std::vector<std::uint32_t> table(places, none);
@@ -57,7 +57,7 @@ std::vector<bool> repeated_faces(const Mesh& mesh) {
     std::vector<bool> repeated(mesh.faces.size());
     for (std::uint32_t f = 0; f < mesh.faces.size(); ++f) {
         for (const std::uint32_t v : mesh.faces[f]) sums[f] += hashes[v];
-        // Faces that are there at different times do not repeat.
+        // Faces of different poses do not repeat each other.
         if (moves) sums[f] += mixed(mesh.groups.at(mesh.face_group[f]).pose);
         std::size_t place = sums[f] & (places - 1);
         for (; table[place] != none; place = (place + 1) & (places - 1))

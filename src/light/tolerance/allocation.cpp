@@ -9,8 +9,8 @@ namespace ideotype {
 
 namespace {
 
-//! Returns the amounts at which one more unit of cost takes this much off the
-//! variance.
+//! Returns the amounts at which one more unit of cost reduces the variance by a
+//! rate.
 Amounts amounts_at(double rate, const ByOrigin<Law>& laws,
                    const ByOrigin<double>& costs) {
     Amounts amounts{};

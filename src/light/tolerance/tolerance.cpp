@@ -32,17 +32,18 @@ constexpr double longest_step = 8;
 //! randomisations of all these suns together tell the variance.
 constexpr std::size_t trial_suns = 4;
 
-//! The factors by which variances count more if leaves are to be known piece by
-//! piece because they assimilate. Diffuse light counts more than the beam: most
-//! of it falls on shaded leaves, which make more of it. See
+//! The factors by which variances are multiplied if the light of pieces of
+//! leaves is needed for assimilation. Diffuse light has a larger factor than
+//! beams: it falls mostly on shaded leaves, which use light better. See
 //! tests/benchmark/README.md.
 constexpr ByOrigin<double> worth_to_leaves{1.2, 2, 2};
 
 //! Finds the workload that a tolerance asks for in one band.
 class Search {
   public:
-    //! Prepares a search in one band. It keeps references to its arguments.
-    //! @param has_pieces whether leaves are to be known piece by piece
+    //! Prepares a search in one band. The search keeps references to its
+    //! arguments.
+    //! @param has_pieces whether the light of pieces of leaves is needed
     Search(const Subject& subject, bool has_pieces, const Accuracy& accuracy,
            const Randomness& randomness)
         : subject_(subject),
@@ -102,7 +103,7 @@ class Search {
         }
     }
 
-    //! Returns whether more first hits would be needed than there may be.
+    //! Returns whether more first hits would be needed than allowed.
     bool is_capped() const { return is_capped_; }
 
   private:
@@ -136,9 +137,9 @@ class Search {
         return first_hits_of(amounts) > most();
     }
 
-    //! Returns amounts with as many first hits as there may be. The paths of
-    //! scattered light stay as they are, because they are bounded as well, and
-    //! each of fewer paths would carry too much.
+    //! Returns amounts with the largest allowed number of first hits. Paths of
+    //! scattered light stay, because they are bounded too, and fewer paths
+    //! would each carry too much.
     Amounts capped(const Amounts& amounts) const {
         Amounts most_amounts = scaled(amounts, most() / first_hits_of(amounts));
         most_amounts[LightOrigin::scattered] =
@@ -146,7 +147,7 @@ class Search {
         return most_amounts;
     }
 
-    //! Simulates a trial and learns from it.
+    //! Simulates a trial and keeps its findings.
     void try_out(const Workload& work, bool is_drawn) {
         Randomness numbers = randomness_;
         numbers.first_randomisation += ++trial_ * first_of_trials;
@@ -197,8 +198,8 @@ class Demands {
 
     Workload work() const { return work_; }
 
-    //! Returns whether a band has a larger error than the tolerance, because
-    //! there may be no more paths.
+    //! Returns whether the limit of paths leaves the error of a band above the
+    //! tolerance.
     bool are_unmet(const BandTallies& tallies) const {
         for (std::size_t b = 0; b < is_capped_.size(); ++b) {
             if (!is_capped_[b]) continue;

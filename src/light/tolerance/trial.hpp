@@ -11,7 +11,7 @@ struct Findings {
     ByOrigin<Law> laws{};  //!< laws by which variances fall
     //! Rays per unit of the amount of scattered light.
     double rays_per_unit = 0;
-    double mean = 0;        //!< light of leaves; of all suns
+    double mean = 0;        //!< light of leaves from all suns
     double first_hits = 0;  //!< first hits of leaves
     bool is_open = false;  //!< tells whether the leaves' light depends on paths
     bool is_whole = true;  //!< tells whether the trial had all suns

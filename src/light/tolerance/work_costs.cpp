@@ -12,7 +12,7 @@ namespace ideotype {
 namespace {
 
 //! The number of first hits of a sun above which a lattice is better than
-//! independent rays. It is a guess, which a trial replaces.
+//! independent rays. This is a first guess, which a trial replaces.
 constexpr double even_for_lattices = 30;
 
 //! The fewest hits of diffuse light per piece, in all randomisations together.
@@ -22,8 +22,8 @@ constexpr double hits_of_piece = 1.5;
 //! Returns the factor by which errors of trials are multiplied. A trial that
 //! underestimates the error leads to too few paths. The expected error stays
 //! within the tolerance if all estimates are multiplied by the mean of sqrt(v /
-//! X), X from a chi-square distribution with v degrees of freedom: 1 + 3 / (4
-//! v) and a little.
+//! X), X from a chi-square distribution with v degrees of freedom: slightly
+//! above 1 + 3 / (4 v).
 double caution(int randomisations) {
     IDEOTYPE_EXPECT(randomisations > 1);
     return 1 + 0.8 / (randomisations - 1);

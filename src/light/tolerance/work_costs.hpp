@@ -5,7 +5,7 @@
 
 namespace ideotype {
 
-//! Tells what work in one band costs, and the cheapest that meets a tolerance,
+//! The costs of work in one band, and the cheapest work that meets a tolerance,
 //! by the findings of the last trial.
 struct WorkCosts {
     //! Returns the cheapest amounts that meet the tolerance.
@@ -15,7 +15,7 @@ struct WorkCosts {
     //! Returns the time of the result [us].
     double cost(const Amounts& amounts, bool is_drawn) const;
 
-    //! Returns the laws that drawing the beams would have.
+    //! Returns the estimated laws for drawn beams.
     ByOrigin<Law> guess() const;
 
     bool pays_to_draw(const Amounts& by_rays, const Amounts& least) const;
@@ -24,19 +24,19 @@ struct WorkCosts {
     //! of the result [us].
     ByOrigin<double> costs(bool is_drawn) const;
 
-    //! Returns the factor by which light that is no beam has to be increased to
-    //! meet enough pieces, within reason: there may be next to none, or very
-    //! many pieces.
+    //! Returns the factor by which diffuse first hits must increase to meet
+    //! enough pieces, limited where diffuse light is very weak or pieces are
+    //! very many.
     double for_pieces(const Amounts& amounts) const;
 
     const Subject& subject;
-    bool has_pieces;  //!< tells whether leaves are to be known piece by piece
+    bool has_pieces;  //!< tells whether light of pieces is needed
     const Accuracy& accuracy;
     int trials;  //!< randomisations of a trial
     const Findings& found;
 };
 
-//! Returns the first hits of amounts.
+//! Returns the number of first hits of amounts.
 inline double first_hits_of(const Amounts& amounts) {
     return amounts[LightOrigin::beams] + amounts[LightOrigin::skies];
 }

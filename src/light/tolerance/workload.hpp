@@ -15,7 +15,7 @@ Amounts amounts_of(const Workload& work, const Illumination& light);
 //! energy and effort of sources, and paths of scattered light of equal energy.
 Workload work_of(const Amounts& amounts, const Illumination& light);
 
-//! Keeps so many suns, evenly over the day, and leaves the others out.
+//! Keeps a number of suns, evenly over the day, and leaves out all other suns.
 void leave_suns_out(Workload& work, const Illumination& light,
                     std::size_t kept);
 

@@ -35,8 +35,8 @@ double correlation(const std::vector<double>& a, const std::vector<double>& b) {
     return aa > 0 && bb > 0 ? ab / std::sqrt(aa * bb) : 0;
 }
 
-//! Compares light with the sun of the site, and with its sun by clocks shifted
-//! by quarters of an hour, up to half a day.
+//! Compares light with the sun of the site, also by clocks shifted by quarters
+//! of an hour, up to half a day.
 void check_clock(const std::vector<WeatherStep>& series,
                  const std::vector<double>& measured, Site site,
                  Findings& findings) {

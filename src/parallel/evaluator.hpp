@@ -16,10 +16,11 @@ class Evaluator {
     //! Returns the form of the outcome of a task.
     virtual const OutcomeSchema& schema(const Task& task) const = 0;
 
-    //! Evaluates a genome: a pure function of task and genome, but for seconds.
+    //! Evaluates a genome. Except for seconds, the outcome is a pure function
+    //! of task and genome.
     //! @throws Error if the plant can't be evaluated, which the worker turns
-    //! into a failed outcome. Any other exception is the machine's fault, such
-    //! as a lack of memory: nothing is said of the plant and the job ends.
+    //! into a failed outcome. Any other exception, such as one for lack of
+    //! memory, is the machine's fault: it ends the job.
     virtual Outcome evaluate(const Task& task, const Genome& genome) = 0;
 };
 

@@ -16,7 +16,7 @@ namespace ideotype {
 
 namespace {
 
-//! The bytes that a kind of message starts with, and no other does.
+//! The bytes at the beginning of each kind of message.
 enum class Mark : std::uint64_t {
     work = 0x4b524f574f454449,   // "IDEOWORK"
     reply = 0x594c50524f454449,  // "IDEORPLY"

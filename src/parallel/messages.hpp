@@ -14,43 +14,41 @@
 namespace ideotype {
 
 //! The bytes of a message between the ranks of one job. All ranks run the same
-//! program on the same kind of machine, so numbers travel as they are in
-//! memory.
+//! program on the same kind of machine, so messages hold numbers as in memory.
 using Bytes = std::vector<std::byte>;
 
-//! The outcome of a task, on its way back.
+//! The outcome of a task, on the way to rank 0.
 struct Reply {
     Task task;
     Outcome outcome;
 };
 
-//! The bytes to which longer reasons of failures are cut.
+//! The largest number of bytes of a failure's reason; longer ones are cut.
 inline constexpr std::size_t reply_message_capacity = 160;
 
 //! Encodes work as a header of 32 bytes and the genome.
 Bytes encode_work(const Work& work);
 
-//! Decodes work. @throws Error if this is not the encoding of work.
+//! Decodes work. @throws Error if the bytes are no work.
 Work decode_work(std::span<const std::byte> bytes);
 
 //! Encodes a reply as a header of fixed size, then all numbers of the outcome
 //! in their order.
 Bytes encode_reply(const Reply& reply);
 
-//! Returns the task of a reply. @throws Error if this is not a reply.
+//! Returns the task of a reply. @throws Error if the bytes are no reply.
 Task task_of_reply(std::span<const std::byte> bytes);
 
-//! Decodes a reply. @throws Error if this is not a reply with the columns of
-//! the schema.
+//! Decodes a reply. @throws Error if the bytes are no reply of this schema.
 Reply decode_reply(std::span<const std::byte> bytes,
                    const OutcomeSchema& schema);
 
-//! Tells the kind of a message.
+//! The kind of a message.
 enum class Tag : int { work = 1, reply = 2, stop = 3 };
 
-//! A message that arrived.
+//! A received message.
 struct Envelope {
-    int source = 0;  //!< rank that sent it
+    int source = 0;  //!< rank of the sender
     Tag tag = Tag::stop;
     Bytes bytes;
 };
@@ -59,21 +57,21 @@ struct Envelope {
 class Mailbox {
   public:
     explicit Mailbox(const Session& session);
-    //! Waits until all that was posted has left.
+    //! Waits until all posted messages have left.
     ~Mailbox();
 
     void post(int rank, Tag tag, Bytes bytes);
 
-    //! Returns the next message of any rank; sleeps until there is one. @throws
-    //! Error if its tag is unknown.
+    //! Returns the next message of any rank; sleeps until it arrives. @throws
+    //! Error for an unknown tag.
     Envelope wait();
 
-    //! Returns the next message of any rank, or none if there is none after
-    //! this time [s].
+    //! Returns the next message of any rank, or nothing if none arrives within
+    //! a time [s].
     std::optional<Envelope> wait(double seconds);
 
   private:
-    //! The messages under way; MPI reads their bytes until they have left.
+    //! The messages under way, whose bytes MPI reads until they have left.
     struct Posted;
     const Session& session_;
     std::unique_ptr<Posted> posted_;

@@ -8,20 +8,19 @@
 
 namespace ideotype {
 
-//! The time as the ranks of a job know it. A simulated machine has a clock of
-//! its own.
+//! The clock of the ranks of a job. A simulated machine has its own.
 class RankClock {
   public:
     virtual ~RankClock() = default;
 
-    //! Returns the time since some moment, which never runs back [s].
+    //! Returns the time since a fixed moment [s], which never decreases.
     virtual double now() const = 0;
 
-    //! Does nothing for about this time [s].
+    //! Sleeps for about a time [s].
     virtual void nap(double seconds) const = 0;
 };
 
-//! The time of this machine.
+//! The clock of this machine.
 class MachineClock : public RankClock {
   public:
     double now() const override {
@@ -37,12 +36,12 @@ class MachineClock : public RankClock {
 
 inline const MachineClock machine_clock;
 
-//! The rests of somebody who waits for MPI, where a call that blocks would burn
-//! a core. They grow with the time waited so far, so that the end of the wait
-//! is noticed within a few percent of the time that it took.
+//! The pauses between checks while waiting for MPI, whose blocking calls would
+//! occupy a core. Pauses grow with the time waited, so that the end of the wait
+//! is noticed within a few percent of its duration.
 class Backoff {
   public:
-    //! Returns the next rest [s].
+    //! Returns the next pause [s].
     double next() {
         return std::exchange(rest_, std::min(rest_ + rest_ / 32, longest));
     }

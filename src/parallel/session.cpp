@@ -22,10 +22,10 @@
 
 namespace ideotype {
 
-//! The ranks of a session, as MPI knows them.
+//! The ranks of a session as MPI's communicator.
 struct Session::Ranks {
     MPI_Comm communicator;
-    //! Tells what to do when the session ends.
+    //! The action at the end of the session.
     enum class End { finalize, free } end;
 };
 
@@ -41,8 +41,8 @@ void wait_for(MPI_Request request, const RankClock& clock) {
     }
 }
 
-//! Says that MPI has failed and ends the job: MPI's own words may get lost on
-//! their way.
+//! Reports that MPI has failed and ends the job, since MPI's own message may
+//! get lost.
 void end_job(MPI_Comm* /*ranks*/, int* failure, ...) {
     std::array<char, MPI_MAX_ERROR_STRING> reason{};
     int length = 0;
@@ -192,9 +192,8 @@ std::string Session::library_version() {
     std::array<char, MPI_MAX_LIBRARY_VERSION_STRING> text{};
     int length = 0;
     MPI_Get_library_version(text.data(), &length);
-    // The library calls itself "Open MPI v4.1.4, package: ..., ident: ..." or
-    // "MPICH Version:\t4.0.2
-    // ...".
+    // The version of the library is a text like "Open MPI v4.1.4, package: ...,
+    // ident: ..." or "MPICH Version:\t4.0.2 ...".
     std::string version(text.data());
     version.resize(std::min(version.find_first_of(",\n"), version.size()));
     const std::string label = "Version:";
@@ -209,7 +208,7 @@ struct Mailbox::Posted {
         Bytes bytes;
         MPI_Request request = MPI_REQUEST_NULL;
     };
-    // This is a list, because MPI keeps the address of the request's bytes.
+    // A list keeps the addresses of requests' bytes, which MPI uses, constant.
     std::list<Sending> sendings;
 
     void forget_finished() {

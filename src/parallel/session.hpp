@@ -12,22 +12,22 @@ namespace ideotype {
 
 class Mailbox;
 
-//! A use of MPI, with and without mpirun, for as long as this lives. Create it
-//! after the StopFlag, so that MPI does not replace its handlers.
+//! The use of MPI, with or without mpirun, during the life of this object.
+//! Create it after the StopFlag, whose handlers MPI then does not replace.
 class Session {
   public:
-    //! Returns a session of one rank without MPI, which nobody has launched.
+    //! Returns a session of one rank without MPI.
     static Session alone();
 
     //! Starts MPI.
-    //! @param clock by which ranks wait
+    //! @param clock clock by which ranks wait
     explicit Session(const RankClock& clock = machine_clock);
     ~Session();
     Session(Session&& other) noexcept;
     Session& operator=(Session&&) = delete;
 
-    //! Returns a session of the ranks that name the same part, numbered from 0
-    //! in their order here. Collective. This session must outlive it.
+    //! Returns a session of the ranks that name one part, numbered from 0 in
+    //! their present order. Collective. This session must outlive the new one.
     Session split(int part) const;
 
     int rank() const;
@@ -38,17 +38,17 @@ class Session {
     int size() const;
     const RankClock& clock() const { return clock_; }
 
-    //! Returns rank 0's text on all ranks. Collective. Sleeps while it waits.
+    //! Returns rank 0's text on all ranks. Collective; sleeps while waiting.
     std::string broadcast(const std::string& text) const;
 
-    //! Returns the texts of all ranks, in their order, on rank 0, and nothing
-    //! on the others. Collective. Sleeps while it waits.
+    //! Returns the texts of all ranks in order on rank 0, and nothing on other
+    //! ranks. Collective; sleeps while waiting.
     std::vector<std::string> gather(const std::string& text) const;
 
     //! Returns the largest value of all ranks on all ranks. Collective.
     int largest(int value) const;
 
-    //! Ends all ranks at once with this exit code.
+    //! Ends all ranks at once with an exit code.
     [[noreturn]] void abort(int exit_code) const;
 
     //! Returns the name and version of the MPI library.
@@ -61,7 +61,8 @@ class Session {
     Session(const RankClock& clock, std::nullptr_t);
 
     const RankClock& clock_;
-    std::unique_ptr<const Ranks> ranks_;  //!< none: alone
+    std::unique_ptr<const Ranks>
+        ranks_;  //!< ranks; null for a session without MPI
 };
 
 }  // namespace ideotype

@@ -15,8 +15,8 @@ namespace ideotype {
 
 namespace {
 
-//! Returns an outcome that leaves the row as it was proposed, for a machine
-//! that can evaluate it.
+//! Returns an outcome that leaves the row proposed, for another machine to
+//! evaluate.
 Outcome not_evaluated(const std::string& reason) {
     Outcome outcome;
     outcome.status = Status::proposed;
@@ -38,7 +38,7 @@ Outcome caught_outcome(Evaluator& evaluator, const Work& work,
     }
 }
 
-//! Reads a letter of rank 0: returns work, or none if there will be no more.
+//! Reads a message of rank 0: returns work, or nothing at dismissal.
 std::optional<Work> work_in(const Envelope& letter, const Session& session) {
     if (letter.tag == Tag::stop) return std::nullopt;
     if (letter.tag != Tag::work)
@@ -60,7 +60,8 @@ void serve_alone(const Session& session, Evaluator& evaluator) {
                                                        session.clock())}));
 }
 
-//! Serves with threads that evaluate while this one looks after the messages.
+//! Serves with threads that evaluate, while the calling thread handles
+//! messages.
 void serve_by_threads(const Session& session, const Evaluators& evaluators) {
     Mailbox mailbox(session);
     const auto threads = make_thread_workers(session, evaluators);

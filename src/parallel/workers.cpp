@@ -86,7 +86,7 @@ class ThreadWorkers : public Workers {
         for (std::thread& each : threads_) each.join();
     }
 
-    //! Runs a thread: waits for work and evaluates it until there is no more.
+    //! Runs a thread: waits for work and evaluates it until it is dismissed.
     void evaluate(int worker) {
         const auto index = static_cast<std::size_t>(worker);
         Seat& seat = seats_[index];
@@ -105,7 +105,7 @@ class ThreadWorkers : public Workers {
     }
 
     const Evaluators evaluators_;
-    const int first_;  //!< number in the job
+    const int first_;  //!< number of the first worker in the job
     const RankClock& clock_;
     std::mutex mutex_;  //!< mutex of all members below but the threads
     std::deque<Seat> seats_;
@@ -115,8 +115,8 @@ class ThreadWorkers : public Workers {
     std::vector<std::thread> threads_;
 };
 
-//! The workers of all ranks. Those of this rank come first, then those of the
-//! others. A rank decides by itself which of its threads does what.
+//! The workers of all ranks. Workers of this rank come first, then those of
+//! other ranks. Each rank assigns work to its threads by itself.
 class RankWorkers : public Workers {
   public:
     RankWorkers(const Session& session, const Evaluators& evaluators)
@@ -203,7 +203,7 @@ class RankWorkers : public Workers {
     const Evaluators evaluators_;
     std::unique_ptr<Workers> own_;  //!< threads of this rank, if any
     Mailbox mailbox_;
-    //! Tasks that workers of other ranks have.
+    //! The tasks under way at workers of other ranks.
     std::vector<std::optional<Task>> given_;
 };
 

@@ -15,43 +15,43 @@ struct Answer {
     Outcome outcome;
 };
 
-//! A number of workers, counted from 0, that evaluate one task at a time each.
+//! Workers, counted from 0, each of which evaluates one task at a time.
 class Workers {
   public:
     virtual ~Workers() = default;
 
     virtual int width() const = 0;
 
-    //! Returns the number of a worker in the whole job: its thread; with one
-    //! thread per rank its MPI rank; with several the rank times their number,
-    //! plus the thread.
+    //! Returns the number of a worker in the whole job: the thread; with one
+    //! thread per rank the MPI rank; with several threads the rank times their
+    //! number, plus the thread.
     virtual int number(int worker) const = 0;
 
     //! Returns the form of the outcome of a task.
     virtual const OutcomeSchema& schema(const Task& task) const = 0;
 
-    //! Gives work to a worker that has none. Returns at once.
+    //! Gives work to an idle worker, and returns at once.
     virtual void give(int worker, const Work& work) = 0;
 
-    //! Returns the next answer, or none after this time [s].
+    //! Returns the next answer, or nothing after a time [s].
     virtual std::optional<Answer> wait(double seconds) = 0;
 
-    //! Tells all workers that there will be no more work.
+    //! Tells all workers that no more work will come.
     virtual void dismiss() = 0;
 };
 
-//! Evaluates; whatever goes wrong becomes a failed outcome. Fills in the wall
-//! time and the worker.
+//! Evaluates a genome; any error becomes a failed outcome. Sets wall time and
+//! worker.
 Outcome evaluate_guarded(Evaluator& evaluator, const Work& work, int rank,
                          const RankClock& clock);
 
-//! Makes workers of threads of this process. Their end is awaited: who is not
-//! sure that all answer must end the process instead.
+//! Makes workers of threads of this process. The destructor waits for all
+//! threads: if one may not answer, the caller must end the process instead.
 std::unique_ptr<Workers> make_thread_workers(const Session& session,
                                              const Evaluators& evaluators);
 
-//! Makes workers of all ranks but rank 0, and if each has several threads of
-//! those of rank 0 too.
+//! Makes workers of all ranks except rank 0; if ranks have several threads,
+//! also of rank 0's threads.
 std::unique_ptr<Workers> make_rank_workers(const Session& session,
                                            const Evaluators& evaluators);
 

@@ -14,7 +14,7 @@ namespace ideotype {
 
 namespace {
 
-//! A leaf of one temperature behind its boundary layer. The openness of its
+//! A leaf at one temperature behind its boundary layer. The openness of its
 //! stomata is gs / (gs + gb), from 0 to 1: the drop of vapour pressure within
 //! the boundary layer over the whole drop from the leaf to the air.
 template <class AtTemperature>
@@ -30,7 +30,7 @@ class Behind {
           air_(air),
           absorbed_(absorbed) {}
 
-    //! Returns the balance of CO2. There is one, because more assimilation
+    //! Returns the balance of CO2, which is unique because more assimilation
     //! leaves less CO2 within the leaf.
     LeafBalance at(double openness) const {
         const double gs = conductance(openness);
@@ -48,9 +48,9 @@ class Behind {
         return found;
     }
 
-    //! Returns the assimilation less the one at which stomata would be so open.
-    //! It is positive if they would open further, and negative if they would
-    //! close. It is positive below the intercept, too.
+    //! Returns the assimilation minus that at which stomata have the given
+    //! openness. It is positive, also below the intercept, if stomata would
+    //! open further, and negative if they would close.
     double excess(double openness) const {
         const double gs = conductance(openness);
         const double beyond = gs - stomata_.intercept;
@@ -102,8 +102,8 @@ Behind<FarquharAt> behind(const FarquharLeaf& rates, const auto&... rest) {
 }
 
 //! The first root of a function, and how many times its sign changes at places
-//! in order. It counts as negative at the first place and as positive at the
-//! last.
+//! in order. The function counts as negative at the first place and positive at
+//! the last.
 struct FirstRoot {
     double x;
     int roots;
@@ -136,7 +136,7 @@ LeafBalance balance_of(const Rates& rates, const Stomata& stomata,
     std::array<double, steps + 1> closed;
     for (std::size_t i = 0; i <= steps; ++i)
         closed[i] = static_cast<double>(i) / steps;
-    // Shut stomata are a balance if they would not open.
+    // Shut stomata are in balance if they would not open.
     const FirstRoot found =
         first_root([&](double x) { return leaf.excess(1 - x); }, closed, 1e-15);
     const double openness = 1 - found.x;
@@ -145,8 +145,8 @@ LeafBalance balance_of(const Rates& rates, const Stomata& stomata,
     return result;
 }
 
-//! Returns temperatures between two others. They are denser below that of the
-//! air, where conductances change fast if there is no wind.
+//! Returns temperatures between two others. They are denser below the air's,
+//! where conductances change fast without wind.
 std::array<double, 2 * steps + 1> temperatures(double low, double high,
                                                double air) {
     const double bend = std::clamp(air, low, high);

@@ -15,7 +15,7 @@ double arrhenius(double c, double energy, double temperature) {
     return std::exp(c - energy / (gas_constant * (temperature + kelvin)));
 }
 
-//! Returns a rate over that at 25 deg C.
+//! Returns a rate at a temperature [deg C] over that at 25 deg C.
 double rise(double energy, double temperature) {
     return arrhenius(0, energy, temperature) / arrhenius(0, energy, 25);
 }
@@ -28,7 +28,7 @@ double triose_use(double temperature) {
     return rise(53.1, temperature) * fall(25) / fall(temperature);
 }
 
-//! Electrons for each absorbed photon [-], in leaves that were in the dark.
+//! Returns the electrons for each absorbed photon [-], in dark-adapted leaves.
 double electron_yield(double temperature) {
     const double of_photosystem =
         0.352 + 0.022 * temperature - 0.00034 * temperature * temperature;

@@ -11,13 +11,15 @@
 
 namespace ideotype {
 
-//! No leaf is colder [deg C]; saturated_vapour() has a pole below.
+//! The lowest temperature of leaves [deg C], above the pole of
+//! saturated_vapour().
 inline constexpr double coldest = -200;
 inline constexpr double vapour_over_heat = 1.09;
 
 //! Returns the conductance of stomata beyond the intercept, per assimilation
 //! over surface CO2.
-//! @param saturated,surface vapour pressures in the leaf and there [kPa]
+//! @param saturated,surface vapour pressures in the leaf and at its surface
+//! [kPa]
 inline double stomatal_slope(const Stomata& stomata, double saturated,
                              double surface) {
     if (stomata.model == Stomata::Model::medlyn)
@@ -47,20 +49,22 @@ class LeafEnergy {
     }
 
     double vapour() const { return vapour_; }
-    double latent_heat() const { return latent_heat_; }  //!< [J mol-1]
-    //! Returns what both faces emit, over the fourth power of temperature.
+    double latent_heat() const {
+        return latent_heat_;
+    }  //!< latent heat of vaporisation [J mol-1]
+    //! Returns the emission of both faces over the fourth power of temperature.
     double emission() const { return emission_; }
 
-    //! Conductance of heat of one face.
+    //! Returns the conductance of heat of one face.
     double heat(double t) const {
         const double apart = std::abs(t - around_.temperature);
         return std::cbrt(unmoved_ + cube(free_ * std::sqrt(std::sqrt(apart))));
     }
 
-    //! Conductance of vapour of the boundary layers in front of the stomata.
+    //! Returns the conductance of vapour of the boundary layers at the stomata.
     double boundary(double t) const { return boundary_of(heat(t)); }
 
-    //! @param of_heat conductance of one face
+    //! @param of_heat conductance of heat of one face
     double boundary_of(double of_heat) const {
         return vapour_over_heat * faces_ * of_heat;
     }
@@ -76,7 +80,7 @@ class LeafEnergy {
         return 2 * air_heat_capacity * of_heat * (t - around_.temperature);
     }
 
-    //! Latent heat with a conductance of vapour [W m-2].
+    //! Returns the latent heat at a conductance of vapour [W m-2].
     double latent(double t, double conductance) const {
         return latent_of(conductance, saturated_vapour(t));
     }
@@ -91,16 +95,16 @@ class LeafEnergy {
         return std::min(latent(t, 2 * vapour_over_heat * heat(t)), 0.);
     }
 
-    //! Returns whether air at the leaf is at least saturated: no water leaves
-    //! it.
+    //! Returns whether air at the leaf is at least saturated, so that no water
+    //! leaves the leaf.
     bool has_dew(double t) const { return saturated_vapour(t) <= vapour_; }
 
     double transpiration(double latent) const {
         return 1e3 * latent / latent_heat_;
     }
 
-    //! Returns the temperature with shut stomata, which no leaf exceeds: there
-    //! is one, as radiation, heat and dew all fall with temperature.
+    //! Returns the temperature with shut stomata, which no leaf exceeds. It is
+    //! unique, as radiation, heat and dew all fall with temperature.
     double warmest() const {
         const double t = around_.temperature, alone = radiative();
         return root(
@@ -110,9 +114,9 @@ class LeafEnergy {
             std::min(t, alone), std::max(t, alone), 1e-12);
     }
 
-    //! Returns a temperature that no leaf falls below without dew: below the
-    //! smaller of that of a wet surface without radiation, whatever the wind,
-    //! and that of radiation alone, heat and radiation both warm any leaf.
+    //! Returns a lower bound of a leaf's temperature without dew: the smaller
+    //! of the temperatures of a wet surface without radiation, at any wind, and
+    //! of radiation alone. Below it both heat and radiation warm a leaf.
     double coolest() const {
         const auto cooling = [&](double x) {
             return 2 * air_heat_capacity * (x - around_.temperature) +

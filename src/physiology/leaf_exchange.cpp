@@ -15,15 +15,16 @@ namespace ideotype {
 
 namespace {
 
-//! Enzymes of any leaf work below [deg C], so that there is one balance.
+//! The temperature below which enzymes of any leaf work, so that there is one
+//! balance [deg C].
 constexpr double warmest_of_one_balance = 38;
-//! Stomata of Ball and Berry have one conductance from this humidity on.
+//! The humidity from which stomata of Ball and Berry have one conductance.
 constexpr double least_humidity = 0.35;
-//! Leaves differ little from the air from this wind on [m s-1].
+//! The wind from which leaves differ little from the air [m s-1].
 constexpr double least_wind = 0.05;
 
-//! Numbers that follow from temperature alone, at close temperatures, between
-//! which they are linear; errors are below 1e-5 of each.
+//! A table of numbers that depend on temperature alone, with linear
+//! interpolation; relative errors are below 1e-5.
 template <class Factors>
 class ByTemperature {
   public:
@@ -53,7 +54,8 @@ class ByTemperature {
 
   private:
     using Values = std::array<double, sizeof(Numbers) / sizeof(double)>;
-    static constexpr double first = -60, last = 60, step = 0.1;  //!< [deg C]
+    static constexpr double first = -60, last = 60,
+                            step = 0.1;  //!< range of the table [deg C]
 
     ByTemperature() {
         for (int i = 0; first + step * i < last + 2 * step; ++i)
@@ -78,8 +80,8 @@ struct Model<FarquharLeaf> {
     using Factors = FarquharFactors;
 };
 
-//! Returns the expansion of transpiration that follows from that of net
-//! assimilation, which stomata open with, to first order.
+//! Returns the expansion of transpiration from that of net assimilation, with
+//! which stomata open, to first order.
 Expansion transpiration_of(double amount, double share, const Expansion& net) {
     if (!(net.value > 0)) return {amount, 0, 0};
     const double per_net = amount * share / net.value;
@@ -122,7 +124,7 @@ class Sweeps {
             const double step = std::clamp(-residual / slope, -8., 8.);
             t_ += step;
             if (std::abs(step) < tolerance && is_steady_) {
-                // The last step of water closes the balance, too.
+                // The last step of water also closes the balance.
                 latent_ =
                     energy_.net_radiation(t_) - energy_.sensible(t_, heat_);
                 return has_one_balance();
@@ -149,7 +151,7 @@ class Sweeps {
     }
 
   private:
-    //! Finds assimilation and stomata at the temperature that the leaf has.
+    //! Finds assimilation and stomata at the leaf's temperature.
     void breathe(int passes) {
         const auto numbers = table_(t_);
         const typename Model<Rates>::At at(rates_, numbers.factors);
@@ -165,7 +167,8 @@ class Sweeps {
             const double slope = stomatal_slope(stomata_, saturated_, surface);
             const double cs = std::max(
                 around_.co2 - 1.37 * std::max(net_, 0.) / boundary_, 1.);
-            // The CO2 within the leaf for which stomata open at this net rate.
+            // The CO2 within the leaf at which stomata are in balance with the
+            // net rate.
             double ci = cs;
             gs_ = stomata_.intercept;
             if (net_ > 0 || i == 0) {
@@ -195,7 +198,7 @@ class Sweeps {
                 energy_.vapour() >= least_humidity * saturated_);
     }
 
-    //! Returns a slope of the residual that neglects how stomata follow
+    //! Returns a slope of the residual that neglects the response of stomata to
     //! temperature.
     double slope_of_residual() const {
         const double k = t_ + kelvin;
@@ -221,7 +224,7 @@ class Sweeps {
            latent_ = 0;
 };
 
-//! Does what energy_balance() does, with derivatives at the end.
+//! Returns energy_balance() with derivatives.
 template <class Rates>
 LeafExchange from_balance(const Rates& rates, const ThermalLeaf& leaf,
                           const LeafSurroundings& around) {

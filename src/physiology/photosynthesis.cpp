@@ -13,7 +13,7 @@ namespace ideotype {
 
 namespace {
 
-//! Returns the number of a leaf between points from the lowest leaf to the top.
+//! Returns the value of a leaf between points from the lowest leaf to the top.
 double at_rank(const std::vector<double>& points, std::size_t leaf,
                std::size_t leaves) {
     IDEOTYPE_EXPECT(!points.empty());

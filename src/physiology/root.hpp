@@ -6,15 +6,15 @@
 
 namespace ideotype {
 
-//! A point of a function that need only be continuous.
+//! A point of a continuous function.
 struct Point {
     double x, value;
 };
 
 //! Returns the place where a function turns from negative to not negative,
-//! between such points, to a tolerance: interpolate, truncate, project
-//! (Oliveira and Takahashi 2021, doi:10.1145/3423597), which never takes more
-//! than one step more than bisection.
+//! between two points, to a tolerance, by the ITP method (Oliveira and
+//! Takahashi 2021, doi:10.1145/3423597), which takes at most one step more than
+//! bisection.
 template <class Function>
 double root(const Function& f, Point low, Point high, double tolerance) {
     const double range = high.x - low.x;
@@ -41,7 +41,7 @@ double root(const Function& f, Point low, Point high, double tolerance) {
     return (low.x + high.x) / 2;
 }
 
-//! Returns root() between two places, of a function that does not fall.
+//! Returns root() between two places, for a function that does not fall.
 template <class Function>
 double root(const Function& f, double low, double high, double tolerance) {
     const Point first{low, f(low)}, last{high, f(high)};

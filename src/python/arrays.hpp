@@ -16,7 +16,7 @@
 
 namespace ideotype::python {
 
-//! A contiguous array that is only read.
+//! A contiguous read-only array.
 template <class Number, int dimensions>
 using Input = nanobind::ndarray<const Number, nanobind::ndim<dimensions>,
                                 nanobind::c_contig, nanobind::device::cpu>;

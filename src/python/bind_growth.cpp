@@ -31,7 +31,7 @@ struct GrowingCrop {
     std::vector<LeafDates> leaves;
 };
 
-//! Numbers of each leaf by name.
+//! Returns the numbers of each leaf by name.
 nb::dict at(const GrowingCrop& crop, double thermal_time) {
     std::vector<double> green, dead, tip, collar, death;
     for (const LeafDates& leaf : crop.leaves) {
@@ -59,8 +59,8 @@ nb::dict at(const GrowingCrop& crop, double thermal_time) {
     return found;
 }
 
-//! Thermal time and the green and dead area of one plant at the end of each
-//! day.
+//! Returns thermal time and the green and dead area of one plant at the end of
+//! each day.
 nb::tuple season(const GrowingCrop& crop, const Input<double, 1>& hourly) {
     constexpr std::size_t hours = 24;
     std::vector<double> times, green, dead;

@@ -22,12 +22,12 @@ namespace {
 //! A mesh made of polygons.
 struct Divided {
     Mesh mesh;
-    std::vector<std::size_t> polygon;  //!< that each face is of
+    std::vector<std::size_t> polygon;  //!< polygon of each face
     std::size_t polygons = 0;
 };
 
-//! Polygons are divided as those of OBJ files.
-//! @param corners of all polygons, of which each has so many
+//! Divides polygons into faces as in OBJ files.
+//! @param corners vertices of all polygons, with a number of corners for each
 Divided divide(const Input<double, 2>& vertices,
                const Input<std::uint32_t, 1>& corners,
                const Input<std::uint32_t, 1>& counts,
@@ -55,8 +55,7 @@ Divided divide(const Input<double, 2>& vertices,
     return result;
 }
 
-//! Returns the light of each polygon per one-sided area: nothing if it has
-//! none.
+//! Returns the light of each polygon per one-sided area: 0 if it has none.
 std::vector<Estimate> by_polygon(const Divided& divided,
                                  const std::vector<double>& areas,
                                  const std::vector<Estimate>& faces) {
@@ -66,7 +65,8 @@ std::vector<Estimate> by_polygon(const Divided& divided,
     for (std::size_t f = 0; f < faces.size(); ++f) {
         Estimate& polygon = all[divided.polygon[f]];
         polygon.mean += faces[f].mean * areas[f];
-        // Errors add up as if faces erred together, which is at most too much.
+        // Errors are added as if fully correlated, which can only overestimate
+        // them.
         polygon.standard_error += faces[f].standard_error * areas[f];
         area[divided.polygon[f]] += areas[f];
     }

@@ -21,7 +21,7 @@ namespace nb = nanobind;
 
 namespace {
 
-//! The plant of the campaign's crop, and those of components that are bred.
+//! The plant of the campaign's crop, and plants of components that are bred.
 struct AnyPlants {
     Plants plants;
 };
@@ -34,7 +34,7 @@ AnyPlants grown_plants(const CaseStand& stand, const Input<double, 1>& genome) {
     return {grow(stand.campaign(), to_vector(genome))};
 }
 
-//! Returns how high a leaf of any of these plants can reach [m].
+//! Returns the height that no leaf of the plants exceeds [m].
 double reach_of(const AnyPlants& each) {
     double top = 0;
     for (const Plant& plant : each.plants)
@@ -43,8 +43,8 @@ double reach_of(const AnyPlants& each) {
     return top;
 }
 
-//! Name, unit and number of each measure of the leaves of a plant, the lowest
-//! leaf first; those that need not be told are left out where all are 0.
+//! Returns name, unit and numbers of each measure of a plant's leaves, the
+//! lowest leaf first, without optional measures that are all 0.
 nb::list leaves_of(const AnyPlants& each, std::size_t component) {
     const std::vector<Leaf>& leaves = each.plants.at(component).leaves;
     nb::list list;
@@ -71,8 +71,8 @@ nb::tuple mesh_of(const AnyPlants& each, const CaseStand& under,
 //! Several threads may evaluate.
 class PlantStand {
   public:
-    //! @param reach no leaf of plants that are compared reaches higher [m]
-    //! @param scenario its place, or nothing: all scenarios together
+    //! @param reach height that no leaf of compared plants exceeds [m]
+    //! @param scenario index of the scenario, or nothing for all together
     PlantStand(const CaseStand& under, const AnyPlants& any, double reach,
                std::optional<std::size_t> scenario)
         : campaign_(with(under.campaign(), any.plants, reach)),
@@ -89,9 +89,9 @@ class PlantStand {
     const OutcomeSchema& schema() const { return stand_.schema(false); }
 
     //! Returns the objectives as estimates and by randomisation [objective,
-    //! randomisation], and the same of all numbers of quantities
-    //! [randomisation, number], which are NaN where they are not known so.
-    //! @throws Error if the evaluation fails
+    //! randomisation], and estimates and randomisations of all numbers of
+    //! quantities [randomisation, number], with NaN for unknown values.
+    //! @throws Error if the evaluation fails.
     nb::tuple evaluate(std::uint32_t generation, bool is_final,
                        std::optional<std::uint64_t> seed,
                        std::optional<double> tolerance) {

@@ -21,7 +21,7 @@ namespace {
 
 using Matrix = std::vector<std::vector<double>>;
 
-//! A search whose rows somebody else evaluates, a generation at a time.
+//! A search whose caller evaluates rows, a generation at a time.
 class Search {
   public:
     Search(const SearchSettings& settings, const SearchSpace& space,
@@ -38,9 +38,9 @@ class Search {
         return asked_;
     }
 
-    //! @param objectives [row, objective]; rows with NaN failed
-    //! @param violations of each row
-    //! @param features [row, axis] of an atlas
+    //! @param objectives values [row, objective]; rows with NaN failed
+    //! @param violations violation of each row
+    //! @param features values [row, axis] of an atlas
     void tell(const Matrix& objectives, const std::vector<double>& violations,
               const Matrix& features) {
         ask();

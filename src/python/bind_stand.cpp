@@ -106,8 +106,8 @@ nb::list case_names(const std::string& path, const Settings& settings) {
 }
 
 //! Returns the clock hour of each instant [h], the light above the canopy [W
-//! m-2], and the light on each sensor over that above the canopy with its
-//! standard error [sensor, instant].
+//! m-2], and on each sensor over that above the canopy with a standard error
+//! [sensor, instant].
 nb::tuple light_on_sensors(CaseStand& stand, const Input<double, 1>& genome,
                            const std::vector<double>& heights,
                            const std::vector<double>& positions, int fields,

@@ -5,7 +5,7 @@
 
 namespace ideotype::python {
 
-//! Errors become exceptions of ideotype._errors.
+//! Turns errors into exceptions of ideotype._errors.
 void translate_errors();
 
 void bind_plants(nanobind::module_& module);

@@ -13,7 +13,8 @@ CaseStand::CaseStand(Campaign campaign, const Case& chosen,
       genes_(gene_space(campaign_, chosen_)),
       stand_(campaign_, chosen_),
       devices_(isa.empty() ? Device::supported_isas().back() : isa) {
-    devices_.with([](const Device&) {});  // the processor has it
+    devices_.with([](const Device&) {
+    });  // checks that the processor has the instruction set
     stand_.prepare();
 }
 

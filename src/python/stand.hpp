@@ -22,7 +22,7 @@ class Devices {
 
     const std::string& isa() const { return isa_; }
 
-    //! Calls with a device that no other thread uses.
+    //! Calls an action with a device that no other thread uses.
     template <class Action>
     auto with(Action action) {
         std::unique_ptr<Device> device = take();
@@ -51,20 +51,20 @@ class Devices {
     std::vector<std::unique_ptr<Device>> idle_;
 };
 
-//! Name, unit and whether it is maximised, of each objective.
+//! Returns name, unit and whether it is maximised, for each objective.
 nanobind::list objective_list(const OutcomeSchema& schema);
 
-//! Name, unit, meaning and coordinates of each axis.
+//! Returns name, unit, meaning and coordinates of each axis.
 nanobind::list axis_list(const OutcomeSchema& schema);
 
-//! Name, unit, meaning, axes and whether it is exact, of each quantity.
+//! Returns name, unit, meaning, axes and exactness of each quantity.
 nanobind::list quantity_list(const OutcomeSchema& schema);
 
 //! The plants of one case of a campaign. Several threads may evaluate.
 class CaseStand {
   public:
-    //! @param isa "": the widest that this processor has
-    //! @throws Error if there is no such case
+    //! @param isa instruction set; "" for the widest of this processor
+    //! @throws Error if the case does not exist.
     CaseStand(Campaign campaign, const Case& chosen, const std::string& isa);
     CaseStand(const CaseStand&) = delete;
     CaseStand& operator=(const CaseStand&) = delete;
@@ -75,19 +75,19 @@ class CaseStand {
     const std::string& isa() const { return devices_.isa(); }
     const OutcomeSchema& schema() const { return stand_.schema(false); }
 
-    //! Evaluates a plant. If that fails, the outcome tells it.
-    //! @throws Error if the request is impossible
+    //! Evaluates a plant. The outcome tells a failure.
+    //! @throws Error if the request is impossible.
     Outcome evaluate(const Genome& genome, const SamplingRequest& request);
 
     //! Returns the mesh of a plant of a component, at the origin and with y
     //! along the row [m].
-    //! @param thermal_time since emergence [deg C d]; none: full-grown
+    //! @param thermal_time time since emergence [deg C d]; none: full-grown
     //! @throws Error if a time is given and plants of the component do not grow
     Mesh mesh(const Genome& genome, std::size_t component,
               std::optional<double> thermal_time) const;
 
     //! Returns the light on sensors among plants of a genome at each instant,
-    //! as light_on_sensors() does, from so many fields.
+    //! as light_on_sensors() does, from a number of fields.
     std::vector<std::vector<Estimate>> light_on_sensors(
         const Genome& genome, const std::vector<Sensor>& sensors, int fields,
         int points);

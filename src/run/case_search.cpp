@@ -70,7 +70,7 @@ std::optional<Work> CaseSearch::next() {
 }
 
 void CaseSearch::record(const Work& work, const Outcome& outcome) {
-    // Workers have what to do by now.
+    // Workers are busy by now.
     commit();
     const Task& task = work.task;
     history_.record(task.generation, task.slot, outcome, task.attempt);
@@ -83,8 +83,8 @@ std::optional<std::string> CaseSearch::ending() const {
     return reason_.value_or("room");
 }
 
-//! Returns whether there is no such generation. It is asked when all that the
-//! generation needs is known, which also decides whether there is one.
+//! Returns whether the search ends before a generation. It is called when all
+//! rows that the generation needs are known.
 bool CaseSearch::is_over(std::uint32_t generation) const {
     const Optimizer& optimizer = evolution_.optimizer;
     const auto most =
@@ -98,17 +98,17 @@ std::uint32_t CaseSearch::first_open() const {
     return static_cast<std::uint32_t>(progress_.generations.size());
 }
 
-//! Proposes until something waits, as far as that is possible now.
+//! Proposes rows until one waits, as far as possible now.
 void CaseSearch::extend() {
     while (waiting_.empty() && (is_proposing() || begin_generation())) {
         propose();
-        // Rows that an earlier session evaluated may allow more.
+        // Rows that an earlier session evaluated may allow more proposals.
         learn();
     }
 }
 
-//! Proposes some of the last open generation, so that workers have them while
-//! the next are made.
+//! Proposes some rows of the last open generation, which workers evaluate while
+//! further rows are made.
 void CaseSearch::propose() {
     constexpr std::size_t most = 64;
     const Open& last = open_.back();
@@ -127,7 +127,7 @@ bool CaseSearch::is_proposing() const {
     return !open_.empty() && open_.back().rows.size() < open_.back().size;
 }
 
-//! False if there will be no other generation, or not yet.
+//! Begins the next generation; returns false if there is none, or not yet.
 bool CaseSearch::begin_generation() {
     Optimizer& optimizer = evolution_.optimizer;
     const auto generation =
@@ -138,7 +138,8 @@ bool CaseSearch::begin_generation() {
     return true;
 }
 
-//! Stores candidates of the last open generation before any is handed out.
+//! Stores candidates of the last open generation before any of them is handed
+//! out.
 void CaseSearch::add(const std::vector<Candidate>& candidates) {
     Open& open = open_.back();
     const auto generation =
@@ -173,7 +174,7 @@ void CaseSearch::add(const std::vector<Candidate>& candidates) {
     }
 }
 
-//! Notes an outcome that is stored.
+//! Notes a stored outcome.
 void CaseSearch::keep(std::uint32_t generation, std::uint32_t slot,
                       const Outcome& outcome) {
     Individual& row = open_[generation - first_open()].rows[slot];
@@ -197,7 +198,7 @@ std::vector<double> CaseSearch::features_of(const Outcome& outcome) const {
     return features;
 }
 
-//! Stores the outcome of a row, if it is known, for copies of its plant.
+//! Stores the outcome of a row, if known, for copies of the row's plant.
 void CaseSearch::copy(std::uint32_t generation, std::uint32_t original) {
     Open& open = open_[generation - first_open()];
     const auto [begin, end] = open.copies.equal_range(original);
@@ -212,7 +213,7 @@ void CaseSearch::copy(std::uint32_t generation, std::uint32_t original) {
     }
 }
 
-//! Teaches the optimizer what is known, in the order of rows.
+//! Teaches known rows to the optimizer, in their order.
 //! @throws CaseError if too many evaluations of a generation fail.
 void CaseSearch::learn() {
     while (!open_.empty()) {
@@ -227,7 +228,7 @@ void CaseSearch::learn() {
     }
 }
 
-//! Takes note of the first open generation, which is complete.
+//! Moves the first open generation, which is complete, to complete ones.
 void CaseSearch::complete() {
     const std::uint32_t generation = first_open();
     const Population rows = std::move(open_.front().rows);
@@ -259,7 +260,7 @@ void CaseSearch::judge(const GenerationSummary& summary) {
     reason_row_ = known_rows_;
 }
 
-//! Returns the time that all sessions have spent on the case [s].
+//! Returns the wall time of all sessions on the case [s].
 double CaseSearch::wall_time() const {
     return spent_before_ + evolution_.elapsed();
 }

@@ -15,37 +15,39 @@
 namespace ideotype {
 
 //! The search of one case row by row, between optimizer and history: proposes
-//! what can be, keeps what arrives, teaches the optimizer in the order of rows,
-//! and commits generations. Both references must outlive it.
+//! rows, keeps outcomes, teaches the optimizer in the order of rows, and
+//! commits generations. Both references must outlive the search.
 class CaseSearch {
   public:
-    //! Learns what the history has of complete generations.
+    //! Learns the complete generations of the history.
     CaseSearch(const Evolution& evolution, History& history);
 
     //! Returns the next row to evaluate, if one can be proposed now; learns
     //! first.
     std::optional<Work> next();
 
-    //! Keeps an outcome; commits what is complete first.
+    //! Commits complete generations, then keeps an outcome.
     void record(const Work& work, const Outcome& outcome);
 
-    //! Teaches the optimizer what is known, in the order of rows, and commits
-    //! generations that are complete.
+    //! Teaches known rows to the optimizer, in their order, and commits
+    //! complete generations.
     //! @throws CaseError if too many evaluations of a generation fail.
     void commit();
 
-    //! Why the search is over: the stop rule, or "room" if its history has none
-    //! for another generation. None before all that will be is complete.
+    //! Returns the reason of the end: the stop rule, or "room" if the history
+    //! has no room for another generation. Nothing before all generations are
+    //! complete.
     std::optional<std::string> ending() const;
 
   private:
     //! A proposed generation that is not complete.
     struct Open {
         std::size_t size = 0;
-        std::size_t learnt = 0;  //!< rows
-        Population rows;         //!< that are proposed
+        std::size_t learnt = 0;  //!< number of learnt rows
+        Population rows;         //!< proposed rows
         //! Under common random numbers equal genomes have equal outcomes: the
-        //! first slot of each, and the later slots that wait for it.
+        //! first slot of each genome, and later slots that wait for its
+        //! outcome.
         std::map<Genome, std::uint32_t> first_slots;
         std::multimap<std::uint32_t, std::uint32_t> copies;
     };
@@ -77,13 +79,15 @@ class CaseSearch {
     SearchSpace space_;
     Summarizer summarized_;
     double spent_before_;
-    Progress progress_;               //!< complete generations
-    std::vector<Complete> complete_;  //!< not committed yet
-    std::deque<Open> open_;           //!< the first of these is learnt now
-    std::uint64_t known_rows_ = 0;    //!< that the optimizer has learnt
-    std::deque<Work> waiting_;        //!< proposed, not handed out
+    Progress progress_;  //!< complete generations
+    std::vector<Complete>
+        complete_;           //!< complete generations that are not committed
+    std::deque<Open> open_;  //!< open generations; the first is learnt now
+    std::uint64_t known_rows_ =
+        0;  //!< number of rows that the optimizer has learnt
+    std::deque<Work> waiting_;  //!< work that is proposed but not handed out
     std::optional<std::string> reason_;
-    std::uint64_t reason_row_ = 0;  //!< after the rows that gave the reason
+    std::uint64_t reason_row_ = 0;  //!< row after those that gave the reason
 };
 
 }  // namespace ideotype

@@ -13,7 +13,7 @@ namespace ideotype {
 //! Evaluates candidates of all cases of a campaign.
 class CanopyEvaluator : public Evaluator {
   public:
-    //! The campaign must outlive the evaluator.
+    //! Makes the evaluator, which the campaign must outlive.
     //! @throws Error if the processor lacks the instruction set.
     CanopyEvaluator(const Campaign& campaign, const std::string& isa);
 
@@ -23,7 +23,7 @@ class CanopyEvaluator : public Evaluator {
   private:
     const Campaign& campaign_;
     std::vector<Case> cases_;
-    std::vector<Stand> stands_;  //!< by case
+    std::vector<Stand> stands_;  //!< stands by case
     Device device_;
 };
 

@@ -15,32 +15,32 @@ namespace ideotype {
 
 enum class Ending { finished, drained };
 
-//! A case can't go on by itself; others can.
+//! The error that one case cannot go on, while other cases can.
 class CaseError : public Error {
   public:
     using Error::Error;
 };
 
-//! Sees a case evolve; for progress lines.
+//! An observer of the evolution of a case, for progress lines.
 class Watcher {
   public:
     virtual ~Watcher() = default;
 
-    //! Hears that an evaluation of a row or a finalist is durable.
+    //! Is told that an evaluation of a row or a finalist is durable.
     virtual void on_evaluation(const Task& task, const Outcome& outcome) = 0;
 
-    //! Hears that a generation is complete.
+    //! Is told that a generation is complete.
     virtual void on_generation(std::uint32_t generation,
                                const GenerationSummary& summary) = 0;
 
-    //! Hears that the finalists are about to be evaluated.
+    //! Is told that the finalists are about to be evaluated.
     virtual void on_final(const std::string& reason) = 0;
 };
 
 //! Returns the genes, baseline and senses of objectives of a case.
 SearchSpace search_space(const Campaign& campaign, const Case& chosen);
 
-//! The parts that an evolution works with; all must outlive it.
+//! The parts of an evolution, all of which must outlive the evolution.
 struct Evolution {
     const Campaign& campaign;
     const Case& chosen;
@@ -48,14 +48,14 @@ struct Evolution {
     Optimizer& optimizer;
     Dispatcher& dispatcher;
     Watcher& watcher;
-    //! Seconds since this session began to work on the case.
+    //! A function that returns the seconds since this session began the case.
     std::function<double()> elapsed;
 };
 
-//! Evolves a case, as the loop of a master, from where its history stands until
-//! a stop rule holds and the finalists are evaluated, or a stop is requested of
-//! the dispatcher. Pauses while evaluations are under way. The history must
-//! outlive it.
+//! Evolves a case, as the loop of a master, from the state of its history until
+//! a stop rule holds and the finalists are evaluated, or the dispatcher is
+//! asked to stop. Pauses while evaluations are under way. The history must
+//! outlive the routine.
 //! @throws CaseError if too many evaluations of a generation fail.
 Routine<Ending> evolve_case(Evolution evolution, History& history);
 

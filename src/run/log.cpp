@@ -26,8 +26,8 @@ int columns_of(int file) {
         return is_known ? static_cast<int>(size.ws_col) : 80;
     };
     if (std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr) return width_of(file);
-    // Open MPI gives its ranks terminals and pipes of its own, so there
-    // mpirun's streams are what counts.
+    // Open MPI gives its ranks terminals and pipes of its own, so mpirun's
+    // streams count there.
     const int starter =
         open(fmt::format("/proc/{}/fd/{}", getppid(), file).c_str(),
              O_WRONLY | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
@@ -39,7 +39,7 @@ int columns_of(int file) {
 
 namespace {
 
-//! Each line of a text with the time before it (UTC, ISO 8601).
+//! Returns a text with the time (UTC, ISO 8601) before each line.
 std::string with_time(const std::string& text) {
     const std::string time = utc_now() + "  ";
     std::istringstream lines(text);

@@ -35,7 +35,7 @@ std::string format(Estimate x) {
     const double error = std::abs(x.standard_error);
     const double mean = std::abs(x.mean);
     if (!std::isfinite(error)) return fmt::format("{:.6g}", x.mean);
-    // Smaller numbers are what rounding leaves of zero, and of an error.
+    // Limits below which numbers are rounded zeros, and standard errors none.
     constexpr double nothing = 1e-12, exact = 1e-9, small = 1e-4;
     if (mean < nothing && error < nothing) return "0";
     if (error <= exact * mean)
@@ -58,7 +58,8 @@ std::string format_duration(double seconds) {
 
 std::string line_with_bar(double done, const std::vector<std::string>& parts,
                           std::size_t width) {
-    constexpr std::size_t least = 12, most = 42;  // of the bar, with brackets
+    constexpr std::size_t least = 12,
+                          most = 42;  // columns of the bar, with brackets
     std::string words;
     for (const std::string& part : parts)
         if (words.empty() || words.size() + part.size() + least + 2 <= width)
@@ -75,7 +76,7 @@ std::string utc_now() {
                        fmt::gmtime(std::time(nullptr)));
 }
 
-//! Sees one case.
+//! The watcher of one case.
 class ProgressLog::CaseWatcher : public Watcher {
   public:
     CaseWatcher(ProgressLog& log, int index)
@@ -125,7 +126,7 @@ class ProgressLog::CaseWatcher : public Watcher {
 
     void on_final(const std::string& reason) override {
         to_evaluate_ = 0;
-        // A bar that several cases share moves on.
+        // The bar that several cases share is updated.
         if (log_.columns_ > 0 && log_.cases_ > 1) return;
         log_.print(fmt::format(
             "{}  ended by {}; evaluating finalists with fresh random numbers",
@@ -191,7 +192,7 @@ long long ProgressLog::all_after(std::uint32_t generation) const {
            campaign_.search.population;
 }
 
-//! In this session.
+//! Returns the rate of this session.
 double ProgressLog::evaluations_per_second() const {
     return evaluations_ / std::max(now() - started_, 1e-3);
 }
@@ -202,9 +203,9 @@ long long ProgressLog::left() const {
     return left;
 }
 
-//! Returns the most time; none at first, when starting takes most of it.
+//! Returns the most time left, or nothing at first, when starting dominates.
 std::string ProgressLog::time_left() const {
-    constexpr double first = 2;  // [s]
+    constexpr double first = 2;  // time of the start [s]
     return evaluations_ > 0 && now() - started_ > first
                ? format_duration(static_cast<double>(left()) /
                                  evaluations_per_second())
@@ -220,11 +221,11 @@ std::string ProgressLog::best_of(const Entry& entry) const {
         entry.hypervolume ? ", hypervolume " + format(*entry.hypervolume) : "");
 }
 
-//! The case that comes first stands for those in flight. What matters less
-//! gives way where the terminal is narrow, and a bar takes the rest of its
-//! width: a line that wraps could not be written over.
+//! Shows the live line, with the first case for all in flight. On a narrow
+//! terminal less important parts are left out, and a bar fills the rest: a line
+//! that wraps could not be overwritten.
 void ProgressLog::show_live() {
-    constexpr double calm = 0.1;  // between two lines [s]
+    constexpr double calm = 0.1;  // time between two lines [s]
     if (columns_ == 0 || level_ < LogLevel::info || in_flight_.empty() ||
         now() - shown_ < calm)
         return;

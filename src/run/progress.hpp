@@ -15,12 +15,12 @@
 
 namespace ideotype {
 
-//! Tells how the cases of a job evolve: one live line on a terminal for all
-//! that are in flight, one line per generation and case in a log file.
+//! Reports the evolution of a job's cases: one live line for all cases in
+//! flight on a terminal, one line per generation and case in a log file.
 class ProgressLog {
   public:
-    //! All must outlive it.
-    //! @param level the least urgent that is told
+    //! Makes a log; all arguments must outlive it.
+    //! @param level the least urgent level that is printed
     ProgressLog(const Campaign& campaign, const std::vector<Case>& chosen,
                 LogLevel level = LogLevel::info);
     ~ProgressLog();
@@ -31,16 +31,16 @@ class ProgressLog {
     std::unique_ptr<Watcher> watch(const Case& chosen,
                                    std::uint32_t generation);
 
-    //! A case has ended, also if nobody watched it.
+    //! Notes that a case has ended, even without a watcher.
     void end(const Case& chosen);
 
     bool is_on_terminal() const { return columns_ > 0; }
 
-    //! Lines that stay, above the live one; in a log file with the time.
-    //! Warnings and errors go to the standard error if nothing else is told.
+    //! Prints permanent lines above the live line, with the time in a log file.
+    //! Warnings and errors go to the standard error if nothing else is printed.
     void print(const std::string& text, LogLevel level = LogLevel::info);
 
-    //! Prints a result, which is told at any level.
+    //! Prints a result, which is printed at any level.
     void print_result(const std::string& text);
 
   private:
@@ -49,15 +49,16 @@ class ProgressLog {
     //! A case in flight.
     struct Entry {
         std::string name;
-        std::uint32_t generation = 0;  //!< from 0, as in the history
-        std::uint32_t complete = 0;    //!< generations
+        std::uint32_t generation = 0;  //!< number of the generation, from 0
+        std::uint32_t complete = 0;    //!< number of complete generations
         std::optional<Estimate> best, hypervolume;
     };
 
-    //! Evaluations of a case from this generation on, if no rule ends it.
+    //! Returns the evaluations of a case from a generation on, if no rule ends
+    //! it.
     long long all_after(std::uint32_t generation) const;
     double evaluations_per_second() const;
-    //! Returns how many evaluations are left, at most.
+    //! Returns the largest number of evaluations that are left.
     long long left() const;
     std::string time_left() const;
     std::string best_of(const Entry& entry) const;
@@ -65,27 +66,28 @@ class ProgressLog {
 
     const Campaign& campaign_;
     LogLevel level_;
-    int columns_;           //!< columns of the terminal; 0: a log file
-    bool is_live_ = false;  //!< the live line is on the terminal
+    int columns_;           //!< columns of the terminal; 0 for a log file
+    bool is_live_ = false;  //!< tells whether the live line is shown
     double started_;
     double shown_ = 0;
-    int evaluations_ = 0;                   //!< evaluations of this session
-    int cases_;                             //!< cases of this session
-    int ended_ = 0;                         //!< cases
-    std::map<int, Entry> in_flight_;        //!< by index of the case
-    std::map<int, long long> to_evaluate_;  //!< at most, by index of the case
+    int evaluations_ = 0;             //!< evaluations of this session
+    int cases_;                       //!< cases of this session
+    int ended_ = 0;                   //!< number of ended cases
+    std::map<int, Entry> in_flight_;  //!< cases by index
+    std::map<int, long long>
+        to_evaluate_;  //!< most evaluations left, by index of the case
 };
 
-//! Tells how sure the figure of a best plant is: one that was chosen by the
-//! same figure, and not evaluated again, is too high on average.
-//! @param violation of its constraints
+//! Returns words on the certainty of a best plant's figure: without another
+//! evaluation, the figure by which a plant was chosen is too high on average.
+//! @param violation violation of the constraints by the plant
 std::string certainty(bool is_evaluated_again, double violation);
 
-//! Returns "12.345 +- 0.006": as many digits as the standard error allows; "0"
-//! of what differs from zero by rounding alone.
+//! Returns "12.345 +- 0.006", with the digits that the standard error allows;
+//! "0" for zero but for rounding.
 std::string format(Estimate x);
 
-//! Returns a number with its unit behind it; "1" is none.
+//! Returns a number followed by its unit, which is left out if it is "1".
 std::string with_unit(const std::string& number, const std::string& unit);
 
 //! Returns the title of a column, "lai [m2 m-2]"; the unit "1" is left out.
@@ -94,16 +96,15 @@ std::string title_of(const std::string& name, const std::string& unit);
 //! Returns "1:02:03" or "2:03".
 std::string format_duration(double seconds);
 
-//! Returns a line of at most so many columns: a bar that is full as far as is
-//! done (0 .. 1), and words. Parts that find no room are left out, the last
-//! ones first.
+//! Returns a line of a largest width: a bar for the done share (0 to 1), and
+//! words. Parts without room are left out, the last ones first.
 std::string line_with_bar(double done, const std::vector<std::string>& parts,
                           std::size_t width);
 
-//! Returns "2025-08-07T12:00:00Z".
+//! Returns the time, such as "2025-08-07T12:00:00Z".
 std::string utc_now();
 
-//! Seconds of a steady clock.
+//! Returns the seconds of a steady clock.
 double now();
 
 }  // namespace ideotype

@@ -62,7 +62,8 @@ void require_same_campaign(const HistoryHeader& header,
                            const std::string& path) {
     auto changed =
         differences(header.campaign_resolved, campaign.resolved, chosen);
-    // The time that workers may take is a matter of the machine.
+    // The time that workers may take depends on the machine, not on the
+    // results.
     std::erase_if(changed, [](const std::string& line) {
         return line.starts_with("parallel.");
     });
@@ -81,7 +82,8 @@ void require_same_campaign(const HistoryHeader& header,
 
 namespace {
 
-// A history of a program that did not yet keep one of these facts is taken.
+// Refuses a history of another program; facts that an older history lacks are
+// not compared.
 void require_same_program(const HistoryHeader& header,
                           const std::string& path) {
     std::vector<std::string> changed;

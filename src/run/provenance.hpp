@@ -8,19 +8,19 @@
 
 namespace ideotype {
 
-//! Everything that the history of a case says about where it comes from.
+//! Returns the header of a case's history, with its provenance.
 HistoryHeader header_of(const Campaign& campaign, const Case& chosen,
                         const std::string& isa);
 
 //! Refuses a history of another case, and one of a campaign that differs in
-//! what the case is made of; other cases may have been added.
+//! anything that affects the case; cases may have been added.
 //! @throws Error (refused) that names each difference.
 void require_same_campaign(const HistoryHeader& header,
                            const Campaign& campaign, const Case& chosen,
                            const std::string& path);
 
-//! Refuses to go on with a history that another campaign, case, program,
-//! compiler, ray tracer or C library wrote.
+//! Refuses to resume a history that another campaign, case, program, compiler,
+//! ray tracer or C library wrote.
 //! @throws Error (refused) that names each difference.
 void require_resumable(const HistoryHeader& header, const Campaign& campaign,
                        const Case& chosen, const std::string& path);
@@ -28,7 +28,7 @@ void require_resumable(const HistoryHeader& header, const Campaign& campaign,
 //! Returns the record of this start of the program.
 SessionRecord session_record(const std::string& command, int ranks);
 
-//! Returns a line per fact about the program and its libraries.
+//! Returns a line for each fact about the program and its libraries.
 std::string version_text();
 
 }  // namespace ideotype

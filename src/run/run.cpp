@@ -29,9 +29,8 @@ std::vector<Case> chosen_cases(const RunOptions& options,
     return {case_at(campaign, *options.case_index, options.campaign_path)};
 }
 
-//! Returns the instruction set that histories to be resumed were begun with, so
-//! that results go on bit for bit; none if there are none. Refuses what would
-//! overwrite one.
+//! Returns the instruction set of the histories to resume, which keeps the bits
+//! of results, or nothing without histories. Refuses to overwrite a history.
 std::optional<std::string> isa_of_histories(const RunOptions& options,
                                             const Campaign& campaign,
                                             const std::vector<Case>& chosen) {
@@ -67,7 +66,7 @@ std::optional<std::string> isa_of_histories(const RunOptions& options,
     return common;
 }
 
-//! Looks at all that could keep the job from going on, before any work.
+//! Checks all that could prevent the job, before any work.
 Start prepare(const RunOptions& options, const Campaign& campaign,
               const std::vector<Machine>& machines) {
     const std::vector<Case> chosen = chosen_cases(options, campaign);
@@ -87,12 +86,12 @@ Start prepare(const RunOptions& options, const Campaign& campaign,
 //! The ranks and cases of one master.
 struct Crew {
     const Session& job;
-    const Session& own;      //!< the master and its workers
-    const Session& masters;  //!< all of them
+    const Session& own;      //!< session of the master and its workers
+    const Session& masters;  //!< session of all masters
     std::vector<Case> cases;
 };
 
-//! Evolves the cases of a master, then lets its workers go.
+//! Evolves the cases of a master, then dismisses its workers.
 ExitCode direct(const RunOptions& options, const Campaign& campaign,
                 const std::string& isa, const Evaluators& evaluators,
                 const Crew& crew, StopFlag& stop) {
@@ -109,8 +108,8 @@ ExitCode direct(const RunOptions& options, const Campaign& campaign,
             code = error.exit_code();
         }
     }
-    // A worker that hangs would keep MPI from ending, but other masters may
-    // still be at work.
+    // A hanging worker would keep MPI from ending, but other masters may still
+    // be at work.
     const bool all_answer = dispatcher->dismiss();
     crew.masters.largest(0);
     if (!all_answer) {
@@ -157,9 +156,9 @@ Genome best_of_history(const GeneSpace& genes, Genome start,
     return start;
 }
 
-//! Makes the setting "search.start=[...]" of a plant: of a crop file what
-//! traits set, of a history the genes of its best finalist, by name. What is
-//! not known of it is as in the baseline.
+//! Returns the setting "search.start=[...]" for a plant: by the measures of a
+//! crop file, or the genes of a history's best finalist. Unknown genes are
+//! those of the baseline.
 //! @throws Error if the file cannot be read or has no finalist.
 //! @throws InputError with all problems of a crop file.
 std::string start_setting(const Campaign& campaign, const std::string& path) {
@@ -207,7 +206,7 @@ Start agree(const Session& session, const std::function<Start()>& make) {
         } catch (...) {
             failure = std::current_exception();
         }
-    // An empty text tells the others to leave.
+    // An empty text tells other ranks to leave.
     start.isa = session.broadcast(start.isa);
     if (failure) std::rethrow_exception(failure);
     if (!start.isa.empty()) start.resolved = session.broadcast(start.resolved);
@@ -225,7 +224,7 @@ ExitCode run(const RunOptions& options, const Session& session, StopFlag& stop,
     const std::vector<Machine> machines = gather_machines(session, own);
     const int threads = threads_per_rank(session, options.threads);
     std::optional<Campaign> campaign;
-    // Rank 0 alone looks at files.
+    // Only rank 0 accesses files.
     const auto [isa, resolved] = agree(session, [&] {
         campaign = read_with_start(options);
         print_warnings(*campaign, Log(options.level));

@@ -49,7 +49,7 @@ std::string gain(const Outcome& a, const Outcome& b, const std::string& unit) {
         format(relative_gain(randomisations_of(a), randomisations_of(b))));
 }
 
-//! Much of a gain may be leaf area, which therefore stands beside it.
+//! Returns a gain beside that of leaf area, which may explain much of it.
 std::string gain_with_lai(const History& history, const Row& baseline,
                           const Row& best) {
     const Objective& objective = history.header().schema.objectives.front();
@@ -58,7 +58,7 @@ std::string gain_with_lai(const History& history, const Row& baseline,
                        lai_of(history, best), lai_of(history, baseline));
 }
 
-//! Returns a warning of plants that no field has so densely, or "".
+//! Returns a warning of a leaf area that no field has, or "".
 std::string doubt_of(const std::string& what, double lai) {
     const std::string doubt = doubt_of_lai(lai);
     return doubt.empty()
@@ -78,9 +78,9 @@ Origin origin_of(const History& history, std::int64_t row) {
         .candidate.origin;
 }
 
-//! Returns how many plants lead an atlas, and how many of them were evaluated
-//! again before they were finalists; "" for other searches.
-//! @param leaders the baseline, then finalists
+//! Returns a text with the number of leaders of an atlas and of those that were
+//! evaluated again before the final; "" for other searches.
+//! @param leaders rows of the baseline, then of finalists
 std::string atlas_of(const History& history, const std::vector<Row>& leaders) {
     // Campaigns are written in canonical form.
     if (history.header().campaign_resolved.find("\n[[search.axes]]\n") ==
@@ -97,7 +97,7 @@ std::string atlas_of(const History& history, const std::vector<Row>& leaders) {
         leaders.size() - 1, confirmed);
 }
 
-//! Adds what the finalists tell.
+//! Adds the results of the finalists.
 void add_finalists(const History& history, CaseResult& result) {
     const auto& objectives = history.header().schema.objectives;
     const std::vector<Row> finalists = history.finalists();

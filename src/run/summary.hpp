@@ -10,20 +10,20 @@
 
 namespace ideotype {
 
-//! The warning beside a gain that one search alone has found.
+//! The warning beside a gain that a single search has found.
 inline constexpr const char* one_seed =
     "one seed: +- is the noise of the light, and does not tell how searches "
     "differ (replicates = 3)";
 
-//! The number of cases that each have a line on a terminal.
+//! The largest number of cases that each get a line on a terminal.
 inline constexpr std::size_t lines_on_screen = 20;
 
-//! Slot in /final of the best finalist other than the baseline in slot 0, or
-//! 0 if nothing but the baseline has been evaluated.
+//! Returns the slot in /final of the best finalist other than the baseline, or
+//! 0 if only the baseline, in slot 0, has been evaluated.
 std::size_t best_finalist(const History& history,
                           const std::vector<Row>& finalists);
 
-//! The result of a case as its history tells it.
+//! The result of a case, as in its history.
 struct CaseResult {
     std::optional<std::string> reason;  //!< reason for the end
     double complete = 0, generations = 0;
@@ -35,25 +35,24 @@ struct CaseResult {
     std::optional<Estimate> hypervolume;
     bool is_evaluated_again = false;
     double violation = 0;  //!< violation of the best
-    std::string gain;      //!< over the baseline; "" if it is not known
+    std::string gain;      //!< gain over the baseline; "" if unknown
     std::string doubt;     //!< doubt about the leaf area of the best
     std::size_t finalists = 0, failed_finalists = 0;
-    std::string failure;  //!< the first reason of finalists that failed
+    std::string failure;  //!< first reason of failed finalists
 };
 
 CaseResult result_of(const History& history);
 
-//! Tells a result in one line without its end.
-//! @param state such as "finished"
+//! Returns a result as one line without line break.
+//! @param state state of the case, such as "finished"
 std::string to_text(const CaseResult& result, const std::string& path,
                     const std::string& state);
 
-//! Tells a result in one short line without its end, as one of several.
+//! Returns a result as one short line without line break, for a list.
 std::string in_short(const CaseResult& result, const std::string& name);
 
-//! Returns a line that tells how much light is left to gain at most where plain
-//! absorption in an endless stand is searched for, which has a ceiling; else
-//! "".
+//! Returns a line about the most light that is left to gain, if the objective
+//! is plain absorption in an endless stand, which has a ceiling; else "".
 std::string left_to_gain(const History& history, const Campaign& campaign);
 
 }  // namespace ideotype

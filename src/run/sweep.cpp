@@ -111,7 +111,7 @@ Routine<Ending> Sweep::evolve_one(const Case& chosen) {
             *dispatcher_, *watcher, [began] { return now() - began; }};
         const Ending ending = co_await evolve_case(evolution, history);
         if (ending == Ending::drained) {
-            // The file may have been deleted since it was saved.
+            // The file may have been deleted since its last write.
             history.require_in_place();
             history.close();
             co_return ending;
@@ -135,9 +135,8 @@ Routine<Ending> Sweep::evolve_one(const Case& chosen) {
     co_return Ending::finished;
 }
 
-//! Prints a line about a case of several that has ended. Cases that were
-//! finished before are only counted, and so are those of a job that has more of
-//! them than a terminal has lines.
+//! Prints a line about one of several cases that has ended. Cases that were
+//! finished before, or are too many for a terminal, are only counted.
 void Sweep::tell(const CaseResult& result, const std::string& name,
                  bool was_finished) {
     before_ += was_finished ? 1 : 0;
@@ -176,8 +175,8 @@ History Sweep::open_history(const Case& chosen) const {
     return History::create(path, header_of(campaign_, chosen, isa_));
 }
 
-//! Opens the history of a case to go on with it. Another job may have begun the
-//! case after this one had looked.
+//! Opens the history of a case to resume it. Another job may have begun the
+//! case after the check of this job.
 History Sweep::resume_history(const Case& chosen,
                               const std::string& path) const {
     History history = History::resume(path);
@@ -193,7 +192,7 @@ History Sweep::resume_history(const Case& chosen,
     return history;
 }
 
-//! Notes a case on which another job works. This is no failure, unless it is
+//! Notes a case on which another job works, which is no failure unless it is
 //! the only case.
 void Sweep::note_in_use(const Case& chosen, const InUseError& error) {
     if (chosen_.size() == 1) return note_failure(chosen, error);
@@ -204,8 +203,8 @@ void Sweep::note_in_use(const Case& chosen, const InUseError& error) {
         LogLevel::warning);
 }
 
-//! Keeps the exception that is being handled. If its reason is not in the case,
-//! such as a full disk, it stops the other cases too.
+//! Keeps the handled exception. A reason outside the case, such as a full disk,
+//! stops all other cases too.
 void Sweep::note_failure(const Case& chosen, const std::exception& error) {
     failures_.push_back(
         {chosen.name, reason_of(error), std::current_exception()});
@@ -221,7 +220,7 @@ void Sweep::note_failure(const Case& chosen, const std::exception& error) {
     if (!is_of_case) stop_.request();
 }
 
-//! Tells which cases other jobs work on.
+//! Prints the cases on which other jobs work.
 //! @throws Error (refused) if they work on all cases.
 void Sweep::report_in_use() {
     if (in_use_.empty()) return;

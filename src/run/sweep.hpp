@@ -13,19 +13,19 @@
 
 namespace ideotype {
 
-//! The cases of one start of the program, evolved in one job. A case that
-//! fails by itself does not keep the others from going on; when the disk
-//! fails, the others are drained. All references must outlive it.
+//! The cases of one start of the program, evolved in one job. Other cases go on
+//! if one fails by itself, and are drained if the disk fails. All references
+//! must outlive the sweep.
 class Sweep : public Director {
   public:
     Sweep(const RunOptions& options, const Campaign& campaign,
           const std::vector<Case>& chosen, const std::string& isa, int ranks,
           StopFlag& stop);
 
-    //! Evolves all cases until they have ended or a stop is requested; false
-    //! if that left some of them.
-    //! @throws Error that names each case that failed, or (refused) if others
-    //! work on all of them.
+    //! Evolves all cases until they have ended or a stop is requested; returns
+    //! false if some have not ended.
+    //! @throws Error that names each failed case, or (refused) if other jobs
+    //! work on all cases.
     bool evolve(Dispatcher& dispatcher);
 
     bool start_next() override;
@@ -56,15 +56,15 @@ class Sweep : public Director {
     const std::string& isa_;
     int ranks_;
     StopFlag& stop_;
-    Dispatcher* dispatcher_ = nullptr;  //!< while evolving
+    Dispatcher* dispatcher_ = nullptr;  //!< dispatcher while evolving
     ProgressLog progress_;
-    std::size_t next_ = 0;      //!< case to start
-    std::size_t finished_ = 0;  //!< cases
-    std::size_t before_ = 0;    //!< cases that were finished before
-    std::size_t doubts_ = 0;    //!< cases whose leaf area is doubtful
-    std::string doubt_;         //!< first doubt of those that follow
+    std::size_t next_ = 0;      //!< index of the next case to start
+    std::size_t finished_ = 0;  //!< number of finished cases
+    std::size_t before_ = 0;    //!< number of cases that were finished before
+    std::size_t doubts_ = 0;    //!< number of cases with doubtful leaf area
+    std::string doubt_;         //!< first doubt about leaf area
     bool has_said_how_to_go_on_ = false;
-    std::vector<std::string> in_use_;  //!< by other programs
+    std::vector<std::string> in_use_;  //!< cases that other programs work on
     std::vector<Failure> failures_;
     std::list<Routine<Ending>> running_;
 };

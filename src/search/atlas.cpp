@@ -14,18 +14,18 @@ namespace ideotype {
 
 namespace {
 
-//! A plant of the atlas and what its evaluations have told.
+//! A plant of the atlas and the results of its evaluations.
 struct Leader {
     Individual individual;
-    std::int64_t row = no_parent;  //!< of its last evaluation
-    double sum = 0;                //!< of objective 0 over its evaluations
+    std::int64_t row = no_parent;  //!< row of its last evaluation
+    double sum = 0;                //!< sum of objective 0 over its evaluations
     int evaluations = 1;
 
     double mean() const { return sum / evaluations; }
 };
 
-//! A part of the atlas: the best plant known of one kind and, until both have
-//! been evaluated in one generation, a plant that seems better.
+//! A part of the atlas: the best known plant of one kind and a plant that seems
+//! better, until both have been evaluated in one generation.
 struct Niche {
     Leader leader;
     std::optional<Leader> challenger;
@@ -33,15 +33,16 @@ struct Niche {
 
 //! Finds the best plant of each kind: MAP-Elites (Mouret and Clune 2015,
 //! arXiv:1504.04909) for objectives with noise. Kinds are the cells of a grid
-//! over features such as leaf area and height; plants beyond it are left out.
+//! over features such as leaf area and height; plants outside the grid are left
+//! out.
 //!
-//! Generation 0 is that of GeneticAlgorithm. Children of leaders, who are drawn
-//! evenly, fill later ones. One evaluation cannot tell a better plant from a
-//! lucky one: a plant that exceeds the mean of a leader challenges it, and
-//! takes its place if it exceeds it in the next generation as well, in which
-//! both have the random numbers in common. Leaders that were evaluated
-//! least often are evaluated again, too, so that none stays by luck (adaptive
-//! sampling: Justesen et al. 2019, doi:10.1145/3319619.3321904).
+//! Generation 0 is that of GeneticAlgorithm. Later generations are children of
+//! leaders that are drawn evenly. One evaluation cannot tell a better plant
+//! from a lucky one: a plant above the mean of a leader challenges the leader,
+//! and replaces it if it also wins in the next generation, in which both share
+//! random numbers. Leaders with the fewest evaluations are evaluated again, so
+//! that none stays by luck (adaptive sampling: Justesen et al. 2019,
+//! doi:10.1145/3319619.3321904).
 class Atlas : public GenerationalOptimizer {
   public:
     Atlas(const SearchSettings& settings, SearchSpace space, std::uint64_t seed)
@@ -85,11 +86,13 @@ class Atlas : public GenerationalOptimizer {
 
   private:
     //! Moves a plant along the line to another, and a little in any direction
-    //! (Vassiliades and Mouret 2018, doi:10.1145/3205455.3205602). As leaders
-    //! are what a kind of plant has in common, the line keeps to that.
+    //! (Vassiliades and Mouret 2018, doi:10.1145/3205455.3205602). The line
+    //! preserves features that both leaders share.
     Genome child(const Genome& from, const Genome& to, std::uint32_t slot) {
-        constexpr double everywhere = 0.01;  // of the range of a gene
-        constexpr double along_line = 0.2;   // of the way to the other
+        constexpr double everywhere =
+            0.01;  // step relative to the range of a gene
+        constexpr double along_line =
+            0.2;  // step relative to the way to the other plant
         RandomStream stream(seed_, Purpose::mutation, generation(), slot);
         const double way = along_line * stream.normal()[0];
         Genome genome = from;
@@ -115,8 +118,8 @@ class Atlas : public GenerationalOptimizer {
         plan();
     }
 
-    //! Compares challengers with their leaders, and adds what is known of other
-    //! leaders. A failure is a loss.
+    //! Compares challengers with their leaders, and updates the figures of
+    //! other leaders. A failure is a loss.
     void judge(const Population& evaluated) {
         for (std::size_t i = 0; i < cells_.size(); ++i) {
             Niche& niche = niches_.at(cells_[i]);
@@ -132,7 +135,8 @@ class Atlas : public GenerationalOptimizer {
         }
     }
 
-    //! Lets a plant lead its niche or challenge its leader, if it may.
+    //! Makes a feasible plant the leader of an empty niche, or a challenger of
+    //! its leader.
     void place(const Individual& plant, std::int64_t row) {
         const auto cell = cell_of(plant);
         if (!cell) return;
@@ -146,9 +150,9 @@ class Atlas : public GenerationalOptimizer {
             challenger = first_seen(plant, row);
     }
 
-    //! Chooses who is evaluated again: in up to half of a generation leaders
-    //! with challengers, in up to an eighth others, those that were evaluated
-    //! least often first.
+    //! Chooses the plants to evaluate again: up to half of a generation are
+    //! leaders with challengers, up to an eighth other leaders, those with the
+    //! fewest evaluations first.
     void plan() {
         again_.clear();
         cells_.clear();
@@ -222,10 +226,10 @@ class Atlas : public GenerationalOptimizer {
     SearchSettings settings_;
     SearchSpace space_;
     std::uint64_t seed_;
-    std::map<std::size_t, Niche> niches_;  //!< by cell
-    std::vector<const Leader*> leaders_;   //!< of all niches, by cell
-    //! Plants that are evaluated again in the next generation, and their cells,
-    //! a leader before its challenger.
+    std::map<std::size_t, Niche> niches_;  //!< niches by cell
+    std::vector<const Leader*> leaders_;   //!< leaders of all niches, by cell
+    //! The plants that the next generation evaluates again, with their cells, a
+    //! leader before its challenger.
     std::vector<Candidate> again_;
     std::vector<std::size_t> cells_;
 };

@@ -13,7 +13,7 @@ namespace ideotype {
 namespace {
 
 //! Returns the spread factor of simulated binary crossover, bounded so that a
-//! child stays within `room` of the couple's mean, both in units of half of the
+//! child stays within `room` of the couple's mean, in units of half the
 //! parents' distance (Deb and Agrawal 1995, eq. 9 with bounds as in NSGA-II).
 double spread_factor(double u, double index, double room) {
     const double power = index + 1;
@@ -24,7 +24,7 @@ double spread_factor(double u, double index, double room) {
 
 //! Recombines one gene of two parents by simulated binary crossover (Deb and
 //! Agrawal 1995), along the shorter arc for a circular gene.
-//! @param u uniform in [0, 1)
+//! @param u random number in [0, 1)
 std::pair<double, double> cross(const Gene& gene, double a, double b, double u,
                                 double index) {
     const double distance = difference(gene, a, b);
@@ -45,13 +45,13 @@ std::pair<double, double> cross(const Gene& gene, double a, double b, double u,
 
 //! Varies one gene by a step whose density falls off as a polynomial (Deb and
 //! Goyal 1996; steps bounded as in NSGA-II).
-//! @param u uniform in [0, 1)
+//! @param u random number in [0, 1)
 double mutate(const Gene& gene, double value, double u, double index) {
     const double range = gene.upper - gene.lower;
     if (range == 0) return value;
     const double power = index + 1;
     const auto missing = [&](double room) {
-        // A circle has no end, so no step is cut off.
+        // A circle has no bound, so no step is cut off.
         return gene.is_circular ? 0.0 : std::pow(1 - room / range, power);
     };
     double step = 0;

@@ -14,7 +14,7 @@ namespace ideotype {
 
 namespace {
 
-//! Returns the best of some contestants that are chosen at random.
+//! Returns the best of some randomly chosen contestants.
 template <class Beats>
 std::uint32_t tournament(RandomStream& stream, std::size_t size,
                          const GaSettings& settings, Beats beats) {
@@ -36,10 +36,10 @@ std::uint32_t tournament(RandomStream& stream, std::size_t size,
 //! are children of couples chosen by tournament (see Breeder).
 //!
 //! As NSGA-II (Deb et al. 2002, doi:10.1109/4235.996017) all of a generation
-//! are children. The best distinct, by front and crowding, of them and of their
-//! parents are the next parents. These keep what they were evaluated to, which
-//! may be luck: to evaluate them again under the random numbers of their
-//! children costs more than it gains (campaigns/study/RESULTS.md).
+//! are children. The best distinct individuals among children and parents, by
+//! front and crowding, are the next parents. Parents keep their outcomes, which
+//! may be luck: evaluating them again under their children's random numbers
+//! costs more than it gains (campaigns/study/RESULTS.md).
 class GeneticAlgorithm : public GenerationalOptimizer {
   public:
     GeneticAlgorithm(const SearchSettings& settings, SearchSpace space,
@@ -60,7 +60,7 @@ class GeneticAlgorithm : public GenerationalOptimizer {
         if (generation() == 0) return founder(space_, seed_, 0, slot);
         if (slot < elites_.size()) return elites_[slot];
         const auto first = static_cast<std::uint32_t>(
-            slot - (slot - elites_.size()) % 2);  // of two children
+            slot - (slot - elites_.size()) % 2);  // the first of two children
         if (!couple_ || couple_->first != first) {
             const Contest contest = [&](RandomStream& stream) {
                 const std::size_t winner =
@@ -76,7 +76,7 @@ class GeneticAlgorithm : public GenerationalOptimizer {
                              : couple_->children.second;
     }
 
-    //! Returns the best distinct of the next parents.
+    //! Returns the best distinct individuals of the next parents.
     std::vector<Candidate> best(std::size_t count) const override {
         std::vector<Candidate> best =
             best_of(parents_, count, space_.senses, 0);
@@ -106,7 +106,7 @@ class GeneticAlgorithm : public GenerationalOptimizer {
                 static_cast<std::size_t>(settings_.ga.elites), next_size()));
     }
 
-    //! Two children, the first of them for this slot.
+    //! Two children, of which the first is for `slot`.
     struct Couple {
         std::uint32_t first = 0;
         std::pair<Candidate, Candidate> children;
@@ -116,7 +116,8 @@ class GeneticAlgorithm : public GenerationalOptimizer {
         return settings_.optimizer == OptimizerKind::nsga2;
     }
 
-    //! Keeps the best distinct of a population, if any did not fail.
+    //! Keeps the best distinct individuals of a population, if any did not
+    //! fail.
     void select(Population& all, std::vector<std::int64_t>& rows) const {
         Population selected;
         std::vector<std::int64_t> rows_of_selected;
@@ -138,9 +139,9 @@ class GeneticAlgorithm : public GenerationalOptimizer {
     Population parents_;               //!< individuals that may have children
     std::vector<std::int64_t> rows_;   //!< rows of the parents
     std::vector<std::size_t> places_;  //!< places of the parents, see places()
-    //! Parents that the next generation has again.
+    //! The parents that the next generation repeats.
     std::vector<Candidate> elites_;
-    std::optional<Couple> couple_;  //!< asked for last
+    std::optional<Couple> couple_;  //!< couple that was used last
 };
 
 }  // namespace

@@ -20,8 +20,8 @@ namespace ideotype {
 namespace {
 
 //! Genomes that fill the space within their bounds evenly, independent or as
-//! points of a SobolSequence. Nothing is learnt from them: it is what any other
-//! search has to beat.
+//! points of a SobolSequence. The search learns nothing, and is the reference
+//! that every other must beat.
 class RandomSearch : public Optimizer {
   public:
     RandomSearch(const SearchSettings& settings, SearchSpace space,
@@ -36,8 +36,8 @@ class RandomSearch : public Optimizer {
 
     std::size_t size(std::uint32_t) const override { return population_; }
 
-    //! Tells that two generations may be under way, so that nobody waits for
-    //! the last plants of one.
+    //! Allows two generations under way, so that no worker waits for the last
+    //! plants of a generation.
     std::uint64_t needs(std::uint32_t generation) const override {
         return (std::max(generation, 1u) - 1) * population_;
     }
@@ -69,7 +69,8 @@ class RandomSearch : public Optimizer {
         best_ = std::move(best);
     }
 
-    //! Returns the best distinct of all generations, without parents.
+    //! Returns the best distinct individuals of all generations, without
+    //! parents.
     std::vector<Candidate> best(std::size_t count) const override {
         std::vector<Candidate> best = best_of(best_, count, space_.senses, 0);
         for (Candidate& each : best) each.parents = {no_parent, no_parent};
@@ -82,7 +83,7 @@ class RandomSearch : public Optimizer {
     std::uint64_t seed_;
     //! Points in the space of free genes.
     std::optional<SobolSequence> sequence_;
-    Population best_;  //!< rows, as many as may be asked for
+    Population best_;  //!< best rows, as many as may be asked for
 };
 
 std::unique_ptr<GenerationalOptimizer> make_generational(
@@ -101,8 +102,8 @@ std::unique_ptr<GenerationalOptimizer> make_generational(
 }
 
 //! Independent searches whose generations take turns: generation g is of search
-//! g mod n. Each waits for its own generations alone, so that those of the
-//! others keep workers busy meanwhile.
+//! g mod n. Each search waits for its own generations only, while those of
+//! other searches keep workers busy.
 class Streams : public Optimizer {
   public:
     Streams(const SearchSettings& settings, const SearchSpace& space,
@@ -150,8 +151,8 @@ class Streams : public Optimizer {
         ends_.push_back(rows_);
     }
 
-    //! Returns the best of each search in turn, that of the search whose last
-    //! generation has the best row first.
+    //! Returns the best candidates of all searches in turn, beginning with the
+    //! search whose last generation has the best row.
     std::vector<Candidate> best(std::size_t count) const override {
         Population leaders;
         std::vector<const Stream*> led;
@@ -178,10 +179,10 @@ class Streams : public Optimizer {
     struct Stream {
         std::unique_ptr<GenerationalOptimizer> search;
         std::int64_t rows = 0;
-        //! The first row of each generation, as the search and as the case
-        //! counts.
+        //! The first row of each generation, as counted in the search and in
+        //! the case.
         std::vector<std::array<std::int64_t, 2>> first_rows{};
-        Population last{};  //!< generation
+        Population last{};  //!< last generation
 
         std::int64_t row_of(std::int64_t row) const {
             const auto after = std::upper_bound(
@@ -208,10 +209,10 @@ class Streams : public Optimizer {
 
     std::vector<Sense> senses_;
     std::vector<Stream> streams_;
-    //! Number of rows up to the end of each generation.
+    //! The number of rows up to the end of each generation.
     std::vector<std::uint64_t> ends_;
     std::uint64_t rows_ = 0;
-    Population learnt_;  //!< rows of the generation that is learnt
+    Population learnt_;  //!< learnt rows of the current generation
 };
 
 }  // namespace
@@ -239,7 +240,7 @@ int usual_population(OptimizerKind optimizer, std::size_t free_genes) {
         4 + static_cast<int>(
                 3 * std::log(std::max(1., static_cast<double>(free_genes))));
     if (optimizer == OptimizerKind::cma_es) return of_cma_es;
-    // There are two searches, which find more with a few more plants each.
+    // Two searches race, which find more with a few more plants each.
     if (optimizer == OptimizerKind::automatic) return 5 * of_cma_es / 2;
     return 100;
 }

@@ -10,54 +10,54 @@
 
 namespace ideotype {
 
-//! The space of plants that is searched, and what makes one plant better.
+//! The searched space of plants, and the senses of the objectives.
 struct SearchSpace {
     GeneSpace genes;
-    Genome baseline;                             //!< where the search begins
+    Genome baseline;                             //!< beginning of the search
     std::vector<Sense> senses{Sense::maximise};  //!< senses of the objectives
 };
 
 //! Proposes candidates row by row. A candidate follows from the settings, the
-//! seed and the evaluated rows 0 to needs() - 1 alone: whatever more is known,
-//! and in whatever order it arrived, does not change it. Random numbers are a
-//! function of (seed, purpose, generation, slot). To resume, a new optimizer
-//! learns the stored rows and goes on with the same bits.
+//! seed and the evaluated rows 0 to needs() - 1 alone, whatever further rows
+//! are known, in whatever order they arrived. Random numbers are a function of
+//! (seed, purpose, generation, slot). To resume, a new optimizer learns the
+//! stored rows and goes on with the same bits.
 //!
-//! Rows are counted through all generations. A generation is what shares random
-//! numbers and is committed together.
+//! Rows are counted through all generations. The rows of a generation share
+//! random numbers and are committed together.
 class Optimizer {
   public:
     virtual ~Optimizer() = default;
 
-    //! Returns the rows of a generation, once its first row can be proposed;
-    //! never 0.
+    //! Returns the number of rows of a generation, once its first row can be
+    //! proposed; never 0.
     virtual std::size_t size(std::uint32_t generation) const = 0;
 
-    //! Returns how many rows must be known before a generation can be proposed;
-    //! more than there can be as long as that is not known itself.
+    //! Returns the number of rows that must be known before a generation can be
+    //! proposed; impossibly large while it is unknown.
     virtual std::uint64_t needs(std::uint32_t generation) const = 0;
 
-    //! Returns the candidate of this slot. Candidates are proposed in the order
-    //! of rows.
+    //! Returns the candidate of a slot. Candidates are proposed in the order of
+    //! rows.
     virtual Candidate propose(std::uint32_t generation, std::uint32_t slot) = 0;
 
     //! Takes the next evaluated row.
     virtual void learn(Individual row) = 0;
 
-    //! Returns the candidates to evaluate again at the end, best first. May be
-    //! called after a whole generation was learnt and nothing beyond it.
+    //! Returns the candidates to evaluate again at the end, best first. It may
+    //! be called when exactly whole generations have been learnt.
     virtual std::vector<Candidate> best(std::size_t count) const = 0;
 };
 
-//! Proposes a generation at a time, from all before it.
+//! Proposes a generation at a time, from all earlier ones.
 class GenerationalOptimizer : public Optimizer {
   public:
-    //! Returns how many candidates the next generation has. Generations may
-    //! differ.
+    //! Returns the number of candidates of the next generation. Generations may
+    //! differ in size.
     virtual std::size_t next_size() const = 0;
 
-    //! Returns a candidate of the next generation, which is the same for each
-    //! call until tell().
+    //! Returns a candidate of the next generation, which does not change until
+    //! tell().
     virtual Candidate candidate(std::uint32_t slot) = 0;
 
     //! Returns all candidates of the next generation, by slot.
@@ -77,14 +77,14 @@ class GenerationalOptimizer : public Optimizer {
 
     //! Returns the number of the next generation.
     std::uint32_t generation() const { return generation_; }
-    //! Returns the first row of the generation before the next one.
+    //! Returns the first row of the generation that was learnt last.
     std::int64_t parents_row() const { return parents_row_; }
 
   private:
     std::uint32_t generation_ = 0;
     std::int64_t parents_row_ = 0;
     std::int64_t row_ = 0;  //!< first row of the next generation
-    Population learnt_;     //!< rows of the next generation that are known
+    Population learnt_;     //!< known rows of the next generation
 };
 
 //! Returns the baseline with free genes uniform within their bounds.
@@ -95,8 +95,8 @@ Genome random_genome(const SearchSpace& space, std::uint64_t seed,
 Candidate founder(const SearchSpace& space, std::uint64_t seed,
                   std::uint32_t generation, std::uint32_t slot);
 
-//! These functions make an optimizer of each kind, before the first row; see
-//! their sources.
+//! The following functions make an optimizer of each kind, before the first
+//! row; see their sources.
 std::unique_ptr<GenerationalOptimizer> make_genetic_algorithm(
     const SearchSettings& settings, SearchSpace space, std::uint64_t seed);
 std::unique_ptr<GenerationalOptimizer> make_atlas(

@@ -42,7 +42,7 @@ bool dominates(const Individual& a, const Individual& b,
     return is_better_in_one;
 }
 
-//! Returns the places of keys in their order; equals share one.
+//! Returns the places of keys in their order; equal keys share a place.
 template <class Less>
 std::vector<std::size_t> placed(std::size_t size, Less less) {
     std::vector<std::size_t> order(size), place(size);

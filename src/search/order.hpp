@@ -14,32 +14,32 @@ bool is_better(double a, double b, Sense sense);
 
 //! Returns whether one individual is better than another by the feasibility
 //! rule of Deb 2000 (doi:10.1016/S0045-7825(99)00389-8), which has no weights
-//! to tune: a failed individual is worse than any other; of those that violate
-//! constraints the one with the smaller violation is better; one that violates
-//! none is better than they are; of those that violate none, objective 0
-//! decides.
+//! to tune: a failed individual is worse than any other; of infeasible
+//! individuals, that with the smaller violation is better; a feasible one is
+//! better than an infeasible one; between feasible ones, objective 0 decides.
 //! @param sense of objective 0
 bool is_better(const Individual& a, const Individual& b, Sense sense);
 
-//! Returns the front of each individual, 0 for those that no other dominates,
-//! by non-dominated sorting (Deb et al. 2002, doi:10.1109/4235.996017). One
-//! dominates another if it is no worse in any objective and better in one; if
-//! it fails the constraints less; or if only the other's evaluation failed.
+//! Returns the front of each individual, 0 for individuals that no other
+//! dominates, by non-dominated sorting (Deb et al. 2002,
+//! doi:10.1109/4235.996017). An individual dominates another if it is no worse
+//! in any objective and better in one, if it violates the constraints less, or
+//! if only the other failed.
 //! @param senses of the objectives
 std::vector<std::size_t> fronts(const Population& population,
                                 const std::vector<Sense>& senses);
 
-//! Returns the crowding distances in a front (ibid.): the mean over objectives
-//! of the way between the neighbours of each, relative to that between the
-//! extremes. The distance of the extremes is infinite.
+//! Returns the crowding distances in a front (Deb et al. 2002): the mean over
+//! objectives of the distance between an individual's neighbours, relative to
+//! that between the extremes. Extremes have an infinite distance.
 //! @param front slots of individuals that did not fail
 std::vector<double> crowding(const Population& population,
                              const std::vector<std::size_t>& front,
                              std::size_t objectives);
 
-//! Returns the place of each individual, 0 for the best; equals share one. With
-//! one objective is_better() decides; with several the front does and then, the
-//! least crowded first, the crowding within it.
+//! Returns the place of each individual, 0 for the best; equals share a place.
+//! With one objective is_better() decides; with several, the front and then the
+//! crowding within it, least crowded first.
 std::vector<std::size_t> places(const Population& population,
                                 const std::vector<Sense>& senses);
 
@@ -48,15 +48,14 @@ std::vector<std::uint32_t> ranking(const Population& population,
                                    const std::vector<Sense>& senses);
 
 //! Returns the slots of the best individuals that did not fail, by places(),
-//! best first, each genome once; fewer than `count` if there are not so many.
-//! Equals keep their order.
+//! best first, each genome once, at most `count`. Equals keep their order.
 std::vector<std::uint32_t> best_distinct(const Population& population,
                                          std::size_t count,
                                          const std::vector<Sense>& senses);
 
 //! Returns the best individuals, as best_distinct() chooses them, as candidates
-//! whose parents they are.
-//! @param first_row of the population
+//! whose parents are these individuals.
+//! @param first_row number of the first row of the population
 std::vector<Candidate> best_of(const Population& population, std::size_t count,
                                const std::vector<Sense>& senses,
                                std::int64_t first_row);

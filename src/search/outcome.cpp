@@ -12,7 +12,7 @@ namespace ideotype {
 
 namespace {
 
-//! Returns why one of several estimates cannot be used, or "".
+//! Returns the reason why one of several estimates is unusable, or "".
 std::string defect(const std::string& name, std::span<const Estimate> values) {
     for (const auto& [mean, standard_error] : values) {
         if (!std::isfinite(mean))

@@ -11,7 +11,7 @@
 
 namespace ideotype {
 
-//! Identifies an evaluation: slot of a generation of a case. Generation and
+//! The identity of an evaluation: slot, generation and case. Generation and
 //! slot also select the random numbers, so that an evaluation is a pure
 //! function of its task and genome.
 struct Task {
@@ -19,7 +19,8 @@ struct Task {
     std::uint32_t generation = 0;
     std::uint32_t slot = 0;
     std::uint32_t attempt = 1;
-    //! Final evaluations use fresh random numbers and higher accuracy.
+    //! Tells final evaluations, which have new random numbers and higher
+    //! accuracy.
     bool is_final = false;
 
     bool operator==(const Task&) const = default;
@@ -33,7 +34,7 @@ enum class Status : std::uint8_t {
     failed = 3,
 };
 
-//! Tells which values of an objective are better.
+//! The direction in which values of an objective are better.
 enum class Sense { maximise, minimise };
 
 //! A quantity that is searched for, in its natural sign; it may be negative.
@@ -46,8 +47,8 @@ struct Objective {
 //! The form of the outcomes of all rows of a table.
 struct OutcomeSchema {
     std::vector<Objective> objectives;
-    //! The number of independent randomisations, of which objectives are the
-    //! means.
+    //! The number of independent randomisations, whose means are the
+    //! objectives.
     std::size_t randomisations = 2;
     QuantitySet measured;
 };
@@ -60,15 +61,16 @@ struct Outcome {
     //! randomisations of plants that share their random numbers tell the error
     //! of a difference.
     std::vector<double> randomisations;
-    //! The amount by which constraints are failed, relative to their limits; 0
-    //! if all are met.
+    //! The amount by which constraints are not met, relative to their limits; 0
+    //! if all are.
     double violation = 0;
-    std::vector<Estimate> quantities;  //!< in the order of the schema
-    double seconds = 0;                //!< wall time on the worker
-    std::string message;               //!< the reason of a failure
-    std::uint32_t worker = 0;          //!< rank that evaluated
+    std::vector<Estimate>
+        quantities;            //!< quantities in the order of the schema
+    double seconds = 0;        //!< wall time on the worker [s]
+    std::string message;       //!< the reason of a failure
+    std::uint32_t worker = 0;  //!< number of the worker that evaluated
 
-    //! Calls with every number of the result, always in the same order.
+    //! Calls an action with each number of the outcome, in a fixed order.
     template <class Action>
     void for_each_number(Action action) {
         const auto visit = [&](std::vector<Estimate>& estimates) {
@@ -87,7 +89,7 @@ struct Outcome {
 //! Returns whether an outcome has as many numbers as its schema asks for.
 bool has_form(const OutcomeSchema& schema, const Outcome& outcome);
 
-//! Returns an outcome of this form, with NaN for all numbers.
+//! Returns an outcome of a schema, with NaN for all numbers.
 Outcome unknown_outcome(const OutcomeSchema& schema);
 
 //! Returns a failed outcome with NaN for all numbers.
@@ -106,10 +108,9 @@ std::optional<Estimate> find(const OutcomeSchema& schema,
 Randomisations randomisations_of(const Outcome& outcome,
                                  std::size_t objective = 0);
 
-//! Returns by how much an objective of b exceeds that of a: the mean and its
-//! standard error over randomisations that both share. Where the randomisations
-//! are not known, the error is that of independent outcomes, which is if
-//! anything too large.
+//! Returns the difference of an objective of b over that of a: the mean with
+//! the standard error over shared randomisations. If they are unknown, the
+//! error is that of independent outcomes, which may only be too large.
 Estimate difference(const Outcome& a, const Outcome& b,
                     std::size_t objective = 0);
 

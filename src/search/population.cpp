@@ -21,7 +21,7 @@ double wrapped(const Gene& gene, double value) {
     const double range = gene.upper - gene.lower;
     const double turns = std::floor((value - gene.lower) / range);
     const double result = value - turns * range;
-    // Rounding can put a tiny negative value onto the upper end.
+    // Rounding can put a tiny negative value to the upper end.
     return result < gene.upper ? std::max(result, gene.lower) : gene.lower;
 }
 

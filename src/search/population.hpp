@@ -17,31 +17,31 @@ using Genome = std::vector<double>;
 
 //! A number of a plant that may be bred, and the values that it may have.
 struct Gene {
-    std::string name;  //!< for example "leaf03_length"
-    std::string unit;  //!< "m" or "deg"
+    std::string name;  //!< name, for example "leaf03_length"
+    std::string unit;  //!< unit, "m" or "deg"
     double lower = 0;
     double upper = 0;
-    bool is_circular = false;  //!< lower and upper are the same point
-    bool is_free = true;       //!< if not, the gene keeps the baseline value
-    std::string trait{};       //!< for example "length"
-    int leaf = 0;              //!< rank from the lowest, 1; 0: whole plant
+    bool is_circular = false;  //!< tells whether lower and upper are one point
+    bool is_free = true;       //!< otherwise the gene keeps the baseline value
+    std::string trait{};       //!< trait, for example "length"
+    int leaf = 0;  //!< rank from the lowest, 1; 0 for the whole plant
 };
 
 using GeneSpace = std::vector<Gene>;
 
-//! Returns how many genes are free.
+//! Returns the number of free genes.
 std::size_t count_free(const GeneSpace& genes);
 
-//! Returns the value in [lower, upper) that stands for the same point of the
-//! circle as a value of a circular gene.
+//! Returns the value in [lower, upper) at the point of the circle of a circular
+//! gene's value.
 double wrapped(const Gene& gene, double value);
 
-//! Returns a value that a gene may have: the nearest one or, for a circular
-//! gene, the one for the same point.
+//! Returns the nearest value that a gene may have or, for a circular gene, the
+//! value at the same point.
 double within(const Gene& gene, double value);
 
-//! Returns the signed way from a to b: along the shorter arc for a circular
-//! gene.
+//! Returns the signed distance from a to b, along the shorter arc for a
+//! circular gene.
 double difference(const Gene& gene, double a, double b);
 
 //! The number that stands for no parent: the individual is of the first
@@ -53,9 +53,9 @@ enum class Origin : std::uint8_t {
     none = 0,
     baseline = 1,
     random = 2,
-    elite = 3,  //!< a parent evaluated again under new random numbers
+    elite = 3,  //!< parent that is evaluated again under new random numbers
     child = 4,
-    sample = 5,  //!< drawn from a distribution that the search adapts
+    sample = 5,  //!< draw from a distribution that the search adapts
 };
 
 //! Returns the name of an origin, for example "baseline".
@@ -65,7 +65,7 @@ const char* name_of(Origin origin);
 struct Candidate {
     Genome genome;
     Origin origin = Origin::none;
-    //! Rows of the parents, counted through all generations, or no_parent.
+    //! The rows of the parents, counted through all generations, or no_parent.
     std::array<std::int64_t, 2> parents{no_parent, no_parent};
 
     bool operator==(const Candidate&) const = default;
@@ -75,12 +75,12 @@ struct Candidate {
 struct Individual {
     Candidate candidate;
     Status status = Status::failed;
-    std::vector<Estimate> objectives;  //!< may be negative
-    //! The amount by which constraints are failed; 0 if all are met.
+    std::vector<Estimate> objectives;  //!< objectives, which may be negative
+    //! The violation of constraints; 0 if all are met.
     double violation = 0;
     //! Each objective by randomisation [objective, randomisation], if known.
     std::vector<double> randomisations{};
-    std::vector<double> features{};  //!< by axis of an atlas
+    std::vector<double> features{};  //!< features by axis of an atlas
 };
 
 //! The individuals of one generation, by slot.

@@ -63,13 +63,13 @@ std::vector<double> SensitivityDesign::on_path(std::uint32_t sample,
         for (const std::size_t gene : factors_[order[i]].genes)
             point[gene] += steps[gene];
     for (const std::size_t gene : free_)
-        // The two ends of a circle are one point.
+        // Both ends of a circle are one point.
         point[gene] /=
             settings_.levels - (space_.genes[gene].is_circular ? 0 : 1);
     return point;
 }
 
-//! Returns the point A, A with one factor from the point B, or B.
+//! Returns point A, A with one factor of point B, or B.
 std::vector<double> SensitivityDesign::in_cube(std::uint32_t sample,
                                                std::size_t place) const {
     std::vector<double> point(space_.genes.size());

@@ -12,25 +12,25 @@
 
 namespace ideotype {
 
-//! Genes that are varied as one.
+//! Genes that are varied together.
 struct Factor {
     std::string name;  //!< name of a gene, or of the trait of its genes
-    std::vector<std::size_t> genes;  //!< places of its free genes
+    std::vector<std::size_t> genes;  //!< indices of the factor's free genes
 };
 
-//! The rows of a sensitivity study, which are known before any is evaluated:
-//! samples of as many rows each, all genes uniform within their bounds.
+//! The rows of a sensitivity study, which are fixed before any evaluation:
+//! samples of equal numbers of rows, with all genes uniform within their
+//! bounds.
 //!
-//! For Sobol' indices two points A and B of a scrambled Sobol' sequence, and
-//! between them A with one factor after the other from B (Saltelli et al. 2010,
-//! doi:10.1016/j.cpc.2009.09.018). By Morris (1991,
-//! doi:10.1080/00401706.1991.10484804) a path on a grid along which one factor
-//! after the other makes a step, in a random order. The genes of a factor
-//! change together (Campolongo et al. 2007,
-//! doi:10.1016/j.envsoft.2006.10.004).
+//! For Sobol' indices a sample has two points A and B of a scrambled Sobol'
+//! sequence and, between both, A with one factor at a time from B (Saltelli et
+//! al. 2010, doi:10.1016/j.cpc.2009.09.018). By Morris (1991,
+//! doi:10.1080/00401706.1991.10484804) it is a path on a grid on which each
+//! factor makes one step, in random order. The genes of a factor change
+//! together (Campolongo et al. 2007, doi:10.1016/j.envsoft.2006.10.004).
 //!
-//! It proposes its rows sample after sample, in the place of an optimizer, and
-//! learns nothing.
+//! The design proposes its rows sample after sample, in place of an optimizer,
+//! and learns nothing.
 class SensitivityDesign : public Optimizer {
   public:
     SensitivityDesign(const SensitivitySettings& settings, SearchSpace space,
@@ -46,15 +46,16 @@ class SensitivityDesign : public Optimizer {
     }
 
     //! Returns the genome of a row of a sample.
-    //! @param place of the row in the sample, below rows_per_sample()
+    //! @param place number of the row in the sample, below rows_per_sample()
     Genome row(std::uint32_t sample, std::size_t place) const;
 
     std::size_t size(std::uint32_t generation) const override;
-    //! Returns so few rows that nobody waits: a thousand may be under way.
+    //! Returns few enough rows that no worker waits: a thousand may be under
+    //! way.
     std::uint64_t needs(std::uint32_t generation) const override;
     Candidate propose(std::uint32_t generation, std::uint32_t slot) override;
     void learn(Individual) override {}
-    //! Returns nothing, since no plant is better than others.
+    //! Returns nothing, since no plant is the best.
     std::vector<Candidate> best(std::size_t) const override { return {}; }
 
   private:
@@ -65,14 +66,14 @@ class SensitivityDesign : public Optimizer {
     SearchSpace space_;
     std::uint64_t seed_;
     std::vector<Factor> factors_;
-    std::vector<std::size_t> free_;  //!< genes
+    std::vector<std::size_t> free_;  //!< indices of free genes
     SobolSequence sequence_;
 };
 
 //! The number of samples that a history keeps as one generation.
 inline constexpr int samples_per_generation = 16;
 
-//! Returns the rows of a generation of a sensitivity study.
+//! Returns the number of rows of a generation of a sensitivity study.
 int generation_size(const SensitivitySettings& settings,
                     const GeneSpace& genes);
 int generations_of(const SensitivitySettings& settings);

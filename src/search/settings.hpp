@@ -22,10 +22,10 @@ inline const std::vector<std::pair<std::string, OptimizerKind>> optimizers{
 
 //! Settings of the genetic algorithm.
 struct GaSettings {
-    int elites = 2;      //!< parents that are carried over and re-evaluated
+    int elites = 2;      //!< parents that are kept and evaluated again
     int tournament = 2;  //!< contestants per selected parent
-    double crossover_probability = 0.9;  //!< per couple
-    //! Distribution index of simulated binary crossover.
+    double crossover_probability = 0.9;  //!< probability per couple
+    //! The distribution index of simulated binary crossover.
     double crossover_index = 15;
     //! The expected number of mutated genes per child.
     double mutations_per_child = 1;
@@ -37,13 +37,13 @@ enum class SensitivityMethod {
     morris  //!< elementary effects
 };
 
-//! Tells which genes are one factor of a sensitivity study.
+//! The grouping of genes to factors of a sensitivity study.
 enum class Grouping {
     trait,  //!< all free genes of a trait together
     gene,
 };
 
-//! The settings of a sensitivity study: how its rows are chosen.
+//! The settings of a sensitivity study, which choose its rows.
 struct SensitivitySettings {
     SensitivityMethod method = SensitivityMethod::sobol;
     int samples = 1024;  //!< base samples, or trajectories of Morris
@@ -53,12 +53,12 @@ struct SensitivitySettings {
 
 //! A feature of plants along which an atlas has cells of equal width.
 struct AtlasAxis {
-    std::string quantity;  //!< for example "lai"
+    std::string quantity;  //!< name of the quantity, for example "lai"
     Range range{0, 1};
     int cells = 10;
 };
 
-//! Returns how many cells a grid over these axes has.
+//! Returns the number of cells of a grid over some axes.
 std::size_t count_cells(const std::vector<AtlasAxis>& axes);
 
 //! The settings of the search of a case.
@@ -68,23 +68,23 @@ struct SearchSettings {
     //! The number of independent searches, whose generations take turns.
     int streams = 1;
     GaSettings ga;
-    //! The genome at which CMA-ES begins; empty: the baseline.
+    //! The genome at which CMA-ES begins; empty for the baseline.
     std::vector<double> start;
-    //! Standard deviation of CMA-ES at the beginning, relative to the range of
-    //! a gene.
+    //! The standard deviation of CMA-ES at the beginning, relative to the range
+    //! of a gene.
     double step = 0.2;
-    std::vector<AtlasAxis> axes{};  //!< of an atlas
+    std::vector<AtlasAxis> axes{};  //!< axes of an atlas
     //! The sensitivity study that proposes the rows in place of an optimizer.
     std::optional<SensitivitySettings> design{};
-    //! The reference of the hypervolume, by objective; empty: the worst of the
-    //! beginning.
+    //! The reference of the hypervolume, by objective; empty for the worst
+    //! values at the beginning.
     std::vector<double> reference{};
 };
 
-//! Returns how many plants a generation of this optimizer usually has.
+//! Returns the usual number of plants in a generation of an optimizer.
 int usual_population(OptimizerKind optimizer, std::size_t free_genes);
 
-//! Returns whether a distribution is adapted by CMA-ES.
+//! Returns whether a search uses CMA-ES.
 inline bool uses_cma_es(const SearchSettings& settings) {
     return settings.optimizer == OptimizerKind::automatic ||
            settings.optimizer == OptimizerKind::cma_es;

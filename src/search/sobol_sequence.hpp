@@ -13,8 +13,8 @@ namespace ideotype {
 
 //! Points of a unit cube that fill it evenly: Owen's nested scrambling of the
 //! Sobol' sequence. Any 2^m points that begin at a multiple of 2^m are a net.
-//! Coordinates beyond sobol_dimensions are independent random numbers. Each is
-//! a pure function of (seed, point, dimension).
+//! Coordinates beyond sobol_dimensions are independent random numbers. Each
+//! coordinate is a pure function of (seed, point, dimension).
 class SobolSequence {
   public:
     SobolSequence(std::uint64_t seed, std::size_t dimensions) : seed_(seed) {
@@ -36,7 +36,7 @@ class SobolSequence {
 
   private:
     std::uint64_t seed_;
-    std::vector<std::uint32_t> scramble_seeds_;  //!< of each dimension
+    std::vector<std::uint32_t> scramble_seeds_;  //!< seeds by dimension
 };
 
 }  // namespace ideotype

@@ -11,10 +11,10 @@ namespace ideotype {
 
 namespace {
 
-constexpr double certain = 2;  //!< standard errors
+constexpr double certain = 2;  //!< number of standard errors
 
-//! Returns whether it is not certain that a line through the last means rises,
-//! or that the hypervolume of several objectives does.
+//! Returns whether no significant rise is seen in a line through the last
+//! means, or in the hypervolume of several objectives.
 bool gains_nothing(const std::vector<GenerationSummary>& all, int generations,
                    Sense sense) {
     IDEOTYPE_EXPECT(generations > 2);

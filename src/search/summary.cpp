@@ -28,7 +28,7 @@ double mean_of(const std::vector<double>& values) {
 }
 
 //! Returns the standard deviation of a gene over its range. On a circle it is
-//! that of the arcs to the mean direction.
+//! the standard deviation of arcs to the mean direction.
 double relative_spread(const Gene& gene, std::vector<double> values) {
     const double range = gene.upper - gene.lower;
     if (gene.is_circular) {
@@ -48,8 +48,8 @@ double relative_spread(const Gene& gene, std::vector<double> values) {
 using Point = std::vector<double>;
 
 //! Returns the volume between points and a reference above all of them, in the
-//! first of their coordinates. Points are sorted by the last of these, and the
-//! slice between two points belongs to the points below it.
+//! first coordinates. Points are sorted by the last of these coordinates, and
+//! the slice between two points belongs to the points below.
 double volume_below(std::vector<Point> points, const Point& reference,
                     std::size_t coordinates) {
     IDEOTYPE_EXPECT(!points.empty() && coordinates > 0);
@@ -144,7 +144,7 @@ double hypervolume(std::vector<Point> points, Point reference,
 Estimate hypervolume(const Population& population, const Point& reference,
                      const std::vector<Sense>& senses) {
     const std::size_t objectives = senses.size();
-    // This is the volume without one of the randomisations, or with all.
+    // Computes the volume without one of the randomisations, or with all.
     const auto volume = [&](std::size_t left_out, std::size_t count) {
         std::vector<Point> points;
         for (const Individual& each : population) {

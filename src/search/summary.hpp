@@ -9,23 +9,23 @@
 
 namespace ideotype {
 
-//! The figures that are kept of an evaluated generation.
+//! The stored figures of an evaluated generation.
 struct GenerationSummary {
     std::uint32_t best_slot = 0;
     double best = 0;                 //!< objective 0 of the best row
     double best_standard_error = 0;  //!< standard error of `best`
     //! The mean of objective 0 over individuals that meet all constraints or,
-    //! where none does, over all that did not fail.
+    //! if none does, over all that did not fail.
     double mean = 0;
-    //! Standard deviation of objective 0 over the same individuals.
+    //! The standard deviation of objective 0 over the individuals of `mean`.
     double spread = 0;
-    double diversity = 0;  //!< mean over free genes of the standard deviation
-                           //!< over the range; circular for circular genes,
-                           //!< 0.29 for values uniform over the range
+    double diversity =
+        0;  //!< mean over free genes of the standard deviation over the range,
+            //!< circular for circular genes; 0.29 for uniform values
     std::uint32_t failures = 0;
-    std::uint32_t evaluations = 0;  //!< without copies of duplicates
-    double wall_time = 0;           //!< since the case began, all sessions [s]
-    //! Violation of the best row; a history has it by row.
+    std::uint32_t evaluations = 0;  //!< number of rows without copies
+    double wall_time = 0;  //!< time since the case began, over all sessions [s]
+    //! Violation of the best row, which a history stores by row.
     double violation = 0;
     //! The hypervolume of all rows so far; NaN if there is one objective.
     double hypervolume = std::numeric_limits<double>::quiet_NaN();
@@ -33,24 +33,23 @@ struct GenerationSummary {
 };
 
 //! Returns the summary of a population without wall_time and hypervolume; its
-//! figures are NaN where every individual failed.
+//! figures are NaN if every individual failed.
 //! @param sense of objective 0
 GenerationSummary summarize(const Population& population,
                             const GeneSpace& genes, Sense sense);
 
 //! Returns the volume between a reference and the points that are better than
-//! it in every objective (Zitzler and Thiele 1998, doi:10.1007/BFb0056872), in
-//! the product of the objectives' units. It is exact and summed by slices, for
-//! fronts of some hundred points.
-//! @param points [point, objective]
+//! the reference in every objective (Zitzler and Thiele 1998,
+//! doi:10.1007/BFb0056872), in the product of the objectives' units. It is
+//! exact and summed by slices, for fronts of some hundred points.
+//! @param points values [point, objective]
 double hypervolume(std::vector<std::vector<double>> points,
                    std::vector<double> reference,
                    const std::vector<Sense>& senses);
 
 //! Returns the hypervolume of the individuals of a population that meet all
 //! constraints; 0 if none does. The standard error is that of a jackknife over
-//! the randomisations, which rows share; it does not contain the luck that put
-//! rows into the front.
+//! shared randomisations, without the luck of the selection of the front.
 Estimate hypervolume(const Population& population,
                      const std::vector<double>& reference,
                      const std::vector<Sense>& senses);
@@ -60,13 +59,13 @@ Estimate hypervolume(const Population& population,
 std::vector<double> worst_of(const Population& population,
                              const std::vector<Sense>& senses);
 
-//! Summarizes the generations of a case, in their order, those of several
-//! objectives with the hypervolume of all rows so far.
+//! Summarizes the generations of a casein order, with the hypervolume of all
+//! rows so far for several objectives.
 class Summarizer {
   public:
-    //! Begins with no rows.
-    //! @param reference of the hypervolume; if empty, worst_of() the first
-    //! generation in which any did not fail
+    //! Makes a summarizer without rows.
+    //! @param reference point of the hypervolume; if empty, worst_of() the
+    //! first generation that did not fail entirely
     Summarizer(GeneSpace genes, std::vector<Sense> senses,
                std::vector<double> reference);
 
@@ -76,7 +75,7 @@ class Summarizer {
     GeneSpace genes_;
     std::vector<Sense> senses_;
     std::vector<double> reference_;
-    Population front_;  //!< rows that none of all rows so far dominates
+    Population front_;  //!< rows that no row so far dominates
 };
 
 }  // namespace ideotype

@@ -10,15 +10,16 @@ namespace ideotype {
 
 namespace {
 
-constexpr double margin = 0.05;  //!< beside a bound, relative to the range
+constexpr double margin =
+    0.05;  //!< width beside a bound, relative to the range
 
-//! Returns the share of the range that a coordinate stands for. Beside bounds
-//! it follows parabolas that begin with the slope of the line between them.
+//! Returns the share of the range at a coordinate. It is linear but for
+//! parabolas beside the bounds, which join with equal slope.
 double folded(double coordinate) {
-    // A coordinate stands for the same share after a way to and fro.
+    // The share repeats after a way to and fro over the range.
     constexpr double period = 2 * (1 + 2 * margin);
     double x = std::remainder(coordinate + margin, period);
-    x = std::abs(x) - margin;  // [-margin, 1 + margin]
+    x = std::abs(x) - margin;  // within [-margin, 1 + margin]
     if (x < margin) return (x + margin) * (x + margin) / (4 * margin);
     if (x > 1 - margin)
         return 1 - (1 + margin - x) * (1 + margin - x) / (4 * margin);

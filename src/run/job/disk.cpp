@@ -21,10 +21,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-//! The longest that is ever added to the name of a history.
+//! The longest suffix that is added to the name of a history.
 constexpr std::string_view longest_suffix = ".new";
 
-//! Returns the folder, or the nearest above it that is there.
+//! Returns a folder, or the nearest existing folder above.
 fs::path existing(const fs::path& folder) {
     fs::path nearest = fs::absolute(folder).lexically_normal();
     std::error_code unknown;
@@ -49,7 +49,7 @@ void require_length(const std::string& what, const std::string& text,
 
 DiskRoom disk_room(const Campaign& campaign, const std::vector<Case>& chosen) {
     DiskRoom room;
-    // Files differ by genes, scenarios, and how long the names are.
+    // Sizes of files depend on genes, scenarios and lengths of names.
     std::map<std::array<std::size_t, 5>, std::uint64_t> known;
     for (const Case& each : chosen) {
         std::uint64_t& bytes =

@@ -11,14 +11,14 @@ namespace ideotype {
 
 //! The room that the histories of a campaign take on the disk [bytes].
 struct DiskRoom {
-    std::uint64_t largest = 0;  //!< case
+    std::uint64_t largest = 0;  //!< file of a case
     std::uint64_t all = 0;
 };
 
 DiskRoom disk_room(const Campaign& campaign, const std::vector<Case>& chosen);
 
-//! @throws Error (invalid_campaign) naming the first file whose name or path
-//! is longer than the file system of the folder out allows.
+//! @throws Error (invalid_campaign) naming the first file whose name or path is
+//! too long for the file system of the folder `out`.
 void require_names_fit(const Campaign& campaign,
                        const std::vector<Case>& chosen, const std::string& out);
 

@@ -10,8 +10,8 @@
 
 namespace ideotype {
 
-//! The facts that results depend on bit for bit, besides the campaign and the
-//! instruction set, by the names of a history's attributes.
+//! The facts, by attributes of a history, on which the bits of results depend
+//! besides the campaign and the instruction set.
 using ProgramFacts = std::map<std::string, std::string>;
 
 //! Returns version, compiler, Embree and maths of this process by name.
@@ -21,7 +21,7 @@ ProgramFacts program_facts();
 struct Machine {
     std::string host;
     ProgramFacts program;
-    std::vector<std::string> isas;  //!< instruction sets, narrowest first
+    std::vector<std::string> isas;  //!< its instruction sets, narrowest first
 
     bool operator==(const Machine&) const = default;
 };
@@ -32,23 +32,22 @@ Machine this_machine();
 std::string to_text(const Machine& machine);
 Machine machine_of(const std::string& text);
 
-//! Gathers the machines of all ranks on rank 0. All ranks have to call this.
-//! @param own machine of this rank
+//! Gathers the machines of all ranks on rank 0. All ranks must call this.
+//! @param own the machine of this rank
 std::vector<Machine> gather_machines(const Session& session,
                                      const Machine& own);
 
-//! Returns the number of threads that evaluate on each rank: the one that is
-//! wanted; or else one, or all cores if there is a single rank. All ranks have
-//! to call this.
+//! Returns the number of threads that evaluate on each rank: the wanted number,
+//! or else one, or all cores for a single rank. All ranks must call this.
 int threads_per_rank(const Session& session, const std::optional<int>& wanted);
 
 //! Checks that all ranks run the same program.
-//! @throws Error (refused) that names the difference between a rank and the
-//! first one, and both hosts.
+//! @throws Error (refused) that names the difference from the first rank, and
+//! both hosts.
 void require_same_program(const std::vector<Machine>& machines);
 
-//! Returns the instruction set for all ranks: the one that is wanted, or the
-//! widest that all have.
+//! Returns the instruction set for all ranks: the wanted one, or the widest
+//! that all ranks have.
 //! @param remedy end of the message
 //! @throws Error (refused) that names a host without the instruction set
 std::string choose_isa(const std::vector<Machine>& machines,

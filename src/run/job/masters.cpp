@@ -14,7 +14,7 @@ int part_of_case(int index, int cases, int parts) {
     return static_cast<int>(static_cast<long long>(index) * parts / cases);
 }
 
-//! Plants under way for each worker.
+//! The number of plants under way for each worker.
 constexpr int plants_of_worker = 4;
 
 }  // namespace
@@ -70,7 +70,8 @@ std::optional<std::string> advice_for(const Campaign& campaign,
             "more generations",
             search.streams, rows / (search.streams * population), population,
             fewest_generations, most);
-    constexpr int few_workers = 8;  // who wait for each other at little cost
+    constexpr int few_workers =
+        8;  // number of workers that wait at little cost
     if (workers > few_workers && rows < fewest_generations * population) {
         const long long fewer =
             std::max(fewest_plants, rows / fewest_generations);

@@ -27,7 +27,8 @@ std::string quoted(const std::string& word) {
     return text + "'";
 }
 
-//! Returns the words of a line that quoted() made; of others, some.
+//! Returns the words of a line from quoted(); words of other lines are
+//! arbitrary.
 std::vector<std::string> words_of(const std::string& line) {
     std::vector<std::string> words(1);
     bool is_quoted = false;

@@ -6,16 +6,15 @@
 
 namespace ideotype {
 
-//! Returns the words as one line that a shell takes apart again as they were.
+//! Returns words as one line that a shell splits into these words.
 std::string quoted(const std::vector<std::string>& words);
 
-//! Returns whether a line, which may come from a history of unknown origin, is
-//! as quoted() writes it and does nothing in a shell but start a run of
-//! ideotype.
+//! Returns whether a line, which may come from a history of unknown origin, has
+//! the form of quoted() and can only start a run of ideotype in a shell.
 bool is_start(const std::string& line);
 
-//! Returns the line that goes on with a run, started as it was: under mpirun if
-//! it had several ranks.
+//! Returns the command that resumes a run as it was started: under mpirun if it
+//! had several ranks.
 //! @param command the quoted command line of the run
 std::string way_on(const std::string& command, int ranks);
 

@@ -30,8 +30,9 @@ VectorXd standard_normal(RandomStream stream, std::size_t size) {
     return x;
 }
 
-//! Returns the mean of objective 0 over the better half of some rows; worse
-//! than any other if none of these succeeded and meets all constraints.
+//! Returns the mean of objective 0 over the better half of some rows; the worst
+//! possible value if none of the better half succeeded and meets all
+//! constraints.
 double better_half(const Population& rows, const std::vector<Sense>& senses) {
     IDEOTYPE_EXPECT(!rows.empty());
     const std::size_t half = (rows.size() + 1) / 2;

@@ -11,8 +11,7 @@
 namespace ideotype {
 
 //! A search by dd-CMA-ES over the UnboundedGenes of the free genes. Plants are
-//! ranked as by is_better(), so that those that meet the constraints come
-//! first.
+//! ranked by is_better(), so that feasible plants come first.
 class Arm {
   public:
     Arm(const UnboundedGenes& coordinates, const Genome& start, double step,
@@ -24,16 +23,16 @@ class Arm {
     //! better_half().
     const std::vector<double>& course() const { return course_; }
 
-    //! Returns the point of one of its plants in a generation, where `slot` is
-    //! the slot of its first plant. The point is drawn when it is first asked
-    //! for.
+    //! Returns the point of one of the arm's plants in a generation, where
+    //! `slot` is that of the first plant. The point is drawn at its first use.
     const Eigen::VectorXd& point(std::uint64_t seed, std::uint32_t generation,
                                  std::uint32_t slot, std::size_t plant);
 
-    //! Doubles its plants, and begins its course anew.
+    //! Doubles the number of the arm's plants, and begins its course anew.
     void grow();
 
-    //! Learns from the rows of its plants; the arguments are as in point().
+    //! Learns from the rows of the arm's plants; the arguments are as in
+    //! point().
     void learn(const Population& rows, const std::vector<Sense>& senses,
                std::uint64_t seed, std::uint32_t generation,
                std::uint32_t slot);
@@ -41,19 +40,19 @@ class Arm {
     //! Returns the largest standard deviation of the distribution.
     double extent() const { return distribution_.deviations().maxCoeff(); }
 
-    //! Returns whether the last generations are not better than as many before
-    //! them by more than the standard error of that difference.
+    //! Returns whether the last generations exceed as many before them by no
+    //! more than the standard error of the difference.
     bool gains_nothing(Sense sense) const;
 
   private:
     std::size_t population_;
     DdCma distribution_;
-    //! The points of the next generation that are drawn so far.
+    //! The points of the next generation that have been drawn.
     std::vector<Eigen::VectorXd> points_;
     std::vector<double> course_;
 };
 
-//! Returns the plant at a point of these coordinates.
+//! Returns the plant at a point.
 Candidate plant_at(const Eigen::VectorXd& point,
                    const UnboundedGenes& coordinates, const Genome& baseline);
 

@@ -16,12 +16,11 @@ namespace {
 //! Cycles of searches by dd-CMA-ES. A cycle begins with a design: the champion,
 //! which is the baseline at first, mixtures that have each trait of the
 //! champion with probability one half, and plants uniform within the bounds.
-//! One arm begins at the best mixture, another at the best uniform plant. They
-//! race for some generations, of which each has half; then the one whose
-//! better halves were better goes on alone. When it no longer gains, it goes on
-//! with twice the plants, up to eight times as many, since noise may hide what
-//! is left to gain. After that a cycle with 1.5 times the plants begins, whose
-//! champion is where the last one ended.
+//! One arm begins at the best mixture, another at the best uniform plant. Both
+//! race for some generations, each with half of the plants; then the arm with
+//! the better halves goes on alone. When it gains no more, its number of plants
+//! is doubled, up to eight times, since noise may hide gains. Then a cycle with
+//! 1.5 times the plants begins, whose champion is the end of the last cycle.
 class AutoSearch : public GenerationalOptimizer {
   public:
     AutoSearch(const SearchSettings& settings, SearchSpace space,
@@ -52,8 +51,8 @@ class AutoSearch : public GenerationalOptimizer {
                         coordinates_, space_.baseline);
     }
 
-    //! Returns the plants at the means of arms and of earlier cycles, those of
-    //! the better generations first, then the best of the last generation.
+    //! Returns the plants at the means of arms and of earlier cycles, plants of
+    //! better generations first, then the best of the last generation.
     std::vector<Candidate> best(std::size_t count) const override {
         std::vector<Champion> means = champions_;
         for (const Arm& arm : arms_)
@@ -74,7 +73,7 @@ class AutoSearch : public GenerationalOptimizer {
     }
 
   private:
-    //! The plant at the mean of a search, and how good its last generation was.
+    //! The plant at the mean of a search, with the mean of its last generation.
     struct Champion {
         Genome genome;
         double value = 0;
@@ -87,13 +86,12 @@ class AutoSearch : public GenerationalOptimizer {
     }
 
     //! The largest standard deviations, relative to the range of a gene, at
-    //! which no number changes any more, and at which no gain means
-    //! convergence.
+    //! which numbers change no more, and at which no gain means convergence.
     static constexpr double tiny = 1e-11, narrow = 1e-6;
     //! The most by which the population of an arm is multiplied.
     static constexpr std::size_t most_growth = 8;
 
-    //! Returns the rows of the design; the first half of them are mixtures.
+    //! Returns the number of rows of the design, whose first half are mixtures.
     std::size_t design_size() const { return 3 * population_; }
     std::size_t last_mixture() const { return design_size() / 2; }
 
@@ -164,7 +162,7 @@ class AutoSearch : public GenerationalOptimizer {
         Arm& arm = arms_.front();
         if (arm.extent() > tiny) {
             if (!arm.gains_nothing(sense)) return;
-            // Noise hides what is left to gain: more plants tell more.
+            // Noise may hide gains, which more plants can show.
             if (arm.extent() > narrow &&
                 arm.population() < most_growth * population_ / 2)
                 return arm.grow();
@@ -182,7 +180,7 @@ class AutoSearch : public GenerationalOptimizer {
     std::size_t population_;  //!< plants of a generation of two arms
     Genome champion_;
     std::vector<Champion> champions_;  //!< means of earlier cycles
-    std::vector<Arm> arms_;  //!< searches that go on; none: a design is next
+    std::vector<Arm> arms_;  //!< running searches; none: a design is next
     Population last_;
 };
 

@@ -24,7 +24,7 @@ std::vector<double> raw_weights(std::size_t population) {
     return weights;
 }
 
-//! Returns how many equal weights have as much variance as those with this
+//! Returns the number of equal weights with the variance of the weights of one
 //! sign.
 double effective(const std::vector<double>& weights, double sign) {
     double sum = 0, squares = 0;
@@ -109,7 +109,7 @@ void DdCma::update(const MatrixXd& ranked) {
     IDEOTYPE_EXPECT(ranked.cols() == of_correlation_.weights.size());
     IDEOTYPE_EXPECT(ranked.allFinite());
     const auto n = static_cast<double>(mean_.size());
-    // Columns would be standard normal vectors if none were selected.
+    // Columns would be standard normal vectors without selection.
     const MatrixXd white = inverse_root_ *
                            (scales_ * step_size_).cwiseInverse().asDiagonal() *
                            (ranked.colwise() - mean_);
@@ -124,7 +124,7 @@ void DdCma::update(const MatrixXd& ranked) {
     const bool is_usual =
         length * length < (2 + 4 / (n + 1)) * n * step_path_.share;
 
-    // Vectors with negative weights count as if they had the usual length.
+    // Vectors with negative weights count as if they had the expected length.
     const auto weighted = [&](const VectorXd& weights) {
         VectorXd scaled = weights;
         for (Eigen::Index i = 0; i < weights.size(); ++i)
@@ -146,7 +146,7 @@ void DdCma::update(const MatrixXd& ranked) {
     change.diagonal().array() -=
         of_correlation_.rank_mu * of_correlation_.weights.sum() +
         of_correlation_.rank_one * path_of_correlation_.share;
-    // A change that is bounded leaves the correlation positive definite.
+    // A bounded change leaves the correlation positive definite.
     constexpr double most = 0.75;
     const double least =
         Eigen::SelfAdjointEigenSolver<MatrixXd>(change, Eigen::EigenvaluesOnly)
@@ -162,7 +162,7 @@ void DdCma::update(const MatrixXd& ranked) {
             (squares.array() - of_scales_.weights.sum()).matrix() +
         of_scales_.rank_one *
             (squares_of_path.array() - path_of_scales_.share).matrix();
-    // D changes the slower, the worse the directions of C are known.
+    // D changes more slowly if the directions of C are poorly known.
     const double damping =
         1 + std::max(0.0, std::sqrt(correlation_condition_) - 2);
 
@@ -174,7 +174,7 @@ void DdCma::update(const MatrixXd& ranked) {
     decompose();
 }
 
-//! Makes a correlation matrix of C again, whose variances the scales take over,
+//! Makes C a correlation matrix again by moving its variances to the scales,
 //! and computes its roots.
 void DdCma::decompose() {
     const VectorXd deviations = correlation_.diagonal().cwiseSqrt();

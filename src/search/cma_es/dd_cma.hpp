@@ -10,26 +10,27 @@ namespace ideotype {
 
 //! The multivariate normal distribution of dd-CMA-ES (Akimoto and Hansen 2019,
 //! doi:10.1162/evco_a_00260): its covariance is step_size^2 D C D, where D is
-//! diagonal and C a correlation matrix. D has learning rates of its own, with
-//! which it learns the scales of coordinates long before C is known. The step
-//! size follows from cumulation; points that are worse than the median have
-//! negative weights.
+//! diagonal and C a correlation matrix. With learning rates of its own, D
+//! learns the scales of coordinates long before C is known. The step size
+//! follows from cumulation; points that are worse than the median have negative
+//! weights.
 class DdCma {
   public:
-    //! Begins with independent coordinates.
-    //! @param mean of n >= 1 coordinates
+    //! Makes a distribution of independent coordinates.
+    //! @param mean means of n >= 1 coordinates
     //! @param deviations standard deviations of the coordinates, > 0
     //! @param population number of points in a generation, >= 4
     DdCma(Eigen::VectorXd mean, Eigen::VectorXd deviations,
           std::size_t population);
 
-    //! Returns the point that a standard normal vector is moved to.
+    //! Returns the point of the distribution for a standard normal vector.
     Eigen::VectorXd sample(const Eigen::VectorXd& normal) const;
 
     //! Sets the number of points in the next generations, >= 4.
     void set_population(std::size_t population);
 
-    //! Learns from the points of a generation [n, population], best first.
+    //! Learns from the points of a generation [n, population], best point
+    //! first.
     void update(const Eigen::MatrixXd& ranked);
 
     const Eigen::VectorXd& mean() const { return mean_; }
@@ -50,8 +51,7 @@ class DdCma {
     static Rates rates(double n, double degrees_of_freedom,
                        const std::vector<double>& raw_weights);
 
-    //! An evolution path of steps, and the share that it has of its final
-    //! variance.
+    //! An evolution path of steps, and its share of the final variance.
     struct Path {
         Eigen::VectorXd steps;
         double share = 0;
@@ -73,7 +73,8 @@ class DdCma {
     Eigen::VectorXd scales_;
     Eigen::MatrixXd correlation_;
     Path step_path_, path_of_correlation_, path_of_scales_;
-    Eigen::MatrixXd root_, inverse_root_;  //!< symmetric, of the correlation
+    Eigen::MatrixXd root_,
+        inverse_root_;  //!< symmetric roots of the correlation
     double correlation_condition_ = 1;
 };
 

@@ -52,8 +52,7 @@ void require_intact(GenerationChecksums& found, const Generations& generations,
                     std::uint32_t generation, const std::string& path);
 
 //! Compares the header, all complete generations and all recorded finalists
-//! with their checksums.
-//! @throws Error (refused) at the first that differs.
+//! with their checksums. @throws Error (refused) at the first that differs.
 void require_intact(hid_t file, const std::string& path);
 
 }  // namespace ideotype

@@ -113,9 +113,8 @@ class History {
     //! Opens a file as read() does, even if it was truncated. Then only
     //! header(), next_generation(), rows(), generation() and summaries() are
     //! valid: a generation counts if candidates, objectives and violations of
-    //! its rows are left.
-    //! @throws Error (refused) if the header or an intact generation differs
-    //! from its checksum.
+    //! its rows are left. @throws Error (refused) if the header or an intact
+    //! generation differs from its checksum.
     static History salvage(const std::string& path);
 
     History(History&&) noexcept;

@@ -101,11 +101,10 @@ class Dispatcher {
     Batch evaluate(std::vector<Work> work, Record record);
 
     //! Runs routines until all have ended. A late evaluation is given to
-    //! another worker, and the first answer counts. A late worker gets no
-    //! work until it answers.
-    //! @throws Error if no worker answers any more, or if a machine could not
-    //! evaluate, after routines have gone on as after a stop. Routines that
-    //! still pause must be destroyed before the dispatcher.
+    //! another worker, and the first answer counts. A late worker gets no work
+    //! until it answers. @throws Error if no worker answers any more, or if a
+    //! machine could not evaluate, after routines have gone on as after a stop.
+    //! Routines that still pause must be destroyed before the dispatcher.
     void run(Director& director);
 
     //! Returns the number of evaluations that can run at one time.

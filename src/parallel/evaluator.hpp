@@ -17,10 +17,9 @@ class Evaluator {
     virtual const OutcomeSchema& schema(const Task& task) const = 0;
 
     //! Evaluates a genome. Except for seconds, the outcome is a pure function
-    //! of task and genome.
-    //! @throws Error if the plant can't be evaluated, which the worker turns
-    //! into a failed outcome. Any other exception, such as one for lack of
-    //! memory, is the machine's fault: it ends the job.
+    //! of task and genome. @throws Error if the plant can't be evaluated, which
+    //! the worker turns into a failed outcome. Any other exception, such as one
+    //! for lack of memory, is the machine's fault: it ends the job.
     virtual Outcome evaluate(const Task& task, const Genome& genome) = 0;
 };
 

@@ -23,9 +23,8 @@ class Sweep : public Director {
           StopFlag& stop);
 
     //! Evolves all cases until they have ended or a stop is requested; returns
-    //! false if some have not ended.
-    //! @throws Error that names each failed case, or (refused) if other jobs
-    //! work on all cases.
+    //! false if some have not ended. @throws Error that names each failed case,
+    //! or (refused) if other jobs work on all cases.
     bool evolve(Dispatcher& dispatcher);
 
     bool start_next() override;

@@ -28,12 +28,11 @@ std::uint32_t tournament(RandomStream& stream, std::size_t size,
     return winner;
 }
 
-//! A genetic algorithm with real-valued genes.
-//!
-//! Generation 0 is the baseline in slot 0 and genomes uniform within their
-//! bounds in all others. Every later generation begins with the elites, the
-//! best distinct genomes of the parents, which are evaluated again; the rest
-//! are children of couples chosen by tournament (see Breeder).
+//! A genetic algorithm with real-valued genes. Generation 0 is the baseline in
+//! slot 0 and genomes uniform within their bounds in all others. Every later
+//! generation begins with the elites, the best distinct genomes of the parents,
+//! which are evaluated again; the rest are children of couples chosen by
+//! tournament (see Breeder).
 //!
 //! As NSGA-II (Deb et al. 2002, doi:10.1109/4235.996017) all of a generation
 //! are children. The best distinct individuals among children and parents, by

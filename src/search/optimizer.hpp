@@ -21,10 +21,9 @@ struct SearchSpace {
 //! seed and the evaluated rows 0 to needs() - 1 alone, whatever further rows
 //! are known, in whatever order they arrived. Random numbers are a function of
 //! (seed, purpose, generation, slot). To resume, a new optimizer learns the
-//! stored rows and goes on with the same bits.
-//!
-//! Rows are counted through all generations. The rows of a generation share
-//! random numbers and are committed together.
+//! stored rows and goes on with the same bits. Rows are counted through all
+//! generations. The rows of a generation share random numbers and are committed
+//! together.
 class Optimizer {
   public:
     virtual ~Optimizer() = default;

@@ -27,10 +27,9 @@ struct Factor {
 //! al. 2010, doi:10.1016/j.cpc.2009.09.018). By Morris (1991,
 //! doi:10.1080/00401706.1991.10484804) it is a path on a grid on which each
 //! factor makes one step, in random order. The genes of a factor change
-//! together (Campolongo et al. 2007, doi:10.1016/j.envsoft.2006.10.004).
-//!
-//! The design proposes its rows sample after sample, in place of an optimizer,
-//! and learns nothing.
+//! together (Campolongo et al. 2007, doi:10.1016/j.envsoft.2006.10.004). The
+//! design proposes its rows sample after sample, in place of an optimizer, and
+//! learns nothing.
 class SensitivityDesign : public Optimizer {
   public:
     SensitivityDesign(const SensitivitySettings& settings, SearchSpace space,

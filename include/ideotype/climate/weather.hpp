@@ -29,11 +29,10 @@ struct Column {
     std::string unit;
 };
 
-//! The columns of a CSV file by their meaning.
-//!
-//! Units of light: W/m2 of all solar radiation, its energy in the time step as
-//! Wh/m2, kWh/m2, kJ/m2 or MJ/m2, or umol/m2/s of photons from 400 to 700 nm.
-//! Global light is required, or beam and diffuse light.
+//! The columns of a CSV file by their meaning. Units of light: W/m2 of all
+//! solar radiation, its energy in the time step as Wh/m2, kWh/m2, kJ/m2 or
+//! MJ/m2, or umol/m2/s of photons from 400 to 700 nm. Global light is required,
+//! or beam and diffuse light.
 struct ColumnMap {
     //! The columns of time. One: date and time as in ISO 8601, with or without
     //! the offset from UTC. Two: date, time. Four or five: year, month, day,
@@ -86,11 +85,9 @@ struct Weather {
 };
 
 //! Reads the text of a weather file for a site; the name of the file is for
-//! messages.
-//!
-//! Dates and hours are those of the file's clock, or of the site's clock if the
-//! file's is more than 3 hours off the mean sun of the site, as in files in
-//! UTC. Beam and diffuse light on the ground are:
+//! messages. Dates and hours are those of the file's clock, or of the site's
+//! clock if the file's is more than 3 hours off the mean sun of the site, as in
+//! files in UTC. Beam and diffuse light on the ground are:
 //!
 //! - diffuse light as given, or by the given fraction; the rest of the global
 //!   light is beam; without global light, the beam is the given beam times cos
@@ -104,11 +101,9 @@ struct Weather {
 //! PAR is par_fraction of solar radiation; near infrared is the rest. Where the
 //! global light, or else the beam, is given in photons, PAR follows from the
 //! photons and solar radiation from PAR: see par_share(). Near infrared has the
-//! diffuse fraction of PAR.
-//!
-//! Light slightly below 0, or unknown while the sun is down, is 0. Other
-//! unknown values are interpolated over up to 6 hours. A 29 February that the
-//! file leaves out stays out.
+//! diffuse fraction of PAR. Light slightly below 0, or unknown while the sun is
+//! down, is 0. Other unknown values are interpolated over up to 6 hours. A 29
+//! February that the file leaves out stays out.
 //!
 //! @throws InputError for unreadable or implausible input: unknown columns and
 //! units, light that is missing by day, negative or beyond the sun's, wrong

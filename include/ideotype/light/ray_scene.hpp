@@ -82,29 +82,23 @@ struct Surfaces {
 std::optional<Segment> clip(const Box& box, const glm::dvec3& origin,
                             const glm::dvec3& direction);
 
-//! The surfaces of a canopy, ready to be traced.
-//!
-//! A periodic scene holds one cell of an infinite stand. The cell spans [0,
-//! period_x] x [0, period_y]; a mesh that is shifted by whole periods gives the
-//! same scene. A face that reaches over the cell's boundary has images, which
-//! are the faces of neighbouring cells. Nothing is cut off and nothing counts
-//! twice, because rays end at the cell's boundary.
-//!
-//! Objects that move with the sun, such as panels that track it, are kept
-//! apart: only light of their pose meets their faces.
-//!
-//! An isolated scene holds a plot, shifted so that the corner of its bounding
-//! box is above the origin.
+//! The surfaces of a canopy, ready to be traced. A periodic scene holds one
+//! cell of an infinite stand. The cell spans [0, period_x] x [0, period_y]; a
+//! mesh that is shifted by whole periods gives the same scene. A face that
+//! reaches over the cell's boundary has images, which are the faces of
+//! neighbouring cells. Nothing is cut off and nothing counts twice, because
+//! rays end at the cell's boundary.
+//! sun, such as panels that track it, are kept apart: only light of their pose
+//! meets their faces.
+//! plot, shifted so that the corner of its bounding box is above the origin.
 class RayScene {
   public:
     //! Builds a periodic scene. Faces without area and faces below the soil are
-    //! left out.
-    //!
-    //! Faces that lie on each other, closer than clearance(), are one surface:
-    //! light meets one of these faces, and scattered light starts beyond all of
-    //! them. If faces have the same corners, in any order, only the first in
-    //! the mesh is kept. Otherwise rounding decides at each point which face
-    //! the light meets.
+    //! left out. Faces that lie on each other, closer than clearance(), are one
+    //! surface: light meets one of these faces, and scattered light starts
+    //! beyond all of them. If faces have the same corners, in any order, only
+    //! the first in the mesh is kept. Otherwise rounding decides at each point
+    //! which face the light meets.
     //! @throws Error if a vertex is not finite or too far away, a period is not
     //! positive, there are too many faces, or memory runs out.
     RayScene(const Device& device, const Mesh& mesh, double period_x,

@@ -32,11 +32,10 @@ inline constexpr int fewest_paths = 32;
 //!
 //! With pieces there is more work, especially for diffuse light: the relative
 //! error of a concave response of leaves shall be near the tolerance too, and
-//! each group of the mesh shall be met more than once.
-//!
-//! With several bands, each bounded band has trials, and the most demanding
-//! band decides the number of first hits. Scattered light of unbounded bands
-//! gets about as many paths as that of the first bounded band.
+//! each group of the mesh shall be met more than once. With several bands, each
+//! bounded band has trials, and the most demanding band decides the number of
+//! first hits. Scattered light of unbounded bands gets about as many paths as
+//! that of the first bounded band.
 Simulation simulate_to_tolerance(const Subject& subject,
                                  const Accuracy& accuracy,
                                  const Randomness& randomness);

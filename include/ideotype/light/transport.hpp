@@ -68,10 +68,9 @@ std::vector<std::uint32_t> share_paths(const Illumination& illumination,
 //! Nothing is neglected around an isolated plot: the soil is infinite and lit,
 //! and light that leaves the box may return from the soil. Of the light that
 //! has been in the box, `soil` is then the part that soil anywhere absorbs, and
-//! `reflected` the part that goes to the sky.
-//!
-//! First hits are found once for all bands, by the energies of the first band;
-//! scattered light is followed in each band separately.
+//! `reflected` the part that goes to the sky. First hits are found once for all
+//! bands, by the energies of the first band; scattered light is followed in
+//! each band separately.
 //!
 //! @return tallies by band and randomisation
 BandTallies simulate(const Subject& subject, const Workload& work,

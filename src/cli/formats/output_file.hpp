@@ -19,15 +19,13 @@ void require_new(const std::string& path);
 //! other special file, is written directly.
 class OutputFile {
   public:
-    //! Opens the file.
-    //! @throws Error if the file cannot be written.
+    //! Opens the file. @throws Error if the file cannot be written.
     explicit OutputFile(const std::string& path);
     OutputFile(const OutputFile&) = delete;
     OutputFile& operator=(const OutputFile&) = delete;
     ~OutputFile();
 
-    //! Writes text.
-    //! @throws Error if writing fails, for example on a full disk.
+    //! Writes text. @throws Error if writing fails, for example on a full disk.
     template <class... Values>
     void print(fmt::format_string<Values...> form, Values&&... values) {
         constexpr std::size_t block = 1 << 16;
@@ -36,8 +34,7 @@ class OutputFile {
         if (text_.size() >= block) flush();
     }
 
-    //! Gives the file its name.
-    //! @throws Error if renaming fails.
+    //! Gives the file its name. @throws Error if renaming fails.
     void finish();
 
   private:

@@ -21,9 +21,8 @@ class FileLock {
 
     //! Creates and locks `<file>.new`, which the caller fills and renames;
     //! otherwise the lock removes it. The rest of a killed process is used
-    //! again.
-    //! @throws InUseError if it is locked, Error (refused) if a file of this
-    //! name is not plain or has a second name.
+    //! again. @throws InUseError if it is locked, Error (refused) if a file of
+    //! this name is not plain or has a second name.
     static FileLock of_new(const std::string& file);
 
     //! Returns false where the file system has no locks.

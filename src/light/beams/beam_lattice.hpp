@@ -12,11 +12,10 @@ namespace ideotype {
 //! of a stand. The lattice has rank 1: pixel k is at k `step_one`, for k = 0,
 //! 1, ... pixels - 1. A pixel is the parallelogram along the two shortest steps
 //! of the lattice, as seen along the light; the points (j, generator j) / fine
-//! in all pixels form a finer lattice.
-//!
-//! Numbers of pixels and of points in a pixel have no factor that numbers of
-//! rows or plants in a cell are likely to have: else all plants would be
-//! sampled at equal places, and errors would not average out.
+//! in all pixels form a finer lattice. Numbers of pixels and of points in a
+//! pixel have no factor that numbers of rows or plants in a cell are likely to
+//! have: else all plants would be sampled at equal places, and errors would not
+//! average out.
 struct BeamLattice {
     std::int64_t pixels = 1;
     int fine = 1, generator = 1;

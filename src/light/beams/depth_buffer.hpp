@@ -13,14 +13,13 @@
 namespace ideotype {
 
 //! Finds the faces that parallel light meets first in a periodic stand, at the
-//! points of shifted lattices, one lattice for each randomisation.
-//!
-//! Faces are projected along the light onto the ground. The projection repeats
-//! with the cell, so each face is drawn once, and each point keeps the highest
-//! face: heights do not change if a face is shifted by periods. This is exact
-//! for any overhang and any number of wraps. Edges belong to the faces on both
-//! of their sides. Of faces at equal height the first in the mesh is seen; soil
-//! is seen where there is no face.
+//! points of shifted lattices, one lattice for each randomisation. Faces are
+//! projected along the light onto the ground. The projection repeats with the
+//! cell, so each face is drawn once, and each point keeps the highest face:
+//! heights do not change if a face is shifted by periods. This is exact for any
+//! overhang and any number of wraps. Edges belong to the faces on both of their
+//! sides. Of faces at equal height the first in the mesh is seen; soil is seen
+//! where there is no face.
 class DepthBuffer {
   public:
     //! A visible triangle of the scene's surfaces with its visible side.

@@ -10,14 +10,13 @@
 
 namespace ideotype {
 
-//! Launches the light of one source into a scene.
-//!
-//! A periodic stand is lit through the top of its cell. An isolated plot is lit
-//! through its bounding box, by light straight from the source, through the top
-//! and the lit sides, and by light from the infinite soil around, through the
-//! bottom and all sides, without soil in the box's own shadow. Both are all
-//! light that enters, since light that has been in the box is followed until it
-//! is absorbed or lost to the sky, also over the soil outside.
+//! Launches the light of one source into a scene. A periodic stand is lit
+//! through the top of its cell. An isolated plot is lit through its bounding
+//! box, by light straight from the source, through the top and the lit sides,
+//! and by light from the infinite soil around, through the bottom and all
+//! sides, without soil in the box's own shadow. Both are all light that enters,
+//! since light that has been in the box is followed until it is absorbed or
+//! lost to the sky, also over the soil outside.
 class Launcher {
   public:
     Launcher(const RayScene& scene, const Source& source, double soil_albedo);

@@ -41,9 +41,8 @@ std::vector<Machine> gather_machines(const Session& session,
 //! or else one, or all cores for a single rank. All ranks must call this.
 int threads_per_rank(const Session& session, const std::optional<int>& wanted);
 
-//! Checks that all ranks run the same program.
-//! @throws Error (refused) that names the difference from the first rank, and
-//! both hosts.
+//! Checks that all ranks run the same program. @throws Error (refused) that
+//! names the difference from the first rank, and both hosts.
 void require_same_program(const std::vector<Machine>& machines);
 
 //! Returns the instruction set for all ranks: the wanted one, or the widest

@@ -34,14 +34,12 @@ struct Niche {
 //! Finds the best plant of each kind: MAP-Elites (Mouret and Clune 2015,
 //! arXiv:1504.04909) for objectives with noise. Kinds are the cells of a grid
 //! over features such as leaf area and height; plants outside the grid are left
-//! out.
-//!
-//! Generation 0 is that of GeneticAlgorithm. Later generations are children of
-//! leaders that are drawn evenly. One evaluation cannot tell a better plant
-//! from a lucky one: a plant above the mean of a leader challenges the leader,
-//! and replaces it if it also wins in the next generation, in which both share
-//! random numbers. Leaders with the fewest evaluations are evaluated again, so
-//! that none stays by luck (adaptive sampling: Justesen et al. 2019,
+//! out. Generation 0 is that of GeneticAlgorithm. Later generations are
+//! children of leaders that are drawn evenly. One evaluation cannot tell a
+//! better plant from a lucky one: a plant above the mean of a leader challenges
+//! the leader, and replaces it if it also wins in the next generation, in which
+//! both share random numbers. Leaders with the fewest evaluations are evaluated
+//! again, so that none stays by luck (adaptive sampling: Justesen et al. 2019,
 //! doi:10.1145/3319619.3321904).
 class Atlas : public GenerationalOptimizer {
   public:

@@ -32,13 +32,12 @@ std::uint32_t tournament(RandomStream& stream, std::size_t size,
 //! slot 0 and genomes uniform within their bounds in all others. Every later
 //! generation begins with the elites, the best distinct genomes of the parents,
 //! which are evaluated again; the rest are children of couples chosen by
-//! tournament (see Breeder).
-//!
-//! As NSGA-II (Deb et al. 2002, doi:10.1109/4235.996017) all of a generation
-//! are children. The best distinct individuals among children and parents, by
-//! front and crowding, are the next parents. Parents keep their outcomes, which
-//! may be luck: evaluating them again under their children's random numbers
-//! costs more than it gains (campaigns/study/RESULTS.md).
+//! tournament (see Breeder). As NSGA-II (Deb et al. 2002,
+//! doi:10.1109/4235.996017) all of a generation are children. The best distinct
+//! individuals among children and parents, by front and crowding, are the next
+//! parents. Parents keep their outcomes, which may be luck: evaluating them
+//! again under their children's random numbers costs more than it gains
+//! (campaigns/study/RESULTS.md).
 class GeneticAlgorithm : public GenerationalOptimizer {
   public:
     GeneticAlgorithm(const SearchSettings& settings, SearchSpace space,

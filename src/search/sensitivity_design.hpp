@@ -20,11 +20,9 @@ struct Factor {
 
 //! The rows of a sensitivity study, which are fixed before any evaluation:
 //! samples of equal numbers of rows, with all genes uniform within their
-//! bounds.
-//!
-//! For Sobol' indices a sample has two points A and B of a scrambled Sobol'
-//! sequence and, between both, A with one factor at a time from B (Saltelli et
-//! al. 2010, doi:10.1016/j.cpc.2009.09.018). By Morris (1991,
+//! bounds. For Sobol' indices a sample has two points A and B of a scrambled
+//! Sobol' sequence and, between both, A with one factor at a time from B
+//! (Saltelli et al. 2010, doi:10.1016/j.cpc.2009.09.018). By Morris (1991,
 //! doi:10.1080/00401706.1991.10484804) it is a path on a grid on which each
 //! factor makes one step, in random order. The genes of a factor change
 //! together (Campolongo et al. 2007, doi:10.1016/j.envsoft.2006.10.004). The

@@ -88,10 +88,9 @@ double diffuse_fraction(double global, double extraterrestrial_normal,
 //! than of PAR, whose share rises as the clearness index k falls: photons of
 //! PAR over solar energy are 1.832 - 0.191 ln k + 0.099 cos z [umol J-1] at the
 //! zenith angle z (Alados, Foyo-Moreno and Alados-Arboledas 1996, Agricultural
-//! and Forest Meteorology 78, 121-131, doi:10.1016/0168-1923(95)02245-7).
-//!
-//! The clearness index depends on the solar radiation, and so on the share:
-//! both equations are solved together. Cosine and index have the limits of
+//! and Forest Meteorology 78, 121-131, doi:10.1016/0168-1923(95)02245-7). The
+//! clearness index depends on the solar radiation, and so on the share: both
+//! equations are solved together. Cosine and index have the limits of
 //! diffuse_fraction(), and the index is at least 0.05. The share is therefore
 //! between 0.40 and 0.55, also at night.
 //!

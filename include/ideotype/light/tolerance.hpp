@@ -28,14 +28,12 @@ inline constexpr int fewest_paths = 32;
 //! 1945, doi:10.1214/aoms/1177731088). Trials also tell the variances of beams,
 //! skies and scattered light, among which first hits and paths are shared at
 //! the least cost. With equal work two scenes share all random numbers, and the
-//! result is that of simulate() with this work.
-//!
-//! With pieces there is more work, especially for diffuse light: the relative
-//! error of a concave response of leaves shall be near the tolerance too, and
-//! each group of the mesh shall be met more than once. With several bands, each
-//! bounded band has trials, and the most demanding band decides the number of
-//! first hits. Scattered light of unbounded bands gets about as many paths as
-//! that of the first bounded band.
+//! result is that of simulate() with this work. With pieces there is more work,
+//! especially for diffuse light: the relative error of a concave response of
+//! leaves shall be near the tolerance too, and each group of the mesh shall be
+//! met more than once. With several bands, each bounded band has trials, and
+//! the most demanding band decides the number of first hits. Scattered light of
+//! unbounded bands gets about as many paths as that of the first bounded band.
 Simulation simulate_to_tolerance(const Subject& subject,
                                  const Accuracy& accuracy,
                                  const Randomness& randomness);

@@ -106,16 +106,15 @@ struct EnergyBalance {
 //!
 //! where gh [mol m-2 s-1] of one face joins forced and free convection
 //! (Campbell and Norman 1998) and still air by the cube root of their cubes, gw
-//! is 1.09 gh and gb = gw (1 + r)^2 / (1 + r^2) for the ratio r.
-//!
-//! If there are several balances it is the coolest: enzymes fail in heat, so
-//! that in strong light and calm air a leaf may stay cool with open stomata or
-//! hot with closed ones. Each temperature has one conductance that closes the
-//! energy balance, and one assimilation at that conductance; what the stomata
-//! would open to then is a continuous function of temperature, which is looked
-//! at from the coolest temperature that any stomata allow to that with none.
-//! Balances that are closer to each other than its steps (a fortieth of that
-//! range) may stay unseen.
+//! is 1.09 gh and gb = gw (1 + r)^2 / (1 + r^2) for the ratio r. If there are
+//! several balances it is the coolest: enzymes fail in heat, so that in strong
+//! light and calm air a leaf may stay cool with open stomata or hot with closed
+//! ones. Each temperature has one conductance that closes the energy balance,
+//! and one assimilation at that conductance; what the stomata would open to
+//! then is a continuous function of temperature, which is looked at from the
+//! coolest temperature that any stomata allow to that with none. Balances that
+//! are closer to each other than its steps (a fortieth of that range) may stay
+//! unseen.
 EnergyBalance energy_balance(const ThermalLeaf& leaf,
                              const LeafSurroundings& around);
 

@@ -41,15 +41,13 @@ struct FarquharLeaf {
 //!     theta J^2 - (I2 + Jmax) J + I2 Jmax = 0    (smaller root)
 //!
 //! with I2 = 0.5 phi(T) I, 0.21 mol mol-1 of oxygen O, and 0 if ci is below G*.
-//! The minimum of Wc and Wp comes first: no light is in it.
-//!
-//! Vcmax, G*, Kc, Ko (Bernacchi et al. 2001,
-//! doi:10.1111/j.1365-3040.2001.00668.x) and Jmax (Bernacchi et al. 2003,
-//! doi:10.1046/j.0016-8025.2003.01050.x) rise as exp(c - E / R T), phi and
-//! theta are parabolas, which do not leave 0 to 1, 4.5 and 10.5 are electrons
-//! (all 2003), and TPU falls above 33 deg C (Harley et al. 1992, as in Sharkey
-//! et al. 2007, doi:10.1111/j.1365-3040.2007.01710.x). Measured from 10 to 40
-//! deg C; Vcmax and Jmax do not fall in heat.
+//! The minimum of Wc and Wp comes first: no light is in it. Vcmax, G*, Kc, Ko
+//! (Bernacchi et al. 2001, doi:10.1111/j.1365-3040.2001.00668.x) and Jmax
+//! (Bernacchi et al. 2003, doi:10.1046/j.0016-8025.2003.01050.x) rise as exp(c
+//! - E / R T), phi and theta are parabolas, which do not leave 0 to 1, 4.5 and
+//! 10.5 are electrons (all 2003), and TPU falls above 33 deg C (Harley et al.
+//! 1992, as in Sharkey et al. 2007, doi:10.1111/j.1365-3040.2007.01710.x).
+//! Measured from 10 to 40 deg C; Vcmax and Jmax do not fall in heat.
 //! @param ci CO2 within the leaf [umol mol-1]
 Colimitation farquhar_at(const FarquharLeaf& leaf, double temperature,
                          double ci);

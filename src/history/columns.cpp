@@ -87,8 +87,7 @@ void Columns::create(hid_t file, const GeneSpace& genes,
     for (DatasetForm& each : number_forms(schema, rows)) {
         each.room = form.room;
         create_dataset(group, each);
-        // The columns that selection needs come first, so that a truncated file
-        // keeps them longest.
+        // A truncated file keeps the first columns, which selection needs.
         if (++count == essential_numbers) add_book();
     }
 }

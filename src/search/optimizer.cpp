@@ -69,8 +69,7 @@ class RandomSearch : public Optimizer {
         best_ = std::move(best);
     }
 
-    //! Returns the best distinct individuals of all generations, without
-    //! parents.
+    //! Returns the best distinct plants of all generations, without parents.
     std::vector<Candidate> best(std::size_t count) const override {
         std::vector<Candidate> best = best_of(best_, count, space_.senses, 0);
         for (Candidate& each : best) each.parents = {no_parent, no_parent};

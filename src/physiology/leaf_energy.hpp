@@ -49,9 +49,8 @@ class LeafEnergy {
     }
 
     double vapour() const { return vapour_; }
-    double latent_heat() const {
-        return latent_heat_;
-    }  //!< latent heat of vaporisation [J mol-1]
+    //! Returns the latent heat of vaporisation [J mol-1].
+    double latent_heat() const { return latent_heat_; }
     //! Returns the emission of both faces over the fourth power of temperature.
     double emission() const { return emission_; }
 

@@ -83,8 +83,8 @@ class CaseSearch {
     std::vector<Complete>
         complete_;           //!< complete generations that are not committed
     std::deque<Open> open_;  //!< open generations; the first is learnt now
-    std::uint64_t known_rows_ =
-        0;  //!< number of rows that the optimizer has learnt
+    //! Number of rows that the optimizer has learnt.
+    std::uint64_t known_rows_ = 0;
     std::deque<Work> waiting_;  //!< work that is proposed but not handed out
     std::optional<std::string> reason_;
     std::uint64_t reason_row_ = 0;  //!< row after those that gave the reason

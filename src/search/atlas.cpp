@@ -87,10 +87,10 @@ class Atlas : public GenerationalOptimizer {
     //! (Vassiliades and Mouret 2018, doi:10.1145/3205455.3205602). The line
     //! preserves features that both leaders share.
     Genome child(const Genome& from, const Genome& to, std::uint32_t slot) {
-        constexpr double everywhere =
-            0.01;  // step relative to the range of a gene
-        constexpr double along_line =
-            0.2;  // step relative to the way to the other plant
+        // Step relative to the range of a gene.
+        constexpr double everywhere = 0.01;
+        // Step relative to the way to the other plant.
+        constexpr double along_line = 0.2;
         RandomStream stream(seed_, Purpose::mutation, generation(), slot);
         const double way = along_line * stream.normal()[0];
         Genome genome = from;

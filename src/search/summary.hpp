@@ -19,9 +19,9 @@ struct GenerationSummary {
     double mean = 0;
     //! The standard deviation of objective 0 over the individuals of `mean`.
     double spread = 0;
-    double diversity =
-        0;  //!< mean over free genes of the standard deviation over the range,
-            //!< circular for circular genes; 0.29 for uniform values
+    //! Mean over free genes of the standard deviation over the range, circular
+    //! for circular genes; 0.29 for uniform values.
+    double diversity = 0;
     std::uint32_t failures = 0;
     std::uint32_t evaluations = 0;  //!< number of rows without copies
     double wall_time = 0;  //!< time since the case began, over all sessions [s]

@@ -14,12 +14,12 @@ namespace ideotype {
 struct SurfaceId {
     //! The component of the scene by number; fixed objects follow components.
     std::uint32_t component = 0;
-    std::uint32_t organ =
-        0;  //!< organ by number: 0 is the leaves, others count from 1
-    std::uint32_t rank =
-        0;  //!< leaf rank from the lowest, 1; 0 if it is unknown
-    std::uint32_t part =
-        0;  //!< part of the organ, such as a face; 0 is all of the organ
+    //! Organ by number: 0 is the leaves, others count from 1.
+    std::uint32_t organ = 0;
+    //! Leaf rank from the lowest, 1; 0 if it is unknown.
+    std::uint32_t rank = 0;
+    //! Part of the organ, such as a face; 0 is all of the organ.
+    std::uint32_t part = 0;
 
     bool is_leaf() const { return organ == 0; }
 
@@ -53,8 +53,8 @@ std::vector<double> face_areas(const Mesh& mesh);
 //! The area of plants, half of their surface [m2].
 struct PlantArea {
     double leaves = 0;  //!< the one-sided area of leaves
-    double other_organs =
-        0;  //!< half of the outer surface of other organs, which are solid
+    //! Half of the outer surface of other organs, which are solid.
+    double other_organs = 0;
 
     PlantArea& operator+=(const PlantArea& more) {
         leaves += more.leaves;

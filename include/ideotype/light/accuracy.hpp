@@ -7,8 +7,8 @@ namespace ideotype {
 
 //! The wished accuracy of an estimate of the light, which also sets its work.
 struct Accuracy {
-    int paths =
-        4096;  //!< paths per randomisation; their limit if there is a tolerance
+    //! Paths per randomisation; their limit if there is a tolerance.
+    int paths = 4096;
     int randomisations = 8;  //!< independent randomisations, at least 2
     //! The accepted relative standard error of the light of leaves; 0 asks for
     //! exactly the given number of paths.

@@ -116,18 +116,14 @@ class RayScene {
     RayScene& operator=(RayScene&&) noexcept;
 
     Boundary boundary() const { return boundary_; }
-    double period_x() const {
-        return period_x_;
-    }  //!< period of a periodic scene [m]
-    double period_y() const {
-        return period_y_;
-    }  //!< period of a periodic scene [m]
-    double ground_area() const {
-        return ground_area_;
-    }  //!< area of the cell, or given for a plot [m2]
-    const Box& box() const {
-        return box_;
-    }                                    //!< bounding box of an isolated plot
+    //! Returns the period of a periodic scene along x [m].
+    double period_x() const { return period_x_; }
+    //! Returns the period of a periodic scene along y [m].
+    double period_y() const { return period_y_; }
+    //! Returns the area of the cell, or the given area of a plot [m2].
+    double ground_area() const { return ground_area_; }
+    //! Returns the bounding box of an isolated plot.
+    const Box& box() const { return box_; }
     double top() const { return top_; }  //!< height above all surfaces [m]
 
     //! Returns the height of the soil [m]. The soil is below zero by the

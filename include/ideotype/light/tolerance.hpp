@@ -11,8 +11,8 @@ namespace ideotype {
 struct Simulation {
     BandTallies tallies;
     int paths = 0;  //!< first hits per randomisation
-    bool is_capped =
-        false;  //!< tells whether the limit of paths left the tolerance unmet
+    //! Tells whether the limit of paths left the tolerance unmet.
+    bool is_capped = false;
     Workload work{};  //!< work that the tolerance asked for
 };
 

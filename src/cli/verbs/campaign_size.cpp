@@ -113,8 +113,8 @@ CampaignCost::CampaignCost(const Campaign& campaign, const Case& chosen)
       generations(campaign.stop.generations),
       finalists(1 + campaign.final_rule.candidates) {
     CanopyEvaluator evaluator(campaign, Device::supported_isas().back());
-    constexpr double long_time =
-        1;  // time that needs no second measurement [s]
+    // Time that needs no second measurement [s].
+    constexpr double long_time = 1;
     const auto measure = [&](int times, Task task) {
         task.case_index = static_cast<std::uint32_t>(chosen.index);
         double least = std::numeric_limits<double>::infinity();

@@ -69,8 +69,8 @@ struct CaseStatus {
     CaseResult result;
     std::optional<double> rate, left;  //!< rate [evaluations/s], time left [s]
     std::string way_on;                //!< command to resume a stopped case
-    bool has_one_seed =
-        false;  //!< tells whether a gain comes from a single seed
+    //! Tells whether a gain comes from a single seed.
+    bool has_one_seed = false;
 };
 
 CaseStatus report_on(const std::string& path) {

@@ -70,8 +70,8 @@ std::optional<std::string> advice_for(const Campaign& campaign,
             "more generations",
             search.streams, rows / (search.streams * population), population,
             fewest_generations, most);
-    constexpr int few_workers =
-        8;  // number of workers that wait at little cost
+    // Number of workers that wait at little cost.
+    constexpr int few_workers = 8;
     if (workers > few_workers && rows < fewest_generations * population) {
         const long long fewer =
             std::max(fewest_plants, rows / fewest_generations);

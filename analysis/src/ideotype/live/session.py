@@ -41,7 +41,7 @@ class Session:
         self._tasks: set[asyncio.Task] = set()
         self._improvement: Improvement | None = None
         self._drawn: tuple[object, dict[str, Any]] = (None, {})
-        self._anchor: tuple[Anchor | None, object] = (None, None)
+        self._anchor: Anchor | None = None
 
     def greet(self) -> None:
         """Sends the page all data that do not change."""
@@ -188,8 +188,8 @@ class Session:
     def _rough(self, shown: Shown) -> dict[str, Any] | None:
         """Returns quick numbers, if evaluations take long and an anchor is
         known."""
-        anchor, key = self._anchor
-        if anchor is None or key != shown.conditions.kind:
+        anchor = self._anchor
+        if not anchor or anchor.conditions.kind != shown.conditions.kind:
             return None
         place = self._bench.coarse(shown.conditions)
         if place is None:
@@ -204,9 +204,8 @@ class Session:
         if coarse is not None and its.by_seed:
             numbers = coarse_numbers(coarse, place.layout, shown.reference)
             known = its.together(sorted(its.by_seed))
-            self._anchor = (
-                Anchor(place.layout, known, numbers, now, place.spread),
-                now.kind,
+            self._anchor = Anchor(
+                place.layout, known, numbers, now, place.spread
             )
 
     async def _refine(

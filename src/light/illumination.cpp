@@ -113,10 +113,10 @@ SeriesIllumination illuminate(LightSeries series, SkyModel sky_model,
                                            : SkyRadiance{})};
         });
     } else {
-        result.sky_of.assign(steps.size(), -1);
+        const int sky = static_cast<int>(result.light.sources.size());
+        for (const TimeStep& step : steps)
+            result.sky_of.push_back(step.par.diffuse > 0 ? sky : -1);
         if (series.diffuse() > 0) {
-            result.sky_of.assign(steps.size(),
-                                 static_cast<int>(result.light.sources.size()));
             result.light.sources.push_back(
                 {std::nullopt, series.diffuse(), SkySampler({sky_model, {}})});
             result.instant_of.push_back(0);

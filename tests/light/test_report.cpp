@@ -63,9 +63,10 @@ TEST_F(MadeUpDay, GivesEachInstantItsBeamAndItsShareOfTheSky) {
 constexpr glm::dvec3 down{0, 0, -1};
 
 TEST_F(MadeUpDay, HasOneSkyForAllInstantsWhenOvercast) {
+    day.steps.push_back({22, 1800, {}, {}});
     light = illuminate(day, SkyModel::overcast, 0);
     ASSERT_EQ(light.light.sources.size(), 2u);
-    EXPECT_EQ(light.sky_of, (std::vector<int>{1, 1}));
+    EXPECT_EQ(light.sky_of, (std::vector<int>{1, 1, -1})) << "night";
     const SkySampler overcast({SkyModel::overcast, {}});
     EXPECT_EQ(light.light.sources[1].sky.relative_brightness(down),
               overcast.relative_brightness(down));

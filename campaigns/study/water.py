@@ -60,14 +60,12 @@ def week(
     return Stand(found, folder=CAMPAIGNS)
 
 
-def season(
-    paths: int, year: int, has_water: bool, seed: int = 1, **light: Any
-) -> Stand:
+def season(year: int, has_water: bool, seed: int = 1, **light: Any) -> Stand:
     """Returns a growing season of growing_season.toml, with keys of [light]."""
     found = tomllib.loads((CAMPAIGNS / "growing_season.toml").read_text())
     found["climate"] = [x for x in found["climate"] if x["name"] == str(year)]
     found["objective"] = {"maximise": "carbon_balance"}
-    found["light"] = {"paths": paths, **light}
+    found["light"] = light
     found["seed"] = seed
     if has_water:
         found["water"] = {}
@@ -139,7 +137,10 @@ def print_seasons(paths: int) -> None:
     rows = [
         [
             str(year),
-            *(f"{x:.3f}" for x in numbers(season(paths, year, True), names)),
+            *(
+                f"{x:.3f}"
+                for x in numbers(season(year, True, paths=paths), names)
+            ),
         ]
         for year in (2011, 2012)
     ]
@@ -148,24 +149,39 @@ def print_seasons(paths: int) -> None:
 
 def print_cost(paths: int, pairs: int) -> None:
     """Prints processor time with water over that without, and over the square of
-    errors of carbon, which tells what an equal error costs."""
-    stands = [season(paths, 2011, has_water) for has_water in (False, True)]
-    ratios, errors = [], []
-    for _ in range(pairs):
-        used = []
-        for stand in stands:
-            start = time.process_time()
-            found = stand.evaluate(stand.baseline, ["carbon_balance"])
-            used.append(time.process_time() - start)
-            errors.append(float(found["carbon_balance_standard_error"][0]))
-        ratios.append(used[1] / used[0])
-    plain, wet = statistics.fmean(errors[::2]), statistics.fmean(errors[1::2])
-    middle = statistics.median(ratios)
-    print(
-        f"a season with water takes {middle:.2f} times one without "
-        f"({min(ratios):.2f} to {max(ratios):.2f}, {pairs} pairs); at an equal "
-        f"error {middle * (wet / plain) ** 2:.2f} times"
-    )
+    relative errors of carbon, which tells what an equal error costs. Pairs have
+    different seeds."""
+    rows = []
+    for name, keys in (
+        ("the tolerance of a campaign", {}),
+        (f"{paths} paths", {"paths": paths}),
+        ("the tolerance of a campaign, four fields", {"fields": 4}),
+    ):
+        ratios, variances = [], []
+        for seed in range(1, pairs + 1):
+            used = []
+            for has_water in (False, True):
+                stand = season(2011, has_water, seed, **keys)
+                start = time.process_time()
+                found = stand.evaluate(stand.baseline, ["carbon_balance"])
+                used.append(time.process_time() - start)
+                error = float(found["carbon_balance_standard_error"][0])
+                variances.append(
+                    (error / float(found["carbon_balance"][0])) ** 2
+                )
+            ratios.append(used[1] / used[0])
+        more = statistics.fmean(variances[1::2]) / statistics.fmean(
+            variances[::2]
+        )
+        middle = statistics.median(ratios)
+        rows.append(
+            [
+                name,
+                f"{middle:.2f} ({min(ratios):.2f} to {max(ratios):.2f})",
+                f"{middle * more:.2f}",
+            ]
+        )
+    print_table(["light", f"time, {pairs} pairs", "at an equal error"], rows)
 
 
 def print_error(paths: int, seeds: int) -> None:
@@ -184,7 +200,9 @@ def print_error(paths: int, seeds: int) -> None:
     for name, (of_each, light) in origins.items():
         found = np.array(
             [
-                numbers(season(of_each, 2011, True, seed, **light), names)
+                numbers(
+                    season(2011, True, seed, paths=of_each, **light), names
+                )
                 for seed in range(1, seeds + 1)
             ]
         )

@@ -21,6 +21,7 @@ LeafPlaces::LeafPlaces(const Pieces& pieces, const LitLeaves& lit, bool is_each)
             group.push_back(pieces.group[v]);
             row.push_back(pieces.row.empty() ? 0 : pieces.row[v]);
             height.push_back(pieces.height[v]);
+            if (!pieces.width.empty()) width.push_back(pieces.width[v]);
             absorptance.push_back(
                 lit.par.optics.of(lit.groups[v].material).most_absorbed());
         } else {

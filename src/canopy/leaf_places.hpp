@@ -26,6 +26,7 @@ struct LeafPlaces {
     std::vector<std::uint32_t> group;  //!< group by place, each in a run
     std::vector<std::uint32_t> row;    //!< row by place; 0 if not told apart
     std::vector<double> height;        //!< height by place [m]
+    std::vector<double> width;         //!< width by place [m], if pieces tell
     //! Absorptance by place, of the face that absorbs more.
     std::vector<double> absorptance;
 };

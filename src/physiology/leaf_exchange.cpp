@@ -113,8 +113,8 @@ class Sweeps {
         double before = 0, residual_before = 0;
         for (int i = 0; i < most; ++i) {
             breathe(2);
-            const double residual =
-                energy_.net_radiation(t_) - energy_.sensible(t_) - latent_;
+            const double residual = energy_.net_radiation(t_) -
+                                    energy_.sensible(t_, heat_) - latent_;
             double slope = slope_of_residual();
             if (i > 0 && t_ != before)
                 slope = std::min((residual - residual_before) / (t_ - before),

@@ -271,11 +271,14 @@ TEST(Contracts, OfLeafAirAreNoticed) {
     Stand s;
     s.request.scene.water.emplace();
     s.request.scene.bands[0].light.series.steps.clear();
-    const std::vector<double> widths(s.leaves.size(), .05);
-    LeafAir leaves({s.request.scene, s.leaves, s.groups, widths, 2, {}});
+    LeafAir leaves({s.request.scene, s.leaves, s.groups, 2, {}});
+    const LeafPlaces places(s.pieces, s.lit(), false);
+    const ExpectedLight expectation(places, s.tallies);
     expect_noticed({
         {"wind >= 0 && height > 0", [] { wind_at_top(2, 0, 1); }},
         {"wind >= 0 && height > 0", [] { aerodynamic_resistance(-1, 2, 1); }},
+        {"places.width.size() == places.count()",
+         [&] { leaves.see(places, expectation); }},
         {"places_ != nullptr && number < series_.steps.size()",
          [&] { leaves.begin(0); }},
     });

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <set>
@@ -63,6 +64,31 @@ TEST(Pieces, AreNeverOfTwoBladesOrPlants) {
             blades_of[pieces.mesh.face_group[f]].insert(f / 12);
         for (const auto& [piece, of] : blades_of) EXPECT_EQ(of.size(), 1u);
     }
+}
+
+//! The blade tapers evenly to a point, and bends over by a half circle.
+TEST(Pieces, HaveTheWidthOfTheBladeWhereTheyAre) {
+    constexpr int along = 60;
+    constexpr double length = .01 * along, width = .04, pi = 3.14159265358979;
+    Mesh mesh = blades(1, along, 4);
+    for (glm::dvec3& vertex : mesh.vertices) {
+        const double far = vertex.x;
+        vertex.y *= 1 - far / length;
+        vertex.z = length / pi * std::sin(pi * far / length);
+        vertex.x = length / pi * (1 - std::cos(pi * far / length));
+    }
+    const Pieces pieces = cut_leaves(mesh);
+    const std::vector<double> found = local_widths(pieces);
+    ASSERT_EQ(found.size(), 48u);
+    const std::vector<double> areas = face_areas(pieces.mesh);
+    std::vector<double> expected(pieces.count);
+    for (std::size_t f = 0; f < areas.size(); ++f) {
+        const double far = .01 * (static_cast<double>(f / 4) + .5);
+        const std::uint32_t v = pieces.mesh.face_group[f];
+        expected[v] += areas[f] / pieces.area[v] * width * (1 - far / length);
+    }
+    for (std::size_t v = 0; v < pieces.count; ++v)
+        EXPECT_NEAR(found[v], expected[v], .1 * width) << v;
 }
 
 TEST(Pieces, OfAFieldAreThoseOfEachPlantThenWhatIsNotCut) {

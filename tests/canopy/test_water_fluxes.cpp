@@ -6,7 +6,7 @@
 #include "ideotype/canopy/water.hpp"
 #include "ideotype/core/error.hpp"
 #include "ideotype/physiology/temperature.hpp"
-#include "water/leaf_air.hpp"
+#include "water/leaf_lines.hpp"
 
 namespace ideotype {
 namespace {
@@ -17,6 +17,7 @@ class WaterOfTwoLeaves : public FieldOfTwoLeaves {
     explicit WaterOfTwoLeaves(double erect = 0) : FieldOfTwoLeaves(erect) {
         request.scene.water.emplace();
         Band& par = request.scene.bands.front();
+        pieces.width.assign(pieces.count, .06);
         for (TimeStep& step : par.light.series.steps) {
             step.temperature = 34;
             step.humidity = .5;
@@ -41,7 +42,6 @@ class WaterOfTwoLeaves : public FieldOfTwoLeaves {
         return {request.scene,
                 leaves,
                 request.scene.components[0].mesh.groups,
-                widths,
                 2,
                 {seed},
                 OtherLight{nir, nir_tallies},
@@ -95,7 +95,6 @@ class WaterOfTwoLeaves : public FieldOfTwoLeaves {
     }
 
     const Accuracy accuracy{1024, 16};
-    std::vector<double> widths = std::vector<double>(leaves.size(), .06);
     Band nir, longwave;
     std::vector<Tally> tallies, nir_tallies, longwave_tallies;
 };
@@ -187,6 +186,41 @@ TEST_F(WaterOfTwoLeaves, EnergyOfTheCanopyCloses) {
     }
 }
 
+TEST_F(WaterOfTwoLeaves, AirOfTheCanopyFollowsFromItsLeaves) {
+    LeafAir air(water(1));
+    const LeafPlaces places(pieces, lit(), false);
+    const ExpectedLight expectation(places, tallies);
+    air.see(places, expectation);
+    LeafLines lines(air);
+    const SeriesIllumination& day = request.scene.light();
+    double most = 0;
+    for (std::size_t i = 0; i < day.series.steps.size(); ++i) {
+        air.meet(day.beam_of[i], day.sky_of[i]);
+        air.begin(i);
+        std::vector<LeafResponse> responses;
+        for (const LeafGroup& leaf : leaves)
+            responses.push_back(
+                leaf.photosynthesis
+                    ? response(leaf.rates, air_of(day.series.steps[i],
+                                                  *leaf.photosynthesis))
+                    : LeafResponse{});
+        lines.clear();
+        for (std::size_t p = 0; p < places.count(); ++p) {
+            if (!leaves[places.group[p]].photosynthesis) continue;
+            lines.add(places.group[p], 150, 0, places.index[p] / 2);
+            lines.add(places.group[p], 1200, .7, places.index[p] / 2);
+            lines.add_gross(places.group[p], 20 * places.index[p]);
+        }
+        lines.settle(responses);
+        const double guessed = std::abs(lines.air_left().warmer);
+        lines.correct(0, 0);
+        EXPECT_LT(std::abs(lines.air_left().warmer), .05) << i;
+        EXPECT_LT(std::abs(lines.air_left().moister), .005) << i;
+        most = std::max(most, guessed);
+    }
+    EXPECT_GT(most, .001) << "nothing to correct";
+}
+
 TEST_F(WaterOfTwoLeaves, Co2ShutsStomataAndWarms) {
     // Leaves that are hot already would assimilate less if they were warmer.
     change([](TimeStep& step) { step.temperature = 24; });
@@ -206,7 +240,7 @@ TEST_F(WaterOfTwoLeaves, WindAndNarrowLeavesBringThemTowardsTheAir) {
     change([](TimeStep& step) { step.humidity = .9; });
     const double warming = flux(LeafFlux::warming);
     ASSERT_GT(warming, 0);
-    widths.assign(leaves.size(), .12);
+    pieces.width.assign(pieces.count, .12);
     const double wide = flux(LeafFlux::warming);
     EXPECT_GT(wide, 1.05 * warming);
     change([](TimeStep& step) { step.wind = 6; });

@@ -30,6 +30,8 @@ struct Pieces {
     std::size_t rows = 0;        //!< number of rows that are told apart
     std::vector<double> area;    //!< one-sided area of each piece [m2]
     std::vector<double> height;  //!< height of the centre of each piece [m]
+    //! Width of the blade where each piece is, if anyone needs it [m].
+    std::vector<double> width{};
 };
 
 //! The usual largest number of pieces of a blade; very fine blades have more.
@@ -51,10 +53,10 @@ Pieces cut_leaves(const Mesh& mesh, std::size_t per_blade = pieces_of_blade);
 Pieces cut_coarse_leaves(const Mesh& mesh, std::size_t copies, double tolerance,
                          std::size_t per_blade = pieces_of_blade);
 
-//! Returns the mean width of the blades of each group of a mesh [m]: the width
-//! of a rectangle of the same area and circumference. Groups other than leaves
-//! have a width of 0.
-std::vector<double> blade_widths(const Mesh& mesh);
+//! Returns the width of the blade where each piece is [m]: the area of a short
+//! section of the blade over the length of the section.
+//! @param pieces pieces of a line
+std::vector<double> local_widths(const Pieces& pieces);
 
 //! Returns the pieces of a mesh in which nothing is cut.
 Pieces uncut(const Mesh& mesh);

@@ -185,8 +185,8 @@ class FieldPass {
 
     //! Returns the leaves of this field with the light that warms leaves.
     WaterLeaves water_leaves(const BandTallies& tallies) const {
-        WaterLeaves leaves{scene_,        shared_.leaves, lines_.groups,
-                           lines_.widths, lines_.height,  randomness_};
+        WaterLeaves leaves{scene_, shared_.leaves, lines_.groups, lines_.height,
+                           randomness_};
         if (!scene_.water->has_leaf_temperature) return leaves;
         for (std::size_t b = 1; b < tallies.size(); ++b) {
             const Band& band = shared_.bands[b];

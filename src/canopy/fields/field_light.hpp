@@ -27,9 +27,7 @@ struct Lines {
     std::vector<Pieces> pieces;  //!< without their meshes
     std::vector<Mesh> meshes;    //!< meshes of the pieces
     std::vector<Group> groups;   //!< groups of the scene before leaves were cut
-    //! Blade width of each group of plants, if leaves exchange heat [m].
-    std::vector<double> widths;
-    double height = 0;  //!< height of the highest plant [m]
+    double height = 0;           //!< height of the highest plant [m]
 };
 
 //! Returns the bands in which light is followed, see SharedByFields.

@@ -111,6 +111,7 @@ class FieldGroups {
             for (std::uint32_t v = 0; v < line.count; ++v) {
                 add(groups_[first_ + v], cut_from_ + line.group[v], row);
                 result_.like.push_back(like + v);
+                if (!line.width.empty()) result_.width.push_back(line.width[v]);
             }
         }
         first_ += static_cast<std::uint32_t>(line.group.size());

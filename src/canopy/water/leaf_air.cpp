@@ -41,6 +41,7 @@ LeafAir::LeafAir(const WaterLeaves& leaves)
 }
 
 void LeafAir::see(const LeafPlaces& places, const ExpectedLight& expectation) {
+    IDEOTYPE_EXPECT(places.width.size() == places.count());
     places_ = &places;
     expectation_ = &expectation;
     index_.assign(leaves_.leaves.size(), 0);
@@ -51,6 +52,7 @@ void LeafAir::see(const LeafPlaces& places, const ExpectedLight& expectation) {
     at_.assign(places.count() + classes(), {});
     for (std::size_t p = 0; p < places.count(); ++p) {
         at_[p].group = places.group[p];
+        at_[p].width = places.width[p];
         at_[p].wind =
             std::exp(-water_.wind_attenuation *
                      (1 - std::min(places.height[p] / leaves_.height, 1.)));
@@ -78,12 +80,13 @@ void LeafAir::see(const LeafPlaces& places, const ExpectedLight& expectation) {
                 leaves_.nir->band.optics
                     .of(leaves_.groups[places.group[p]].material)
                     .most_absorbed();
-    take_means({&Place::view, &Place::wind, &Place::nir_absorptance});
+    take_means(
+        {&Place::view, &Place::wind, &Place::width, &Place::nir_absorptance});
 }
 
 //! Divides assimilating leaves of each component into classes of similar area.
 void LeafAir::find_classes() {
-    constexpr std::uint32_t most = 4;
+    constexpr std::uint32_t most = classes_per_component;
     const std::size_t components = leaves_.scene.components.size();
     std::vector<double> all(components), below(components);
     const auto for_each = [&](const auto& take) {
@@ -179,7 +182,6 @@ LeafAir::Leaf LeafAir::leaf_in(std::size_t number, std::uint32_t group) const {
     result.above.co2 = series_.co2;
     result.above.pressure = step.pressure.value();
     result.above.wind = light_.wind;
-    result.above.width = leaves_.widths[group];
     if (const auto* c4 = std::get_if<CollatzLeaf>(&of.rates))
         result.leaf.rates = *c4;
     if (const auto* c3 = std::get_if<FarquharLeaf>(&of.rates))
@@ -236,6 +238,7 @@ LeafSurroundings LeafAir::around(const Point& point) const {
         water_.emissivity *
         (2 * leaf.black + place.view * (light_.longwave - leaf.black));
     around.wind *= place.wind;
+    around.width = place.width;
     return around;
 }
 

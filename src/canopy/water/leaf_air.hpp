@@ -30,12 +30,11 @@ struct WaterLeaves {
     const Scene& scene;                    //!< scene with LeafWater
     const std::vector<LeafGroup>& leaves;  //!< leaves of each group of plants
     const std::vector<Group>& groups;      //!< groups of plants
-    const std::vector<double>& widths;     //!< blade width of each group [m]
     double height;                         //!< height of the canopy [m]
     Randomness randomness;                 //!< random numbers of the light
     std::optional<OtherLight> nir{}, longwave{};
     //! Least number of points whose balance is solved, in all steps together.
-    double points = 6000;
+    double points = 3000;
 };
 
 //! The exchange of points of leaves with the air in a field, step by step.
@@ -65,6 +64,8 @@ class LeafAir {
     //! Returns the class of a group: a class has leaves of one component with
     //! neighbouring ranks.
     std::uint32_t class_of(std::uint32_t group) const { return class_[group]; }
+
+    static constexpr std::uint32_t classes_per_component = 4;
 
     //! Returns the number of classes.
     std::size_t classes() const { return means_.size(); }
@@ -116,6 +117,7 @@ class LeafAir {
         std::uint32_t group = 0;  //!< group of plants
         double view = 0;          //!< view of the sky, sum of both faces
         double wind = 1;          //!< wind over that at the top
+        double width = 0;         //!< width of the blade at the place [m]
         double nir_of_sun = 0, nir_of_sky = 0;  //!< energy [J m-2 of leaf]
         double nir_absorptance = 0;
     };

@@ -10,14 +10,14 @@ void LeafLines::clear() {
     for (Class& each : classes_) each = Class{};
 }
 
-void LeafLines::add(std::uint32_t group, const LeafAir::Point& point,
+void LeafLines::add(std::uint32_t group, double ppfd, double cosine,
                     double area) {
     // Rounding may make the shaded area of a place slightly negative.
     if (!(area > 0)) return;
-    Mean& mean = of(group).means[point.cosine > 0 ? 1 : 0];
+    Mean& mean = of(group).means[cosine > 0 ? 1 : 0];
     mean.area += area;
-    mean.ppfd += area * point.ppfd;
-    mean.cosine += area * point.cosine;
+    mean.ppfd += area * ppfd;
+    mean.cosine += area * cosine;
 }
 
 //! Finds the mean leaves of classes. A class without leaves in sun or shade
@@ -26,8 +26,7 @@ void LeafLines::find_points(const std::vector<LeafResponse>& responses) {
     for (std::uint32_t c = 0; c < classes_.size(); ++c) {
         Class& leaves = classes_[c];
         const auto group = air_.largest_of(c);
-        leaves.is_used =
-            group && leaves.means[0].area + leaves.means[1].area > 0;
+        leaves.is_used = group && leaves.area() > 0;
         if (!leaves.is_used) continue;
         for (std::size_t i = 0; i < 2; ++i) {
             const Mean& mean = leaves.means[i];
@@ -41,6 +40,25 @@ void LeafLines::find_points(const std::vector<LeafResponse>& responses) {
                 expand(responses[*group], {&point.ppfd, 1}, &point.gross.value,
                        &point.gross.slope, &point.gross.curvature);
         }
+    }
+    find_typical();
+}
+
+//! Chooses a middle class of each component to stand for all its classes.
+void LeafLines::find_typical() {
+    constexpr std::uint32_t all = LeafAir::classes_per_component;
+    constexpr std::array<std::uint32_t, all> by_preference{2, 1, 3, 0};
+    typical_.clear();
+    for (std::uint32_t first = 0; first < classes_.size(); first += all) {
+        double area = 0;
+        for (std::uint32_t c = first; c < first + all; ++c)
+            if (classes_[c].is_used) area += classes_[c].area();
+        for (const std::uint32_t i : by_preference)
+            if (area > 0 && classes_[first + i].is_used) {
+                typical_.push_back(
+                    {first + i, area / classes_[first + i].area()});
+                break;
+            }
     }
 }
 
@@ -80,48 +98,69 @@ void LeafLines::draw(Class& leaves) {
     }
 }
 
+//! Draws the lines of a class, and returns what follows from it of the canopy
+//! air.
+CanopyAir LeafLines::driven_by(std::uint32_t c) {
+    Class& leaves = classes_[c];
+    draw(leaves);
+    const Mean &shade = leaves.means[0], &sun = leaves.means[1];
+    const auto flux = [&](LeafFlux of, double by) {
+        const auto k = static_cast<std::size_t>(of);
+        return leaves.constant[k] * leaves.area() + leaves.slope[k] * by;
+    };
+    return air_.driven_by(*air_.largest_of(c),
+                          flux(LeafFlux::sensible, shade.ppfd + sun.ppfd),
+                          flux(LeafFlux::transpiration, leaves.gross));
+}
+
 //! Returns the canopy air that follows from the fluxes of leaves in some air.
 CanopyAir LeafLines::driven(const CanopyAir& in) {
     air_.set_air(in);
     CanopyAir sum;
     for (std::uint32_t c = 0; c < classes_.size(); ++c) {
-        Class& leaves = classes_[c];
-        if (!leaves.is_used) continue;
-        draw(leaves);
-        const Mean &shade = leaves.means[0], &sun = leaves.means[1];
-        const auto flux = [&](LeafFlux of, double by) {
-            const auto k = static_cast<std::size_t>(of);
-            return leaves.constant[k] * (shade.area + sun.area) +
-                   leaves.slope[k] * by;
-        };
-        const CanopyAir own =
-            air_.driven_by(*air_.largest_of(c),
-                           flux(LeafFlux::sensible, shade.ppfd + sun.ppfd),
-                           flux(LeafFlux::transpiration, leaves.gross));
+        if (!classes_[c].is_used) continue;
+        const CanopyAir own = driven_by(c);
         sum.warmer += own.warmer;
         sum.moister += own.moister;
     }
     return sum;
 }
 
-//! Finds how the air that follows from the fluxes of leaves depends on the air
-//! around the leaves, by a secant in each of its two numbers.
-//! @param first air that follows from leaves in the air above the canopy
-void LeafLines::find_slopes(const CanopyAir& first) {
+//! Returns an estimate of driven() from the typical classes.
+CanopyAir LeafLines::typically_driven(const CanopyAir& in) {
+    air_.set_air(in);
+    CanopyAir sum;
+    for (const Typical& each : typical_) {
+        const CanopyAir own = driven_by(each.number);
+        sum.warmer += each.scale * own.warmer;
+        sum.moister += each.scale * own.moister;
+    }
+    return sum;
+}
+
+//! Estimates the air from the typical classes, and how the air that follows
+//! from the fluxes of leaves depends on the air around the leaves: by a secant
+//! in each of its two numbers.
+void LeafLines::guess_air() {
+    in_ = {};
+    const CanopyAir first = typically_driven(in_);
+    if (first.warmer == 0 && first.moister == 0) return;
     // Steps have about the size of the expected difference.
     const double dt = std::copysign(
         std::clamp(std::abs(first.warmer) / 2, 0.1, 2.), first.warmer);
     const double de = std::copysign(
         std::clamp(std::abs(first.moister) / 2, 0.02, 0.5), first.moister);
-    const CanopyAir warm = driven({dt, 0}), moist = driven({0, de});
+    const CanopyAir warm = typically_driven({dt, 0}),
+                    moist = typically_driven({0, de});
     slopes_ = {(warm.warmer - first.warmer) / dt,
                (moist.warmer - first.warmer) / de,
                (warm.moister - first.moister) / dt,
                (moist.moister - first.moister) / de};
+    move_air(first);
 }
 
-//! Moves the air until it agrees with the air that follows from its leaves.
-//! @param left remaining difference between both
+//! Moves the air towards agreement with the air that follows from its leaves.
+//! @param left difference of the air that follows from the air in the step
 void LeafLines::move_air(const CanopyAir& left) {
     const double a = slopes_[0] - 1, b = slopes_[1], c = slopes_[2],
                  d = slopes_[3] - 1;
@@ -135,26 +174,53 @@ void LeafLines::move_air(const CanopyAir& left) {
          most_warmer);
     move(in_.moister, (c * left.warmer - a * left.moister) / determinant,
          most_moister);
-    driven_ = driven(in_);
+}
+
+//! Takes from a move of the air how its slopes are along the move (Broyden
+//! 1965, doi:10.1090/S0025-5718-1965-0198670-6).
+//! @param by move of the air
+//! @param more resulting change of the air that follows from its leaves
+void LeafLines::learn_slopes(const CanopyAir& by, const CanopyAir& more) {
+    // 0.1 kPa of vapour weigh as much as 1 K.
+    constexpr double kelvin_per_kpa = 10;
+    const double t = by.warmer,
+                 e = kelvin_per_kpa * kelvin_per_kpa * by.moister;
+    const double size = t * by.warmer + e * by.moister;
+    if (!(size > 1e-6)) return;
+    const double warmer =
+        more.warmer - slopes_[0] * by.warmer - slopes_[1] * by.moister;
+    const double moister =
+        more.moister - slopes_[2] * by.warmer - slopes_[3] * by.moister;
+    slopes_[0] += warmer * t / size;
+    slopes_[1] += warmer * e / size;
+    slopes_[2] += moister * t / size;
+    slopes_[3] += moister * e / size;
 }
 
 void LeafLines::settle(const std::vector<LeafResponse>& responses) {
     find_points(responses);
-    in_ = {};
+    guess_air();
     driven_ = driven(in_);
-    if (driven_.warmer == 0 && driven_.moister == 0) return;
-    find_slopes(driven_);
-    move_air(driven_);
 }
 
 void LeafLines::correct(double heat, double water) {
     if (driven_.warmer == 0 && driven_.moister == 0) return;
-    const auto any = std::ranges::find_if(
-        classes_, [](const Class& each) { return each.is_used; });
-    const auto c = static_cast<std::uint32_t>(any - classes_.begin());
-    const CanopyAir more = air_.driven_by(*air_.largest_of(c), heat, water);
-    move_air({driven_.warmer + more.warmer - in_.warmer,
-              driven_.moister + more.moister - in_.moister});
+    const CanopyAir more =
+        air_.driven_by(*air_.largest_of(typical_.front().number), heat, water);
+    constexpr int most = 4;
+    constexpr double warmer = 0.05, moister = 0.005;
+    for (int i = 0; i < most; ++i) {
+        const CanopyAir left{air_left().warmer + more.warmer,
+                             air_left().moister + more.moister};
+        if (std::abs(left.warmer) < warmer && std::abs(left.moister) < moister)
+            return;
+        const CanopyAir in = in_, before = driven_;
+        move_air(left);
+        driven_ = driven(in_);
+        learn_slopes(
+            {in_.warmer - in.warmer, in_.moister - in.moister},
+            {driven_.warmer - before.warmer, driven_.moister - before.moister});
+    }
 }
 
 double LeafLines::at(LeafFlux flux, std::uint32_t group,
@@ -166,6 +232,18 @@ double LeafLines::at(LeafFlux flux, std::uint32_t group,
     const auto [constant, slope] = line(flux, group);
     return constant +
            slope * (is_in_gross(flux) ? point.gross.value : point.ppfd);
+}
+
+bool LeafLines::reaches_heat(double light) const {
+    constexpr auto k = static_cast<std::size_t>(LeafFlux::warming);
+    for (std::uint32_t c = 0; c < classes_.size(); ++c) {
+        const Class& each = classes_[c];
+        if (each.is_used &&
+            each.constant[k] + std::max(each.slope[k], 0.) * light >
+                air_.hot_over_air(*air_.largest_of(c)))
+            return true;
+    }
+    return false;
 }
 
 }  // namespace ideotype

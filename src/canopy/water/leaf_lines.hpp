@@ -23,7 +23,8 @@ class LeafLines {
     void clear();
 
     //! Adds some leaf area.
-    void add(std::uint32_t group, const LeafAir::Point& point, double area);
+    //! @param ppfd,cosine those of LeafAir::Point
+    void add(std::uint32_t group, double ppfd, double cosine, double area);
 
     //! Adds the gross assimilation of a place [umol m-2 s-1].
     void add_gross(std::uint32_t group, double gross) {
@@ -38,10 +39,19 @@ class LeafLines {
     //! their lines [W m-2, mmol m-2 s-1].
     void correct(double heat, double water);
 
+    //! Returns the air that follows from the lines less the air of the step.
+    CanopyAir air_left() const {
+        return {driven_.warmer - in_.warmer, driven_.moister - in_.moister};
+    }
+
     //! Returns a flux of a leaf by its line. For hot area, the result is
     //! whether the leaf is hot by the line of warming.
     double at(LeafFlux flux, std::uint32_t group,
               const LeafAir::Point& point) const;
+
+    //! Returns whether any leaf may be hot by its line.
+    //! @param light most light on a leaf [umol m-2 s-1]
+    bool reaches_heat(double light) const;
 
     //! Returns the constant and the slope of a flux in assimilation or light.
     std::array<double, 2> line(LeafFlux flux, std::uint32_t group) const {
@@ -73,6 +83,13 @@ class LeafLines {
         bool is_used = false;   //!< whether any leaf assimilates
         bool is_known = false;  //!< whether solved in the step
         std::array<double, leaf_fluxes> constant{}, slope{};
+
+        double area() const { return means[0].area + means[1].area; }
+    };
+    //! A class that stands for its component.
+    struct Typical {
+        std::uint32_t number;  //!< number of the class
+        double scale;          //!< leaf area of the component over the class's
     };
 
     Class& of(std::uint32_t group) { return classes_[air_.class_of(group)]; }
@@ -80,13 +97,18 @@ class LeafLines {
         return classes_[air_.class_of(group)];
     }
     void find_points(const std::vector<LeafResponse>& responses);
+    void find_typical();
+    CanopyAir driven_by(std::uint32_t c);
     CanopyAir driven(const CanopyAir& in);
-    void find_slopes(const CanopyAir& first);
+    CanopyAir typically_driven(const CanopyAir& in);
+    void guess_air();
     void move_air(const CanopyAir& left);
+    void learn_slopes(const CanopyAir& by, const CanopyAir& more);
     void draw(Class& leaves);
 
     LeafAir& air_;
     std::vector<Class> classes_;
+    std::vector<Typical> typical_{};
     CanopyAir in_{}, driven_{};  //!< air in the step, and air that follows
     //! Slopes of the air that leaves drive in the air around leaves: of its
     //! warmth in warmth and in vapour, then of its vapour in both.

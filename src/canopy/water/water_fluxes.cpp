@@ -7,6 +7,14 @@
 
 namespace ideotype {
 
+namespace {
+
+//! Light that is added to weights, because points in the dark exchange water,
+//! too [umol m-2 s-1].
+constexpr double dark = 100;
+
+}  // namespace
+
 WaterFluxes::WaterFluxes(const LitLeaves& lit, const LeafPlaces& places,
                          const ExpectedLight& expectation, FluxTallies empty)
     : lit_(lit),
@@ -26,6 +34,24 @@ WaterFluxes::WaterFluxes(const LitLeaves& lit, const LeafPlaces& places,
                                        of.generation,
                                        of.first_randomisation + r)
                               .uniform());
+    find_counts();
+}
+
+//! Finds how many points each randomisation draws in each step, on average: in
+//! proportion to the light, since differences from the lines grow with light.
+void WaterFluxes::find_counts() {
+    double all = 0;
+    for (const TimeStep& step : light_.series.steps) {
+        counts_.push_back((step.par.beam + step.par.diffuse) * lit_.photons +
+                          dark);
+        all += counts_.back();
+    }
+    constexpr double per_step = 6;
+    const double points =
+        std::max(air_.leaves().points,
+                 per_step * static_cast<double>(counts_.size())) /
+        static_cast<double>(starts_.size());
+    for (double& count : counts_) count *= points / all;
 }
 
 void WaterFluxes::add(std::size_t step, const StepLight* light) {
@@ -53,7 +79,9 @@ void WaterFluxes::add_nights() {
 }
 
 //! Returns whether a flux is summed in a step: at night, only heat and water.
+//! Without a temperature of their own leaves assimilate as is known already.
 bool WaterFluxes::takes(LeafFlux flux, const StepLight* light) const {
+    if (flux == LeafFlux::gross) return light && air_.warms();
     return light || flux == LeafFlux::transpiration ||
            flux == LeafFlux::sensible;
 }
@@ -84,57 +112,66 @@ LeafAir::Point WaterFluxes::point(const StepLight* light,
 
 //! Finds the lines of a step, and the probabilities of drawing points.
 void WaterFluxes::find_lines(const StepLight* light) {
-    // Light [umol m-2 s-1] added to weights: dark points exchange water, too.
-    constexpr double dark = 100;
     lines_->clear();
     chances_.clear();
+    brightest_ = 0;
     double all = 0;
-    for (std::size_t j = 0; j < areas_.size(); ++j) {
-        const LeafAir::Point each = point(light, j);
-        const std::uint32_t group = places_.group[each.place];
+    const auto add = [&](std::size_t place, double ppfd, double cosine) {
+        const std::uint32_t group = places_.group[place];
         if (lit_.leaves[group].photosynthesis) {
-            lines_->add(group, each, areas_[j]);
-            all += std::abs(areas_[j]) * (each.ppfd + dark);
+            const double area = areas_[chances_.size()];
+            lines_->add(group, ppfd, cosine, area);
+            brightest_ = std::max(brightest_, ppfd);
+            all += std::abs(area) * (ppfd + dark);
         }
         chances_.push_back(all);
+    };
+    for (std::size_t p = 0; p < places_.count(); ++p)
+        add(p, light ? light->shaded.light[p] : 0, 0);
+    absorbed_.assign(places_.count(), 0);
+    gross_.assign(places_.count(), 0);
+    if (light) {
+        const std::vector<PairLight::Bin>& bins = light->pair.bins();
+        for (std::size_t b = 0; b < bins.size(); ++b)
+            add(bins[b].place, light->lit.light[b], bins[b].cosine);
+        for (std::size_t p = 0; p < places_.count(); ++p) {
+            absorbed_[p] = places_.index[p] * light->shaded.light[p];
+            gross_[p] = light->of_places[p] / amounts_.front();
+            lines_->add_gross(places_.group[p], gross_[p]);
+        }
+        for (const PairLight::Bin& bin : bins)
+            absorbed_[bin.place] += light->scales.of_sun * bin.moments.one;
     }
-    if (light)
-        for (std::size_t p = 0; p < places_.count(); ++p)
-            lines_->add_gross(places_.group[p],
-                              light->of_places[p] / amounts_.front());
     lines_->settle(light ? light->responses : std::vector<LeafResponse>{});
 }
 
 //! Adds fluxes of a step by lines.
 void WaterFluxes::add_lines(std::size_t step, const StepLight* light) {
-    std::vector<double> absorbed(places_.count());
-    if (light) {
-        const std::vector<PairLight::Bin>& bins = light->pair.bins();
-        for (std::size_t p = 0; p < places_.count(); ++p)
-            absorbed[p] = places_.index[p] * light->shaded.light[p];
-        for (const PairLight::Bin& bin : bins)
-            absorbed[bin.place] += light->scales.of_sun * bin.moments.one;
-    }
     for (std::size_t k = 0; k < leaf_fluxes; ++k) {
         const auto flux = static_cast<LeafFlux>(k);
         if (flux == LeafFlux::hot || !takes(flux, light)) continue;
         // Assimilation at the temperature of the air is known already.
         const double known = flux == LeafFlux::gross ? 1 : 0;
-        if (known == 1 && !air_.warms()) continue;
-        const bool is_in_gross = LeafLines::is_in_gross(flux);
-        double all = 0;
-        for (std::size_t p = 0; p < places_.count(); ++p) {
-            const auto [constant, slope] = lines_->line(flux, places_.group[p]);
-            const double by = !is_in_gross ? absorbed[p]
-                              : light ? light->of_places[p] / amounts_.front()
-                                      : 0;
-            const double sum =
-                constant * places_.index[p] + (slope - known) * by;
-            all += sum;
-            fluxes_[k].mean[p] += amounts_[k] * sum;
-            fluxes_[k].size[p] += std::abs(amounts_[k] * sum);
+        const std::vector<double>& by =
+            LeafLines::is_in_gross(flux) ? gross_ : absorbed_;
+        auto& [mean, size, steps] = fluxes_[k];
+        for (std::size_t p = 0, last = 0; p < places_.count(); p = last) {
+            const std::uint32_t group = places_.group[p];
+            last = p + 1;
+            if (!lit_.leaves[group].photosynthesis) continue;
+            const auto [constant, slope] = lines_->line(flux, group);
+            double of_group = 0;
+            for (last = p;
+                 last < places_.count() && places_.group[last] == group;
+                 ++last) {
+                const double sum =
+                    constant * places_.index[last] + (slope - known) * by[last];
+                of_group += sum;
+                mean[last] += amounts_[k] * sum;
+                size[last] += std::abs(amounts_[k] * sum);
+            }
+            steps[step] += of_group;
         }
-        fluxes_[k].steps[step] = all;
     }
     if (light) add_hot(step, light);
 }
@@ -142,6 +179,8 @@ void WaterFluxes::add_lines(std::size_t step, const StepLight* light) {
 //! Adds leaves that are hot by their lines.
 void WaterFluxes::add_hot(std::size_t step, const StepLight* light) {
     constexpr auto k = static_cast<std::size_t>(LeafFlux::hot);
+    fluxes_[k].steps[step] = 0;
+    if (!lines_->reaches_heat(brightest_)) return;
     double all = 0;
     for (std::size_t j = 0; j < areas_.size(); ++j) {
         const LeafAir::Point each = point(light, j);
@@ -159,14 +198,12 @@ void WaterFluxes::add_hot(std::size_t step, const StepLight* light) {
 //! Draws points of a step at equal distances along the leaves, first in the
 //! shade and then in the sun. The first point is random in each randomisation
 //! and moves from step to step by the golden ratio, so that draws of all steps
-//! are even. If there are few steps, each has more points.
+//! are even.
 void WaterFluxes::draw(std::size_t step, const StepLight* light) {
     constexpr double golden_ratio = 0.6180339887498949;
     const double all = chances_.empty() ? 0 : chances_.back();
     if (!(all > 0)) return;
-    const double count = std::ceil(
-        air_.leaves().points /
-        static_cast<double>(light_.series.steps.size() * starts_.size()));
+    const double count = counts_[step];
     for (std::size_t r = 0; r < starts_.size(); ++r) {
         const double turns =
             starts_[r] + golden_ratio * static_cast<double>(step);
@@ -192,7 +229,7 @@ void WaterFluxes::add_drawn(std::size_t step, const StepLight* light,
         air_.fluxes_of(air_.solve(drawn, &like), drawn);
     for (std::size_t k = 0; k < leaf_fluxes; ++k) {
         const auto flux = static_cast<LeafFlux>(k);
-        if (!takes(flux, light) || (k == 0 && !air_.warms())) continue;
+        if (!takes(flux, light)) continue;
         Expansion differs = found[k];
         differs.value -= lines_->at(flux, group, drawn);
         double more = times * areas_[area] * differs.value;

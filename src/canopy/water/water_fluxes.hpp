@@ -51,6 +51,7 @@ class WaterFluxes {
   private:
     //! @param light light in the step; null: none
     void add(std::size_t step, const StepLight* light);
+    void find_counts();
     void find_areas(const StepLight* light);
     void find_lines(const StepLight* light);
     void add_lines(std::size_t step, const StepLight* light);
@@ -74,7 +75,11 @@ class WaterFluxes {
     std::array<double, leaf_fluxes> amounts_{};
     //! Sums over leaves in a step of drawn points less their lines.
     std::array<double, leaf_fluxes> drawn_sums_{};
-    std::vector<double> starts_;   //!< start of draws by randomisation
+    std::vector<double> counts_;  //!< expected draws by step
+    std::vector<double> starts_;  //!< start of draws by randomisation
+    //! Sums over leaves in a step, by place: light and assimilation.
+    std::vector<double> absorbed_, gross_;
+    double brightest_ = 0;         //!< most light on a point [umol m-2 s-1]
     std::vector<double> areas_;    //!< shaded areas of places, then bins
     std::vector<double> chances_;  //!< cumulative probabilities
 };

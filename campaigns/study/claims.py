@@ -7,9 +7,9 @@ claims.py FOLDER --table PAPER_TABLE [--evaluations N] [--seeds N] [--rough]
 Looks at each claim in four set-ups: that of the paper (an isolated plot, lit
 from its sides, with a bare stalk, absorbed PAR), and a stand without end under
 absorbed PAR, net assimilation of a clear day, and the carbon balance of a
-season. The plants of the stand are the better ones that paper_table.py has
-bred by the genetic algorithm and by CMA-ES in the folder PAPER_TABLE; those of
-the plot are bred in FOLDER by the genetic algorithm, as in the paper. Gains
+season. The plants of the stand are those that paper_table.py has bred by `auto`
+in the folder PAPER_TABLE; those of the plot are bred in FOLDER by the genetic
+algorithm, as in the paper. Gains
 and losses are in % with standard errors, over seeds where there are several.
 """
 
@@ -64,10 +64,6 @@ class SetUp:
     is_rough: bool
     is_plot: bool = False
 
-    @property
-    def searches(self) -> tuple[str, ...]:
-        return ("ga",) if self.is_plot else ("ga", "auto")
-
     def tables(self, where: Condition) -> dict[str, Any]:
         found = campaign(where, self.objective, self.folder, self.is_rough)
         if not self.is_plot:
@@ -88,18 +84,14 @@ class SetUp:
         }
 
     def best(self, where: Condition, seed: int) -> Numbers:
-        """Returns the genome of the best plant that the searches have
-        found."""
-        plants = [
-            bred(
-                self.tables(where), search, seed, self.evaluations, self.folder
-            )
-            for search in self.searches
-        ]
-        if len(plants) == 1:
-            return plants[0]
-        values = light(stand(self, where), np.array(plants)).mean(1)
-        return plants[int(values.argmax())]
+        """Returns the genome of the best plant that a search has found."""
+        return bred(
+            self.tables(where),
+            "ga" if self.is_plot else "auto",
+            seed,
+            self.evaluations,
+            self.folder,
+        )
 
 
 @cache

@@ -230,7 +230,26 @@ def best(history: Path) -> Numbers:
         found = opened.best()
     if found is None:
         raise ideotype.Error(f"{history}: no plant is evaluated yet")
+    if found.row.violation[0] > 0:
+        raise ideotype.Error(
+            f"{history}: no plant meets the constraints; widen bounds or ranges"
+        )
     return np.asarray(found.row.genome[0], float)
+
+
+def breedable_but(plant: Path, **ranges: Sequence[float]) -> dict[str, Any]:
+    """Returns the [plant] and [[traits]] of a campaign in which all is bred
+    that a breeder can select, but some traits have other ranges."""
+    rules = tomllib.loads(plant.read_text(encoding="utf-8"))["bounds"]
+    bounds = {
+        rule["trait"]: rule["range"]
+        for rule in rules
+        if rule["name"] == "breedable"
+    }
+    return {
+        "plant": {"baseline": str(plant), "bounds": {**bounds, **ranges}},
+        "traits": [{"name": "free", "free": list(bounds)}],
+    }
 
 
 def best_plants(tables: Mapping[str, Any], folder: Path) -> list[Numbers]:

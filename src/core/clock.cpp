@@ -14,10 +14,10 @@ namespace ideotype {
 namespace {
 
 //! The most digits of a number, enough for the seconds of any job.
-constexpr std::size_t longest = 9;
+constexpr std::size_t most_digits = 9;
 
 std::optional<double> hours_minutes_seconds(Scanner text) {
-    const auto hours = text.number(1, longest);
+    const auto hours = text.number(1, most_digits);
     if (!hours || !text.take(":")) return {};
     const auto minutes = text.number(2, 2);
     if (!minutes || *minutes > 59 || !text.take(":")) return {};
@@ -33,11 +33,11 @@ std::optional<double> parse_duration(const std::string& text) {
     if (text.empty()) return {};
     Scanner rest(text);
     double sum = 0;
-    auto count = rest.number(1, longest);
+    auto count = rest.number(1, most_digits);
     for (const auto& [unit, seconds] : {std::pair{"h", 3600.0}, {"m", 60.0}})
         if (count && rest.take(unit)) {
             sum += *count * seconds;
-            count = rest.number(1, longest);
+            count = rest.number(1, most_digits);
         }
     if (count) rest.take("s");
     if (!rest.is_at_end()) return {};

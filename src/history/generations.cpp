@@ -87,7 +87,7 @@ std::string unit_of(const SummaryColumn<double>& column,
 void Generations::create(hid_t file, const HistoryHeader& header) {
     IDEOTYPE_EXPECT(header.generations > 0);
     IDEOTYPE_EXPECT(!header.schema.objectives.empty());
-    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const double missing = std::numeric_limits<double>::quiet_NaN();
     const Handle group = create_group(file, group_name);
     create_axis(group, counted("generation", "counted from 0",
                                static_cast<std::size_t>(header.generations)));
@@ -113,7 +113,7 @@ void Generations::create(hid_t file, const HistoryHeader& header) {
         number_columns.size() - (objectives.size() > 1 ? 0 : front_columns);
     for (const auto& each : std::span(number_columns).first(count))
         add(each.name, H5T_IEEE_F64LE, unit_of(each, objectives), each.meaning,
-            &nan);
+            &missing);
     for (const auto& each : count_columns)
         add(each.name, H5T_STD_U32LE, each.unit, each.meaning);
     add("checksum", string_type(checksum_size), "",

@@ -216,7 +216,6 @@ Randomised weighted_sum(const std::vector<Randomised>& parts,
 
 std::vector<Declaration> part_quantities() {
     using Report = CanopyReport;
-    constexpr Certainty exact = Certainty::exact;
     return {
         absorbed_in("nir", {"nir"}, "near infrared"),
         absorbed_in("shortwave", {"par", "nir"}, "PAR and near infrared"),
@@ -266,7 +265,7 @@ std::vector<Declaration> part_quantities() {
           "m2 m-2",
           "one-sided leaf area per ground area",
           {"component"},
-          exact},
+          Certainty::exact},
          [](const Report& r) {
              Values values;
              for (const ComponentReport& each : r.components)

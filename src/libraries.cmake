@@ -38,6 +38,13 @@ need("{fmt}" fmt PACKAGES libfmt-dev fmt-devel fmt fmt)
 need(OpenSSL OpenSSL FIND COMPONENTS Crypto
     PACKAGES libssl-dev openssl-devel openssl openssl)
 need(Eigen Eigen3 PACKAGES libeigen3-dev eigen3-devel eigen eigen)
+# One header of Boost is needed, and no library.
+find_path(BOOST_INCLUDE_DIR boost/random/sobol.hpp)
+mark_as_advanced(BOOST_INCLUDE_DIR)
+if(NOT BOOST_INCLUDE_DIR)
+    note_missing("Boost's headers" libboost-dev boost-devel boost+random
+        libboost-headers)
+endif()
 # The library of tinyobjloader has numbers of the type that its packager chose.
 find_path(TINYOBJLOADER_INCLUDE_DIR tiny_obj_loader.h)
 mark_as_advanced(TINYOBJLOADER_INCLUDE_DIR)

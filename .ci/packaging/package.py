@@ -28,6 +28,7 @@ class Ideotype(CMakePackage):
     depends_on("glm")
     depends_on("fmt@9:")
     depends_on("openssl")
+    depends_on("boost@1.70:+random")
     with when("+program"):
         depends_on("mpi")
         depends_on("hdf5@1.10: +hl")

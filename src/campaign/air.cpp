@@ -5,7 +5,6 @@
 #include <cmath>
 #include <optional>
 
-#include "ideotype/core/units.hpp"
 #include "ideotype/physiology/leaf.hpp"
 #include "ideotype/physiology/temperature.hpp"
 

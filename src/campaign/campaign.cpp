@@ -5,8 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "campaign/checks/checks.hpp"
 #include "campaign/measured/measured_plant.hpp"
 #include "campaign/measured/weather_reader.hpp"
@@ -16,7 +14,6 @@
 #include "campaign/schema/photosynthesis_table.hpp"
 #include "campaign/schema/resolve.hpp"
 #include "draft.hpp"
-#include "ideotype/canopy/quantities.hpp"
 #include "ideotype/core/hash.hpp"
 #include "problems.hpp"
 #include "search/sensitivity_design.hpp"

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <variant>
-#include <vector>
 
 #include "campaign.hpp"
 

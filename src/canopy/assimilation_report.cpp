@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <numeric>
-#include <string>
-#include <string_view>
 #include <utility>
 
 #include "ideotype/canopy/assimilation.hpp"

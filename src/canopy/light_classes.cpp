@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ideotype/canopy/light_classes.hpp"
 
-#include <utility>
-
 #include "ideotype/core/contract.hpp"
 #include "ideotype/light/sunlit.hpp"
 #include "leaf_places.hpp"

@@ -8,7 +8,6 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "ideotype/core/ending.hpp"
 #include "ideotype/core/text.hpp"

@@ -8,9 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "campaign/campaign.hpp"
 #include "ideotype/core/error.hpp"
-#include "parallel/session.hpp"
 #include "run/log.hpp"
 #include "run/run.hpp"
 #include "stand/mesh_options.hpp"

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <atomic>
 #include <limits>
-#include <span>
 
 #include "checksum.hpp"
 #include "ideotype/core/contract.hpp"

@@ -9,7 +9,6 @@
 #include "disk/open.hpp"
 #include "history_file.hpp"
 #include "ideotype/core/contract.hpp"
-#include "layout.hpp"
 
 namespace ideotype {
 

@@ -6,7 +6,6 @@
 
 #include "dispatcher.hpp"
 #include "ideotype/core/contract.hpp"
-#include "workers.hpp"
 
 namespace ideotype {
 

@@ -2,7 +2,6 @@
 #include "dispatcher.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <optional>
 #include <utility>
 

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <optional>
 
-#include <fmt/format.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/unique_ptr.h>
@@ -10,8 +9,6 @@
 
 #include "arrays.hpp"
 #include "bindings.hpp"
-#include "campaign/stages.hpp"
-#include "ideotype/core/error.hpp"
 #include "ideotype/crop/measures.hpp"
 #include "stand.hpp"
 

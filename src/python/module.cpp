@@ -3,7 +3,6 @@
 #include <nanobind/stl/string.h>
 
 #include "bindings.hpp"
-#include "ideotype/core/version.hpp"
 #include "ideotype/light/device.hpp"
 
 NB_MODULE(_core, module) {

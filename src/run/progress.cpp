@@ -7,7 +7,6 @@
 #include <cstdio>
 #include <ctime>
 #include <unistd.h>
-#include <utility>
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -24,10 +23,6 @@ double now() {
 
 std::string with_unit(const std::string& number, const std::string& unit) {
     return unit == "1" ? number : number + ' ' + unit;
-}
-
-std::string title_of(const std::string& name, const std::string& unit) {
-    return unit == "1" ? name : fmt::format("{} [{}]", name, unit);
 }
 
 std::string format(Estimate x) {

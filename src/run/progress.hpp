@@ -90,9 +90,6 @@ std::string format(Estimate x);
 //! Returns a number followed by its unit, which is left out if it is "1".
 std::string with_unit(const std::string& number, const std::string& unit);
 
-//! Returns the title of a column, "lai [m2 m-2]"; the unit "1" is left out.
-std::string title_of(const std::string& name, const std::string& unit);
-
 //! Returns "1:02:03" or "2:03".
 std::string format_duration(double seconds);
 

@@ -2,7 +2,6 @@
 #include "sampling.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "ideotype/canopy/scene.hpp"
 #include "ideotype/climate/sun.hpp"

@@ -3,9 +3,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
-#include <cstdint>
-#include <limits>
 #include <map>
 #include <set>
 
@@ -13,7 +10,6 @@
 
 #include "campaign/schema/key_factors.hpp"
 #include "campaign/schema/schema.hpp"
-#include "ideotype/canopy/quantities.hpp"
 
 namespace ideotype {
 

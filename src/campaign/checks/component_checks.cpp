@@ -3,8 +3,6 @@
 #include <cmath>
 #include <map>
 
-#include <fmt/format.h>
-
 #include "checks.hpp"
 #include "ideotype/canopy/quantities.hpp"
 

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include "checks.hpp"
-#include "ideotype/canopy/quantities.hpp"
 
 namespace ideotype {
 

@@ -7,7 +7,6 @@
 
 #include "campaign/reading/files.hpp"
 #include "checks.hpp"
-#include "ideotype/canopy/quantities.hpp"
 #include "ideotype/core/units.hpp"
 #include "ideotype/crop/obj_reader.hpp"
 

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "campaign/reading/spelling.hpp"
 #include "checks.hpp"
 #include "ideotype/crop/measures.hpp"
 

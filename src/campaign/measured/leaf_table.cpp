@@ -6,7 +6,6 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "campaign/schema/schema.hpp"
 #include "ideotype/core/text.hpp"

@@ -5,9 +5,7 @@
 #include <cmath>
 #include <filesystem>
 #include <string_view>
-#include <vector>
 
-#include <fmt/format.h>
 #include <glm/trigonometric.hpp>
 
 #include "campaign/reading/nodes.hpp"

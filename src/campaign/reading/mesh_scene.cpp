@@ -10,7 +10,6 @@
 #include "campaign/schema/photosynthesis_table.hpp"
 #include "files.hpp"
 #include "nodes.hpp"
-#include "reader.hpp"
 #include "syntax.hpp"
 #include "tables.hpp"
 

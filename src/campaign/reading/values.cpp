@@ -2,7 +2,6 @@
 #include "values.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 #include <fmt/format.h>

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "water_table.hpp"
 
-#include "campaign/checks/checks.hpp"
-#include "ideotype/canopy/quantities.hpp"
+#include "campaign/problems.hpp"
 #include "schema.hpp"
 
 namespace ideotype {

@@ -2,7 +2,6 @@
 #include "light_output.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 

@@ -5,7 +5,6 @@
 #include <limits>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "ideotype/core/error.hpp"
 #include "ideotype/core/text.hpp"

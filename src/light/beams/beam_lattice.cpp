@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "beam_lattice.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
-
-#include <glm/geometric.hpp>
 
 #include "ideotype/core/contract.hpp"
 

@@ -2,7 +2,6 @@
 #include "order_by_place.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace ideotype {
 

@@ -112,7 +112,6 @@ std::vector<Declaration> assimilation_quantities() {
           "gross assimilation after silking less what leaves respire then, day "
           "and night, over the days of the season"},
          after_silking,
-         false,
          [](const Scope& scope) { return scope.grows; }},
         {{"sunlit_lai", "m2 m-2",
           "leaf area index that the sun shines on, mean over the time with "

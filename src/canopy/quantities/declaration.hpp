@@ -51,10 +51,10 @@ struct Scope {
 struct Declaration {
     Quantity quantity;
     std::variant<TakeNumber, TakeNumbers, TakeProfile> take;
-    bool is_of_method = false;  //!< whether the quantity describes the method
     //! Whether a canopy has the quantity. None: a canopy has it if it has the
     //! other quantities of the list.
     std::function<bool(const Scope&)> is_in{};
+    bool is_of_method = false;  //!< whether the quantity describes the method
 };
 
 //! Returns the quantities that a canopy has, in the order of their columns.

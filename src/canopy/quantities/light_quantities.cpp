@@ -135,14 +135,17 @@ std::vector<Declaration> light_quantities() {
          [](const Report& r) {
              return certain(r, r.par().light.balance_error);
          },
+         {},
          true},
         {{"paths", "1", "paths of light in all randomisations", {}, exact},
          [](const Report& r) {
              return certain(r, static_cast<double>(r.paths));
          },
+         {},
          true},
         {{"capped", "1", "1 if the tolerance would need more paths", {}, exact},
          [](const Report& r) { return certain(r, r.is_capped ? 1.0 : 0.0); },
+         {},
          true},
         {{"lai", "m2 m-2", "one-sided leaf area per ground area", {}, exact},
          [](const Report& r) { return certain(r, r.lai); }},
@@ -158,7 +161,6 @@ std::vector<Declaration> light_quantities() {
           {},
           exact},
          [](const Report& r) { return certain(r, r.dead_area_index); },
-         false,
          [](const Scope& scope) { return scope.grows; }},
         {{"absorbed_by_leaf", daily, "PAR that each leaf absorbs", {"leaf"}},
          [](const Report& r) {
@@ -250,6 +252,7 @@ std::vector<Declaration> line_quantities() {
          [](const Report& r) {
              return certain(r, static_cast<double>(r.lines->line));
          },
+         {},
          true}};
 }
 

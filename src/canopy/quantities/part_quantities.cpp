@@ -87,7 +87,6 @@ Declaration absorbed_in(const std::string& name, const Names& bands,
     return {{"absorbed_" + name, daily,
              light + " that leaves absorb per ground area"},
             absorbed(bands),
-            false,
             [last = bands.back()](const Scope& scope) {
                 return scope.has_band(last);
             }};
@@ -117,7 +116,6 @@ Declaration fraction_by_band(const char* name, const char* description,
                 }
                 return values;
             },
-            false,
             has_bands};
 }
 
@@ -176,7 +174,6 @@ Declaration assimilation(const char* name, const char* description, Loss loss) {
             [loss](const CanopyReport& report) {
                 return assimilation_by_component(report, loss);
             },
-            false,
             [](const Scope& scope) {
                 return has_components(scope) && scope.assimilates;
             }};
@@ -226,7 +223,6 @@ std::vector<Declaration> part_quantities() {
          by_component_and_band([](const BandReport& band, std::size_t c) {
              return scaled(band.part(c).leaves, 1 / joule_per_megajoule);
          }),
-         false,
          has_parts},
         {{"absorbed_light_by_hour",
           "W m-2",
@@ -240,7 +236,6 @@ std::vector<Declaration> part_quantities() {
                          values.push_back(band.leaves_at(c, h));
              return values;
          },
-         false,
          has_parts},
         {{"intercepted_fraction",
           "1",
@@ -252,7 +247,6 @@ std::vector<Declaration> part_quantities() {
                  band.parts.empty() ? day.plants : band.parts[c].all,
                  day.incident);
          }),
-         false,
          has_parts},
         fraction_by_band("soil_fraction_by_band",
                          "light that the soil absorbs over incident light",
@@ -272,7 +266,6 @@ std::vector<Declaration> part_quantities() {
                  values.push_back({each.lai, 0});
              return values;
          },
-         false,
          has_components},
         assimilation("gross_assimilation_by_component",
                      "CO2 that leaves take up per ground area", no_loss),
@@ -289,7 +282,6 @@ std::vector<Declaration> part_quantities() {
           "second, relative to the latter: of net assimilation, or of absorbed "
           "light where leaves do not assimilate"},
          TakeNumber(invasion),
-         false,
          are_two},
     };
 }

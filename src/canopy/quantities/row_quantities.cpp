@@ -97,20 +97,20 @@ TakeProfile of_ground(const Take& take, Rows (*of)(const CanopyReport&, Rows)) {
 //! Declares a figure by row and by strip.
 void add_figure(std::vector<Declaration>& all, const Quantity& figure,
                 const Take& take, bool assimilates = false) {
-    const auto declare =
-        [&](const std::string& name, const std::string& meaning,
-            const std::string& axis, const auto& of, bool has_strips) {
-            Quantity one = figure;
-            one.name += name;
-            one.meaning += meaning;
-            one.axes.insert(one.axes.begin(), axis);
-            all.push_back({std::move(one), of_ground(take, of), false,
-                           [=](const Scope& scope) {
-                               return scope.has_rows &&
-                                      (!assimilates || scope.assimilates) &&
-                                      (!has_strips || scope.components > 1);
-                           }});
-        };
+    const auto declare = [&](const std::string& name,
+                             const std::string& meaning,
+                             const std::string& axis, const auto& of,
+                             bool has_strips) {
+        Quantity one = figure;
+        one.name += name;
+        one.meaning += meaning;
+        one.axes.insert(one.axes.begin(), axis);
+        all.push_back(
+            {std::move(one), of_ground(take, of), [=](const Scope& scope) {
+                 return scope.has_rows && (!assimilates || scope.assimilates) &&
+                        (!has_strips || scope.components > 1);
+             }});
+    };
     declare("_by_row", " per ground that is nearest to the row", "field_row",
             on_own_ground, false);
     declare("_of_strip", " per ground that is nearest to rows of the component",
@@ -135,7 +135,6 @@ std::vector<Declaration> row_quantities() {
                                values.push_back({row.*take, 0});
                            return values;
                        },
-                       false,
                        [](const Scope& scope) { return scope.has_rows; }});
     add_figure(
         all, {"lai", "m2 m-2", "one-sided leaf area", {}, exact},

@@ -100,7 +100,7 @@ std::vector<Randomised> transpiration_by_component(const CanopyReport& report) {
 std::vector<Declaration> water_quantities() {
     const auto declare = [](Quantity quantity, auto take,
                             bool (*is_in)(const Scope&) = exchanges_water) {
-        return Declaration{std::move(quantity), std::move(take), false, is_in};
+        return Declaration{std::move(quantity), std::move(take), is_in};
     };
     return {
         declare({"transpiration", depth, "water that leaves transpire"},

@@ -66,24 +66,17 @@ nb::tuple mesh_of(const AnyPlants& each, const CaseStand& under,
 
 //! Plants of any shape in one case of a campaign, or in one of its scenarios.
 //! Several threads may evaluate.
-class PlantStand {
+class PlantStand : public CaseStand {
   public:
     //! @param reach height that no leaf of compared plants exceeds [m]
     //! @param scenario index of the scenario, or nothing for all together
     PlantStand(const CaseStand& under, const AnyPlants& any, double reach,
                std::optional<std::size_t> scenario)
-        : campaign_(with(under.campaign(), any.plants, reach)),
-          chosen_(scenario ? scenarios(under.chosen()).at(*scenario)
-                           : under.chosen()),
-          plants_(any.plants),
-          stand_(campaign_, chosen_),
-          devices_(under.isa()) {
-        stand_.prepare();
-    }
-    PlantStand(const PlantStand&) = delete;
-    PlantStand& operator=(const PlantStand&) = delete;
-
-    const OutcomeSchema& schema() const { return stand_.schema(false); }
+        : CaseStand(with(under.campaign(), any.plants, reach),
+                    scenario ? scenarios(under.chosen()).at(*scenario)
+                             : under.chosen(),
+                    under.isa()),
+          plants_(any.plants) {}
 
     //! Returns the objectives as estimates and by randomisation [objective,
     //! randomisation], and estimates and randomisations of all numbers of
@@ -127,11 +120,7 @@ class PlantStand {
         return campaign;
     }
 
-    Campaign campaign_;
-    Case chosen_;
     Plants plants_;
-    Stand stand_;
-    Devices devices_;
 };
 
 }  // namespace
@@ -147,19 +136,11 @@ void bind_plants(nb::module_& module) {
         .def_prop_ro("reach", &reach_of)
         .def("leaves", &leaves_of, nb::arg("component"))
         .def("mesh", &mesh_of, nb::arg("under"), nb::arg("component"));
-    nb::class_<PlantStand>(module, "PlantStand")
+    nb::class_<PlantStand, CaseStand>(module, "PlantStand")
         .def(nb::init<const CaseStand&, const AnyPlants&, double,
                       std::optional<std::size_t>>(),
              Released(), nb::arg("under"), nb::arg("plants"), nb::arg("reach"),
              nb::arg("scenario").none())
-        .def_prop_ro(
-            "objectives",
-            [](const PlantStand& x) { return objective_list(x.schema()); })
-        .def_prop_ro("axes",
-                     [](const PlantStand& x) { return axis_list(x.schema()); })
-        .def_prop_ro(
-            "quantities",
-            [](const PlantStand& x) { return quantity_list(x.schema()); })
         .def("evaluate", &PlantStand::evaluate, nb::arg("generation"),
              nb::arg("is_final"), nb::arg("seed").none(),
              nb::arg("tolerance").none());

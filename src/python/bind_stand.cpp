@@ -54,12 +54,10 @@ std::unique_ptr<CaseStand> from_history(const std::string& text,
 nb::list genes(const CaseStand& stand) {
     const Genome baseline = baseline_genome(stand.campaign());
     nb::list list;
-    for (std::size_t i = 0; i < stand.genes().size(); ++i) {
-        const Gene& gene = stand.genes()[i];
-        list.append(nb::make_tuple(gene.name, gene.trait, gene.leaf, gene.unit,
-                                   gene.lower, gene.upper, baseline.at(i),
-                                   gene.is_free, gene.is_circular));
-    }
+    for (const Gene& gene : gene_space(stand.campaign(), stand.chosen()))
+        list.append(nb::make_tuple(
+            gene.name, gene.trait, gene.leaf, gene.unit, gene.lower, gene.upper,
+            baseline.at(list.size()), gene.is_free, gene.is_circular));
     return list;
 }
 
@@ -144,19 +142,19 @@ std::vector<std::string> warnings(const CaseStand& stand) {
     return texts;
 }
 
-}  // namespace
-
-nb::list objective_list(const OutcomeSchema& schema) {
+//! Returns name, unit and whether it is maximised, for each objective.
+nb::list objectives(const CaseStand& stand) {
     nb::list list;
-    for (const Objective& each : schema.objectives)
+    for (const Objective& each : stand.schema().objectives)
         list.append(nb::make_tuple(each.name, each.unit,
                                    each.sense == Sense::maximise));
     return list;
 }
 
-nb::list axis_list(const OutcomeSchema& schema) {
+//! Returns name, unit, meaning and coordinates of each axis.
+nb::list axes(const CaseStand& stand) {
     nb::list list;
-    for (const Axis& axis : schema.measured.axes)
+    for (const Axis& axis : stand.schema().measured.axes)
         list.append(nb::make_tuple(
             axis.name, axis.unit, axis.meaning,
             std::visit([](const auto& each) { return nb::cast(each); },
@@ -164,14 +162,17 @@ nb::list axis_list(const OutcomeSchema& schema) {
     return list;
 }
 
-nb::list quantity_list(const OutcomeSchema& schema) {
+//! Returns name, unit, meaning, axes and exactness of each quantity.
+nb::list quantities(const CaseStand& stand) {
     nb::list list;
-    for (const Quantity& each : schema.measured.quantities)
+    for (const Quantity& each : stand.schema().measured.quantities)
         list.append(nb::make_tuple(each.name, each.unit, each.meaning,
                                    each.axes,
                                    each.certainty == Certainty::exact));
     return list;
 }
+
+}  // namespace
 
 void bind_stand(nb::module_& module) {
     using Released = nb::call_guard<nb::gil_scoped_release>;
@@ -191,14 +192,9 @@ void bind_stand(nb::module_& module) {
                      [](const CaseStand& x) { return x.campaign().resolved; })
         .def_prop_ro("warnings", &warnings)
         .def_prop_ro("genes", &genes)
-        .def_prop_ro(
-            "objectives",
-            [](const CaseStand& x) { return objective_list(x.schema()); })
-        .def_prop_ro("axes",
-                     [](const CaseStand& x) { return axis_list(x.schema()); })
-        .def_prop_ro(
-            "quantities",
-            [](const CaseStand& x) { return quantity_list(x.schema()); })
+        .def_prop_ro("objectives", &objectives)
+        .def_prop_ro("axes", &axes)
+        .def_prop_ro("quantities", &quantities)
         .def("evaluate", &evaluate, nb::arg("genome"), nb::arg("generation"),
              nb::arg("is_final"), nb::arg("seed").none(),
              nb::arg("tolerance").none())

@@ -10,7 +10,6 @@ CaseStand::CaseStand(Campaign campaign, const Case& chosen,
                      const std::string& isa)
     : campaign_(std::move(campaign)),
       chosen_(chosen),
-      genes_(gene_space(campaign_, chosen_)),
       stand_(campaign_, chosen_),
       devices_(isa.empty() ? Device::supported_isas().back() : isa) {
     devices_.with([](const Device&) {

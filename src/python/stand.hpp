@@ -51,15 +51,6 @@ class Devices {
     std::vector<std::unique_ptr<Device>> idle_;
 };
 
-//! Returns name, unit and whether it is maximised, for each objective.
-nanobind::list objective_list(const OutcomeSchema& schema);
-
-//! Returns name, unit, meaning and coordinates of each axis.
-nanobind::list axis_list(const OutcomeSchema& schema);
-
-//! Returns name, unit, meaning, axes and exactness of each quantity.
-nanobind::list quantity_list(const OutcomeSchema& schema);
-
 //! The plants of one case of a campaign. Several threads may evaluate.
 class CaseStand {
   public:
@@ -71,7 +62,6 @@ class CaseStand {
 
     const Campaign& campaign() const { return campaign_; }
     const Case& chosen() const { return chosen_; }
-    const GeneSpace& genes() const { return genes_; }
     const std::string& isa() const { return devices_.isa(); }
     const OutcomeSchema& schema() const { return stand_.schema(false); }
 
@@ -95,10 +85,9 @@ class CaseStand {
     //! Returns the instants of the light of the case, or of its first scenario.
     LightSeries light() const;
 
-  private:
+  protected:
     Campaign campaign_;
     Case chosen_;
-    GeneSpace genes_;
     Stand stand_;
     Devices devices_;
 };

@@ -27,7 +27,6 @@ struct WorkHeader {
     Task task;
     std::uint32_t gene_count;
 };
-static_assert(sizeof(WorkHeader) == 32);
 static_assert(std::is_trivially_copyable_v<WorkHeader>);
 
 struct ReplyHeader {
@@ -39,7 +38,6 @@ struct ReplyHeader {
     std::uint32_t message_size;
     std::array<char, reply_message_capacity> message;
 };
-static_assert(sizeof(ReplyHeader) == 208);
 static_assert(std::is_trivially_copyable_v<ReplyHeader>);
 
 //! Returns a header followed by room for doubles.

@@ -26,7 +26,7 @@ struct Reply {
 //! The largest number of bytes of a failure's reason; longer ones are cut.
 inline constexpr std::size_t reply_message_capacity = 160;
 
-//! Encodes work as a header of 32 bytes and the genome.
+//! Encodes work as a header of fixed size and the genome.
 Bytes encode_work(const Work& work);
 
 //! Decodes work. @throws Error if the bytes are no work.

@@ -88,8 +88,11 @@ class PlantStand : public CaseStand {
         RandomisedOutcome found;
         {
             const nb::gil_scoped_release released;
-            const Sampling sampling = sampling_of(
-                {generation, is_final, seed, tolerance}, campaign_, chosen_);
+            const Sampling sampling = sampling_of({.generation = generation,
+                                                   .is_final = is_final,
+                                                   .seed = seed,
+                                                   .tolerance = tolerance},
+                                                  campaign_, chosen_);
             found = devices_.with([&](const Device& device) {
                 return stand_.evaluate_by_randomisation(plants_, sampling,
                                                         device);

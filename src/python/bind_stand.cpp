@@ -69,8 +69,10 @@ nb::tuple evaluate(CaseStand& stand, const Input<double, 1>& genome,
     Outcome outcome;
     {
         const nb::gil_scoped_release released;
-        outcome =
-            stand.evaluate(numbers, {generation, is_final, seed, tolerance});
+        outcome = stand.evaluate(numbers, {.generation = generation,
+                                           .is_final = is_final,
+                                           .seed = seed,
+                                           .tolerance = tolerance});
     }
     const std::size_t count = outcome.objectives.size();
     return nb::make_tuple(

@@ -17,10 +17,9 @@ CaseStand::CaseStand(Campaign campaign, const Case& chosen,
     stand_.prepare();
 }
 
-Outcome CaseStand::evaluate(const Genome& genome,
-                            const SamplingRequest& request) {
-    const Sampling sampling = sampling_of(request, campaign_, chosen_);
-    OutcomeSchema schema = stand_.schema(request.is_final);
+Outcome CaseStand::evaluate(const Genome& genome, const Task& task) {
+    const Sampling sampling = sampling_of(task, campaign_, chosen_);
+    OutcomeSchema schema = stand_.schema(task.is_final);
     schema.randomisations =
         static_cast<std::size_t>(sampling.accuracy.repetitions());
     try {

@@ -66,8 +66,8 @@ class CaseStand {
     const OutcomeSchema& schema() const { return stand_.schema(false); }
 
     //! Evaluates a plant. The outcome tells a failure.
-    //! @throws Error if the request is impossible.
-    Outcome evaluate(const Genome& genome, const SamplingRequest& request);
+    //! @throws Error if the task is impossible.
+    Outcome evaluate(const Genome& genome, const Task& task);
 
     //! Returns the mesh of a plant of a component, at the origin and with y
     //! along the row [m].

@@ -13,7 +13,8 @@ namespace ideotype {
 
 //! The identity of an evaluation: slot, generation and case. Generation and
 //! slot also select the random numbers, so that an evaluation is a pure
-//! function of its task and genome.
+//! function of its task and genome. Outside of a run a task may ask for another
+//! seed and another accuracy.
 struct Task {
     std::uint32_t case_index = 0;
     std::uint32_t generation = 0;
@@ -22,6 +23,11 @@ struct Task {
     //! Tells final evaluations, which have new random numbers and higher
     //! accuracy.
     bool is_final = false;
+    //! The seed that replaces the campaign's seed.
+    std::optional<std::uint64_t> seed{};
+    //! The relative standard error of the leaves' light, at most 0.05, reached
+    //! with as few paths as possible.
+    std::optional<double> tolerance{};
 
     bool operator==(const Task&) const = default;
 };

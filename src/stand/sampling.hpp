@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstdint>
-#include <optional>
-
 #include "campaign/campaign.hpp"
 #include "ideotype/core/random.hpp"
 #include "ideotype/light/accuracy.hpp"
@@ -12,6 +9,7 @@
 namespace ideotype {
 
 //! Returns the accuracy of a task: finalists are evaluated more accurately.
+//! @throws Error of wrong usage if the tolerance of the task is impossible.
 Accuracy accuracy_of(const Task& task, const Campaign& campaign);
 
 //! Returns the random numbers of a task: common to all candidates of a
@@ -26,25 +24,9 @@ struct Sampling {
     Randomness randomness;
 };
 
-//! Returns the sampling of a task.
+//! Returns the sampling of a task. An empty task gives that of generation 0.
+//! @throws Error as accuracy_of()
 Sampling sampling_of(const Task& task, const Campaign& campaign,
-                     const Case& chosen);
-
-//! The request of an evaluation besides its plant.
-struct SamplingRequest {
-    std::uint32_t generation = 0;  //!< number in the search, for its fields
-    bool is_final = false;  //!< whether to be as accurate as for finalists
-    //! A seed that replaces the campaign's seed.
-    std::optional<std::uint64_t> seed{};
-    //! Relative standard error of the leaves' light, at most 0.05, reached with
-    //! as few paths as possible.
-    std::optional<double> tolerance{};
-};
-
-//! Returns the sampling of an evaluation outside of a run. An empty request
-//! gives the sampling of generation 0.
-//! @throws Error of wrong usage if the tolerance is impossible.
-Sampling sampling_of(const SamplingRequest& request, const Campaign& campaign,
                      const Case& chosen);
 
 }  // namespace ideotype

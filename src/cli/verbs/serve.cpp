@@ -27,49 +27,6 @@ constexpr double attention = 1e-3;
 //! The time between looks at the input while there is no work [s].
 constexpr double patience = 0.25;
 
-//! The placeholder of a number that a request does not give.
-constexpr double none = -1;
-
-//! The count of numbers after the genes: the tolerance and both halves of the
-//! seed, since a double cannot hold every seed.
-constexpr std::size_t extra = 3;
-
-double take_last(Genome& genome) {
-    const double last = genome.back();
-    genome.pop_back();
-    return last;
-}
-
-SamplingRequest take_sampling(const Task& task, Genome& genome) {
-    if (genome.size() < extra)
-        throw Error(
-            "another rank sent too few numbers; all ranks must run the same "
-            "ideotype");
-    SamplingRequest sampling{task.generation, task.is_final};
-    const double lower = take_last(genome), upper = take_last(genome);
-    const double tolerance = take_last(genome);
-    if (upper != none)
-        sampling.seed = static_cast<std::uint64_t>(upper) << 32 |
-                        static_cast<std::uint64_t>(lower);
-    if (tolerance != none) sampling.tolerance = tolerance;
-    return sampling;
-}
-
-//! Returns a request as work for a worker: the sampling, which the task cannot
-//! tell, follows the genes.
-Work to_work(const GenomeRequest& request) {
-    Work work{{}, request.genome};
-    work.task.generation = request.sampling.generation;
-    work.task.slot = static_cast<std::uint32_t>(request.line);
-    work.task.is_final = request.sampling.is_final;
-    work.genome.push_back(request.sampling.tolerance.value_or(none));
-    const std::uint64_t seed = request.sampling.seed.value_or(0);
-    work.genome.push_back(
-        request.sampling.seed ? static_cast<double>(seed >> 32) : none);
-    work.genome.push_back(static_cast<double>(seed & 0xffffffffu));
-    return work;
-}
-
 //! Evaluates the genomes of requests. The case must outlive the evaluator.
 class RequestEvaluator : public Evaluator {
   public:
@@ -84,11 +41,9 @@ class RequestEvaluator : public Evaluator {
     }
 
     Outcome evaluate(const Task& task, const Genome& genome) override {
-        Genome plain = genome;
-        const SamplingRequest sampling = take_sampling(task, plain);
         Outcome outcome = stand_.evaluate(
-            grow(served_.campaign, plain),
-            sampling_of(sampling, served_.campaign, served_.chosen), device_);
+            grow(served_.campaign, genome),
+            sampling_of(task, served_.campaign, served_.chosen), device_);
         outcome.randomisations.clear();
         return outcome;
     }
@@ -160,7 +115,7 @@ class Service : public Director {
             const auto line = reader_.next(is_idle ? patience : 0);
             if (line)
                 if (auto request = read(*line)) {
-                    Work work = to_work(*request);
+                    Work work{request->task, request->genome};
                     in_flight_.emplace(work.task.slot, *std::move(request));
                     return work;
                 }
@@ -185,6 +140,7 @@ class Service : public Director {
             id = id_of(json);
             GenomeRequest request = read_request(json, served_);
             request.line = line.number;
+            request.task.slot = static_cast<std::uint32_t>(line.number);
             return request;
         } catch (const Error& error) {
             ++failed_;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <array>
 #include <cstdlib>
 #include <filesystem>
 #include <unistd.h>
@@ -9,6 +8,8 @@
 #include <fmt/format.h>
 
 #include "ideotype/core/error.hpp"
+#include "ideotype/core/text.hpp"
+#include "texts.hpp"
 #include "verbs.hpp"
 
 namespace ideotype {
@@ -16,43 +17,22 @@ namespace ideotype {
 namespace {
 
 struct PythonVerb {
-    const char* name;
-    const char* about;
+    std::string name, about;
 };
 
-//! The verbs that Python answers, as in `ideotype.__main__.VERBS` of the
-//! package.
-constexpr std::array python_verbs{
-    PythonVerb{"summary",
-               "tell the gains of cases as a table, with seeds put together"},
-    PythonVerb{"report", "write a page about histories, with all figures"},
-    PythonVerb{"compare",
-               "compare plants in the same light: how each differs from the "
-               "first, with paired errors, on all cores"},
-    PythonVerb{"weather",
-               "turn weather files of many formats into the one that "
-               "campaigns read"},
-    PythonVerb{"fidelity",
-               "measure what accuracy costs here: error and time of every "
-               "setting that trades one for the other, and the cheapest that "
-               "will do"},
-    PythonVerb{"indices",
-               "tell what each objective depends on, from the rows of a "
-               "sensitivity study"},
-    PythonVerb{"crate",
-               "describe finished histories as a Research Object Crate, with "
-               "authors and licence"},
-    PythonVerb{"ceptometer",
-               "compare light that was measured among plants with light that "
-               "is computed there"},
-    PythonVerb{"fit",
-               "make a crop file of a plant that was digitised, and tell how "
-               "well each leaf fits"},
-    PythonVerb{"play",
-               "open a page with sliders that change a plant and its field, "
-               "and see light and carbon follow"},
-    PythonVerb{"watch", "open a page that follows running campaigns"},
-};
+const std::vector<PythonVerb>& python_verbs() {
+    static const std::vector<PythonVerb> verbs = [] {
+        std::vector<PythonVerb> all;
+        for (const std::string_view line : lines_of(python_verbs_text)) {
+            const std::size_t name = line.find(' ');
+            const std::size_t function = line.find(' ', name + 1);
+            all.push_back({std::string(line.substr(0, name)),
+                           std::string(line.substr(function + 1))});
+        }
+        return all;
+    }();
+    return verbs;
+}
 
 //! The program that answers a verb in Python. Its arguments are a message for a
 //! missing package, and the words. Files of the working folder cannot replace
@@ -69,13 +49,12 @@ sys.exit(answer(sys.argv[2:])))py";
 }  // namespace
 
 void declare_python_verbs(CLI::App& app) {
-    for (const auto& [name, about] : python_verbs)
+    for (const auto& [name, about] : python_verbs())
         app.add_subcommand(name, about)->group("Of the Python package");
 }
 
 bool is_python_verb(const std::string& verb) {
-    return std::ranges::find(python_verbs, verb, &PythonVerb::name) !=
-           python_verbs.end();
+    return std::ranges::count(python_verbs(), verb, &PythonVerb::name) > 0;
 }
 
 void hand_to_python(const std::vector<std::string>& words) {

@@ -10,21 +10,11 @@ from collections.abc import Sequence
 from importlib import import_module
 from pathlib import Path
 
-VERBS = {
-    "summary": "ideotype.analysis.commands:summary",
-    "report": "ideotype.analysis.commands:report",
-    "compare": "ideotype.compare:main",
-    "weather": "ideotype.weather:main",
-    "fidelity": "ideotype.fidelity:main",
-    "indices": "ideotype.analysis.indices_command:main",
-    "crate": "ideotype.analysis.crate:main",
-    "ceptometer": "ideotype.ceptometer:main",
-    "fit": "ideotype.fit:main",
-    "play": "ideotype.live.play:main",
-    "watch": "ideotype.live.watch:main",
-}
+_TEXT = Path(__file__).with_name("verbs.txt").read_text()
+_ROWS = [line.split(maxsplit=2) for line in _TEXT.splitlines()]
+VERBS = {name: function for name, function, _ in _ROWS}
 """The module and function of each verb. A function takes the words after the
-verb and returns the exit code; `python_verbs.cpp` has the same names."""
+verb and returns the exit code; the compiled program has the same file."""
 
 _HANDED = "IDEOTYPE_HANDED"
 """The environment variable that marks a program by which this command has

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -68,8 +67,7 @@ class Assimilation {
         for (const std::size_t i : steps) add(i, beam, sky, pair, light);
         if (tallies_.size() == 1 || whole_ == 0) return;
         const std::vector<double> sums = pair.scatter(weights_, differences_);
-        const double mean = std::accumulate(sums.begin(), sums.end(), 0.) /
-                            static_cast<double>(sums.size());
+        const double mean = mean_of(sums);
         // The error of each step is assumed to be proportional to its value.
         for (std::vector<FluxTally>& flux : all_)
             for (std::size_t r = 0; r < sums.size(); ++r)

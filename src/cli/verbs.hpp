@@ -88,10 +88,6 @@ struct ServeOptions {
 };
 ExitCode serve(const ServeOptions& options);
 
-//! Returns the date in a text such as 2025-08-07, or nothing if the text is no
-//! date.
-std::optional<Date> to_date(const std::string& text);
-
 //! `export FILE --to X.obj|X.vtp|X.csv|X.toml`: writes a plant or its field.
 //! `export FILE --generations --to X.csv`: writes the candidates of all
 //! complete generations, even of a truncated file.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <set>
 
 #include <fmt/format.h>
@@ -80,6 +81,16 @@ constexpr double largest_shift = 1;
 
 std::string to_string(const Date& date) {
     return fmt::format("{:04}-{:02}-{:02}", date.year, date.month, date.day);
+}
+
+std::optional<Date> to_date(const std::string& text) {
+    Date date;
+    char more = 0;
+    if (std::sscanf(text.c_str(), "%4d-%2d-%2d%c", &date.year, &date.month,
+                    &date.day, &more) != 3 ||
+        !(std::chrono::year(date.year) / date.month / date.day).ok())
+        return std::nullopt;
+    return date;
 }
 
 double LightSeries::beam() const {

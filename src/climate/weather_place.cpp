@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include <fmt/format.h>
 
+#include "ideotype/core/estimate.hpp"
 #include "ideotype/core/units.hpp"
 #include "weather_table.hpp"
 
@@ -23,9 +23,7 @@ double extraterrestrial(const Site& site, ClockTime time) {
 }
 
 double correlation(const std::vector<double>& a, const std::vector<double>& b) {
-    const double n = static_cast<double>(a.size());
-    const double ma = std::accumulate(a.begin(), a.end(), 0.0) / n;
-    const double mb = std::accumulate(b.begin(), b.end(), 0.0) / n;
+    const double ma = mean_of(a), mb = mean_of(b);
     double aa = 0, bb = 0, ab = 0;
     for (std::size_t i = 0; i < a.size(); ++i) {
         aa += (a[i] - ma) * (a[i] - ma);

@@ -3,15 +3,19 @@
 
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 namespace ideotype {
 
+double mean_of(std::span<const double> values) {
+    return std::accumulate(values.begin(), values.end(), 0.) /
+           static_cast<double>(values.size());
+}
+
 Estimate estimate(std::span<const double> values) {
     const auto n = static_cast<double>(values.size());
-    double sum = 0;
-    for (const double x : values) sum += x;
-    const double mean = sum / n;
+    const double mean = mean_of(values);
     if (values.size() < 2)
         return {mean, std::numeric_limits<double>::quiet_NaN()};
     double squares = 0;

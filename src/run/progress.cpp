@@ -2,7 +2,6 @@
 #include "progress.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <ctime>
@@ -12,13 +11,12 @@
 #include <fmt/format.h>
 
 #include "ideotype/canopy/quantities.hpp"
+#include "parallel/rank_clock.hpp"
 
 namespace ideotype {
 
 double now() {
-    using SteadyClock = std::chrono::steady_clock;
-    return std::chrono::duration<double>(SteadyClock::now().time_since_epoch())
-        .count();
+    return machine_clock.now();
 }
 
 std::string with_unit(const std::string& number, const std::string& unit) {

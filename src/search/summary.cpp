@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <numeric>
 #include <set>
 #include <utility>
 
@@ -20,11 +19,6 @@ double standard_deviation(const std::vector<double>& values, double mean) {
     double squares = 0;
     for (const double x : values) squares += (x - mean) * (x - mean);
     return std::sqrt(squares / static_cast<double>(values.size()));
-}
-
-double mean_of(const std::vector<double>& values) {
-    return std::accumulate(values.begin(), values.end(), 0.0) /
-           static_cast<double>(values.size());
 }
 
 //! Returns the standard deviation of a gene over its range. On a circle it is

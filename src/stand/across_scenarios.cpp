@@ -34,11 +34,6 @@ bool has_same_axes(const Quantity& quantity, const QuantitySet& a,
            });
 }
 
-double mean_of(const std::vector<double>& values) {
-    return std::accumulate(values.begin(), values.end(), 0.) /
-           static_cast<double>(values.size());
-}
-
 }  // namespace
 
 QuantitySet measured_in(const Campaign& campaign, const Case& scenario) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <cstdio>
 #include <map>
 #include <tuple>
 
@@ -16,17 +15,6 @@ namespace {
 using Two = std::tuple<double, double>;
 using Three = std::tuple<double, double, double>;
 using Four = std::tuple<int, int, double, double>;
-
-Date to_date(const std::string& text) {
-    Date date;
-    char rest = 0;
-    if (text.size() != 10 ||
-        std::sscanf(text.c_str(), "%4d-%2d-%2d%c", &date.year, &date.month,
-                    &date.day, &rest) != 3)
-        throw CLI::ValidationError(
-            "--date", text + " is no date; write it as YYYY-MM-DD");
-    return date;
-}
 
 FieldForm& field_of(MeshOptions& options) {
     if (!options.field) {
@@ -91,7 +79,12 @@ void add_light(CLI::App& verb, MeshOptions& options) {
         "and the sky of a clear day (--date)");
     verb.add_option_function<std::string>(
         "--date",
-        [&](const std::string& text) { options.date = to_date(text); },
+        [&](const std::string& text) {
+            options.date = to_date(text);
+            if (!options.date)
+                throw CLI::ValidationError(
+                    "--date", text + " is no date; write it as YYYY-MM-DD");
+        },
         "date of the clear day at --site: YYYY-MM-DD");
 }
 

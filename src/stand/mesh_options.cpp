@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mesh_options.hpp"
 
-#include <chrono>
 #include <cmath>
 #include <utility>
 
@@ -69,13 +68,9 @@ void check_site(const Site& site, const Date& date) {
             "--site: longitude is -180 to 180");
     require(site.utc_offset >= -12 && site.utc_offset <= 14,
             "--site: the UTC offset is -12 to 14 h");
-    const std::chrono::year_month_day day{
-        std::chrono::year{date.year},
-        std::chrono::month{static_cast<unsigned>(date.month)},
-        std::chrono::day{static_cast<unsigned>(date.day)}};
-    require(day.ok() && date.year >= 1950 && date.year <= 2100,
-            fmt::format("--date: {:04}-{:02}-{:02} is no day from 1950 to 2100",
-                        date.year, date.month, date.day));
+    require(
+        date.year >= 1950 && date.year <= 2100,
+        fmt::format("--date: {} is no day from 1950 to 2100", to_string(date)));
 }
 
 void check_light(const MeshOptions& options) {

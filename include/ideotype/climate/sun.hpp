@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <compare>
+#include <optional>
 #include <string>
 
 #include "ideotype/core/mesh.hpp"
@@ -37,6 +38,10 @@ inline std::chrono::sys_days day_of(const Date& date) {
 }
 
 std::string to_string(const Date& date);  //!< such as 2025-08-07
+
+//! Returns the date that a text such as 2025-08-07 tells; nothing if there is
+//! no such date.
+std::optional<Date> to_date(const std::string& text);
 
 //! The direction of the sun's centre, without refraction.
 struct SunPosition {

@@ -14,6 +14,9 @@ struct Estimate {
     double standard_error = 0;
 };
 
+//! Returns the mean of values; NaN if there are none.
+double mean_of(std::span<const double> values);
+
 //! Returns the mean of independent values and the standard error of that mean,
 //! sqrt(sum (x - mean)^2 / (n (n - 1))). The standard error of a single value
 //! is NaN.

@@ -105,30 +105,20 @@ Section photosynthesis_section(PhotosynthesisTable& table) {
     std::vector<std::pair<std::string, LeafModel>> names;
     for (const Model& each : models) names.emplace_back(each.name, each.kind);
     using enum CapacityProfile;
-    return {"photosynthesis",
-            {{"model", choice(table.model, names)},
-             {"phi", &table.phi},
-             {"theta", &table.theta},
-             {"amax", &table.amax},
-             {"rd", &table.rd},
-             {"vmax", &table.vmax},
-             {"alpha", &table.alpha},
-             {"beta", &table.beta},
-             {"k", &table.k},
-             {"vcmax", &table.vcmax},
-             {"jmax", &table.jmax},
-             {"tpu", &table.tpu},
-             {"g1", &table.g1},
-             {"profile", choice(table.profile, {{"none", none},
-                                                {"exponential", exponential},
-                                                {"nitrogen", nitrogen},
-                                                {"rank", rank}})},
-             {"rank_capacity", &table.rank_capacity},
-             {"kn", &table.kn},
-             {"nitrogen", &table.nitrogen},
-             {"weather", &table.follows_weather},
-             {"leaf_mass", &table.building_cost},
-             {"leaf_days", &table.building_days}}};
+    Section section("photosynthesis", {{"model", choice(table.model, names)}});
+    for (const LeafKey& key : leaf_keys)
+        section.add(key.name, &(table.*key.numbers));
+    section.add("profile", choice(table.profile, {{"none", none},
+                                                  {"exponential", exponential},
+                                                  {"nitrogen", nitrogen},
+                                                  {"rank", rank}}));
+    section.add("rank_capacity", &table.rank_capacity);
+    section.add("kn", &table.kn);
+    section.add("nitrogen", &table.nitrogen);
+    section.add("weather", &table.follows_weather);
+    section.add("leaf_mass", &table.building_cost);
+    section.add("leaf_days", &table.building_days);
+    return section;
 }
 
 void check_photosynthesis(const PhotosynthesisTable& table, std::size_t leaves,

@@ -21,9 +21,8 @@ const char* boundary_name(const MeshOptions& options) {
 std::string light_name(const MeshOptions& options) {
     if (!options.climate.empty()) return "mean day of " + options.climate;
     if (options.site)
-        return fmt::format("clear day {:04}-{:02}-{:02} at {} N {} E, UTC {:+}",
-                           options.date->year, options.date->month,
-                           options.date->day, options.site->latitude,
+        return fmt::format("clear day {} at {} N {} E, UTC {:+}",
+                           to_string(*options.date), options.site->latitude,
                            options.site->longitude, options.site->utc_offset);
     if (options.sun && options.sky && options.beam_ppfd)
         return fmt::format("sun at elevation {} and azimuth {}, and sky",

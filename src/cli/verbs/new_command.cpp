@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cctype>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -22,16 +21,6 @@
 #include "new_text.hpp"
 
 namespace ideotype {
-
-std::optional<Date> to_date(const std::string& text) {
-    Date date;
-    char more = 0;
-    if (std::sscanf(text.c_str(), "%4d-%2d-%2d%c", &date.year, &date.month,
-                    &date.day, &more) != 3 ||
-        !(std::chrono::year(date.year) / date.month / date.day).ok())
-        return std::nullopt;
-    return date;
-}
 
 namespace {
 

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "ideotype/core/contract.hpp"
 #include "ideotype/core/random.hpp"
@@ -52,12 +53,6 @@ double better_half(const Population& rows, const std::vector<Sense>& senses) {
 
 }  // namespace
 
-double mean_of(const double* values, std::size_t count) {
-    double sum = 0;
-    for (std::size_t i = 0; i < count; ++i) sum += values[i];
-    return sum / static_cast<double>(count);
-}
-
 Candidate plant_at(const VectorXd& point, const UnboundedGenes& coordinates,
                    const Genome& baseline) {
     return {coordinates.genome({point.begin(), point.end()}, baseline),
@@ -106,10 +101,10 @@ void Arm::learn(const Population& rows, const std::vector<Sense>& senses,
 bool Arm::gains_nothing(Sense sense) const {
     constexpr std::size_t window = 20;
     if (course_.size() < 2 * window) return false;
-    const double* last = course_.data() + course_.size() - window;
-    const double* before = last - window;
-    const double now = mean_of(last, window);
-    const double then = mean_of(before, window);
+    const auto both = std::span(course_).last(2 * window);
+    const auto before = both.first(window), last = both.last(window);
+    const double now = mean_of(last);
+    const double then = mean_of(before);
     double squares = 0;
     for (std::size_t i = 0; i < window; ++i)
         squares += (last[i] - now) * (last[i] - now) +

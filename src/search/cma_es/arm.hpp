@@ -56,7 +56,4 @@ class Arm {
 Candidate plant_at(const Eigen::VectorXd& point,
                    const UnboundedGenes& coordinates, const Genome& baseline);
 
-//! Returns the mean of some numbers.
-double mean_of(const double* values, std::size_t count);
-
 }  // namespace ideotype

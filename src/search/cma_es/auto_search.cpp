@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <map>
+#include <span>
 #include <utility>
 
 #include "arm.hpp"
@@ -152,7 +153,7 @@ class AutoSearch : public GenerationalOptimizer {
         const std::size_t generations = arms_.front().course().size();
         if (arms_.size() > 1 && generations >= race) {
             const auto result = [&](const Arm& arm) {
-                return mean_of(&arm.course()[generations - judged], judged);
+                return mean_of(std::span(arm.course()).last(judged));
             };
             const bool is_second_better =
                 is_better(result(arms_[1]), result(arms_[0]), sense);

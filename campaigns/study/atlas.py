@@ -14,13 +14,12 @@ from __future__ import annotations
 
 import matplotlib
 from shared import (
-    CAMPAIGNS,
     ROUGH,
     breed_tables,
+    campaign_of,
     guard,
     parser_of_searches,
     print_table,
-    read_campaign,
     told,
 )  # fmt: skip
 
@@ -52,8 +51,7 @@ def table_of(atlas: Atlas) -> tuple[list[str], list[list[str]]]:
 def main() -> None:
     parser = parser_of_searches(__doc__, has_figure=True, generations=50)
     options = parser.parse_args()
-    tables = read_campaign(CAMPAIGNS / "atlas.toml")
-    tables["stop"] = {"generations": options.generations}
+    tables = campaign_of("atlas", stop={"generations": options.generations})
     if options.rough:
         tables |= {"light": ROUGH["light"], "final": {"paths": 64}}
     (path,) = breed_tables(tables, options.folder)

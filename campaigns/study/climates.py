@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import csv
 import math
-import tomllib
 from datetime import date, time
 from functools import cache
 from pathlib import Path
@@ -15,7 +14,7 @@ from typing import Any
 
 import numpy as np
 import pandas as pd
-from shared import CAMPAIGNS, Numbers
+from shared import Numbers, campaign_of
 
 DAY = date(2025, 8, 7)
 #: A whole clear day, as a [[day]] of a campaign.
@@ -32,28 +31,45 @@ of clouds (E)."""
 
 def bondville() -> dict[str, Any]:
     """Returns the campaign of the season."""
-    with (CAMPAIGNS / "bondville.toml").open("rb") as file:
-        return tomllib.load(file)
+    return campaign_of("bondville")
 
 
 def season() -> dict[str, Any]:
-    """Returns the season as a [[climate]], with the whole path of its file."""
-    found: dict[str, Any] = dict(bondville()["climate"][0])
-    return {**found, "file": str(CAMPAIGNS / found["file"])}
+    """Returns the season as a [[climate]]."""
+    return dict(bondville()["climate"][0])
 
 
-def growing_season() -> dict[str, Any]:
-    """Returns the tables of the hybrid that grows and ages in the season of
-    2011 at Bondville: site, climate, plant and light."""
-    found = tomllib.loads((CAMPAIGNS / "growing_season.toml").read_text())
-    climate = found["climate"][0]
+def growing_season(year: int = 2011, **tables: Any) -> dict[str, Any]:
+    """Returns the campaign of the hybrid that grows and ages in a year at
+    Bondville, for its carbon, with some tables replaced."""
+    found = campaign_of(
+        "growing_season", objective={"maximise": "carbon_balance"}, **tables
+    )
+    found["climate"] = [x for x in found["climate"] if x["name"] == str(year)]
+    return found
+
+
+def dry_month() -> dict[str, Any]:
+    """Returns July of the drought of 2012 at Bondville, where leaves exchange
+    water: site, climate, photosynthesis, water and light."""
+    found = growing_season(2012)
+    (climate,) = found["climate"]
+    del climate["emergence"]
+    dates = {"from": date(2012, 7, 1), "to": date(2012, 7, 31)}
     return {
-        "site": found["site"],
-        "climate": [{**climate, "file": str(CAMPAIGNS / climate["file"])}],
-        "plant": {
-            "baseline": str(CAMPAIGNS / found["plant"]["baseline"]),
-            "bounds": "breedable",
-        },
+        **{name: found[name] for name in ("site", "photosynthesis")},
+        "climate": [climate | dates],
+        "water": {},
+        "final": {"paths": 1024, "randomisations": 32},
+    }
+
+
+def growth() -> dict[str, Any]:
+    """Returns tables for breeding the hybrid that grows and ages in 2011 at
+    Bondville: site, climate, plant and light."""
+    found = growing_season()
+    return {
+        **{name: found[name] for name in ("site", "climate", "plant")},
         "light": {"tolerance": 0.02},
         "final": {"candidates": 3, "paths": 512, "randomisations": 48},
     }

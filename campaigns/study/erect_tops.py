@@ -32,7 +32,6 @@ from itertools import pairwise, product
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 from climates import CLEAR_DAY, bondville, overcast_day, season, site
 from shared import (
     MAIZE,
@@ -45,9 +44,8 @@ from shared import (
     best,
     breed_tables,
     breedable_but,
-    gain,
+    gain_in,
     guard,
-    light,
     mean_over_seeds,
     parser_of_searches,
     print_table,
@@ -139,20 +137,28 @@ def bred(
     return best(breed_tables(shaped, folder)[0])
 
 
+def bred_pairs(
+    tables: dict[str, Any], folder: Path, generations: int, seeds: int
+) -> list[list[Numbers]]:
+    """Returns for each seed the best plant with a flat top, and that with an
+    erect one."""
+    return [
+        [
+            bred(tables, top, seed, generations, folder)
+            for top in ("flat", "erect")
+        ]
+        for seed in range(1, seeds + 1)
+    ]
+
+
 def difference(
     tables: dict[str, Any], folder: Path, generations: int, seeds: int
 ) -> list[Estimate]:
     """Returns for each seed the gain of the erect top over the flat top
     [%]."""
     stand = Stand(tables)
-    differences = []
-    for seed in range(1, seeds + 1):
-        plants = [
-            bred(tables, top, seed, generations, folder)
-            for top in ("flat", "erect")
-        ]
-        differences.append(gain(*light(stand, np.array(plants)).tolist()))
-    return differences
+    pairs = bred_pairs(tables, folder, generations, seeds)
+    return [gain_in(stand, *pair) for pair in pairs]
 
 
 def sign_changes(

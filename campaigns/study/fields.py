@@ -261,12 +261,6 @@ def scaled(x: Estimate, factor: float) -> Estimate:
     return x[0] * factor, x[1] * factor
 
 
-def ratio(a: Estimate, b: Estimate) -> Estimate:
-    """Returns the ratio of two evaluations with independent errors."""
-    mean = a[0] / b[0]
-    return mean, abs(mean) * math.hypot(a[1] / a[0], b[1] / b[0])
-
-
 def noon_rate(x: Measured) -> Estimate:
     """Returns gross assimilation around noon [umol m-2 s-1]."""
     return scaled(x["gross_assimilation"], 1e6 / NOON_SECONDS)

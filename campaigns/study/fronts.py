@@ -1,18 +1,19 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Finds the leaf area that a season's carbon needs.
+"""Finds the leaf area, or the water, that a season's carbon needs.
 
 fronts.py FOLDER [--figure FILE.png] [--generations N] [--seeds N]
-          [--growing] [--rough]
+          [--growing | --water] [--rough]
 
 Breeds crops/maize.toml by NSGA-II for a high carbon balance of the season
-measured at Bondville, Illinois, and a low leaf area index. Traits are those
-that a breeder can select (bounds "breedable"), and plants differ as those of
-fields do. Evaluates members of the front of each seed again with the same
-random numbers and prints some of those that no other dominates, the baseline,
-and the leaf area index beyond which more leaves cost more carbon than they
-gain. ± is the standard error; that of a difference is over randomisations that
-both plants share.
+measured at Bondville, Illinois, and a low leaf area index; with --water for a
+high carbon balance of July in the drought of 2012, where leaves exchange
+water, and low transpiration. Traits are those that a breeder can select
+(bounds "breedable"), and plants differ as those of fields do. Evaluates
+members of the front of each seed again with the same random numbers and prints
+some of those that no other dominates, the baseline, and the leaf area index or
+transpiration beyond which more of it gains no carbon. ± is the standard error;
+that of a difference is over randomisations that both plants share.
 """
 
 from __future__ import annotations
@@ -20,13 +21,13 @@ from __future__ import annotations
 import argparse
 import math
 import tomllib
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-from climates import bondville, growing_season, season
+from climates import bondville, dry_month, growth, season
 from draw_plants import draw as draw_plant
+from front_members import BALANCE, LEAVES, WATER, Found, Price
 from matplotlib.axes import Axes
 from shared import (
     BREEDABLE,
@@ -34,64 +35,37 @@ from shared import (
     Numbers,
     breed_tables,
     estimate,
+    front_of,
+    gain,
     guard,
     parser_of_searches,
     print_table,
     told,
 )  # fmt: skip
 
-from ideotype import Error, Stand, open_history
+from ideotype import Stand
 from ideotype.analysis.figures.style import BASELINE, BEST, QUIET, new_figure
 from ideotype.analysis.front import non_dominated
 
 SHOWN = 8
 DRAWN = 5
 """The number of plants of the front in the figure."""
+CARBON = 12.011
+"""The molar mass of carbon [g mol-1]."""
 
 
-@dataclass(frozen=True)
-class Found:
-    """Plants in the order of their leaf area index, with the baseline."""
-
-    stand: Stand
-    genomes: Numbers  # genomes [plants, genes], the baseline last
-    lai: Numbers
-    carbon: Numbers  # carbon balance of plants [plants, randomisations]
-    is_front: np.ndarray  # whether no other plant dominates a plant
-    seed: Numbers  # the seed that bred each plant but the baseline
-
-    @property
-    def front(self) -> list[int]:
-        return [int(i) for i in np.flatnonzero(self.is_front)]
-
-    @property
-    def unit(self) -> str:
-        known = self.stand.quantities.set_index("name")
-        return str(known.unit["carbon_balance"])
-
-    def shown(self, count: int) -> list[int]:
-        """Returns members of the front at about equal steps of leaf area."""
-        lai = self.lai[self.front]
-        step = (lai[-1] - lai[0]) / max(count - 1, 1)
-        number = np.round((lai - lai[0]) / max(step, 1e-9))
-        off = np.abs(lai - lai[0] - number * step)
-        return [
-            self.front[int(np.where(number == each, off, np.inf).argmin())]
-            for each in np.unique(number)
-        ]
-
-
-def campaign(options: argparse.Namespace) -> dict[str, Any]:
-    lit = (
-        growing_season()
-        if options.growing
-        else {"site": bondville()["site"], "climate": [season()]}
-    )
+def campaign(options: argparse.Namespace, price: Price) -> dict[str, Any]:
+    lit = {"site": bondville()["site"], "climate": [season()]}
+    if options.growing or options.water:
+        lit = growth() if options.growing else dry_month()
     return {
         **BREEDABLE,
         "name": "front",
         "replicates": options.seeds,
-        "objective": {"maximise": "carbon_balance", "minimise": "lai"},
+        "objective": {
+            "maximise": "carbon_balance",
+            "minimise": price.quantity,
+        },
         "search": {"optimizer": "nsga2", "population": 40},
         "stop": {"generations": options.generations},
         **lit,
@@ -104,33 +78,24 @@ def campaign(options: argparse.Namespace) -> dict[str, Any]:
     }
 
 
-def members(history: Path) -> Numbers:
-    """Returns genomes of the front [plants, genes]."""
-    with open_history(history) as opened:
-        front = opened.front()
-    if front is None:
-        raise Error(f"{history}: no plant is evaluated yet")
-    return front.members.genome
-
-
 def find(options: argparse.Namespace) -> Found:
-    tables = campaign(options)
+    price = WATER if options.water else LEAVES
+    tables = campaign(options, price)
     stand = Stand(tables)
-    bred = [members(path) for path in breed_tables(tables, options.folder)]
+    bred = [front_of(path) for path in breed_tables(tables, options.folder)]
     seed = np.repeat(np.arange(len(bred)), [len(plants) for plants in bred])
     genomes = np.vstack([*bred, stand.baseline])
     values = stand.evaluate(genomes, ["lai"], final=True)
-    lai = values.lai.to_numpy()
-    carbon = values.objective_by_randomisation.sel(
-        objective="carbon_balance"
-    ).to_numpy()
-    order = np.append(np.argsort(lai[:-1]), len(seed))
+    both = values.objective_by_randomisation.to_numpy()
+    order = np.append(np.argsort(both[:-1, 1].mean(1)), len(seed))
+    carbon, paid = both[order].swapaxes(0, 1)
     is_front = non_dominated(
-        np.column_stack([carbon.mean(1), lai])[order], [1, -1]
+        np.column_stack([carbon.mean(1), paid.mean(1)]), [1, -1]
     )
     is_front[-1] = False
     return Found(
-        *(stand, genomes[order], lai[order], carbon[order], is_front),
+        *(stand, price, genomes[order], values.lai.to_numpy()[order]),
+        *(paid, carbon, is_front),
         seed=seed[order[:-1]],
     )
 
@@ -144,45 +109,61 @@ def angles(found: Found, plant: int) -> list[str]:
 
 
 def top(found: Found) -> tuple[float, float, float]:
-    """Returns the leaf area index of the highest carbon balance, and its 95 %
-    interval by bootstrap over randomisations."""
+    """Returns the price of the highest carbon balance, and its 95 % interval
+    by bootstrap over randomisations."""
     bred = found.carbon[:-1]
     count = bred.shape[1]
     draws = np.random.default_rng(1).integers(count, size=(2000, count))
     highest = [int(bred[:, draw].mean(1).argmax()) for draw in draws]
-    lower, upper = np.quantile(found.lai[highest], [0.025, 0.975])
-    return float(found.lai[bred.mean(1).argmax()]), lower, upper
+    lower, upper = np.quantile(found.paid[highest], [0.025, 0.975])
+    return float(found.paid[bred.mean(1).argmax()]), lower, upper
 
 
 def tell(found: Found) -> None:
     chosen = found.shown(SHOWN)
+    row = leaf_row if found.price == LEAVES else water_row
     rows = [["baseline", *row(found, len(found.lai) - 1, None)]]
     for number, plant in enumerate(chosen, 1):
         before = chosen[number - 2] if number > 1 else None
         rows.append([str(number), *row(found, plant, before)])
-    titles = [
-        "plant",
-        "leaf area index",
-        f"carbon balance [{found.unit}]",
-        "per leaf area",
-        "of one more unit of leaf area",
-        "insertion angle of the upper 4 leaves [deg]",
-        "of the lower 4",
-    ]
+    titles = ["plant", found.price.title, *found.price.titles]
+    titles += ["insertion angle of the upper 4 leaves [deg]", "of the lower 4"]
     print_table(titles, rows)
     carbon = found.carbon[:-1].mean(1)
     by_seed = [
-        found.lai[np.where(found.seed == seed, carbon, 0).argmax()]
+        found.paid[np.where(found.seed == seed, carbon, 0).argmax()]
         for seed in np.unique(found.seed)
     ]
     print(
-        "\nThe carbon balance is highest at a leaf area index of "
+        f"\nThe carbon balance is highest at a {found.price.name} of "
         "{:.2f} ({:.2f} .. {:.2f});".format(*top(found)),
         f"by seed {', '.join(f'{x:.2f}' for x in by_seed)}.",
     )
+    if found.price == WATER:
+        tell_least(found)
 
 
-def row(found: Found, plant: int, before: int | None) -> list[str]:
+def over_baseline(values: Numbers, plant: int) -> tuple[float, float]:
+    """Returns the gain of a plant over the baseline [%]."""
+    return gain(values[-1].tolist(), values[plant].tolist())
+
+
+def tell_least(found: Found) -> None:
+    """Prints what the carbon of the baseline takes in a plant of the front."""
+    carbon = found.carbon.mean(1)
+    enough = [i for i in found.front if carbon[i] >= carbon[-1]]
+    if enough:
+        each = (found.paid_by_randomisation, found.carbon)
+        changes = (over_baseline(x, enough[0]) for x in each)
+        less, more = (told((x, 1.96 * e), 1, "+") for x, e in changes)
+        print(
+            "Of plants with no less carbon than the baseline, that of the "
+            f"least {found.price.name} has {less} % of it and {more} % of "
+            "carbon (over the baseline's; 95 % intervals of randomisations)."
+        )
+
+
+def leaf_row(found: Found, plant: int, before: int | None) -> list[str]:
     lai, carbon = found.lai[plant], found.carbon[plant]
     more = ""
     if before is not None:
@@ -198,13 +179,30 @@ def row(found: Found, plant: int, before: int | None) -> list[str]:
     ]
 
 
+def water_row(found: Found, plant: int, _: int | None) -> list[str]:
+    water, carbon = found.paid_by_randomisation, found.carbon
+    more = [
+        told(over_baseline(each, plant), 1, "+")
+        if plant < len(each) - 1
+        else ""
+        for each in (water, carbon)
+    ]
+    per_water = CARBON * carbon[plant] / water[plant]
+    return [
+        *(told(estimate(water[plant].tolist()), 2), more[0]),
+        *(told(estimate(carbon[plant].tolist()), 3), more[1]),
+        *(told(estimate(per_water.tolist()), 2), f"{found.lai[plant]:.2f}"),
+        *angles(found, plant),
+    ]
+
+
 def draw(found: Found, path: Path) -> None:
     baseline = len(found.lai) - 1
     shown = sorted(
-        [*found.shown(DRAWN), baseline], key=lambda i: float(found.lai[i])
+        [*found.shown(DRAWN), baseline], key=lambda i: float(found.paid[i])
     )
     figure = new_figure(9, 6)
-    figure.suptitle("How much leaf area does a season's carbon need?")
+    figure.suptitle(found.price.question)
     grid = figure.add_gridspec(2, len(shown), height_ratios=(1, 1.3))
     panels = [figure.add_subplot(grid[0, i]) for i in range(len(shown))]
     draw_plants(found, panels, shown)
@@ -216,14 +214,14 @@ def draw(found: Found, path: Path) -> None:
         ("baseline", [baseline], BASELINE, "D"),
     ):
         axes.errorbar(
-            found.lai[plants], means[plants], 1.96 * errors[plants],
+            found.paid[plants], means[plants], 1.96 * errors[plants],
             color=color, marker=marker, linestyle="none", label=name,
         )  # fmt: skip
     middle, lower, upper = top(found)
     axes.axvspan(lower, upper, color=QUIET, alpha=0.3, linewidth=0)
-    axes.axvline(middle, color=QUIET, label="more leaves no longer pay")
-    axes.set_xlabel("leaf area index")
-    axes.set_ylabel(f"carbon balance [{found.unit}]")
+    axes.axvline(middle, color=QUIET, label="carbon is highest")
+    axes.set_xlabel(found.price.title)
+    axes.set_ylabel(BALANCE)
     axes.legend(loc="lower right")
     figure.savefig(path, dpi=110)
 
@@ -238,14 +236,19 @@ def draw_plants(found: Found, panels: list[Axes], shown: list[int]) -> None:
         axes.set(xlim=(-reach, reach), ylim=(0, 1.03 * every[:, 2].max()))
         axes.set_axis_off()
         name = "" if plant in found.front else "baseline, "
-        axes.set_title(f"{name}{found.lai[plant]:.1f}", fontsize=9)
+        axes.set_title(f"{name}{found.paid[plant]:.1f}", fontsize=9)
 
 
 def main() -> None:
     parser = parser_of_searches(
         __doc__, has_figure=True, has_growth=True, generations=60, seeds=2
     )
+    parser.add_argument(
+        "--water", action="store_true", help="let water be what carbon costs"
+    )
     options = parser.parse_args()
+    if options.growing and options.water:
+        parser.error("--water is of plants that stand; leave --growing out")
     found = find(options)
     tell(found)
     if options.figure:

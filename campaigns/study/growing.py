@@ -18,7 +18,6 @@ from __future__ import annotations
 
 import argparse
 import time
-import tomllib
 from collections.abc import Iterator
 from datetime import date
 from itertools import pairwise
@@ -26,13 +25,13 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from climates import growing_season
 from draw_plants import draw
-from shared import CAMPAIGNS, gain, guard, light, print_table, sign_change
+from shared import HYBRID, gain_in, guard, print_table, sign_change
 
 from ideotype import Crop, Stand
 from ideotype.analysis.figures.style import new_figure
 
-HYBRID = CAMPAIGNS / "crops" / "maize_hybrid.toml"
 STAGES = (4, 6, 8, 10, 14, 20)
 DENSITIES = (2.0, 3.0, 4.5, 6.0, 7.5, 10.0)
 FULL = "emergence to maturity, full canopy"
@@ -40,18 +39,13 @@ FULL = "emergence to maturity, full canopy"
 
 def tables(**light: Any) -> dict[str, Any]:
     """The first year of growing_season.toml, with plants that are alike."""
-    text = (CAMPAIGNS / "growing_season.toml").read_text()
-    found: dict[str, Any] = tomllib.loads(text)
-    found["climate"] = found["climate"][:1]
-    found["objective"] = {"maximise": "carbon_balance"}
-    found["field"] = {"rows": 2, "plants": 2, "jitter": 0}
-    found["light"] = light
-    return found
+    field = {"rows": 2, "plants": 2, "jitter": 0}
+    return growing_season(field=field, light=light)
 
 
 def of_full_canopy(growing: dict[str, Any]) -> dict[str, Any]:
     """Returns the days of a season with plants as they stand at silking."""
-    stand = Stand(growing, folder=CAMPAIGNS)
+    stand = Stand(growing)
     days = stand.evaluate(stand.baseline, ["assimilation_by_day"]).day.values
     climate = dict(growing["climate"][0])
     del climate["emergence"]
@@ -71,7 +65,7 @@ def errors_of_stages(paths: int, stages: tuple[int, ...]) -> list[float]:
     [%]."""
     found = [
         number(
-            Stand(tables(paths=paths, stages=n, dates=n), folder=CAMPAIGNS),
+            Stand(tables(paths=paths, stages=n, dates=n)),
             "gross_assimilation",
         )[0]
         for n in (40, *stages)
@@ -83,10 +77,7 @@ def cost(pairs: int) -> tuple[float, float]:
     """Returns the time of a growing season at an equal error over that of a
     full canopy, as a mean over pairs with its standard error."""
     growing = tables(tolerance=0.008)
-    stands = [
-        Stand(each, folder=CAMPAIGNS)
-        for each in (growing, of_full_canopy(growing))
-    ]
+    stands = [Stand(growing), Stand(of_full_canopy(growing))]
     name = "gross_assimilation"
     squares = np.zeros((pairs, 2))
     seconds = np.zeros((pairs, 2))
@@ -104,8 +95,8 @@ def cost(pairs: int) -> tuple[float, float]:
 
 def carbon(paths: int) -> list[tuple[str, float]]:
     """Returns how growth changes the carbon of a season."""
-    growing = Stand(tables(paths=paths), folder=CAMPAIGNS)
-    full = Stand(of_full_canopy(tables(paths=paths)), folder=CAMPAIGNS)
+    growing = Stand(tables(paths=paths))
+    full = Stand(of_full_canopy(tables(paths=paths)))
     names = ("gross_assimilation", "respiration", "carbon_after_silking")
     gross, lost, late = number(growing, *names)
     full_gross, full_lost = number(full, *names[:2])
@@ -133,14 +124,14 @@ def erect_tops(
         growing["traits"] = [{"name": "angles", "free": ["insertion_angle"]}]
         row: list[Any] = [density]
         for each in (growing, of_full_canopy(growing)):
-            stand = Stand(each, folder=CAMPAIGNS)
+            stand = Stand(each)
             flat, erect = stand.baseline.copy(), stand.baseline.copy()
             genes = stand.genes
             top = (genes.trait == "insertion_angle") & (
                 genes.leaf > genes.leaf.max() - 4
             )
             flat[top], erect[top] = 50, 15
-            row += gain(*light(stand, np.array([flat, erect])).tolist())
+            row += gain_in(stand, flat, erect)
             if len(row) == 3:
                 lai = stand.evaluate(flat, ["lai_by_stage"]).lai_by_stage
                 row.insert(1, float(lai.max()))
@@ -164,7 +155,7 @@ def draw_figures(folder: Path, errors: dict[int, float]) -> None:
         axes.set_title(f"{age} °C d", fontsize=9)
     figure.savefig(folder / "plants.png", dpi=150)
 
-    stand = Stand(tables(), folder=CAMPAIGNS)
+    stand = Stand(tables())
     found = stand.evaluate(stand.baseline)
     figure = new_figure(9, 3)
     left, right = figure.subplots(1, 2)

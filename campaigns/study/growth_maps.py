@@ -22,32 +22,34 @@ for tests. IDEOTYPE_EXECUTABLE names the program, else it is that on PATH.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from argparse import Namespace as Options
 from itertools import pairwise
 from pathlib import Path
 from statistics import fmean
 from typing import Any
 
 import numpy as np
-from erect_tops import ROW, TOP_LEAVES
-from erect_tops import bred as bred_with_top
-from growing import HYBRID, of_full_canopy, tables
+from erect_tops import ANGLES, ROW, TOP_LEAVES, bred_pairs
+from growing import of_full_canopy, tables
 from measured_seasons import compare_seasons
 from shared import (
-    CAMPAIGNS,
     FIELD_PLANTS,
+    HYBRID,
     ROUGH,
     Estimate,
     Numbers,
     best,
     breed_tables,
+    breedable_but,
     gain,
+    gain_in,
     guard,
+    interval_of,
     light,
     mean_over_seeds,
     parser_of_searches,
     print_table,
+    run_parts,
     say,
     sign_change,
     told,
@@ -60,22 +62,9 @@ DENSITIES = (3.0, 5.0, 8.0)
 WAYS = ("growth", "full canopy")
 
 
-@dataclass(frozen=True)
-class Options:
-    folder: Path
-    densities: Sequence[float]
-    generations: int
-    seeds: int
-    figure: Path | None
-    rough: bool
-
-
 def campaigns(options: Options, density: float) -> dict[str, dict[str, Any]]:
     """Returns the tables of a season with growth and without."""
-    growing = tables(tolerance=0.02)
-    climate = growing["climate"][0]
-    climate["file"] = str(CAMPAIGNS / climate["file"])
-    growing |= {
+    growing = tables(tolerance=0.02) | {
         "spacing": [{"row": ROW, "density": density}],
         "field": {"rows": 2, "plants": 2, "variation": FIELD_PLANTS},
         "plant": {"baseline": str(HYBRID), "bounds": "breedable"},
@@ -102,30 +91,29 @@ def of_a_top(
 ) -> tuple[float, list[Estimate]]:
     """Returns the leaf area index at silking, and for each seed the gain of an
     erect top over a flat top [%]."""
-    both = campaigns(options, density)
-    full = Stand(both[WAYS[1]], folder=CAMPAIGNS)
+    both = {
+        name: tables | breedable_but(HYBRID, insertion_angle_profile=ANGLES)
+        for name, tables in campaigns(options, density).items()
+    }
+    full = Stand(both[WAYS[1]])
     limit = float(full.evaluate(full.baseline, ["lai"]).lai[0])
-    stand = Stand(both[way], folder=CAMPAIGNS)
+    stand = Stand(both[way])
     quantity = "lai_by_stage" if way == WAYS[0] else "lai"
     shaped = {
         **both[way],
         "name": f"tops_{density:g}_{way.split()[0]}".replace(".", "p"),
         "constraints": {"lai": [0.0, round(limit, 4)]},
     }
-    gains, areas = [], []
-    for seed in range(1, options.seeds + 1):
-        say(f"{shaped['name']}, seed {seed}")
-        plants = [
-            bred_with_top(
-                shaped, top, seed, options.generations, options.folder
-            )
-            for top in ("flat", "erect")
-        ]
-        gains.append(gain(*light(stand, np.array(plants)).tolist()))
-        for plant in plants:
-            found = stand.evaluate(plant, [quantity])
-            areas.append(float(found[quantity].max()))
-    return fmean(areas), gains
+    say(shaped["name"])
+    pairs = bred_pairs(
+        shaped, options.folder, options.generations, options.seeds
+    )
+    areas = [
+        float(stand.evaluate(plant, [quantity])[quantity].max())
+        for pair in pairs
+        for plant in pair
+    ]
+    return fmean(areas), [gain_in(stand, *pair) for pair in pairs]
 
 
 def tops(options: Options) -> None:
@@ -136,11 +124,15 @@ def tops(options: Options) -> None:
         for way in WAYS:
             area, gains = of_a_top(way, density, options)
             found[way].append((area, mean_over_seeds(gains)))
-            seeds = ", ".join(f"{mean:+.1f}" for mean, _ in gains)
-            row += [f"{area:.2f}", f"{told(found[way][-1][1], 2)} ({seeds})"]
+            row += [f"{area:.2f}", interval_of(gains)]
         rows.append(row)
-    titles = [x for way in WAYS for x in (f"LAI, {way}", f"{way} [%] (seeds)")]
+    titles = [
+        f"{what} {way}"
+        for way in WAYS
+        for what in ("leaf area index,", "gain,")
+    ]
     print_table(["plants m-2", *titles], rows)
+    print()
     for way, points in found.items():
         crossings = [
             sign_change(*two)
@@ -149,12 +141,11 @@ def tops(options: Options) -> None:
         ]
         for area, error in crossings:
             print(
-                f"{way}: an erect top pays from a leaf area index of "
-                f"{area:.2f} ± {error:.2f} on (95 %: {area - 1.96 * error:.2f} "
-                f"to {area + 1.96 * error:.2f})"
+                f"With {way} an erect top pays from a leaf area index of "
+                f"{area:.2f} ± {1.96 * error:.2f} (95 %) on."
             )
         if not crossings:
-            print(f"{way}: the gain does not change its sign here")
+            print(f"With {way} the gain does not change its sign here.")
     if options.figure:
         draw(found, options.figure)
 
@@ -195,7 +186,7 @@ def shape(stand: Stand, genome: Numbers) -> list[str]:
 def best_plants(options: Options) -> None:
     """Breeds with growth and without, and evaluates each plant in both ways."""
     both = campaigns(options, 7.5)
-    stands = {way: Stand(x, folder=CAMPAIGNS) for way, x in both.items()}
+    stands = {way: Stand(x) for way, x in both.items()}
     plants = {
         way: [
             bred(both[way], f"best_{way.split()[0]}", seed, options)
@@ -206,7 +197,7 @@ def best_plants(options: Options) -> None:
     first = stands[WAYS[0]]
     titles = ["plant", "length x width [m2]", "angle, top", "angle, others"]
     titles += ["bend, top", "bend, others"]
-    rows = [["baseline", *shape(first, first.baseline)]]
+    rows = [["the hybrid", *shape(first, first.baseline)]]
     for way, genomes in plants.items():
         for seed, genome in enumerate(genomes, 1):
             rows.append(
@@ -225,16 +216,15 @@ def best_plants(options: Options) -> None:
             for values in (found[1:at], found[at:])
         ]
         apart = [gain(theirs, ours) for ours, theirs in pairs]
-        seeds = ", ".join(f"{mean:+.1f}" for mean, _ in apart)
         rows.append(
             [
                 way,
                 *(told(x, sign="+") for x in gains),
-                f"{told(mean_over_seeds(apart), sign='+')} ({seeds})",
+                interval_of(apart),
             ]
         )
     titles = ["evaluated with", "bred so: over the baseline [%]"]
-    titles += ["bred otherwise [%]", "the first over the second [%] (seeds)"]
+    titles += ["bred otherwise [%]", "the first over the second"]
     print_table(titles, rows)
 
 
@@ -258,16 +248,10 @@ def main() -> None:
     parser = parser_of_searches(
         __doc__, has_figure=True, generations=15, seeds=2
     )
-    parser.add_argument("--only", choices=PARTS)
     parser.add_argument(
         "--densities", nargs="+", type=float, default=DENSITIES
     )
-    words = vars(parser.parse_args())
-    only = words.pop("only")
-    options = Options(**words)
-    for name in [only] if only else PARTS:
-        PARTS[name](options)
-        print()
+    run_parts(parser, PARTS)
 
 
 if __name__ == "__main__":

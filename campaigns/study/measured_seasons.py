@@ -163,7 +163,7 @@ def figures_of_light(
     campaign: dict[str, Any], seeds: int
 ) -> dict[str, list[float]]:
     """Returns figures of a growing season, for each seed."""
-    stand = Stand(campaign, folder=CAMPAIGNS)
+    stand = Stand(campaign)
     figures: dict[str, list[float]] = {}
     for seed in range(1, seeds + 1):
         found = stand.evaluate(stand.baseline, seed=seed)

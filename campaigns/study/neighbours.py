@@ -2,26 +2,29 @@
 # SPDX-License-Identifier: Apache-2.0
 """Measures what a plant is worth in strips with soybean, and as an invader.
 
-neighbours.py FOLDER [--generations N] [--seeds N] [--figure FILE] [--rough]
+neighbours.py FOLDER [--only PART] [--generations N] [--seeds N] [--figure FILE]
+              [--rough]
 
-Breeds crops/maize.toml in the strips of strip.toml for the land equivalent
-ratio, which is the sum over both crops of the net assimilation that a crop has
-in the strip over that which it has alone (maize in rows .60 m apart with .15 m
-between plants, soybean .30 by .10 m), and for the net assimilation of maize
-alone. Then breeds it in a stand of its own at 30 x 6 inches, and as one plant
-of 25 among plants of the baseline (invader.toml) and among plants that are
-best for the stand. Prints land equivalent ratios with their parts (crops of a
-strip share its light, so that the error of the sum does not follow from the
-errors of the parts), what invaders gain over their neighbours, and what a
-stand of invaders has. ± is the standard error of randomisations, or over seeds
-where that is larger. --figure draws what the rows of the strip of baselines
-absorb and assimilate.
+Part strips breeds crops/maize.toml in the strips of strip.toml for the land
+equivalent ratio, which is the sum over both crops of the net assimilation that
+a crop has in the strip over that which it has alone (maize in rows .60 m apart
+with .15 m between plants, soybean .30 by .10 m), and for the net assimilation
+of maize alone. It prints these ratios with their parts; crops of a strip share
+its light, so that the error of the sum does not follow from the errors of the
+parts. Its figure is what the rows of the strip of baselines absorb and
+assimilate. Part invaders breeds the maize in a stand of its own at 30 x 6
+inches, and as one plant of 25 among plants of the baseline (invader.toml) and
+among plants that are best for the stand. It prints what invaders gain over
+their neighbours, and what a stand of invaders has. ± is the standard error of
+randomisations, or over seeds where that is larger; of gains it is half of a
+95 % interval.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from argparse import Namespace as Options
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -33,12 +36,18 @@ from shared import (
     Estimate,
     Numbers,
     best_plants,
+    campaign_of,
     estimate,
+    gain,
+    gains_over_baseline,
     guard,
+    interval_of,
+    light,
     mean_over_seeds,
     parser_of_searches,
     print_table,
-    read_campaign,
+    ratio,
+    run_parts,
     told,
 )  # fmt: skip
 
@@ -57,12 +66,6 @@ Tables = Mapping[str, Any]
 ALONE = {"maize": (0.6, 0.15), "soybean": (0.3, 0.1)}
 
 
-def campaign(file: str, common: Tables, **tables: Any) -> dict[str, Any]:
-    """Returns a campaign of this project in which some tables are replaced."""
-    found = read_campaign(CAMPAIGNS / f"{file}.toml")
-    return {**found, **common, **tables}
-
-
 def values(stand: Stand, genome: Numbers, name: str) -> list[Estimate]:
     """Returns a quantity of the plant, or of each component if it has
     several."""
@@ -74,17 +77,11 @@ def values(stand: Stand, genome: Numbers, name: str) -> list[Estimate]:
     return list(zip(means.tolist(), errors.tolist(), strict=True))
 
 
-def over(a: Estimate, b: Estimate) -> Estimate:
-    """Returns the ratio a / b of independent evaluations."""
-    mean = a[0] / b[0]
-    return mean, abs(mean) * math.hypot(a[1] / a[0], b[1] / b[0])
-
-
 def net_alone(crop: str, common: Tables) -> Estimate:
     """Returns the net assimilation of a crop that stands alone [mol m-2
     day-1]."""
     row, plant = ALONE[crop]
-    tables = campaign("cultivars", common, name=crop)
+    tables = campaign_of("cultivars", **common, name=crop)
     del tables["component"]
     tables["plant"] = {"baseline": str(CAMPAIGNS / "crops" / f"{crop}.toml")}
     tables["spacing"] = [{"row": row, "plant": plant, "row_direction": 0}]
@@ -126,8 +123,23 @@ def draw_rows(stand: Stand, genome: Numbers, path: Path) -> None:
         figure.savefig(path)
 
 
-def strips(common: Tables, folder: Path) -> None:
+def common_of(options: Options) -> dict[str, Any]:
+    """Returns the tables that all campaigns share."""
+    return {
+        "replicates": options.seeds,
+        "search": {"population": 24},
+        "stop": {"generations": options.generations},
+        "final": {"candidates": 3, "randomisations": 32},
+        **(ROUGH if options.rough else {}),
+    }
+
+
+def strips(options: Options) -> None:
     """Prints the land equivalent ratio of the strip, before and after."""
+    common = common_of(options)
+    if options.figure:
+        plain = Stand(campaign_of("strip", **common, name="strip"))
+        draw_rows(plain, plain.baseline, options.figure)
     alone = [net_alone(crop, common) for crop in ALONE]
     bred_for: dict[str, dict[str, list[float]]] = {
         "both crops by land": {"sole": [net for net, _ in alone]},
@@ -136,18 +148,17 @@ def strips(common: Tables, folder: Path) -> None:
     plants = {}
     stands = []
     for i, (name, counts) in enumerate(bred_for.items()):
-        tables = campaign("strip", common, name=f"strip{i}")
+        tables = campaign_of("strip", **common, name=f"strip{i}")
         tables["objective"] |= counts
         stands.append(Stand(tables))
-        plants[name] = best_plants(tables, folder)
+        plants[name] = best_plants(tables, options.folder)
     stand = stands[0]
     plants = {"the baseline": [stand.baseline], **plants}
 
     def ratios(genome: Numbers) -> list[Estimate]:
         found = values(stand, genome, "net_assimilation_by_component")
-        each = [over(*pair) for pair in zip(found, alone, strict=True)]
-        whole = stand.evaluate(genome, [], final=True)
-        mean, error = estimate(whole.objective_by_randomisation.values[0, 0])
+        each = [ratio(*pair) for pair in zip(found, alone, strict=True)]
+        mean, error = estimate(light(stand, genome)[0].tolist())
         of_alone = [
             part * own / net
             for (part, _), (net, own) in zip(each, alone, strict=True)
@@ -158,16 +169,18 @@ def strips(common: Tables, folder: Path) -> None:
     for name, genomes in plants.items():
         by_seed = [ratios(genome) for genome in genomes]
         means = [mean_over_seeds(x) for x in zip(*by_seed, strict=True)]
-        rows.append([name, *(told(x, 3) for x in means)])
-    print_table(
-        ["maize bred for", "land equivalent ratio", "maize", "soybean"], rows
-    )
+        gains = gains_over_baseline(stand, genomes)
+        more = "" if name == "the baseline" else interval_of(gains)
+        rows.append([name, *(told(x, 3) for x in means), more])
+    titles = ["maize bred for", "land equivalent ratio", "maize", "soybean"]
+    print_table([*titles, "ratio over the baseline's"], rows)
 
 
-def invaders(common: Tables, folder: Path) -> None:
+def invaders(options: Options) -> None:
     """Prints the gain of single plants over their neighbours, and of a stand
     of such plants over the stand that they enter."""
-    of_stand = campaign("invader", common, name="stand")
+    common, folder = common_of(options), options.folder
+    of_stand = campaign_of("invader", **common, name="stand")
     del of_stand["component"]
     of_stand["objective"] = {"maximise": "net_assimilation"}
     stand = Stand(of_stand)
@@ -180,30 +193,22 @@ def invaders(common: Tables, folder: Path) -> None:
     for i, (name, resident) in enumerate(residents.items()):
         crop = folder / f"resident{i}.toml"
         crop.write_text(stand.crop_file(resident))
-        tables = campaign("invader", common, name=f"invader{i}")
+        tables = campaign_of("invader", **common, name=f"invader{i}")
         tables["plant"] = {"baseline": str(crop)}
         tables["component"][0]["crop"] = str(crop)
         test = Stand(tables)
         found = best_plants(tables, folder)
         gains = [values(test, each, "invasion")[0] for each in found]
-        before = values(stand, resident, "net_assimilation")[0]
-        nets = [
-            over(values(stand, each, "net_assimilation")[0], before)
-            for each in found
-        ]
-        gain, net = mean_over_seeds(gains), mean_over_seeds(nets)
+        before, *nets = light(stand, np.array([resident, *found])).tolist()
         rows.append(
             [
                 name,
-                told((100 * gain[0], 100 * gain[1])),
-                told((100 * net[0] - 100, 100 * net[1])),
+                interval_of([(100 * mean, 100 * e) for mean, e in gains]),
+                interval_of([gain(before, net) for net in nets]),
             ]
         )
-    titles = [
-        "neighbours",
-        "one bred plant over them [%]",
-        "a stand of such plants [%]",
-    ]
+    titles = ["neighbours", "one bred plant over them"]
+    titles += ["a stand of such plants over that of its neighbours"]
     print_table(titles, rows)
 
 
@@ -211,22 +216,7 @@ def main() -> None:
     parser = parser_of_searches(
         __doc__, has_figure=True, generations=40, seeds=1
     )
-    options = parser.parse_args()
-    common: dict[str, Any] = {
-        "replicates": options.seeds,
-        "search": {"population": 24},
-        "stop": {"generations": options.generations},
-        "final": {"candidates": 3, "randomisations": 32},
-    }
-    if options.rough:
-        common |= ROUGH
-    if options.figure:
-        strip = Stand(campaign("strip", common, name="strip"))
-        draw_rows(strip, strip.baseline, options.figure)
-    parts: Sequence[Callable[[Tables, Path], None]] = (strips, invaders)
-    for part in parts:
-        part(common, options.folder)
-        print()
+    run_parts(parser, {"strips": strips, "invaders": invaders})
 
 
 if __name__ == "__main__":

@@ -26,7 +26,7 @@ from __future__ import annotations
 import itertools
 import math
 import time
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
@@ -43,6 +43,7 @@ from shared import (
     guard,
     parser_of_searches,
     print_table,
+    run_parts,
 )  # fmt: skip
 
 from ideotype import Stand
@@ -314,7 +315,7 @@ def sides(
     return float(suns.elevation.iloc[place]), front, back
 
 
-PARTS: Mapping[str, Callable[[Options], None]] = {
+PARTS = {
     "layouts": layouts,
     "cost": cost,
     "measured": measured,
@@ -324,16 +325,10 @@ PARTS: Mapping[str, Callable[[Options], None]] = {
 
 
 def main() -> None:
-    parser = parser_of_searches(__doc__, generations=20, seeds=3)
-    parser.add_argument("--only", choices=PARTS)
-    parser.add_argument("--figure", type=Path)
-    words = vars(parser.parse_args())
-    only = words.pop("only")
-    for name in [only] if only else PARTS:
-        before = time.perf_counter()
-        PARTS[name](Options(**words))
-        seconds = time.perf_counter() - before
-        print(f"\n{name}: {seconds / 60:.1f} min\n", flush=True)
+    parser = parser_of_searches(
+        __doc__, has_figure=True, generations=20, seeds=3
+    )
+    run_parts(parser, PARTS)
 
 
 if __name__ == "__main__":

@@ -6,18 +6,16 @@ from __future__ import annotations
 
 import math
 import tomllib
+from argparse import Namespace as Options
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import tomli_w
-from climates import season
 from pvlib import pvsystem, temperature
 from shared import (
-    CAMPAIGNS,
     FIELD_PLANTS,
     MAIZE,
     ROUGH,
@@ -25,34 +23,27 @@ from shared import (
     Numbers,
     best,
     breed_tables,
+    campaign_of,
     estimate,
+    front_of,
     gain,
+    interval_of,
     light,
     mean_over_seeds,
     print_table,
-    read_campaign,
+    told,
 )  # fmt: skip
 
-from ideotype import Error, Stand, open_history
+from ideotype import Stand
 from ideotype.analysis.figures.style import BASELINE, BEST, MEAN, new_figure
 
 PURDUE_HEIGHT = 6.1
 """Height of modules that track in the trial [m]."""
 
 
-@dataclass(frozen=True)
-class Options:
-    folder: Path
-    generations: int
-    seeds: int
-    rough: bool
-    figure: Path | None
-
-
 def tables_of(file: str, options: Options, **more: Any) -> dict[str, Any]:
     """Returns a campaign of this project in which some tables are replaced."""
-    found = read_campaign(CAMPAIGNS / f"{file}.toml")
-    return {**found, **(ROUGH if options.rough else {}), **more}
+    return campaign_of(file, **{**(ROUGH if options.rough else {}), **more})
 
 
 def jackknife(figure: Callable[..., float], *draws: Numbers) -> Estimate:
@@ -117,7 +108,6 @@ def trial(options: Options) -> None:
             return Stand(
                 tables_of(
                     "bondville", options,
-                    climate=[season()],
                     spacing=[
                         {"row": 0.762, "plant": 0.1524, "row_direction": 0}
                     ],
@@ -229,7 +219,7 @@ def bred(options: Options) -> None:
         for place in places:
             found = values[plant, place]
             row.append(
-                tell(mean_over_seeds([estimate(x.tolist()) for x in found]))
+                told(mean_over_seeds([estimate(x.tolist()) for x in found]), 3)
             )
         rows.append(row)
     print_table(
@@ -247,16 +237,11 @@ def bred(options: Options) -> None:
         ]
         print(
             f"\n{place.capitalize()}, bred there over bred elsewhere: "
-            f"{tell(mean_over_seeds(gains), 1)} % "
-            f"(by seed {', '.join(f'{x:+.1f}' for x, _ in gains)})"
+            + interval_of(gains)
         )
     print()
     alone = max(float(x.mean()) for x in values["the open", "the open"])
     front(options, alone)
-
-
-def tell(x: Estimate, digits: int = 3) -> str:
-    return f"{x[0]:.{digits}f} ± {x[1]:.{digits}f}"
 
 
 def electricity(found: Any) -> float:
@@ -290,18 +275,14 @@ def front(options: Options, alone: float) -> None:
     ]
     searched = {**tables, "search": {**tables["search"], "keys": keys}}
     (history,) = breed_tables(searched, options.folder)
-    with open_history(history) as opened:
-        found = opened.front()
-    if found is None:
-        raise Error(f"{history}: no plant is evaluated yet")
-    members = np.asarray(found.members.genome, float)
+    members = front_of(history)
     row, height = members[:, -2:].T
     single = {
         **tables,
         "objective": {"maximise": "net_assimilation"},
         "search": {},
     }
-    told = [
+    grown = [
         Stand(
             single,
             settings=[f"spacing.row={a:.9g}", f"panel.height={b:.9g}"],
@@ -310,9 +291,9 @@ def front(options: Options, alone: float) -> None:
         .isel(plant=0)
         for member, a, b in zip(members, row, height, strict=True)
     ]
-    crop = np.array([float(x.net_assimilation) for x in told])
-    error = [float(x.net_assimilation_standard_error) for x in told]
-    power = np.array([electricity(x) for x in told])
+    crop = np.array([float(x.net_assimilation) for x in grown])
+    error = [float(x.net_assimilation_standard_error) for x in grown]
+    power = np.array([electricity(x) for x in grown])
     pitches = np.arange(2.5, 9.1, 0.5 if not options.rough else 3)
     over_soil = [power_over_soil(tables, pitch) for pitch in pitches]
     most = max(over_soil)
@@ -330,9 +311,9 @@ def front(options: Options, alone: float) -> None:
         [
             [
                 f"{8 * row[i]:.1f}", f"{height[i]:.1f}",
-                tell((crop[i], error[i])), f"{power[i]:.3f}",
+                told((crop[i], error[i]), 3), f"{power[i]:.3f}",
                 f"{crop[i] / alone:.3f}", f"{power[i] / most:.3f}",
-                tell((crop[i] / alone + power[i] / most, error[i] / alone)),
+                told((crop[i] / alone + power[i] / most, error[i] / alone), 3),
             ]
             for i in shown
         ],

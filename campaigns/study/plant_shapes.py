@@ -28,6 +28,7 @@ from shared import (
     ANYWHERE,
     CAMPAIGNS,
     FIELD_PLANTS,
+    HYBRID,
     MAIZE,
     Numbers,
     breed_tables,
@@ -41,7 +42,6 @@ from ideotype.analysis.figures.style import RC, new_figure
 
 MEASURED = Path(__file__).parent / "measured"
 V02 = CAMPAIGNS / "plants" / "maize_v02.toml"
-HYBRID = CAMPAIGNS / "crops" / "maize_hybrid.toml"
 ROWS = 10  # The number of rows of a field, and of plants in each row.
 CELLS = 40
 """The number of faces along a leaf: about 2 cm, near the 2.5 cm of measured

@@ -25,7 +25,7 @@ from statistics import fmean
 from typing import Any
 
 import numpy as np
-from climates import growing_season, moved_season, season, site
+from climates import growth, moved_season, season, site
 from shared import (
     BREEDABLE,
     ROUGH,
@@ -64,7 +64,7 @@ def place(
 
 def light_of(options: argparse.Namespace) -> dict[str, Any]:
     """Returns the season, and the plant that grows in it if plants grow."""
-    return growing_season() if options.growing else {"climate": [season()]}
+    return growth() if options.growing else {"climate": [season()]}
 
 
 def campaign(

@@ -16,6 +16,7 @@ from datetime import date, time
 from pathlib import Path
 from statistics import fmean, stdev
 from tempfile import TemporaryDirectory
+from time import perf_counter
 from typing import Any
 
 import numpy as np
@@ -25,11 +26,13 @@ from numpy.typing import NDArray
 
 import ideotype
 from ideotype import Stand
+from ideotype.analysis.interval import interval
 from ideotype.analysis.reading.estimate import Estimate as Figure
 from ideotype.analysis.reading.estimate import relative_gain
 
 CAMPAIGNS = Path(__file__).parents[1]
 MAIZE = CAMPAIGNS / "crops" / "maize.toml"
+HYBRID = CAMPAIGNS / "crops" / "maize_hybrid.toml"
 PLANT_AREA = 0.3991
 """The leaf area of the plant in this file [m2]."""
 #: The [field.variation] of hybrids, and of the lines that were measured;
@@ -173,19 +176,34 @@ def parser_of_searches(
     return parser
 
 
+def run_parts(
+    parser: argparse.ArgumentParser,
+    parts: Mapping[str, Callable[[argparse.Namespace], None]],
+) -> None:
+    """Runs all parts of a script, or the one that --only names."""
+    parser.add_argument("--only", choices=parts)
+    options = parser.parse_args()
+    for name in [options.only] if options.only else parts:
+        before = perf_counter()
+        parts[name](options)
+        print(flush=True)
+        say(f"{name}: {(perf_counter() - before) / 60:.1f} min")
+
+
 def say(text: str) -> None:
     """Prints the progress of a script, apart from its tables."""
     print(text, file=sys.stderr, flush=True)
 
 
-def read_campaign(path: Path) -> dict[str, Any]:
-    """Returns the tables of a campaign file, whose crop files are found from
-    any folder."""
-    tables = tomllib.loads(path.read_text())
-    for part in (tables["plant"], *tables.get("component", [])):
-        key = "crop" if "crop" in part else "baseline"
-        part[key] = str((path.parent / part[key]).resolve())
-    return tables
+def campaign_of(file: str, **tables: Any) -> dict[str, Any]:
+    """Returns the tables of a campaign of this project, some of which are
+    replaced. The files that it names are found from any folder."""
+    found = tomllib.loads((CAMPAIGNS / f"{file}.toml").read_text())
+    parts = [found["plant"], *found.get("component", [])]
+    for part in (*parts, *found.get("climate", [])):
+        for key in {"baseline", "crop", "file"} & part.keys():
+            part[key] = str((CAMPAIGNS / part[key]).resolve())
+    return found | tables
 
 
 def breed(
@@ -250,6 +268,15 @@ def breedable_but(plant: Path, **ranges: Sequence[float]) -> dict[str, Any]:
         "plant": {"baseline": str(plant), "bounds": {**bounds, **ranges}},
         "traits": [{"name": "free", "free": list(bounds)}],
     }
+
+
+def front_of(history: Path) -> Numbers:
+    """Returns the genomes of the front of a history [plants, genes]."""
+    with ideotype.open_history(history) as opened:
+        front = opened.front()
+    if front is None:
+        raise ideotype.Error(f"{history}: no plant is evaluated yet")
+    return np.asarray(front.members.genome, float)
 
 
 def best_plants(tables: Mapping[str, Any], folder: Path) -> list[Numbers]:
@@ -334,6 +361,17 @@ def gain(before: Sequence[float], after: Sequence[float]) -> Estimate:
     return found.mean, found.standard_error
 
 
+def ratio(a: Estimate, b: Estimate) -> Estimate:
+    """Returns the ratio of two evaluations with independent errors."""
+    mean = a[0] / b[0]
+    return mean, abs(mean) * math.hypot(a[1] / a[0], b[1] / b[0])
+
+
+def gain_in(stand: Stand, before: Numbers, after: Numbers) -> Estimate:
+    """Returns the gain of a plant over another one in the same fields [%]."""
+    return gain(*light(stand, np.array([before, after])).tolist())
+
+
 def gains_over_baseline(
     stand: Stand, plants: Sequence[Numbers]
 ) -> list[Estimate]:
@@ -359,6 +397,14 @@ def told(value: Estimate, digits: int = 1, sign: str = "") -> str:
     gains."""
     mean, error = value
     return f"{mean:{sign}.{digits}f} ± {error:.{digits}f}"
+
+
+def interval_of(values: Sequence[Estimate]) -> str:
+    """Tells the mean of gains with its 95 % interval over seeds, and the gain
+    of each seed."""
+    found = interval([Figure(*value, "%") for value in values])
+    seeds = ", ".join(f"{mean:+.1f}" for mean, _ in values)
+    return f"{found} (95 %; by seed {seeds})"
 
 
 def print_table(titles: Sequence[str], rows: Iterable[Sequence[str]]) -> None:

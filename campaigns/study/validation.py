@@ -60,19 +60,20 @@ from fields import (
     measure_all,
     noon_rate,
     of_sunlight,
-    ratio,
     scaled,
 )  # fmt: skip
-from plant_shapes import HYBRID, THIRDS, field_of, shape_of
+from plant_shapes import THIRDS, field_of, shape_of
 from published import PUBLISHED, Published, apsim_k, ceres_k
 from shared import (
     FIELD_PLANTS,
+    HYBRID,
     ROUGH,
     Estimate,
     Settings,
     guard,
     parser_of,
     print_table,
+    ratio,
     told,
 )  # fmt: skip
 

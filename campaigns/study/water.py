@@ -20,12 +20,12 @@ import argparse
 import math
 import statistics
 import time
-import tomllib
 from datetime import date
 from typing import Any
 
 import numpy as np
-from shared import CAMPAIGNS, guard, print_table, told
+from climates import growing_season, season
+from shared import campaign_of, guard, print_table, told
 
 from ideotype import Stand
 
@@ -50,26 +50,23 @@ def week(
     paths: int, density: float = 8.6, co2: float = 390, **water: Any
 ) -> Stand:
     """Returns the hot week of bondville.toml, with [water]."""
-    found = tomllib.loads((CAMPAIGNS / "bondville.toml").read_text())
-    found["climate"] = [{**found["climate"][0], **WEEK, "co2": co2}]
-    found["spacing"] = [{"row": 0.762, "density": density}]
-    found["photosynthesis"] = {"model": "collatz"}
-    found["objective"] = {"maximise": "net_assimilation"}
-    found["light"] = {"paths": paths}
-    found["water"] = water
-    return Stand(found, folder=CAMPAIGNS)
+    return Stand(
+        campaign_of(
+            "bondville",
+            climate=[{**season(), **WEEK, "co2": co2}],
+            spacing=[{"row": 0.762, "density": density}],
+            photosynthesis={"model": "collatz"},
+            objective={"maximise": "net_assimilation"},
+            light={"paths": paths},
+            water=water,
+        )
+    )
 
 
-def season(year: int, has_water: bool, seed: int = 1, **light: Any) -> Stand:
+def grown(year: int, has_water: bool, seed: int = 1, **light: Any) -> Stand:
     """Returns a growing season of growing_season.toml, with keys of [light]."""
-    found = tomllib.loads((CAMPAIGNS / "growing_season.toml").read_text())
-    found["climate"] = [x for x in found["climate"] if x["name"] == str(year)]
-    found["objective"] = {"maximise": "carbon_balance"}
-    found["light"] = light
-    found["seed"] = seed
-    if has_water:
-        found["water"] = {}
-    return Stand(found, folder=CAMPAIGNS)
+    water = {"water": {}} if has_water else {}
+    return Stand(growing_season(year, light=light, seed=seed, **water))
 
 
 def numbers(stand: Stand, names: tuple[str, ...] = FIGURES) -> list[float]:
@@ -139,7 +136,7 @@ def print_seasons(paths: int) -> None:
             str(year),
             *(
                 f"{x:.3f}"
-                for x in numbers(season(year, True, paths=paths), names)
+                for x in numbers(grown(year, True, paths=paths), names)
             ),
         ]
         for year in (2011, 2012)
@@ -161,7 +158,7 @@ def print_cost(paths: int, pairs: int) -> None:
         for seed in range(1, pairs + 1):
             used = []
             for has_water in (False, True):
-                stand = season(2011, has_water, seed, **keys)
+                stand = grown(2011, has_water, seed, **keys)
                 start = time.process_time()
                 found = stand.evaluate(stand.baseline, ["carbon_balance"])
                 used.append(time.process_time() - start)
@@ -200,9 +197,7 @@ def print_error(paths: int, seeds: int) -> None:
     for name, (of_each, light) in origins.items():
         found = np.array(
             [
-                numbers(
-                    season(2011, True, seed, paths=of_each, **light), names
-                )
+                numbers(grown(2011, True, seed, paths=of_each, **light), names)
                 for seed in range(1, seeds + 1)
             ]
         )

@@ -16,26 +16,23 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-import numpy as np
+from climates import bondville, growing_season, season
 from shared import (
-    CAMPAIGNS,
     ROUGH,
     best,
     breed_tables,
-    gain,
+    campaign_of,
+    gain_in,
     guard,
-    light,
+    interval_of,
     parser_of_searches,
     print_table,
-    read_campaign,
     say,
 )  # fmt: skip
 from water import WEEK
 
 from ideotype import Stand
 from ideotype.analysis import Case, open_history
-from ideotype.analysis.interval import interval
-from ideotype.analysis.reading.estimate import Estimate
 
 SEASON_LIMIT = 300.0
 """The highest transpiration of plants in a growing season [mm]."""
@@ -44,48 +41,40 @@ WEEK_SHARE = 0.9
 baseline's."""
 
 
-def growing_season(year: int) -> dict[str, Any]:
+def whole_season(year: int) -> dict[str, Any]:
     """Returns the tables of growing_season.toml in one year."""
-    found = read_campaign(CAMPAIGNS / "growing_season.toml")
-    (climate,) = (x for x in found["climate"] if x["name"] == str(year))
-    return {
-        **found,
-        "climate": [climate],
-        "objective": {"maximise": "carbon_balance"},
-        "light": {"tolerance": 0.02},
-        "final": {"candidates": 3, "paths": 512, "randomisations": 16},
-    }
+    return growing_season(
+        year,
+        light={"tolerance": 0.02},
+        final={"candidates": 3, "paths": 512, "randomisations": 16},
+    )
 
 
 def hot_week(campaign: str) -> dict[str, Any]:
     """Returns the tables of a campaign in the hot week of bondville.toml."""
-    found = read_campaign(CAMPAIGNS / f"{campaign}.toml")
-    weather = read_campaign(CAMPAIGNS / "bondville.toml")
+    found = campaign_of(
+        campaign,
+        site=bondville()["site"],
+        climate=[{**season(), **WEEK}],
+        photosynthesis={"model": "collatz"},
+        light={"tolerance": 0.02, "fields": 4},
+        final={"candidates": 2, "paths": 1024, "randomisations": 16},
+    )
     del found["day"]
-    return {
-        **found,
-        "site": weather["site"],
-        "climate": [{**weather["climate"][0], **WEEK}],
-        "plant": {**found["plant"], "bounds": "breedable"},
-        "photosynthesis": {"model": "collatz"},
-        "light": {"tolerance": 0.02, "fields": 4},
-        "final": {"candidates": 2, "paths": 1024, "randomisations": 16},
-    }
+    found["plant"]["bounds"] = "breedable"
+    return found
 
 
 KINDS = {
-    "2011": partial(growing_season, 2011),
-    "2012": partial(growing_season, 2012),
+    "2011": partial(whole_season, 2011),
+    "2012": partial(whole_season, 2012),
     "strip": partial(hot_week, "strip"),
     "panels": partial(hot_week, "agrivoltaic"),
 }
 
 
 def tables_of(kind: str, options: Any) -> dict[str, Any]:
-    found = KINDS[kind]()
-    for climate in found["climate"]:
-        climate["file"] = str(CAMPAIGNS / climate["file"])
-    found |= {
+    found = KINDS[kind]() | {
         "name": f"water_{kind}",
         "water": {},
         "search": {"optimizer": "cma_es", "population": 12},
@@ -109,7 +98,7 @@ def row_of(name: str, limit: float, case: Case) -> list[str]:
         f"{limit:g}" if limit else "none",
         case.relative_gain().number(),
         *(
-            case.number(who, quantity).number()
+            case.number(who, quantity).number().removesuffix(" ± 0.00")
             for quantity in ("water_use", "water_use_efficiency", "lai")
             for who in ("baseline", "best")
         ),
@@ -123,11 +112,13 @@ def print_other_year(
     the other year."""
     for year, other in (("2011", "2012"), ("2012", "2011")):
         gains = [
-            gain(*light(stands[year], np.array([best(b), best(a)])).tolist())
+            gain_in(stands[year], best(b), best(a))
             for a, b in zip(plants[year], plants[other], strict=True)
         ]
-        found = interval([Estimate(*each, "%") for each in gains])
-        print(f"\nIn {year}, bred there over bred in {other}: {found}")
+        print(
+            f"\nIn {year}, bred there over bred in {other}: "
+            + interval_of(gains)
+        )
 
 
 def main() -> None:
@@ -139,7 +130,7 @@ def main() -> None:
     plants: dict[str, list[Path]] = {}
     for kind in [options.only] if options.only else KINDS:
         tables = tables_of(kind, options)
-        stands[kind] = Stand(tables, folder=CAMPAIGNS)
+        stands[kind] = Stand(tables)
         for limit in (0.0, limit_of(kind, stands[kind])):
             say(f"{kind}, limit {limit:g} mm")
             one = {**tables, "water": {"limit": limit}}

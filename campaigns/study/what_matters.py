@@ -34,7 +34,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from climates import growing_season, season
+from climates import growth, season
 from shared import (
     BREEDABLE,
     CAMPAIGNS,
@@ -106,7 +106,7 @@ def campaign(
         "site": tables["site"],
         **lit,
         "objective": {"maximise": objective},
-        **(growing_season() if grows and path == SEASON else {}),
+        **(growth() if grows and path == SEASON else {}),
         **(ROUGH if is_rough else {}),
     }
 

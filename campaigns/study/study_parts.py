@@ -1,0 +1,186 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Lists the parts of the study with their scripts, for study.py."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from shared import CAMPAIGNS
+
+
+@dataclass(frozen=True)
+class Part:
+    question: str
+    words: tuple[str, ...]
+    """The script and its options; {folder} is that of the part, {study} that
+    of all parts."""
+    short: tuple[str, ...] = ()
+    """Further options of a short study."""
+
+
+PARTS = {
+    "paper_table": Part(
+        "How much can breeding gain, and which search finds it?",
+        (
+            *("paper_table.py", "{folder}"),
+            *("--figure", "{figures}/paper_table.png"),
+        ),
+        (
+            *("--rough", "--objective", "absorbed_par"),
+            *("--condition", "all", "azimuth", "angles", "widths"),
+            *("7", "56p2", "15x3", "15x6"),
+            *("--evaluations", "20", "--seeds", "1"),
+        ),
+    ),
+    "plants_differ": Part(
+        "What do plants that are all alike hide?",
+        ("plants_differ.py", "--figure", "{figures}/plants_differ.png"),
+        ("--under", str(CAMPAIGNS / "ames_quick.toml"), "--plants", "2"),
+    ),
+    "feasible": Part(
+        "What do plants cost that lines of maize show to be possible?",
+        ("feasible.py", "{folder}"),
+        ("--rough", "--generations", "2"),
+    ),
+    "validation": Part(
+        "Does the canopy behave as maize does in the field?",
+        ("validation.py", "--figure", "{figures}/validation.png"),
+        ("--rough",),
+    ),
+    "erect_tops": Part(
+        "When does an erect top pay?",
+        ("erect_tops.py", "{folder}", "--figure", "{figures}/erect_tops.png"),
+        (
+            *("--rough", "--light", "clear", "--limit", "area"),
+            *("--densities", "4", "20", "--latitudes", "42"),
+            *("--generations", "2", "--seeds", "2"),
+        ),
+    ),
+    "claims": Part(
+        "What are the claims of arXiv:2512.06064 worth?",
+        ("claims.py", "{folder}", "--table", "{study}/paper_table"),
+        (
+            *("--set-up", "stand, absorbed PAR"),
+            *("--evaluations", "20", "--seeds", "1", "--rough"),
+        ),
+    ),
+    "what_matters": Part(
+        "Which traits make the difference?",
+        (
+            *("what_matters.py", "{folder}"),
+            *("--figure", "{figures}/what_matters.png"),
+        ),
+        (
+            *("--rough", "--only", "absorbed_par", "--samples", "4"),
+            *("--generations", "2", "--seeds", "1", "--draws", "2"),
+        ),
+    ),
+    "robust": Part(
+        "What does one plant for five sites cost?",
+        ("robust.py", "{folder}", "--figure", "{figures}/robust.png"),
+        ("--rough", "--latitudes", "7", "56.2", "--generations", "1"),
+    ),
+    "front": Part(
+        "How much leaf area does a season's carbon need?",
+        ("fronts.py", "{folder}", "--figure", "{figures}/front.png"),
+        ("--rough", "--generations", "2", "--seeds", "1"),
+    ),
+    "robust_growing": Part(
+        "What does one plant for two sites cost where plants grow?",
+        (
+            *("robust.py", "{folder}", "--growing", "--generations", "6"),
+            *("--latitudes", "7", "56.2"),
+        ),
+        ("--rough", "--generations", "1"),
+    ),
+    "front_growing": Part(
+        "How much leaf area does the carbon of a growing season need?",
+        (
+            *("fronts.py", "{folder}", "--growing"),
+            *("--generations", "20", "--seeds", "1"),
+        ),
+        ("--rough", "--generations", "2"),
+    ),
+    "front_water": Part(
+        "How much water does the carbon of a dry month need?",
+        (
+            *("fronts.py", "{folder}", "--water"),
+            *("--generations", "20", "--seeds", "1"),
+            *("--figure", "{figures}/front_water.png"),
+        ),
+        ("--rough", "--generations", "2"),
+    ),
+    "water": Part(
+        "What evolves where leaves exchange water?",
+        (
+            *("water_bred.py", "{folder}"),
+            *("--generations", "12", "--seeds", "4"),
+        ),
+        ("--rough", "--only", "strip", "--generations", "1", "--seeds", "1"),
+    ),
+    "growth_best": Part(
+        "Which plant has the most carbon of a season, if plants grow?",
+        ("growth_maps.py", "{folder}", "--only", "best", "--seeds", "3"),
+        ("--rough", "--generations", "1", "--seeds", "1"),
+    ),
+    "growth_tops": Part(
+        "When does an erect top pay, if plants grow?",
+        (
+            *("growth_maps.py", "{folder}", "--only", "tops"),
+            *("--densities", "3", "8", "--generations", "8", "--seeds", "3"),
+        ),
+        (
+            *("--rough", "--densities", "8"),
+            *("--generations", "3", "--seeds", "1"),
+        ),
+    ),
+    "seasons": Part(
+        "Do growing seasons agree with measured ones?",
+        ("growth_maps.py", "{folder}", "--only", "season"),
+        ("--rough",),
+    ),
+    "strips": Part(
+        "How much land do strips of maize and soybean save?",
+        (
+            *("neighbours.py", "{folder}", "--only", "strips"),
+            *("--generations", "20", "--seeds", "3"),
+            *("--figure", "{figures}/strip_rows.png"),
+        ),
+        ("--rough", "--generations", "1", "--seeds", "1"),
+    ),
+    "invaders": Part(
+        "What is a plant worth that was bred to win?",
+        (
+            *("neighbours.py", "{folder}", "--only", "invaders"),
+            *("--generations", "20", "--seeds", "3"),
+        ),
+        ("--rough", "--generations", "1", "--seeds", "1"),
+    ),
+    "panels_measured": Part(
+        "Do modules have the light that was measured?",
+        ("panels.py", "{folder}", "--only", "measured"),
+        ("--rough",),
+    ),
+    "panels_trial": Part(
+        "How much does maize lose below modules of a trial?",
+        ("panels.py", "{folder}", "--only", "trial"),
+        ("--rough",),
+    ),
+    "panels_bred": Part(
+        "Which maize suits rows of photovoltaic modules?",
+        (
+            *("panels.py", "{folder}", "--only", "bred"),
+            *("--generations", "15", "--figure", "{figures}/panels.png"),
+        ),
+        ("--rough", "--generations", "1", "--seeds", "1"),
+    ),
+    "strip_light": Part(
+        "Do strips have the light that was reported?",
+        *(("strip_light.py",), ("--rough",)),
+    ),
+    "atlas": Part(
+        "How good can a plant of each kind be?",
+        ("atlas.py", "{folder}", "--figure", "{figures}/atlas.png"),
+        ("--rough", "--generations", "2"),
+    ),
+}

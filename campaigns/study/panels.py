@@ -26,6 +26,7 @@ from __future__ import annotations
 import itertools
 import math
 import time
+from argparse import Namespace as Options
 from collections.abc import Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
@@ -33,7 +34,7 @@ from typing import Any
 
 import numpy as np
 import pandas as pd
-from panels_crops import Options, bred, jackknife, trial
+from panels_crops import bred, jackknife, trial
 from pvlib import solarposition
 from shared import (
     CAMPAIGNS,

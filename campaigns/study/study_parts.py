@@ -127,7 +127,7 @@ PARTS = {
         "When does an erect top pay, if plants grow?",
         (
             *("growth_maps.py", "{folder}", "--only", "tops"),
-            *("--densities", "3", "8", "--generations", "8", "--seeds", "3"),
+            *("--densities", "3", "8", "--seeds", "2"),
         ),
         (
             *("--rough", "--densities", "8"),
@@ -143,7 +143,7 @@ PARTS = {
         "How much land do strips of maize and soybean save?",
         (
             *("neighbours.py", "{folder}", "--only", "strips"),
-            *("--generations", "20", "--seeds", "3"),
+            *("--generations", "20", "--seeds", "2"),
             *("--figure", "{figures}/strip_rows.png"),
         ),
         ("--rough", "--generations", "1", "--seeds", "1"),
@@ -152,7 +152,7 @@ PARTS = {
         "What is a plant worth that was bred to win?",
         (
             *("neighbours.py", "{folder}", "--only", "invaders"),
-            *("--generations", "20", "--seeds", "3"),
+            *("--generations", "20", "--seeds", "2"),
         ),
         ("--rough", "--generations", "1", "--seeds", "1"),
     ),
@@ -170,7 +170,7 @@ PARTS = {
         "Which maize suits rows of photovoltaic modules?",
         (
             *("panels.py", "{folder}", "--only", "bred"),
-            *("--generations", "15", "--figure", "{figures}/panels.png"),
+            *("--generations", "30", "--figure", "{figures}/panels.png"),
         ),
         ("--rough", "--generations", "1", "--seeds", "1"),
     ),

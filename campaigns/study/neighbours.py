@@ -56,7 +56,6 @@ from ideotype.analysis.figures.style import (
     BEST,
     MEAN,
     RC,
-    WIDTH,
     new_figure,
     unit_label,
 )
@@ -104,7 +103,7 @@ def draw_rows(stand: Stand, genome: Numbers, path: Path) -> None:
     crops = [str(name).rpartition("_")[0] for name in found.field_row.values]
     color = dict(zip(dict.fromkeys(crops), (BEST, MEAN), strict=True))
     with matplotlib.rc_context(RC):
-        figure = new_figure(WIDTH, 2.6)
+        figure = new_figure(7.2, 2.6)
         each = figure.subplots(1, 3)
         for axes, (name, title) in zip(each, panels.items(), strict=True):
             axes.bar(
@@ -119,8 +118,8 @@ def draw_rows(stand: Stand, genome: Numbers, path: Path) -> None:
             axes.set_ylabel(f"[{unit_label(found[name].units)}]")
         for crop, one in color.items():
             each[1].bar(0, 0, color=one, label=crop)
-        each[1].legend()
-        figure.savefig(path)
+        each[1].legend(loc="upper right")
+        figure.savefig(path, dpi=200)
 
 
 def common_of(options: Options) -> dict[str, Any]:

@@ -49,11 +49,15 @@ PARTS = {
     ),
     "erect_tops": Part(
         "When does an erect top pay?",
-        ("erect_tops.py", "{folder}", "--figure", "{figures}/erect_tops.png"),
+        (
+            *("erect_tops.py", "{folder}"),
+            *("--limit", "area", "carbon", "--latitudes", "7", "42"),
+            *("--figure", "{figures}/erect_tops.png"),
+        ),
         (
             *("--rough", "--light", "clear", "--limit", "area"),
             *("--densities", "4", "20", "--latitudes", "42"),
-            *("--generations", "2", "--seeds", "2"),
+            *("--generations", "6", "--seeds", "2"),
         ),
     ),
     "claims": Part(

@@ -79,10 +79,20 @@ void require_shared_work(const CLI::App& verb, const Launch& launch) {
         ExitCode::usage);
 }
 
+ExitCode code_of(const std::exception& error) {
+    const auto* own = dynamic_cast<const Error*>(&error);
+    return own != nullptr ? own->exit_code() : ExitCode::runtime;
+}
+
 }  // namespace
 
 ExitCode report_error(const std::exception& error) {
     fmt::print(stderr, "ideotype: {}\n", printable_lines(reason_of(error)));
+    return code_of(error);
+}
+
+ExitCode report_error(const std::exception& error, const Log& log) {
+    log.write(LogLevel::error, reason_of(error));
     return code_of(error);
 }
 

@@ -88,4 +88,31 @@ ExitCode on_ranks(const Session& session, const Log& log,
     }
 }
 
+ExitCode share_work(const Session& session, const Evaluators& evaluators,
+                    const StopFlag& stop, const AnswerRules& rules,
+                    const std::function<ExitCode(Dispatcher&)>& direct) {
+    if (session.rank() != 0) {
+        serve(session, evaluators);
+        return ExitCode::ok;
+    }
+    const auto dispatcher = make_dispatcher(session, evaluators, stop, rules);
+    ExitCode code = ExitCode::ok;
+    std::exception_ptr failure;
+    try {
+        code = direct(*dispatcher);
+    } catch (...) {
+        failure = std::current_exception();
+    }
+    // A hanging worker would keep the program from ending.
+    const bool all_answer = dispatcher->dismiss();
+    try {
+        if (failure) std::rethrow_exception(failure);
+    } catch (const std::exception& error) {
+        if (all_answer) throw;
+        code = report_error(error);
+    }
+    if (!all_answer) session.abort(static_cast<int>(code));
+    return code;
+}
+
 }  // namespace ideotype

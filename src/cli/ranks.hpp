@@ -5,6 +5,7 @@
 #include <string>
 
 #include "ideotype/core/error.hpp"
+#include "parallel/dispatcher.hpp"
 #include "parallel/session.hpp"
 #include "run/log.hpp"
 
@@ -37,5 +38,11 @@ Session start_session();
 //! whole job, since the rest would wait for ever.
 ExitCode on_ranks(const Session& session, const Log& log,
                   const std::function<ExitCode()>& action);
+
+//! Lets rank 0 direct the work of the evaluators of all ranks.
+//! @throws any exception of the director, once the workers have left.
+ExitCode share_work(const Session& session, const Evaluators& evaluators,
+                    const StopFlag& stop, const AnswerRules& rules,
+                    const std::function<ExitCode(Dispatcher&)>& direct);
 
 }  // namespace ideotype

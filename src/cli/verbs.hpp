@@ -112,6 +112,9 @@ ExitCode verify(const std::vector<std::string>& paths);
 //! Prints an error for the user, and returns the exit code for the shell.
 ExitCode report_error(const std::exception& error);
 
+//! Reports an error in a log and returns its exit code.
+ExitCode report_error(const std::exception& error, const Log& log);
+
 //! Adds all verbs to a command line. Parsing sets `action` to the work of the
 //! given verb, which returns an exit code.
 //! @param words of the command line, the program's name first

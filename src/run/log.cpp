@@ -60,14 +60,4 @@ void Log::write(LogLevel level, const std::string& text) const {
     fmt::print(stderr, "{}\n", is_on_terminal_ ? all : with_time(all));
 }
 
-ExitCode code_of(const std::exception& error) {
-    const auto* own = dynamic_cast<const Error*>(&error);
-    return own != nullptr ? own->exit_code() : ExitCode::runtime;
-}
-
-ExitCode report_error(const std::exception& error, const Log& log) {
-    log.write(LogLevel::error, reason_of(error));
-    return code_of(error);
-}
-
 }  // namespace ideotype

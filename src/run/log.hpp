@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <exception>
 #include <string>
-
-#include "ideotype/core/error.hpp"
 
 namespace ideotype {
 
@@ -32,11 +29,5 @@ class Log {
     LogLevel least_;
     bool is_on_terminal_;
 };
-
-//! Returns the exit code that belongs to an exception.
-ExitCode code_of(const std::exception& error);
-
-//! Reports an error in a log and returns its exit code.
-ExitCode report_error(const std::exception& error, const Log& log);
 
 }  // namespace ideotype

@@ -83,21 +83,60 @@ Start prepare(const RunOptions& options, const Campaign& campaign,
     return {isa, campaign.resolved};
 }
 
-//! Prints how to go on after a campaign.
-void tell_next(const RunOptions& options, const Campaign& campaign,
-               const Case& first) {
-    const std::string path = path_of(options.out, campaign, first);
-    const std::string folder = fs::path(path).parent_path().string();
-    if (options.read == read_study)
-        return fmt::print("next: {}\n", quoted({"ideotype", "indices", path}));
-    fmt::print(
-        "{}\nnext: {}\n",
-        campaign.replicates == 1
-            ? one_seed
-            : fmt::format("+- is the noise of the light; {} "
-                          "tells how searches differ",
-                          quoted({"ideotype", "summary", folder})),
-        quoted({"ideotype", "report", folder, "-o", folder + "/report"}));
+//! The ranks and cases of one master.
+struct Crew {
+    const Session& job;
+    const Session& own;      //!< session of the master and its workers
+    const Session& masters;  //!< session of all masters
+    std::vector<Case> cases;
+};
+
+//! Evolves the cases of a master, then dismisses its workers.
+ExitCode direct(const RunOptions& options, const Campaign& campaign,
+                const std::string& isa, const Evaluators& evaluators,
+                const Crew& crew, StopFlag& stop) {
+    const auto dispatcher =
+        make_dispatcher(crew.own, evaluators, stop, answer_rules(campaign));
+    std::optional<Error> failure;
+    ExitCode code = ExitCode::ok;
+    {
+        Sweep sweep(options, campaign, crew.cases, isa, crew.job.size(), stop);
+        try {
+            if (!sweep.evolve(*dispatcher)) code = ExitCode::stopped;
+        } catch (const Error& error) {
+            failure = error;
+            code = error.exit_code();
+        }
+    }
+    // A hanging worker would keep MPI from ending, but other masters may still
+    // be at work.
+    const bool all_answer = dispatcher->dismiss();
+    crew.masters.largest(0);
+    if (!all_answer) {
+        if (failure) Log(options.level).write(LogLevel::error, failure->what());
+        crew.job.abort(static_cast<int>(code));
+    }
+    if (failure) throw Error(*failure);
+    if (code == ExitCode::ok && crew.job.rank() == 0 &&
+        options.level >= LogLevel::info) {
+        const std::string path =
+            path_of(options.out, campaign, crew.cases.front());
+        const std::string folder = fs::path(path).parent_path().string();
+        const bool is_study = options.read == read_study;
+        if (!is_study)
+            fmt::print(
+                "{}\n",
+                campaign.replicates == 1
+                    ? one_seed
+                    : fmt::format("+- is the noise of the light; {} "
+                                  "tells how searches differ",
+                                  quoted({"ideotype", "summary", folder})));
+        fmt::print("next: {}\n", is_study
+                                     ? quoted({"ideotype", "indices", path})
+                                     : quoted({"ideotype", "report", folder,
+                                               "-o", folder + "/report"}));
+    }
+    return code;
 }
 
 Genome best_of_history(const GeneSpace& genes, Genome start,
@@ -174,36 +213,6 @@ Start agree(const Session& session, const std::function<Start()>& make) {
     return start;
 }
 
-ExitCode share_work(const Session& session, const Evaluators& evaluators,
-                    const StopFlag& stop, const AnswerRules& rules,
-                    const Log& log,
-                    const std::function<ExitCode(Dispatcher&)>& direct,
-                    const std::function<void()>& at_end) {
-    if (session.rank() != 0) {
-        serve(session, evaluators);
-        return ExitCode::ok;
-    }
-    const auto dispatcher = make_dispatcher(session, evaluators, stop, rules);
-    ExitCode code = ExitCode::ok;
-    std::exception_ptr failure;
-    try {
-        code = direct(*dispatcher);
-    } catch (...) {
-        failure = std::current_exception();
-    }
-    // A hanging worker would keep the program from ending.
-    const bool all_answer = dispatcher->dismiss();
-    at_end();
-    try {
-        if (failure) std::rethrow_exception(failure);
-    } catch (const std::exception& error) {
-        if (all_answer) throw;
-        code = report_error(error, log);
-    }
-    if (!all_answer) session.abort(static_cast<int>(code));
-    return code;
-}
-
 AnswerRules answer_rules(const Campaign& campaign) {
     return {campaign.answer_limits.deadline, campaign.answer_limits.attempts,
             final_effort(campaign)};
@@ -232,22 +241,14 @@ ExitCode run(const RunOptions& options, const Session& session, StopFlag& stop,
     const auto count = static_cast<int>(chosen.size());
     const int parts = masters(options.masters, session.size(), count);
     const int part = part_of(session.rank(), session.size(), count, parts);
-    const std::vector<Case> own_cases = dealt(chosen, part, parts);
     const Session crew = session.split(part);
-    const Session peers = session.split(crew.rank() == 0 ? 0 : 1);
-    const ExitCode code = share_work(
-        crew, evaluators, stop, answer_rules(*campaign), Log(options.level),
-        [&, &isa = isa](Dispatcher& dispatcher) {
-            Sweep sweep(options, *campaign, own_cases, isa, session.size(),
-                        stop);
-            return sweep.evolve(dispatcher) ? ExitCode::ok : ExitCode::stopped;
-        },
-        // Other masters may still be at work.
-        [&] { peers.largest(0); });
-    if (code == ExitCode::ok && session.rank() == 0 &&
-        options.level >= LogLevel::info)
-        tell_next(options, *campaign, own_cases.front());
-    return code;
+    const bool is_master = crew.rank() == 0;
+    const Session peers = session.split(is_master ? 0 : 1);
+    if (is_master)
+        return direct(options, *campaign, isa, evaluators,
+                      {session, crew, peers, dealt(chosen, part, parts)}, stop);
+    serve(crew, evaluators);
+    return ExitCode::ok;
 }
 
 }  // namespace ideotype

@@ -32,15 +32,6 @@ struct Start {
 //! 0; other ranks then get no instruction set, and leave. Collective.
 Start agree(const Session& session, const std::function<Start()>& make);
 
-//! Lets rank 0 of a session direct the work of the evaluators of all its ranks.
-//! @param at_end what rank 0 does once its workers have left
-//! @throws any exception of the director, once the workers have left.
-ExitCode share_work(
-    const Session& session, const Evaluators& evaluators, const StopFlag& stop,
-    const AnswerRules& rules, const Log& log,
-    const std::function<ExitCode(Dispatcher&)>& direct,
-    const std::function<void()>& at_end = [] {});
-
 //! Returns the rules by which a campaign waits for answers.
 AnswerRules answer_rules(const Campaign& campaign);
 

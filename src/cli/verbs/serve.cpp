@@ -198,7 +198,7 @@ ExitCode serve_on(const Session& session, const ServeOptions& options,
         evaluators.push_back(&own_evaluators.emplace_back(served, isa));
     AnswerRules rules = answer_rules(campaign);
     rules.attention = attention;
-    return share_work(session, evaluators, stop, rules, log,
+    return share_work(session, evaluators, stop, rules,
                       [&](Dispatcher& dispatcher) {
                           return Service(served, stop, log).run(dispatcher);
                       });

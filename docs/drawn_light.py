@@ -11,11 +11,11 @@ from typing import Any
 import matplotlib
 import numpy as np
 from draw_plants import TURN, draw
-from drawn_plants import DOCS, INK, MARK, PLANT, ROW, Shapes, bare
+from drawn_plants import INK, MARK, PLANT, ROW, Shapes, bare
 from matplotlib.collections import PolyCollection
 from matplotlib.figure import Figure
 from plant_shapes import drawn
-from shared import read_campaign
+from shared import campaign_of
 
 from ideotype import Stand, mesh
 from ideotype.analysis.figures.style import new_figure
@@ -95,7 +95,7 @@ def response(_: Shapes) -> Figure:
 def agrivoltaics(_: Shapes) -> Figure:
     """Draws the field of a campaign across its rows at three hours, and its
     light."""
-    tables = read_campaign(DOCS.parent / "campaigns/agrivoltaic.toml")
+    tables = campaign_of("agrivoltaic")
     stand = Stand(tables)
     found = stand.evaluate(stand.baseline, tolerance=0.005).isel(
         plant=0, band=0

@@ -24,7 +24,7 @@ import matplotlib
 import numpy as np
 from PIL import Image
 from plant_shapes import drawn, field_of
-from shared import FIELD_PLANTS, Numbers, best, guard, read_campaign
+from shared import FIELD_PLANTS, Numbers, best, campaign_of, guard
 
 from ideotype import Stand, mesh
 from ideotype._geometry import Mesh
@@ -61,7 +61,7 @@ def of_campaign(path: Path, folder: Path) -> tuple[Mesh, Numbers, float]:
     """Returns the field of a campaign, twice as wide and as long as in the
     campaign, distances from each row to the next, and the length of rows
     [m]."""
-    tables = read_campaign(path)
+    tables = campaign_of(path)
     field, spacing = tables["field"], tables["spacing"][0]
     pattern = np.array(field.get("row_pattern", [1.0]))
     own = field["rows"]

@@ -195,14 +195,20 @@ def say(text: str) -> None:
     print(text, file=sys.stderr, flush=True)
 
 
-def campaign_of(file: str, **tables: Any) -> dict[str, Any]:
-    """Returns the tables of a campaign of this project, some of which are
-    replaced. The files that it names are found from any folder."""
-    found = tomllib.loads((CAMPAIGNS / f"{file}.toml").read_text())
+def campaign_of(campaign: str | Path, **tables: Any) -> dict[str, Any]:
+    """Returns the tables of a campaign file, or of a campaign of this project
+    by its name. Some of them are replaced; the files that it names are found
+    from any folder."""
+    path = (
+        campaign
+        if isinstance(campaign, Path)
+        else CAMPAIGNS / f"{campaign}.toml"
+    )
+    found = tomllib.loads(path.read_text())
     parts = [found["plant"], *found.get("component", [])]
     for part in (*parts, *found.get("climate", [])):
         for key in {"baseline", "crop", "file"} & part.keys():
-            part[key] = str((CAMPAIGNS / part[key]).resolve())
+            part[key] = str((path.parent / part[key]).resolve())
     return found | tables
 
 

@@ -30,11 +30,12 @@ Lines::Lines(const Scene& scene, const CanopyRequest& request)
     if (!are_cut) return;
     for (const Component& each : scene.components) {
         pieces.push_back(pieces_of_line(each, request));
-        if (scene.water) pieces.back().width = local_widths(pieces.back());
+        if (scene.water) {
+            pieces.back().width = local_widths(pieces.back());
+            for (const glm::dvec3& vertex : each.mesh.vertices)
+                height = std::max(height, vertex.z);
+        }
         meshes.push_back(std::move(pieces.back().mesh));
-        if (!scene.water) continue;
-        for (const glm::dvec3& vertex : each.mesh.vertices)
-            height = std::max(height, vertex.z);
     }
 }
 

@@ -60,7 +60,8 @@ def dry_month() -> dict[str, Any]:
         **{name: found[name] for name in ("site", "photosynthesis")},
         "climate": [climate | dates],
         "water": {},
-        "final": {"paths": 1024, "randomisations": 32},
+        # With fewer paths single randomisations scatter far more than most.
+        "final": {"paths": 4096, "randomisations": 32},
     }
 
 

@@ -11,10 +11,11 @@ of leaf area: plants whose four highest leaves have insertion angles below
 25 deg, and plants whose four highest leaves have more than 45 deg. Everything
 else that a breeder can select is free (bounds "breedable", but insertion
 angles up to 50 deg above those of the baseline, without which no top is flat),
-and the plants of a line differ. Evaluates the best of both again with the same random numbers
-and prints how much more carbon the erect top gains [%], with its standard
-error, and the density from which on it pays. Where the sign changes between
-two densities, both are bred with more seeds. The figure is the map.
+and the plants of a line differ. Evaluates the best of both again with the same
+random numbers and prints how much more carbon the erect top gains [%], with
+its standard error, and the density from which on it pays. Where the sign
+changes between two densities, both are bred with more seeds. The figure is the
+map.
 
 The light is a clear day (7 August), the season measured at Bondville, Illinois
 (40 deg north alone), or an overcast day with a quarter of the light outside of

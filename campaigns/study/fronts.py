@@ -81,11 +81,7 @@ def campaign(options: argparse.Namespace, price: Price) -> dict[str, Any]:
 def find(options: argparse.Namespace) -> Found:
     price = WATER if options.water else LEAVES
     tables = campaign(options, price)
-    final = dict(tables["final"])
-    if not options.rough:
-        # With fewer paths single randomisations scatter far more than most.
-        final["paths"] = max(final["paths"], 4096)
-    stand = Stand({**tables, "final": final})
+    stand = Stand(tables)
     bred = [front_of(path) for path in breed_tables(tables, options.folder)]
     seed = np.repeat(np.arange(len(bred)), [len(plants) for plants in bred])
     genomes = np.vstack([*bred, stand.baseline])

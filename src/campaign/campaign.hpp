@@ -151,8 +151,9 @@ struct Campaign {
     Feasibility feasibility;
     SearchSettings search;
     Variation varied;  //!< only traits, unless in a study
-    //! Whether each row has light of its own in a field that all rows share;
-    //! otherwise rows of a generation share light and field.
+    //! Whether each row has light of its own, in a field that all rows share
+    //! or in several fields of its own; otherwise rows of a generation share
+    //! light and fields.
     bool has_light_by_row = false;
     //! The draft whose keys at_keys() varies, if any keys are varied.
     std::shared_ptr<const Draft> draft;

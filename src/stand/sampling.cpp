@@ -39,7 +39,7 @@ Randomness randomness_of(const Task& task, const Campaign& campaign,
         return {seed, task.generation,
                 task.slot * static_cast<std::uint32_t>(
                                 campaign.sampling.randomisations),
-                true};
+                campaign.sampling.fields == 1};
     return {seed, task.generation};
 }
 

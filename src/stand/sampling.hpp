@@ -14,7 +14,8 @@ Accuracy accuracy_of(const Task& task, const Campaign& campaign);
 
 //! Returns the random numbers of a task: common to all candidates of a
 //! generation; fresh numbers for all finalists. If each row has light of its
-//! own, rows share only the field.
+//! own, rows share only the field, or nothing with several fields, since their
+//! differences are part of standard errors then.
 Randomness randomness_of(const Task& task, const Campaign& campaign,
                          const Case& chosen);
 

@@ -237,22 +237,27 @@ TEST(Canopy, InThePolarNightAllFiguresAreZero) {
 
 class Study : public ::testing::Test {
   protected:
-    const Campaign campaign = read_study(
-        std::string(IDEOTYPE_CAMPAIGNS) + "/ames_quick.toml",
-        {"sensitivity.keys=[{key=\"optics.soil_albedo\", range=[0, 1]}, "
-         "{key=\"spacing.row\", range=[0.5, 0.9]}]"});
+    static Campaign study(std::vector<std::string> settings = {}) {
+        settings.push_back(
+            "sensitivity.keys=[{key=\"optics.soil_albedo\", range=[0, 1]}, "
+            "{key=\"spacing.row\", range=[0.5, 0.9]}]");
+        return read_study(std::string(IDEOTYPE_CAMPAIGNS) + "/ames_quick.toml",
+                          settings);
+    }
+
+    const Campaign campaign = study();
     CanopyEvaluator evaluator{campaign, Device::supported_isas().back()};
     Genome genome = baseline_genome(campaign);
 
-    Outcome evaluated(std::uint32_t generation, std::uint32_t slot,
-                      double albedo, double row) {
+    Outcome evaluated(CanopyEvaluator& by, std::uint32_t generation,
+                      std::uint32_t slot, double albedo, double row) const {
         Genome of_row = genome;
         of_row.push_back(albedo);
         of_row.push_back(row);
         Task task;
         task.generation = generation;
         task.slot = slot;
-        return evaluator.evaluate(task, of_row);
+        return by.evaluate(task, of_row);
     }
 };
 
@@ -263,32 +268,42 @@ TEST_F(Study, KeysOfARowAreThoseOfACampaignWithThem) {
     CanopyEvaluator of_other(other, Device::supported_isas().back());
     Task task;
     task.slot = 3;
-    const Outcome is = evaluated(0, 3, 0.4, 0.6);
+    const Outcome is = evaluated(evaluator, 0, 3, 0.4, 0.6);
     const Outcome was = of_other.evaluate(task, genome);
     EXPECT_EQ(is.objectives[0].mean, was.objectives[0].mean);
     EXPECT_NE(is.objectives[0].mean,
-              evaluated(0, 3, 0.1, 0.6).objectives[0].mean);
+              evaluated(evaluator, 0, 3, 0.1, 0.6).objectives[0].mean);
     EXPECT_NE(is.objectives[0].mean,
-              evaluated(0, 3, 0.4, 0.7).objectives[0].mean);
+              evaluated(evaluator, 0, 3, 0.4, 0.7).objectives[0].mean);
 }
 
 //! Noise can only be subtracted by its standard errors if these contain all of
-//! the noise.
-TEST_F(Study, RowsHaveIndependentNoiseOfKnownSizeInOneField) {
-    std::vector<double> values;
-    double squares = 0;
-    constexpr std::uint32_t count = 60;
-    for (std::uint32_t i = 0; i < count; ++i) {
-        const Outcome row = evaluated(i / 20, i % 20, 0.1, 0.762);
-        values.push_back(row.objectives[0].mean);
-        squares += std::pow(row.objectives[0].standard_error, 2) / count;
+//! the noise: the light of a row, and the fields if a row has several.
+TEST_F(Study, RowsHaveIndependentNoiseOfKnownSize) {
+    for (const std::vector<std::string>& fields :
+         {std::vector<std::string>{},
+          {"light.fields=4", "light.tolerance=0.002", "field.rows=1",
+           "field.plants=2", "field.variation={length=0.3, width=0.3}"}}) {
+        const Campaign chosen = study(fields);
+        CanopyEvaluator of_chosen(chosen, Device::supported_isas().back());
+        std::vector<double> values;
+        double squares = 0;
+        constexpr std::uint32_t count = 60;
+        for (std::uint32_t i = 0; i < count; ++i) {
+            const Outcome row =
+                evaluated(of_chosen, i / 20, i % 20, 0.1, 0.762);
+            values.push_back(row.objectives[0].mean);
+            squares += std::pow(row.objectives[0].standard_error, 2) / count;
+        }
+        const double variance =
+            count * std::pow(estimate(values).standard_error, 2);
+        // The bound is the error of a chi-squared distribution with 59 degrees
+        // of freedom, and that of the sum of 60 with 3.
+        EXPECT_NEAR(variance / squares, 1,
+                    3.5 * std::sqrt(2.0 / (count - 1) + 2.0 / (3 * count)))
+            << fields.size();
+        EXPECT_LT(std::sqrt(squares), 0.02 * values[0]);
     }
-    const double variance =
-        count * std::pow(estimate(values).standard_error, 2);
-    // The bound is the error of a chi-squared distribution with 59 degrees of
-    // freedom.
-    EXPECT_NEAR(variance / squares, 1, 3.5 * std::sqrt(2.0 / (count - 1)));
-    EXPECT_LT(std::sqrt(squares), 0.02 * values[0]);
 }
 
 TEST_F(Study, KeysThatContradictEachOtherFailTheRow) {

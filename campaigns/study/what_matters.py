@@ -12,10 +12,10 @@ Prints
 
 * Sobol' indices of the traits over their bounds (`ideotype sensitivity`), with
   95 % intervals;
-* the shares of sizes, insertion angles and azimuths of a bred plant in its
-  gain over the baseline. A share is the Shapley value: the mean of what a
-  group of traits adds over all orders in which the three can be taken over
-  from the bred plant (Shapley 1953; Owen 2014, doi:10.1137/130936233);
+* the shares of groups of traits of a bred plant in its gain over the baseline.
+  A share is the Shapley value: the mean of what a group adds over all orders
+  in which the groups can be taken over from the bred plant (Shapley 1953;
+  Owen 2014, doi:10.1137/130936233);
 * what a mistake of 10 deg costs the bred plant. Angles below 0 deg are 0.
 
 ± is the standard error of randomisations that all plants share, or over seeds
@@ -68,7 +68,9 @@ OBJECTIVES = {
 #: The groups of traits that are taken over from a bred plant together.
 GROUPS = {
     "sizes": ("length_profile", "width_profile"),
+    "height": ("height",),
     "insertion angles": ("insertion_angle_profile",),
+    "bends": ("curvature_profile",),
     "azimuths": ("azimuth_deviation", "leaf_plane"),
 }
 ANGLE, AZIMUTH = "insertion_angle", "azimuth_deviation"
@@ -147,6 +149,8 @@ def shares(stand: Stand, bred: Numbers) -> dict[str, Estimate]:
     """Returns shares of the gain [percentage points]; "" stands for the whole
     gain."""
     names, plants = zip(*combined(stand, bred), strict=True)
+    if not np.array_equal(plants[-1], bred):
+        raise SystemExit("traits that were bred belong to no group")
     values = dict(zip(names, light(stand, np.array(plants)), strict=True))
     baseline = values[frozenset()]
     parts = {name: shapley(values, name) for name in GROUPS}

@@ -139,8 +139,7 @@ def tell(found: Found) -> None:
         "{:.2f} ({:.2f} .. {:.2f});".format(*top(found)),
         f"by seed {', '.join(f'{x:.2f}' for x in by_seed)}.",
     )
-    if found.price == WATER:
-        tell_least(found)
+    tell_ends(found)
 
 
 def over_baseline(values: Numbers, plant: int) -> tuple[float, float]:
@@ -148,19 +147,30 @@ def over_baseline(values: Numbers, plant: int) -> tuple[float, float]:
     return gain(values[-1].tolist(), values[plant].tolist())
 
 
-def tell_least(found: Found) -> None:
-    """Prints what the carbon of the baseline takes in a plant of the front."""
+def tell_ends(found: Found) -> None:
+    """Prints what the carbon of the baseline takes in a plant of the front, and
+    how much the plant of the most carbon has."""
     carbon = found.carbon.mean(1)
-    enough = [i for i in found.front if carbon[i] >= carbon[-1]]
-    if enough:
-        each = (found.paid_by_randomisation, found.carbon)
-        changes = (over_baseline(x, enough[0]) for x in each)
-        less, more = (told((x, 1.96 * e), 1, "+") for x, e in changes)
-        print(
-            "Of plants with no less carbon than the baseline, that of the "
-            f"least {found.price.name} has {less} % of it and {more} % of "
-            "carbon (over the baseline's; 95 % intervals of randomisations)."
-        )
+    ends = {
+        f"least {found.price.name} of those with no less carbon than it": [
+            i for i in found.front if carbon[i] >= carbon[-1]
+        ][:1],
+        "most carbon": [int(carbon[:-1].argmax())],
+    }
+    print("\nOver the baseline (95 % intervals of randomisations):")
+    for name, plants in ends.items():
+        for plant in plants:
+            paid, more = (
+                told((mean, 1.96 * error), 1, "+")
+                for mean, error in (
+                    over_baseline(found.paid_by_randomisation, plant),
+                    over_baseline(found.carbon, plant),
+                )
+            )
+            print(
+                f"the plant with the {name} has {paid} % of "
+                f"{found.price.name} and {more} % of carbon."
+            )
 
 
 def leaf_row(found: Found, plant: int, before: int | None) -> list[str]:

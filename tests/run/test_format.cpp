@@ -36,16 +36,16 @@ TEST(Format, DurationsReadLikeAClock) {
     EXPECT_EQ(format_duration(3725), "1:02:05");
 }
 
-const std::vector<std::string> parts{"12 of 40 cases done",
-                                     "0:37 left",
-                                     "best 10.35 +- 0.12 MJ m-2 day-1",
-                                     "1 of 3 generations",
-                                     "28.8 evaluations/s",
-                                     "lat0_0807_300x140_all_r1"};
+const std::vector<std::string> clauses{"12 of 40 cases done",
+                                       "0:37 left",
+                                       "best 10.35 +- 0.12 MJ m-2 day-1",
+                                       "1 of 3 generations",
+                                       "28.8 evaluations/s",
+                                       "lat0_0807_300x140_all_r1"};
 
 TEST(LineWithBar, NeverIsWiderThanTheTerminal) {
     for (std::size_t width = 1; width < 250; ++width) {
-        const std::string line = line_with_bar(0.5, parts, width);
+        const std::string line = line_with_bar(0.5, clauses, width);
         EXPECT_LE(line.size(), width);
         EXPECT_EQ(line[0] == '[', width >= 31) << line;
     }
@@ -53,11 +53,11 @@ TEST(LineWithBar, NeverIsWiderThanTheTerminal) {
 
 TEST(LineWithBar, LeavesOutWhatMattersLessAndCutsNothing) {
     EXPECT_EQ(
-        line_with_bar(0.5, parts, 79),
+        line_with_bar(0.5, clauses, 79),
         "[######.......] 12 of 40 cases done, 0:37 left, best 10.35 +- 0.12 "
         "MJ m-2 day-1");
-    const std::string wide = line_with_bar(0.5, parts, 200);
-    for (const std::string& part : parts)
+    const std::string wide = line_with_bar(0.5, clauses, 200);
+    for (const std::string& part : clauses)
         EXPECT_NE(wide.find(part), std::string::npos) << part;
 }
 

@@ -5,8 +5,8 @@
 plants_differ.py [--under CAMPAIGN] [--plants N] [--figure FILE.png]
 
 Evaluates N plants of the bounds "breedable", spread evenly, and the baseline
-in stands of plants alike and in stands of plants that differ: as hybrids do
-(estimates), and as the lines that were measured do (docs/campaign_files.md).
+in stands of plants alike and in stands of plants that differ: as those of
+fields do, and as inbred lines of one trial do (docs/campaign_files.md).
 Prints what the baseline absorbs and assimilates on the day of CAMPAIGN in
 each, how far the order of plants agrees (rank correlation), and what the best
 plant of the stand of plants alike is worth where plants differ, relative to
@@ -22,7 +22,7 @@ import numpy as np
 from scipy.stats import qmc, spearmanr
 from shared import (
     CAMPAIGNS,
-    HYBRIDS,
+    FIELD_PLANTS,
     MAIZE,
     MEASURED_LINES,
     Estimate,
@@ -38,10 +38,10 @@ from shared import (
 from ideotype import Stand
 from ideotype.analysis.figures.style import new_figure
 
-LINES: dict[str, dict[str, float]] = {
+LINES: dict[str, dict[str, Any]] = {
     "alike": {},
-    "as hybrids": HYBRIDS,
-    "as measured": MEASURED_LINES,
+    "as in fields": FIELD_PLANTS,
+    "as inbred lines": MEASURED_LINES,
 }
 OBJECTIVES = {
     "absorbed_par": "absorbed PAR",
@@ -49,14 +49,11 @@ OBJECTIVES = {
 }
 
 
-def stand(under: Path, objective: str, variation: dict[str, float]) -> Stand:
+def stand(under: Path, objective: str, variation: dict[str, Any]) -> Stand:
     settings = [
         f"objective.maximise={objective}",
         f"plant.baseline={MAIZE}",
         "plant.bounds=breedable",
-        'traits=[{name = "breedable", free = ["azimuth_deviation", '
-        '"leaf_plane", "length_profile", "width_profile", '
-        '"insertion_angle_profile"]}]',
         "final.randomisations=32",
     ]
     settings += [f"field.variation.{key}={x}" for key, x in variation.items()]

@@ -35,15 +35,8 @@ MAIZE = CAMPAIGNS / "crops" / "maize.toml"
 HYBRID = CAMPAIGNS / "crops" / "maize_hybrid.toml"
 PLANT_AREA = 0.3991
 """The leaf area of the plant in this file [m2]."""
-#: The [field.variation] of hybrids, and of the lines that were measured;
-#: README.md has the sources.
-HYBRIDS = {
-    "length": 0.05,
-    "width": 0.06,
-    "insertion_angle": 6.0,
-    "azimuth": 10.0,
-    "height": 0.04,
-}
+#: The [field.variation] of inbred lines, and of plants of fields as they were
+#: measured; docs/campaign_files.md has the sources.
 MEASURED_LINES = {
     "length": 0.11,
     "width": 0.12,
@@ -51,8 +44,6 @@ MEASURED_LINES = {
     "azimuth": 17.3,
     "height": 0.05,
 }
-#: The [field.variation] of plants as they were measured;
-#: docs/campaign_files.md has the sources.
 FIELD_PLANTS = {
     "length": 0.05,
     "width": 0.06,

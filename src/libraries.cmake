@@ -55,6 +55,7 @@ endif()
 if(IDEOTYPE_PROGRAM OR IDEOTYPE_PYTHON)
     need(toml++ tomlplusplus PACKAGES
         libtomlplusplus-dev tomlplusplus-devel tomlplusplus tomlplusplus)
+    need(CLI11 CLI11 PACKAGES libcli11-dev cli11-devel cli11 cli11)
 endif()
 if(IDEOTYPE_PROGRAM)
     need(MPI MPI FIND COMPONENTS CXX PACKAGES
@@ -66,7 +67,6 @@ if(IDEOTYPE_PROGRAM)
     if(HDF5_IS_PARALLEL)
         list(APPEND HDF5_LIBRARIES MPI::MPI_CXX)
     endif()
-    need(CLI11 CLI11 PACKAGES libcli11-dev cli11-devel cli11 cli11)
     need("JSON for Modern C++" nlohmann_json PACKAGES
         nlohmann-json3-dev json-devel nlohmann-json nlohmann_json)
 endif()

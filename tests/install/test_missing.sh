@@ -18,10 +18,10 @@ configure 1 -DIDEOTYPE_PROGRAM=ON embree CLI11 HDF5
 says "^ *Embree 3 or 4$"
 says "^ *HDF5 with its high-level library$"
 says "^ *CLI11$"
-says "apt install libembree-dev libhdf5-dev libcli11-dev$"
-says "dnf install embree-devel hdf5-devel cli11-devel$"
-says "spack install embree hdf5+hl cli11$"
-says "conda-forge embree hdf5 cli11$"
+says "apt install libembree-dev libcli11-dev libhdf5-dev$"
+says "dnf install embree-devel cli11-devel hdf5-devel$"
+says "spack install embree cli11 hdf5+hl$"
+says "conda-forge embree cli11 hdf5$"
 configure 1 -DIDEOTYPE_PROGRAM=ON MPI OpenSSL fmt glm \
     tomlplusplus Eigen3 nlohmann_json
 says "apt install libglm-dev libfmt-dev libssl-dev libeigen3-dev libtomlplusplus-dev libopenmpi-dev openmpi-bin nlohmann-json3-dev$"

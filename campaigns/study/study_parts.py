@@ -97,6 +97,15 @@ PARTS = {
         ),
         ("--rough", "--generations", "1"),
     ),
+    "traits_growing": Part(
+        "Which traits make the difference where plants grow?",
+        (
+            *("what_matters.py", "{folder}", "--growing"),
+            *("--only", "carbon_balance", "--samples", "64"),
+            *("--generations", "8", "--draws", "2"),
+        ),
+        ("--rough", "--samples", "4", "--generations", "1", "--seeds", "1"),
+    ),
     "front_growing": Part(
         "How much leaf area does the carbon of a growing season need?",
         (

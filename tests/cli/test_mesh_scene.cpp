@@ -103,9 +103,10 @@ TEST(MeshScene, HasTheLightOfEveryReferenceInEveryBand) {
         const CanopyReport& report = at->second;
         for (const BandReport& each : report.bands) {
             if (each.name != band) continue;
-            const auto expect = [&](Estimate ours, const Ordered& reference,
-                                    const std::string& what) {
-                expect_within(ours, reference, 1e-4, name + ' ' + what);
+            const auto expect = [&, where = name](Estimate ours,
+                                                  const Ordered& reference,
+                                                  const std::string& what) {
+                expect_within(ours, reference, 1e-4, where + ' ' + what);
                 ++values;
             };
             expect(each.light.day.soil, expected.at("soil"), "soil");

@@ -74,35 +74,39 @@ Air air_of(const TimeStep& step, const Photosynthesis& photosynthesis) {
     return air;
 }
 
-Respiration AssimilationReport::all_respiration() const {
-    Respiration sum;
-    for (const Respiration& each : respiration) {
-        sum.in_light += each.in_light;
-        sum.at_night += each.at_night;
-    }
-    return sum;
+CarbonLoss& CarbonLoss::operator+=(const CarbonLoss& more) {
+    in_light += more.in_light;
+    at_night += more.at_night;
+    building += more.building;
+    return *this;
 }
 
-double AssimilationReport::carbon_loss() const {
-    const Respiration all = all_respiration();
-    return all.in_light + all.at_night + building;
+CarbonLoss CarbonLoss::scaled(double share) const {
+    return {share * in_light, share * at_night, share * building};
+}
+
+CarbonLoss sum_of(const std::vector<CarbonLoss>& losses) {
+    CarbonLoss sum;
+    for (const CarbonLoss& each : losses) sum += each;
+    return sum;
 }
 
 std::vector<ComponentAssimilation> by_component(
     const AssimilationReport& report, const std::vector<Group>& groups,
     std::size_t components) {
-    IDEOTYPE_EXPECT(report.respiration.size() == groups.size());
+    IDEOTYPE_EXPECT(report.losses.size() == groups.size());
     std::vector<ComponentAssimilation> all;
     for (std::uint32_t c = 0; c < components; ++c) {
         ComponentAssimilation& one = all.emplace_back();
         std::vector<double> gross(report.gross.tallies.size());
+        one.loss_by_randomisation.resize(report.losses_by_randomisation.size());
         for (std::size_t g = 0; g < groups.size(); ++g) {
             if (groups[g].id.component != c) continue;
-            one.respiration.in_light += report.respiration[g].in_light;
-            one.respiration.at_night += report.respiration[g].at_night;
-            one.building += report.building_of_groups[g];
+            one.loss += report.losses[g];
             for (std::size_t r = 0; r < gross.size(); ++r)
                 gross[r] += report.gross.tallies[r].groups[g];
+            for (std::size_t r = 0; r < one.loss_by_randomisation.size(); ++r)
+                one.loss_by_randomisation[r] += report.losses_in(r)[g];
         }
         one.gross = estimate(gross);
     }
@@ -125,13 +129,13 @@ double respiration(const LeafRates& rates, double leaf_area_index,
 }
 
 //! Returns the dark respiration of leaves over a mean day.
-Respiration respiration(const LeafRates& rates, double leaf_area_index,
-                        const LightSeries& series,
-                        const Photosynthesis& photosynthesis) {
+CarbonLoss respiration(const LeafRates& rates, double leaf_area_index,
+                       const LightSeries& series,
+                       const Photosynthesis& photosynthesis) {
     if (!(leaf_area_index > 0)) return {};
     const double scale =
         mol_per_umol * leaf_area_index / static_cast<double>(series.days);
-    Respiration result;
+    CarbonLoss result;
     double known = 0;
     for (const TimeStep& step : series.steps) {
         const double amount =
@@ -150,24 +154,57 @@ Respiration respiration(const LeafRates& rates, double leaf_area_index,
     return result;
 }
 
-//! Reports gross assimilation and respiration after silking.
-void report_late(const std::vector<FluxTally>& tallies,
-                 const std::vector<LeafGroup>& leaves,
-                 const std::vector<double>& leaf_area_index,
-                 const LightSeries& series, AssimilationReport& result) {
-    result.late_gross.assign(tallies.size(), 0);
+//! Returns the leaf area index of a group in a randomisation over its mean.
+double share_of_area(const FluxTally& tally, std::size_t group,
+                     const std::vector<double>& leaf_area_index) {
+    if (tally.leaf_area.empty()) return 1;
+    return leaf_area_index[group] > 0
+               ? tally.leaf_area[group] / leaf_area_index[group]
+               : 0;
+}
+
+//! Returns gross assimilation less respiration after silking by randomisation.
+std::vector<double> late_net(const std::vector<FluxTally>& tallies,
+                             const std::vector<LeafGroup>& leaves,
+                             const std::vector<double>& leaf_area_index,
+                             const LightSeries& series) {
+    std::vector<double> gross(tallies.size()), lost(tallies.size());
     for (std::size_t i = 0; i < series.steps.size(); ++i) {
         const TimeStep& step = series.steps[i];
         if (!step.is_late) continue;
         for (std::size_t r = 0; r < tallies.size(); ++r)
-            result.late_gross[r] +=
+            gross[r] +=
                 mol_per_umol * tallies[r].steps[i] * step.seconds / series.days;
-        for (std::size_t g = 0; g < leaves.size(); ++g)
-            if (leaves[g].photosynthesis && leaf_area_index[g] > 0)
-                result.late_respiration +=
-                    respiration(leaves[g].rates, leaf_area_index[g], series,
-                                step, *leaves[g].photosynthesis);
+        for (std::size_t g = 0; g < leaves.size(); ++g) {
+            if (!leaves[g].photosynthesis || !(leaf_area_index[g] > 0))
+                continue;
+            const double loss =
+                respiration(leaves[g].rates, leaf_area_index[g], series, step,
+                            *leaves[g].photosynthesis);
+            for (std::size_t r = 0; r < tallies.size(); ++r)
+                lost[r] += loss * share_of_area(tallies[r], g, leaf_area_index);
+        }
     }
+    for (std::size_t r = 0; r < tallies.size(); ++r) gross[r] -= lost[r];
+    return gross;
+}
+
+//! Returns losses by randomisation: respiration and building follow the leaf
+//! area of the field, but not the building of leaves that have grown.
+std::vector<std::vector<CarbonLoss>> losses_by_randomisation(
+    const AssimilationReport& report, const std::vector<LeafGroup>& leaves,
+    const std::vector<double>& leaf_area_index) {
+    std::vector<std::vector<CarbonLoss>> all;
+    for (const FluxTally& tally : report.gross.tallies) {
+        std::vector<CarbonLoss>& losses = all.emplace_back();
+        for (std::size_t g = 0; g < leaves.size(); ++g) {
+            const double share = share_of_area(tally, g, leaf_area_index);
+            losses.push_back(report.losses[g].scaled(share));
+            if (leaves[g].built)
+                losses.back().building = report.losses[g].building;
+        }
+    }
+    return all;
 }
 
 }  // namespace
@@ -225,20 +262,20 @@ AssimilationReport report(std::vector<FluxTally> tallies,
     });
     for (std::size_t g = 0; g < leaves.size(); ++g) {
         const auto& [rates, photosynthesis, built] = leaves[g];
-        result.respiration.emplace_back();
-        result.building_of_groups.push_back(0);
+        CarbonLoss& loss = result.losses.emplace_back();
         if (!photosynthesis) continue;
         IDEOTYPE_EXPECT(photosynthesis->building_days > 0);
-        result.respiration.back() =
-            respiration(rates, leaf_area_index[g], series, *photosynthesis);
-        result.building_of_groups.back() =
-            photosynthesis->building_cost * built.value_or(leaf_area_index[g]) /
-            (built ? series.days : photosynthesis->building_days);
-        result.building += result.building_of_groups.back();
+        loss = respiration(rates, leaf_area_index[g], series, *photosynthesis);
+        loss.building = photosynthesis->building_cost *
+                        built.value_or(leaf_area_index[g]) /
+                        (built ? series.days : photosynthesis->building_days);
     }
+    const std::vector<FluxTally>& gross = result.gross.tallies;
+    if (!gross.front().leaf_area.empty())
+        result.losses_by_randomisation =
+            losses_by_randomisation(result, leaves, leaf_area_index);
     if (series.grows)
-        report_late(result.gross.tallies, leaves, leaf_area_index, series,
-                    result);
+        result.late_net = late_net(gross, leaves, leaf_area_index, series);
     return result;
 }
 

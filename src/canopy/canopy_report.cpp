@@ -163,18 +163,32 @@ class Reporter {
                 one.lai += area / found_.fields;
                 if (!result_.assimilation) continue;
                 const AssimilationReport& all = *result_.assimilation;
-                const double share = area / found_.leaf_area_index[g];
-                ComponentAssimilation& part = one.assimilation;
-                part.respiration.in_light +=
-                    share * all.respiration[g].in_light;
-                part.respiration.at_night +=
-                    share * all.respiration[g].at_night;
-                part.building += share * all.building_of_groups[g];
+                one.assimilation.loss +=
+                    all.losses[g].scaled(area / found_.leaf_area_index[g]);
             }
+            if (result_.assimilation)
+                one.assimilation.loss_by_randomisation = losses_of_row(row);
             if (result_.assimilation)
                 one.assimilation.gross = gross_of_row(row);
             result_.rows.push_back(one);
         }
+    }
+
+    //! Returns the losses of a row by randomisation, if these have fields of
+    //! their own.
+    std::vector<CarbonLoss> losses_of_row(std::size_t row) const {
+        const AssimilationReport& all = *result_.assimilation;
+        std::vector<CarbonLoss> losses(all.losses_by_randomisation.size());
+        for (std::size_t r = 0; r < losses.size(); ++r) {
+            const FluxTally& tally = all.gross.tallies[r];
+            const std::size_t groups = tally.leaf_area.size();
+            for (std::size_t g = 0; g < groups; ++g)
+                if (tally.leaf_area[g] > 0)
+                    losses[r] += all.losses_in(r)[g].scaled(
+                        tally.leaf_area_of_rows[row * groups + g] /
+                        tally.leaf_area[g]);
+        }
+        return losses;
     }
 
     //! Returns the component whose plants, with leaves or not, stand in a row.

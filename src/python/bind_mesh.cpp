@@ -112,7 +112,7 @@ nb::dict to_dict(const MeshReport& report, bool is_day,
     if (canopy.assimilation) {
         const AssimilationReport& all = *canopy.assimilation;
         dict["gross_assimilation"] = to_tuple(all.gross.sum);
-        dict["net_loss"] = all.net_loss();
+        dict["net_loss"] = sum_of(all.losses).in_light;
     }
     dict["balance_error"] = canopy.par().light.balance_error;
     dict["ground_area"] = canopy.ground_area;
@@ -157,7 +157,7 @@ nb::dict to_scene_dict(const MeshReport& report) {
         for (const ComponentAssimilation& each :
              by_component(*canopy.assimilation, canopy.groups, names.size())) {
             gross.push_back(each.gross);
-            lost.push_back(each.respiration.in_light);
+            lost.push_back(each.loss.in_light);
         }
         dict["gross_assimilation"] = to_array(gross);
         dict["respired"] = lost;

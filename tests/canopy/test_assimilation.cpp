@@ -136,7 +136,7 @@ TEST(SmallLeaves, OfC3AmongC4AssimilateAsTheirPointsDo) {
         EXPECT_LT(error, 3e-3 * mean);
         EXPECT_NEAR(found[c].gross.mean, mean, 3 * error + 1e-3 * mean);
     }
-    EXPECT_NEAR(found[0].respiration.in_light / found[1].respiration.in_light,
+    EXPECT_NEAR(found[0].loss.in_light / found[1].loss.in_light,
                 dark_respiration(FarquharLeaf{}, 30) /
                     dark_respiration(CollatzLeaf{}, 30),
                 1e-9);
@@ -160,8 +160,8 @@ TEST_F(TwoLeaves, PartsOfAssimilationSumToTheWhole) {
         EXPECT_NEAR(leaves / all.gross.sum.mean, 1, 1e-12);
         EXPECT_NEAR(layers / all.gross.sum.mean, 1, 1e-12);
         EXPECT_NEAR(hours / all.gross.sum.mean, 1, 1e-12);
-        EXPECT_LT(all.carbon_loss(), all.gross.sum.mean);
-        EXPECT_GT(all.carbon_loss(), all.net_loss());
+        EXPECT_LT(sum_of(all.losses).all(), all.gross.sum.mean);
+        EXPECT_GT(sum_of(all.losses).all(), sum_of(all.losses).in_light);
     }
 }
 
@@ -231,7 +231,7 @@ TEST(BlackSheet, AssimilatesAsCollatzSaysInEachInstantsAir) {
             EXPECT_NEAR(report.gross.hours.at(i).mean, values[i].at("gross"),
                         1e-6)
                 << i;
-        EXPECT_NEAR(report.net_loss(), respired, 1e-12);
+        EXPECT_NEAR(sum_of(report.losses).in_light, respired, 1e-12);
     }
 }
 

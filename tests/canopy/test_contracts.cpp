@@ -310,7 +310,7 @@ TEST(Contracts, OfReportsAreNoticed) {
          [&] { leaf_groups(s.request.scene, groups, one); }},
         {"built.empty() || built.size() >= index.size()",
          [&] { leaf_groups(built, groups, areas); }},
-        {"report.respiration.size() == groups.size()",
+        {"report.losses.size() == groups.size()",
          [&] { by_component(assimilation, {}, 1); }},
         {"!tallies.empty()", [&] { report({}, series, seconds); }},
         {"tallies.front().steps.size() == series.steps.size()",

@@ -45,7 +45,7 @@ inline Rates rates(const MeshOptions& options) {
     const AssimilationReport report = *study(options).canopy.assimilation;
     Rates result{
         scaled(report.gross.sum, 1e6), scaled(report.gross.sum, 1e6), {}};
-    result.net.mean -= 1e6 * report.net_loss();
+    result.net.mean -= 1e6 * sum_of(report.losses).in_light;
     for (const Estimate& group : report.gross.groups)
         result.groups.push_back(scaled(group, 1e6));
     return result;

@@ -125,8 +125,8 @@ TEST(Assimilation, ByCollatzFollowsTheWeather) {
     EXPECT_LT(moved.assimilation->gross.sum.mean, .9 * linear);
     EXPECT_GT(moved.assimilation->gross.sum.mean, .4 * linear);
     // In the same light, nights below 30 deg C cost less and days yield less.
-    EXPECT_LT(moved.assimilation->all_respiration().at_night,
-              .9 * still.assimilation->all_respiration().at_night);
+    EXPECT_LT(sum_of(moved.assimilation->losses).at_night,
+              .9 * sum_of(still.assimilation->losses).at_night);
     EXPECT_GT(std::abs(moved.assimilation->gross.sum.mean -
                        still.assimilation->gross.sum.mean),
               .003 * still.assimilation->gross.sum.mean);

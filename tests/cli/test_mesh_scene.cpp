@@ -219,7 +219,8 @@ TEST(MeshScene, ComponentsMayBeOfC3) {
     const double ci = 400 * 4 / (4 + std::sqrt(1.69717));
     EXPECT_NEAR(1e6 * report.gross.sum.mean,
                 farquhar_at(leaf, 30, ci).gross(900), 1e-3);
-    EXPECT_NEAR(1e6 * report.net_loss(), dark_respiration(leaf, 30), 1e-9);
+    EXPECT_NEAR(1e6 * sum_of(report.losses).in_light,
+                dark_respiration(leaf, 30), 1e-9);
     set_leaves("vmax = 40");
     try {
         study(options);

@@ -278,12 +278,16 @@ TEST_F(Study, KeysOfARowAreThoseOfACampaignWithThem) {
 }
 
 //! Noise can only be subtracted by its standard errors if these contain all of
-//! the noise: the light of a row, and the fields if a row has several.
+//! the noise: the light of a row, and the fields if a row has several, which
+//! lose the more carbon the more leaves they have.
 TEST_F(Study, RowsHaveIndependentNoiseOfKnownSize) {
     for (const std::vector<std::string>& fields :
          {std::vector<std::string>{},
           {"light.fields=4", "light.tolerance=0.002", "field.rows=1",
-           "field.plants=2", "field.variation={length=0.3, width=0.3}"}}) {
+           "field.plants=2", "field.variation={length=0.3, width=0.3}"},
+          {"light.fields=4", "light.tolerance=0.005", "field.rows=2",
+           "field.plants=2", "field.variation={missing=0.3}",
+           "objective={maximise=\"carbon_balance\"}"}}) {
         const Campaign chosen = study(fields);
         CanopyEvaluator of_chosen(chosen, Device::supported_isas().back());
         std::vector<double> values;

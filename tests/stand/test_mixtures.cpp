@@ -242,7 +242,7 @@ TEST_F(Mixtures, TellAGainOverPlantsThatLose) {
         measure_parts("gross_assimilation", report)[1].estimate.mean;
     for (std::size_t g = 0; g < report.groups.size(); ++g)
         if (report.groups[g].id.component == 1)
-            all.respiration[g].in_light += gross / 5;
+            all.losses[g].in_light += gross / 5;
     const auto net = measure_parts("net_assimilation", report);
     const double own = net[0].estimate.mean, other = net[1].estimate.mean;
     ASSERT_GT(own, 0);
@@ -250,7 +250,7 @@ TEST_F(Mixtures, TellAGainOverPlantsThatLose) {
     const Estimate gain = number("invasion", report);
     EXPECT_NEAR(gain.mean, (own - other) / -other, .02);
     // A plant that loses twice as much as its neighbours does not invade.
-    all.respiration.front().in_light += own - 2 * other;
+    all.losses.front().in_light += own - 2 * other;
     EXPECT_NEAR(number("invasion", report).mean, -1, .02);
 }
 

@@ -25,6 +25,9 @@ struct FluxTally {
     std::vector<double> layers;  //!< amount by layer of the pieces [mol m-2]
     std::vector<double> steps;   //!< flux of all leaves by step [umol m-2 s-1]
     std::vector<double> rows{};  //!< amount by row, if told apart [mol m-2]
+    //! Leaf area index by group, and by row and group, of gross assimilation if
+    //! randomisations have fields of their own.
+    std::vector<double> leaf_area{}, leaf_area_of_rows{};
 
     double sum() const;  //!< amount of all leaves
 };
@@ -44,42 +47,50 @@ struct FluxReport {
 FluxReport report(std::vector<FluxTally> tallies, const LightSeries& series,
                   double (*amount_of)(const TimeStep& step));
 
-//! CO2 that leaves lose by respiration in the dark [mol m-2 day-1].
-struct Respiration {
-    double in_light = 0;  //!< loss at times with any light
-    double at_night = 0;
+//! Carbon that leaves lose [mol m-2 day-1].
+struct CarbonLoss {
+    double in_light = 0;  //!< dark respiration at times with any light
+    double at_night = 0;  //!< respiration at other times
+    double building = 0;  //!< carbon in the tissue of leaves
+
+    CarbonLoss& operator+=(const CarbonLoss& more);
+
+    //! Returns the loss if respiration and building are lowered to a share.
+    CarbonLoss scaled(double share) const;
+
+    //! Returns the loss by which the carbon balance is less than gross
+    //! assimilation.
+    double all() const { return in_light + at_night + building; }
 };
 
 //! Assimilation of the leaves of a canopy on a mean day [mol m-2 of ground
 //! day-1], or in a second if the light is that of an instant.
 struct AssimilationReport {
-    FluxReport gross;                      //!< flux; hours in [umol m-2 s-1]
-    std::vector<Respiration> respiration;  //!< loss of each group of the mesh
-    //! Carbon in the tissue of the leaves of each group, and of all leaves.
-    std::vector<double> building_of_groups;
-    double building = 0;
-    //! Gross assimilation after silking by randomisation, and the respiration
-    //! of leaves after silking, if plants grow.
-    std::vector<double> late_gross;
-    double late_respiration = 0;
+    FluxReport gross;                //!< flux; hours in [umol m-2 s-1]
+    std::vector<CarbonLoss> losses;  //!< loss of each group of the mesh
+    //! Losses of groups by randomisation, if these have fields of their own.
+    std::vector<std::vector<CarbonLoss>> losses_by_randomisation;
+    //! Gross assimilation less respiration after silking by randomisation, if
+    //! plants grow.
+    std::vector<double> late_net;
 
-    //! Returns the respiration of all leaves.
-    Respiration all_respiration() const;
-
-    //! Returns the respiration in lit hours, by which net assimilation is less
-    //! than gross assimilation.
-    double net_loss() const { return all_respiration().in_light; }
-
-    //! Returns the respiration of day and night and the cost of building
-    //! leaves, by which the carbon balance is less than gross assimilation.
-    double carbon_loss() const;
+    //! Returns the losses of groups in a randomisation.
+    const std::vector<CarbonLoss>& losses_in(std::size_t randomisation) const {
+        return losses_by_randomisation.empty()
+                   ? losses
+                   : losses_by_randomisation[randomisation];
+    }
 };
+
+//! Sums up losses of groups.
+CarbonLoss sum_of(const std::vector<CarbonLoss>& losses);
 
 //! Assimilation of one component or row, in units of AssimilationReport.
 struct ComponentAssimilation {
     Estimate gross;
-    Respiration respiration{};
-    double building = 0;
+    CarbonLoss loss{};
+    //! Loss by randomisation, if these have fields of their own.
+    std::vector<CarbonLoss> loss_by_randomisation{};
 };
 
 //! Sums up a report by component.

@@ -59,6 +59,7 @@ class FieldPass {
                     "water; evaluate them without details.exact");
             else
                 assimilate_exactly(surfaces, mesh, accuracy);
+            note_leaf_area();
         }
         accuracy.paths = simulation.paths;
         found_.paths = accuracy.all_paths();
@@ -181,6 +182,16 @@ class FieldPass {
         found_.hit_by_sun.fractions = {mean_of(found_.hit_by_sun.fractions)};
         if (!found_.light_classes.empty())
             found_.light_classes = {mean_of(found_.light_classes)};
+    }
+
+    //! Notes the leaf area of this field, with which leaves lose carbon, if
+    //! fields may differ.
+    void note_leaf_area() {
+        if (plan_.fields == 1) return;
+        for (FluxTally& gross : found_.fluxes.front()) {
+            gross.leaf_area = found_.leaf_area_index;
+            gross.leaf_area_of_rows = found_.areas_of_rows;
+        }
     }
 
     //! Returns the leaves of this field with the light that warms leaves.

@@ -13,21 +13,17 @@ constexpr double grams_of_co2 = 44.0095;
 constexpr double tonnes = 30e-6 * 1e4;
 
 //! Returns gross assimilation lowered by a loss, times a scale.
-Randomised carbon(const CanopyReport& report, double loss = 0,
+Randomised carbon(const CanopyReport& report, Loss loss = no_loss,
                   double scale = 1) {
-    const Estimate gross = report.assimilation->gross.sum;
-    Randomised result{{gross.mean - loss, gross.standard_error}, {}};
-    for (const FluxTally& tally : report.assimilation->gross.tallies)
-        result.by_randomisation.push_back(tally.sum() - loss);
-    return scaled(std::move(result), scale);
+    return scaled(assimilation_of_all(*report.assimilation, loss), scale);
 }
 
 Randomised net(const CanopyReport& report, double scale = 1) {
-    return carbon(report, report.assimilation->net_loss(), scale);
+    return carbon(report, loss_in_light, scale);
 }
 
 Randomised balance(const CanopyReport& report, double scale = 1) {
-    return carbon(report, report.assimilation->carbon_loss(), scale);
+    return carbon(report, loss_of_carbon, scale);
 }
 
 std::vector<Randomised> gross_of_groups(const CanopyReport& report) {
@@ -37,11 +33,15 @@ std::vector<Randomised> gross_of_groups(const CanopyReport& report) {
 
 //! Returns the assimilation of each leaf less its respiration in the light.
 std::vector<Randomised> net_by_leaf(const CanopyReport& report) {
+    const AssimilationReport& all = *report.assimilation;
     std::vector<Randomised> groups = gross_of_groups(report);
     for (std::size_t g = 0; g < groups.size(); ++g) {
-        const double loss = report.assimilation->respiration[g].in_light;
-        groups[g].estimate.mean -= loss;
-        for (double& x : groups[g].by_randomisation) x -= loss;
+        std::vector<CarbonLoss> losses;
+        for (const std::vector<CarbonLoss>& each : all.losses_by_randomisation)
+            losses.push_back(each[g]);
+        groups[g] =
+            lowered(groups[g].estimate, std::move(groups[g].by_randomisation),
+                    all.losses[g], losses, loss_in_light);
     }
     return of_leaves(report, groups);
 }
@@ -62,8 +62,7 @@ Randomised light_use(const CanopyReport& report) {
 }
 
 Randomised after_silking(const CanopyReport& report) {
-    std::vector<double> values = report.assimilation->late_gross;
-    for (double& x : values) x -= report.assimilation->late_respiration;
+    const std::vector<double>& values = report.assimilation->late_net;
     return {estimate(values), values};
 }
 
@@ -75,6 +74,17 @@ std::optional<Randomised> sunlit_lai(const CanopyReport& report) {
 }
 
 }  // namespace
+
+Randomised assimilation_of_all(const AssimilationReport& report, Loss loss) {
+    std::vector<double> gross;
+    for (const FluxTally& tally : report.gross.tallies)
+        gross.push_back(tally.sum());
+    std::vector<CarbonLoss> losses;
+    for (const std::vector<CarbonLoss>& each : report.losses_by_randomisation)
+        losses.push_back(sum_of(each));
+    return lowered(report.gross.sum, std::move(gross), sum_of(report.losses),
+                   losses, loss);
+}
 
 std::vector<Declaration> assimilation_quantities() {
     using Report = CanopyReport;
@@ -94,7 +104,7 @@ std::vector<Declaration> assimilation_quantities() {
           "and the carbon that builds them"},
          [](const Report& r) { return balance(r); }},
         {{"gross_co2", "g m-2 day-1", "gross assimilation"},
-         [](const Report& r) { return carbon(r, 0, grams_of_co2); }},
+         [](const Report& r) { return carbon(r, no_loss, grams_of_co2); }},
         {{"net_co2", "g m-2 day-1", "net assimilation"},
          [](const Report& r) { return net(r, grams_of_co2); }},
         {{"dry_matter", "t ha-1", "carbon balance of all days as carbohydrate"},
@@ -105,7 +115,7 @@ std::vector<Declaration> assimilation_quantities() {
           {},
           Certainty::exact},
          [](const Report& r) {
-             const Respiration sum = r.assimilation->all_respiration();
+             const CarbonLoss sum = sum_of(r.assimilation->losses);
              return certain(r, sum.in_light + sum.at_night);
          }},
         {{"carbon_after_silking", rate,

@@ -102,21 +102,40 @@ inline std::vector<Randomised> randomised(
     return all;
 }
 
-//! A function for the carbon that a part of the canopy loses [mol m-2 day-1].
-using Loss = double (*)(const ComponentAssimilation&);
+//! A function that chooses what assimilation is lowered by [mol m-2 day-1].
+using Loss = double (*)(const CarbonLoss&);
 
-inline double no_loss(const ComponentAssimilation&) {
+inline double no_loss(const CarbonLoss&) {
     return 0;
 }
 
-inline double loss_in_light(const ComponentAssimilation& part) {
-    return part.respiration.in_light;
+inline double loss_in_light(const CarbonLoss& loss) {
+    return loss.in_light;
 }
 
-inline double loss_of_carbon(const ComponentAssimilation& part) {
-    return part.respiration.in_light + part.respiration.at_night +
-           part.building;
+inline double loss_of_carbon(const CarbonLoss& loss) {
+    return loss.all();
 }
+
+//! Returns gross assimilation lowered by losses. Fields with more leaves lose
+//! more, so that errors are those of differences.
+//! @param gross gross assimilation by randomisation
+//! @param losses losses by randomisation; none: all have the mean loss
+inline Randomised lowered(const Estimate& mean, std::vector<double> gross,
+                          const CarbonLoss& loss,
+                          const std::vector<CarbonLoss>& losses, Loss of) {
+    Randomised net{{mean.mean - of(loss), mean.standard_error},
+                   std::move(gross)};
+    for (std::size_t r = 0; r < net.by_randomisation.size(); ++r)
+        net.by_randomisation[r] -= of(losses.empty() ? loss : losses[r]);
+    if (!losses.empty())
+        net.estimate.standard_error =
+            estimate(net.by_randomisation).standard_error;
+    return net;
+}
+
+//! Returns the assimilation of all leaves lowered by a loss.
+Randomised assimilation_of_all(const AssimilationReport& report, Loss loss);
 
 //! Returns a value that is the same in all randomisations.
 inline Randomised certain(const CanopyReport& report, double value) {

@@ -126,13 +126,11 @@ std::vector<Randomised> assimilation_by_component(const CanopyReport& report,
     std::vector<Randomised> parts;
     for (const ComponentAssimilation& each :
          by_component(all, report.groups, report.components.size())) {
-        const double lost = loss(each);
-        Randomised part{{each.gross.mean - lost, each.gross.standard_error},
-                        {}};
+        std::vector<double> gross;
         for (const FluxTally& tally : all.gross.tallies)
-            part.by_randomisation.push_back(
-                over_leaves(report, tally.groups, parts.size()) - lost);
-        parts.push_back(std::move(part));
+            gross.push_back(over_leaves(report, tally.groups, parts.size()));
+        parts.push_back(lowered(each.gross, std::move(gross), each.loss,
+                                each.loss_by_randomisation, loss));
     }
     return parts;
 }

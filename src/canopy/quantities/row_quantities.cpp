@@ -27,12 +27,13 @@ std::vector<Rows> light_of_rows(const CanopyReport& report) {
 Rows assimilation_of_rows(const CanopyReport& report, Loss loss) {
     Rows rows;
     for (std::size_t row = 0; row < report.rows.size(); ++row) {
-        const double lost = loss(report.rows[row].assimilation);
-        std::vector<double> values;
+        const ComponentAssimilation& all = report.rows[row].assimilation;
+        std::vector<double> gross;
         for (const FluxTally& tally : report.assimilation->gross.tallies)
-            values.push_back(tally.rows[row] - lost);
-        const Estimate mean = estimate(values);
-        rows.push_back({mean, std::move(values)});
+            gross.push_back(tally.rows[row]);
+        rows.push_back(lowered(all.gross, std::move(gross), all.loss,
+                               all.loss_by_randomisation, loss));
+        rows.back().estimate = estimate(rows.back().by_randomisation);
     }
     return rows;
 }

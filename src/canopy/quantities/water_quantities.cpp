@@ -53,12 +53,11 @@ Randomised efficiency(const CanopyReport& report) {
     const AssimilationReport& carbon = *report.assimilation;
     const FluxReport& water = report.water->transpiration;
     if (!(water.sum.mean > 0)) return certain(report, 0);
-    const double net = carbon.gross.sum.mean - carbon.net_loss();
-    const double ratio = grams_of_carbon * net / water.sum.mean;
+    const Randomised net = assimilation_of_all(carbon, loss_in_light);
+    const double ratio = grams_of_carbon * net.estimate.mean / water.sum.mean;
     return ratio_with_error(
         ratio, water.sum.mean, carbon.gross.tallies.size(), [&](std::size_t r) {
-            return grams_of_carbon *
-                       (carbon.gross.tallies[r].sum() - carbon.net_loss()) -
+            return grams_of_carbon * net.by_randomisation[r] -
                    ratio * water.tallies[r].sum();
         });
 }

@@ -100,16 +100,17 @@ Json quantities_json(const CanopyReport& report, Span span) {
 
 Json assimilation_json(const CanopyReport& report, Span span) {
     const AssimilationReport& all = *report.assimilation;
-    Json json = gross_and_net(all.gross.sum, all.net_loss(), span);
+    const CarbonLoss loss = sum_of(all.losses);
+    Json json = gross_and_net(all.gross.sum, loss.in_light, span);
     if (span == Span::day)
         json["carbon_balance"] =
-            assimilation_json(lowered(all.gross.sum, all.carbon_loss()), span);
+            assimilation_json(lowered(all.gross.sum, loss.all()), span);
     Json groups = Json::object();
     for (std::size_t g = 0; g < report.groups.size(); ++g)
         if (report.groups[g].id.is_leaf())
             groups.get_ref<Json::object_t&>().emplace_back(
                 group_name(report, g),
-                gross_and_net(all.gross.groups[g], all.respiration[g].in_light,
+                gross_and_net(all.gross.groups[g], all.losses[g].in_light,
                               span));
     json["groups"] = std::move(groups);
     if (report.light_classes)
@@ -142,9 +143,9 @@ Json components_json(const CanopyReport& report, Span span) {
         one["lai"] = component.lai;
         one["plant_area_index"] = component.plant_area_index;
         if (component.assimilates) {
-            const auto& [gross, respiration, building] = assimilation[c];
+            const ComponentAssimilation& all = assimilation[c];
             one["assimilation"] =
-                gross_and_net(gross, respiration.in_light, span);
+                gross_and_net(all.gross, all.loss.in_light, span);
         }
         json[component.name] = std::move(one);
     }

@@ -117,7 +117,7 @@ no_ranks() { ! pgrep -f "serve campaigns/served.toml --log-level debug" >/dev/nu
 serve+=(--log-level debug)
 # The mpirun of MPICH does not bear more than 64 KiB that wait to be read.
 count=1400
-! is_mpich || count=230
+! is_mpich || count=$((60000 / $(requests 1 | wc -c)))
 requests $count >many
 
 for start in "" "${ranks[*]}"; do

@@ -109,11 +109,7 @@ std::vector<Declaration> assimilation_quantities() {
          [](const Report& r) { return net(r, grams_of_co2); }},
         {{"dry_matter", "t ha-1", "carbon balance of all days as carbohydrate"},
          [](const Report& r) { return balance(r, tonnes * r.days); }},
-        {{"respiration",
-          rate,
-          "respiration of leaves by day and night",
-          {},
-          Certainty::exact},
+        {exact({"respiration", rate, "respiration of leaves by day and night"}),
          [](const Report& r) {
              const CarbonLoss sum = sum_of(r.assimilation->losses);
              return certain(r, sum.in_light + sum.at_night);
@@ -127,10 +123,9 @@ std::vector<Declaration> assimilation_quantities() {
           "leaf area index that the sun shines on, mean over the time with "
           "light"},
          sunlit_lai},
-        {{"sunlit_lai_by_hour",
-          "m2 m-2",
-          "leaf area index that the sun shines on at each instant",
-          {"hour"}},
+        {by({"hour"},
+            {"sunlit_lai_by_hour", "m2 m-2",
+             "leaf area index that the sun shines on at each instant"}),
          [](const Report& r) {
              Values hours = r.hit_by_sun->hours;
              for (Estimate& x : hours) x = scaled(x, r.assimilating_lai);
@@ -139,33 +134,23 @@ std::vector<Declaration> assimilation_quantities() {
         {{"light_use_efficiency", "g MJ-1",
           "carbon of gross assimilation over absorbed PAR"},
          light_use},
-        {{"assimilation_by_leaf",
-          rate,
-          "gross assimilation of each leaf",
-          {"leaf"}},
+        {by({"leaf"},
+            {"assimilation_by_leaf", rate, "gross assimilation of each leaf"}),
          [](const Report& r) { return of_leaves(r, gross_of_groups(r)); }},
-        {{"net_assimilation_by_leaf",
-          rate,
-          "net assimilation of each leaf",
-          {"leaf"}},
+        {by({"leaf"}, {"net_assimilation_by_leaf", rate,
+                       "net assimilation of each leaf"}),
          net_by_leaf},
-        {{"assimilation_by_layer",
-          rate,
-          "gross assimilation of leaves in each layer",
-          {"layer"}},
+        {by({"layer"}, {"assimilation_by_layer", rate,
+                        "gross assimilation of leaves in each layer"}),
          [](const Report& r) {
              return along(r.assimilation->gross.tallies,
                           r.assimilation->gross.layers, &FluxTally::layers);
          }},
-        {{"assimilation_by_hour",
-          "umol m-2 s-1",
-          "gross assimilation at each instant",
-          {"hour"}},
+        {by({"hour"}, {"assimilation_by_hour", "umol m-2 s-1",
+                       "gross assimilation at each instant"}),
          [](const Report& r) { return r.assimilation->gross.hours; }},
-        {{"assimilation_by_day",
-          rate,
-          "gross assimilation on each day",
-          {"day"}},
+        {by({"day"},
+            {"assimilation_by_day", rate, "gross assimilation on each day"}),
          [](const Report& r) { return r.assimilation->gross.dates; }},
     };
 }

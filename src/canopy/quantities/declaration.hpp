@@ -29,6 +29,18 @@ inline constexpr double grams_of_carbon = 12.011;  //!< molar mass [g mol-1]
 // Units of light and CO2 on a mean day, per ground area.
 inline constexpr auto daily = "MJ m-2 day-1", rate = "mol m-2 day-1";
 
+//! Returns a quantity along axes.
+inline Quantity by(std::vector<std::string> axes, Quantity quantity) {
+    quantity.axes = std::move(axes);
+    return quantity;
+}
+
+//! Returns a quantity without error.
+inline Quantity exact(Quantity quantity) {
+    quantity.certainty = Certainty::exact;
+    return quantity;
+}
+
 //! A description of a canopy by what can be measured in it.
 struct Scope {
     std::size_t components = 1;

@@ -11,8 +11,6 @@ namespace {
 
 using Values = std::vector<Estimate>;
 
-constexpr Certainty exact = Certainty::exact;
-
 Values to_mj(Values joules) {
     for (Estimate& x : joules) x = scaled(x, 1 / joule_per_megajoule);
     return joules;
@@ -101,7 +99,7 @@ std::vector<Declaration> light_quantities() {
              return scaled(absorbed_by_leaves(r),
                            1 / joule_per_megajoule / r.lai);
          }},
-        {{"incident", daily, "PAR on level ground above the canopy", {}, exact},
+        {exact({"incident", daily, "PAR on level ground above the canopy"}),
          [](const Report& r) {
              return scaled(certain(r, r.par().light.day.incident),
                            1 / joule_per_megajoule);
@@ -126,87 +124,69 @@ std::vector<Declaration> light_quantities() {
           "PAR that escapes to the sky over incident PAR"},
          fraction(&BudgetEstimate::reflected,
                   [](const Budget& day) { return day.reflected; })},
-        {{"balance_error",
-          "1",
-          "largest error of the energy balance of any randomisation over the "
-          "light that entered",
-          {},
-          exact},
+        {exact({"balance_error", "1",
+                "largest error of the energy balance of any randomisation over "
+                "the light that entered"}),
          [](const Report& r) {
              return certain(r, r.par().light.balance_error);
          },
          {},
          true},
-        {{"paths", "1", "paths of light in all randomisations", {}, exact},
+        {exact({"paths", "1", "paths of light in all randomisations"}),
          [](const Report& r) {
              return certain(r, static_cast<double>(r.paths));
          },
          {},
          true},
-        {{"capped", "1", "1 if the tolerance would need more paths", {}, exact},
+        {exact({"capped", "1", "1 if the tolerance would need more paths"}),
          [](const Report& r) { return certain(r, r.is_capped ? 1.0 : 0.0); },
          {},
          true},
-        {{"lai", "m2 m-2", "one-sided leaf area per ground area", {}, exact},
+        {exact({"lai", "m2 m-2", "one-sided leaf area per ground area"}),
          [](const Report& r) { return certain(r, r.lai); }},
-        {{"plant_area_index",
-          "m2 m-2",
-          "leaf area and half the surface of all other organs per ground area",
-          {},
-          exact},
+        {exact({"plant_area_index", "m2 m-2",
+                "leaf area and half the surface of all other organs per ground "
+                "area"}),
          [](const Report& r) { return certain(r, r.plant_area_index); }},
-        {{"dead_area_index",
-          "m2 m-2",
-          "area of dead parts of leaves per ground area",
-          {},
-          exact},
+        {exact({"dead_area_index", "m2 m-2",
+                "area of dead parts of leaves per ground area"}),
          [](const Report& r) { return certain(r, r.dead_area_index); },
          [](const Scope& scope) { return scope.grows; }},
-        {{"absorbed_by_leaf", daily, "PAR that each leaf absorbs", {"leaf"}},
+        {by({"leaf"},
+            {"absorbed_by_leaf", daily, "PAR that each leaf absorbs"}),
          [](const Report& r) {
              return of_leaves(r, randomised(r.par().light.groups,
                                             r.par().groups_by_randomisation,
                                             1 / joule_per_megajoule));
          }},
-        {{"absorbed_by_organ",
-          daily,
-          "PAR that leaves and each other organ absorb",
-          {"organ"}},
+        {by({"organ"}, {"absorbed_by_organ", daily,
+                        "PAR that leaves and each other organ absorb"}),
          [](const Report& r) { return to_mj(by_organ(r)); }},
-        {{"absorbed_by_layer",
-          daily,
-          "PAR that leaves in each layer absorb",
-          {"layer"}},
+        {by({"layer"}, {"absorbed_by_layer", daily,
+                        "PAR that leaves in each layer absorb"}),
          [](const Report& r) {
              return randomised(r.par().light.layers,
                                r.par().layers_by_randomisation,
                                1 / joule_per_megajoule);
          }},
-        {{"absorbed_by_source",
-          daily,
-          "PAR that leaves absorb, by where it came from last",
-          {"light_source"}},
+        {by({"light_source"},
+            {"absorbed_by_source", daily,
+             "PAR that leaves absorb, by where it came from last"}),
          [](const Report& r) {
              const BudgetEstimate& day = r.par().light.day;
              return to_mj(
                  {day.leaves_beam, day.leaves_sky, day.leaves_scattered});
          }},
-        {{"absorbed_by_side",
-          daily,
-          "PAR that each side of leaves absorbs",
-          {"leaf_side"}},
+        {by({"leaf_side"}, {"absorbed_by_side", daily,
+                            "PAR that each side of leaves absorbs"}),
          [](const Report& r) {
              return to_mj({r.par().light.adaxial, r.par().light.abaxial});
          }},
-        {{"absorbed_by_hour",
-          "W m-2",
-          "PAR that leaves absorb at each instant",
-          {"hour"}},
+        {by({"hour"}, {"absorbed_by_hour", "W m-2",
+                       "PAR that leaves absorb at each instant"}),
          by_hour},
-        {{"absorbed_by_day",
-          daily,
-          "PAR that leaves absorb on each day",
-          {"day"}},
+        {by({"day"},
+            {"absorbed_by_day", daily, "PAR that leaves absorb on each day"}),
          [](const Report& r) { return to_mj(r.par().light.dates); }},
     };
 }
@@ -214,46 +194,33 @@ std::vector<Declaration> light_quantities() {
 std::vector<Declaration> form_quantities() {
     using Report = CanopyReport;
     return {
-        {{"plant_height",
-          "m",
-          "height of the highest point of the full-grown plant",
-          {},
-          exact},
+        {exact({"plant_height", "m",
+                "height of the highest point of the full-grown plant"}),
          [](const Report& r) { return certain(r, r.form->height); }},
-        {{"top_leaf_angle",
-          "deg",
-          "mean insertion angle of the four highest leaves from the stalk",
-          {},
-          exact},
+        {exact({"top_leaf_angle", "deg",
+                "mean insertion angle of the four highest leaves from the "
+                "stalk"}),
          [](const Report& r) { return certain(r, r.form->top_leaf_angle); }}};
 }
 
 std::vector<Declaration> line_quantities() {
     using Report = CanopyReport;
-    return {
-        {{"distance_from_lines",
-          "1",
-          "Mahalanobis distance of the plant from the mean of measured lines",
-          {},
-          exact},
-         [](const Report& r) { return certain(r, r.lines->from_mean); }},
-        {{"distance_from_line",
-          "1",
-          "Mahalanobis distance of the plant from the nearest measured line",
-          {},
-          exact},
-         [](const Report& r) { return certain(r, r.lines->from_line); }},
-        {{"nearest_line",
-          "1",
-          "number of the nearest measured line, 1 is the first of the file; "
-          "0: no lines are told",
-          {},
-          exact},
-         [](const Report& r) {
-             return certain(r, static_cast<double>(r.lines->line));
-         },
-         {},
-         true}};
+    return {{exact({"distance_from_lines", "1",
+                    "Mahalanobis distance of the plant from the mean of "
+                    "measured lines"}),
+             [](const Report& r) { return certain(r, r.lines->from_mean); }},
+            {exact({"distance_from_line", "1",
+                    "Mahalanobis distance of the plant from the nearest "
+                    "measured line"}),
+             [](const Report& r) { return certain(r, r.lines->from_line); }},
+            {exact({"nearest_line", "1",
+                    "number of the nearest measured line, 1 is the first of "
+                    "the file; 0: no lines are told"}),
+             [](const Report& r) {
+                 return certain(r, static_cast<double>(r.lines->line));
+             },
+             {},
+             true}};
 }
 
 }  // namespace ideotype

@@ -214,18 +214,16 @@ std::vector<Declaration> part_quantities() {
     return {
         absorbed_in("nir", {"nir"}, "near infrared"),
         absorbed_in("shortwave", {"par", "nir"}, "PAR and near infrared"),
-        {{"absorbed_light",
-          daily,
-          "light that leaves absorb per ground area",
-          {"component", "band"}},
+        {by({"component", "band"},
+            {"absorbed_light", daily,
+             "light that leaves absorb per ground area"}),
          by_component_and_band([](const BandReport& band, std::size_t c) {
              return scaled(band.part(c).leaves, 1 / joule_per_megajoule);
          }),
          has_parts},
-        {{"absorbed_light_by_hour",
-          "W m-2",
-          "light that leaves absorb at each instant",
-          {"component", "band", "hour"}},
+        {by({"component", "band", "hour"},
+            {"absorbed_light_by_hour", "W m-2",
+             "light that leaves absorb at each instant"}),
          [](const Report& r) {
              Values values;
              for (std::size_t c = 0; c < r.components.size(); ++c)
@@ -235,10 +233,9 @@ std::vector<Declaration> part_quantities() {
              return values;
          },
          has_parts},
-        {{"intercepted_fraction",
-          "1",
-          "light that leaves and other organs absorb over incident light",
-          {"component", "band"}},
+        {by({"component", "band"},
+            {"intercepted_fraction", "1",
+             "light that leaves and other organs absorb over incident light"}),
          by_component_and_band([](const BandReport& band, std::size_t c) {
              const BudgetEstimate& day = band.light.day;
              return fraction_of(
@@ -253,11 +250,8 @@ std::vector<Declaration> part_quantities() {
             "reflected_fraction_by_band",
             "light that is sent back to the sky over incident light",
             &BudgetEstimate::reflected),
-        {{"lai_by_component",
-          "m2 m-2",
-          "one-sided leaf area per ground area",
-          {"component"},
-          Certainty::exact},
+        {exact(by({"component"}, {"lai_by_component", "m2 m-2",
+                                  "one-sided leaf area per ground area"})),
          [](const Report& r) {
              Values values;
              for (const ComponentReport& each : r.components)

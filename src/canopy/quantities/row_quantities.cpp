@@ -138,11 +138,12 @@ std::vector<Declaration> row_quantities() {
                        },
                        [](const Scope& scope) { return scope.has_rows; }});
     add_figure(
-        all, {"lai", "m2 m-2", "one-sided leaf area", {}, exact},
+        all, exact({"lai", "m2 m-2", "one-sided leaf area"}),
         [](const Report& r) { return std::vector<Rows>{lai_of_rows(r)}; });
-    add_figure(all,
-               {"absorbed_light", daily, "light that leaves absorb", {"band"}},
-               light_of_rows);
+    add_figure(
+        all,
+        by({"band"}, {"absorbed_light", daily, "light that leaves absorb"}),
+        light_of_rows);
     const auto add_assimilation = [&](const char* name, const char* meaning,
                                       Loss loss) {
         add_figure(

@@ -21,57 +21,38 @@ struct Measure {
     const char* meaning;
 };
 
-// These limits are wide enough for any crop; limits of traits are narrower.
+//! Makes a measure with limits from `lower` to `upper`.
+template <class Part>
+constexpr Measure<Part> measure(const char* name, const char* unit,
+                                double lower, double upper, double Part::*value,
+                                const char* meaning) {
+    return {name, unit, {lower, upper}, value, meaning};
+}
 
-inline constexpr std::array<Measure<Leaf>, 11> leaf_measures{
-    {{"length", "m", {0.01, 3}, &Leaf::length, "arc length of the midrib"},
-     {"width", "m", {0.001, 0.5}, &Leaf::width, "largest width of the blade"},
-     {"insertion_angle",
-      "deg",
-      {0, 90},
-      &Leaf::insertion_angle,
-      "of the base from the stalk; 90 is horizontal"},
-     {"curvature",
-      "deg",
-      {0, 180},
-      &Leaf::curvature,
-      "how much further the tip bends down"},
-     {"azimuth",
-      "deg",
-      {0, 360},
-      &Leaf::azimuth,
-      "about the stalk; 0 is along the row"},
-     {"insertion_height",
-      "m",
-      {0, 6},
-      &Leaf::insertion_height,
-      "above the soil, at most the stalk's height"},
-     {"roll",
-      "deg",
-      {-180, 180},
-      &Leaf::roll,
-      "turn of the blade about its midrib, halfway along it"},
-     {"twist",
-      "deg",
-      {-720, 720},
-      &Leaf::twist,
-      "turn of the blade about its midrib from the base to the tip"},
-     {"petiole_length",
-      "m",
-      {0, 1},
-      &Leaf::petiole_length,
-      "from the stalk to the blade"},
-     {"petiole_angle",
-      "deg",
-      {0, 180},
-      &Leaf::petiole_angle,
-      "of the petiole from the stalk"},
-     {"internode",
-      "m",
-      {0, 1},
-      &Leaf::internode,
-      "height above the leaf below, or of the lowest above the soil, in the "
-      "place of insertion_height"}}};
+// These limits are wide enough for any crop; limits of traits are narrower.
+inline constexpr std::array leaf_measures{
+    measure("length", "m", 0.01, 3, &Leaf::length, "arc length of the midrib"),
+    measure("width", "m", 0.001, 0.5, &Leaf::width,
+            "largest width of the blade"),
+    measure("insertion_angle", "deg", 0, 90, &Leaf::insertion_angle,
+            "of the base from the stalk; 90 is horizontal"),
+    measure("curvature", "deg", 0, 180, &Leaf::curvature,
+            "how much further the tip bends down"),
+    measure("azimuth", "deg", 0, 360, &Leaf::azimuth,
+            "about the stalk; 0 is along the row"),
+    measure("insertion_height", "m", 0, 6, &Leaf::insertion_height,
+            "above the soil, at most the stalk's height"),
+    measure("roll", "deg", -180, 180, &Leaf::roll,
+            "turn of the blade about its midrib, halfway along it"),
+    measure("twist", "deg", -720, 720, &Leaf::twist,
+            "turn of the blade about its midrib from the base to the tip"),
+    measure("petiole_length", "m", 0, 1, &Leaf::petiole_length,
+            "from the stalk to the blade"),
+    measure("petiole_angle", "deg", 0, 180, &Leaf::petiole_angle,
+            "of the petiole from the stalk"),
+    measure("internode", "m", 0, 1, &Leaf::internode,
+            "height above the leaf below, or of the lowest above the soil, in "
+            "the place of insertion_height")};
 
 //! The number of measures, counted from the first, that a plant file must give
 //! for every leaf; further measures are 0 where a file does not give them.
@@ -81,78 +62,47 @@ inline constexpr std::size_t needed_leaf_measures = 6;
 //! which grasses do not have, are written if any leaf has a value.
 inline constexpr std::size_t usual_leaf_measures = 8;
 
-inline constexpr std::array<Measure<Blade>, 5> blade_measures{
-    {{"folding_angle",
-      "deg",
-      {0, 80},
-      &Blade::folding_angle,
-      "rise of each half from flat: the V of the blade"},
-     {"curvature_exponent",
-      "1",
-      {0.1, 10},
-      &Blade::curvature_exponent,
-      "angle at arc length s is insertion_angle + curvature s^exponent"},
-     {"leaflet_divergence",
-      "deg",
-      {0, 180},
-      &Blade::leaflet_divergence,
-      "azimuth between neighbouring leaflets"},
-     {"lateral_size",
-      "1",
-      {0.1, 2},
-      &Blade::lateral_size,
-      "length and width of other leaflets over those of the middle one"},
-     {"rachis_length",
-      "m",
-      {0, 0.5},
-      &Blade::rachis_length,
-      "how much further the middle leaflet begins"}}};
+inline constexpr std::array blade_measures{
+    measure("folding_angle", "deg", 0, 80, &Blade::folding_angle,
+            "rise of each half from flat: the V of the blade"),
+    measure("curvature_exponent", "1", 0.1, 10, &Blade::curvature_exponent,
+            "angle at arc length s is insertion_angle + curvature s^exponent"),
+    measure("leaflet_divergence", "deg", 0, 180, &Blade::leaflet_divergence,
+            "azimuth between neighbouring leaflets"),
+    measure("lateral_size", "1", 0.1, 2, &Blade::lateral_size,
+            "length and width of other leaflets over those of the middle one"),
+    measure("rachis_length", "m", 0, 0.5, &Blade::rachis_length,
+            "how much further the middle leaflet begins")};
 
-inline constexpr std::array<Measure<Stalk>, 3> stalk_measures{
-    {{"height", "m", {0.05, 6}, &Stalk::height, "above the soil"},
-     {"base_diameter", "m", {0.001, 0.2}, &Stalk::base_diameter, "at the soil"},
-     {"top_diameter",
-      "m",
-      {0, 0.2},
-      &Stalk::top_diameter,
-      "at the top; 0: as at the base"}}};
+inline constexpr std::array stalk_measures{
+    measure("height", "m", 0.05, 6, &Stalk::height, "above the soil"),
+    measure("base_diameter", "m", 0.001, 0.2, &Stalk::base_diameter,
+            "at the soil"),
+    measure("top_diameter", "m", 0, 0.2, &Stalk::top_diameter,
+            "at the top; 0: as at the base")};
 
-inline constexpr std::array<Measure<Sheath>, 2> sheath_measures{
-    {{"length",
-      "m",
-      {0, 1},
-      &Sheath::length,
-      "from the insertion of the leaf down; what the sheath of the leaf below "
-      "covers does not show"},
-     {"thickness", "m", {0, 0.01}, &Sheath::thickness, "around the stalk"}}};
+inline constexpr std::array sheath_measures{
+    measure("length", "m", 0, 1, &Sheath::length,
+            "from the insertion of the leaf down; what the sheath of the leaf "
+            "below covers does not show"),
+    measure("thickness", "m", 0, 0.01, &Sheath::thickness, "around the stalk")};
 
-inline constexpr std::array<Measure<Petiole>, 1> petiole_measures{
-    {{"diameter", "m", {0.0001, 0.1}, &Petiole::diameter, "of all petioles"}}};
+inline constexpr std::array petiole_measures{measure(
+    "diameter", "m", 0.0001, 0.1, &Petiole::diameter, "of all petioles")};
 
-inline constexpr std::array<Measure<Organ>, 7> organ_measures{
-    {{"offset",
-      "m",
-      {-6, 6},
-      &Organ::offset,
-      "height of the lowest above the stalk's top or the leaf"},
-     {"spread",
-      "m",
-      {0, 3},
-      &Organ::spread,
-      "height over which several are spread"},
-     {"length", "m", {0.001, 3}, &Organ::length, "of each"},
-     {"base_diameter",
-      "m",
-      {0.0001, 0.5},
-      &Organ::base_diameter,
-      "where it begins"},
-     {"top_diameter", "m", {0, 0.5}, &Organ::top_diameter, "where it ends"},
-     {"inclination", "deg", {0, 180}, &Organ::inclination, "from the vertical"},
-     {"azimuth",
-      "deg",
-      {0, 360},
-      &Organ::azimuth,
-      "of the first; 0 is along the row, or the azimuth of its leaf"}}};
+inline constexpr std::array organ_measures{
+    measure("offset", "m", -6, 6, &Organ::offset,
+            "height of the lowest above the stalk's top or the leaf"),
+    measure("spread", "m", 0, 3, &Organ::spread,
+            "height over which several are spread"),
+    measure("length", "m", 0.001, 3, &Organ::length, "of each"),
+    measure("base_diameter", "m", 0.0001, 0.5, &Organ::base_diameter,
+            "where it begins"),
+    measure("top_diameter", "m", 0, 0.5, &Organ::top_diameter, "where it ends"),
+    measure("inclination", "deg", 0, 180, &Organ::inclination,
+            "from the vertical"),
+    measure("azimuth", "deg", 0, 360, &Organ::azimuth,
+            "of the first; 0 is along the row, or the azimuth of its leaf")};
 
 //! The name of a measure in a plant, such as "leaf.length" or "stalk.height",
 //! and the measure's properties and values.

@@ -3,6 +3,7 @@
 //! faces of the cell and of its neighbours, but rays are not wrapped, scattered
 //! or counted. This is the only file outside src/light that uses Embree.
 #include <cmath>
+#include <type_traits>
 #include <vector>
 
 #include <benchmark/benchmark.h>
@@ -116,6 +117,29 @@ void set_lane(RayHit& packet, std::size_t lane, const Rays& rays,
     packet.hit.instID[0][lane] = RTC_INVALID_GEOMETRY_ID;
 }
 
+//! Traces a packet of rays that are neighbours in space.
+template <class RayHit>
+void intersect_packet(const int* valid, RTCScene scene, RayHit& packet) {
+    constexpr bool is_of_8 = std::is_same_v<RayHit, RTCRayHit8>;
+#if IDEOTYPE_EMBREE >= 4
+    RTCIntersectArguments arguments;
+    rtcInitIntersectArguments(&arguments);
+    arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
+    if constexpr (is_of_8)
+        rtcIntersect8(valid, scene, &packet, &arguments);
+    else
+        rtcIntersect16(valid, scene, &packet, &arguments);
+#else
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    if constexpr (is_of_8)
+        rtcIntersect8(valid, scene, &context, &packet);
+    else
+        rtcIntersect16(valid, scene, &context, &packet);
+#endif
+}
+
 template <class RayHit>
 void trace_packets(benchmark::State& state) {
     constexpr std::size_t lanes = sizeof(RayHit::ray.org_x) / sizeof(float);
@@ -130,7 +154,7 @@ void trace_packets(benchmark::State& state) {
             alignas(64) RayHit packet;
             for (std::size_t l = 0; l < lanes; ++l)
                 set_lane(packet, l, rays, i + l);
-            intersect_first(valid, raw.scene(), packet);
+            intersect_packet(valid, raw.scene(), packet);
             benchmark::DoNotOptimize(packet);
         }
     state.counters["rays"] =

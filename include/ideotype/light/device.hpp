@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <memory>
 #include <string>
 #include <vector>
+
+struct RTCDeviceTy;
 
 namespace ideotype {
 
@@ -29,9 +30,8 @@ class Device {
 
   private:
     friend class RayScene;
-    struct Handle;
     std::string isa_;
-    std::unique_ptr<Handle> handle_;
+    RTCDeviceTy* device_ = nullptr;
 };
 
 }  // namespace ideotype

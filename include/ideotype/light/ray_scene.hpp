@@ -13,8 +13,8 @@
 #include "ideotype/light/boundary.hpp"
 #include "ideotype/light/device.hpp"
 
-struct RTCDeviceTy;
 struct RTCRayHit;
+struct RTCSceneTy;
 
 namespace ideotype {
 
@@ -111,9 +111,8 @@ class RayScene {
     static RayScene isolated(const Device& device, const Mesh& mesh,
                              double ground_area);
 
-    ~RayScene();
-    RayScene(RayScene&&) noexcept;
-    RayScene& operator=(RayScene&&) noexcept;
+    RayScene(RayScene&&) = default;
+    RayScene& operator=(RayScene&&) = default;
 
     Boundary boundary() const { return boundary_; }
     //! Returns the period of a periodic scene along x [m].
@@ -170,19 +169,12 @@ class RayScene {
     double clearance() const { return clearance_; }
 
   private:
-    struct Handle;
-
     //! Faces with their images, as the ray tracer stores them.
     struct Part {
-        Part();
-        ~Part();
-        Part(Part&&) noexcept;
-        Part& operator=(Part&&) noexcept;
-
         std::vector<std::array<float, 4>>
             corners;  //!< corners of faces, four per face, as x y z 0
         std::vector<std::uint32_t> face;  //!< face of the mesh of each image
-        std::unique_ptr<Handle> handle;
+        std::shared_ptr<RTCSceneTy> scene;
         Interval heights;
     };
 

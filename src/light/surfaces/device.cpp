@@ -41,12 +41,11 @@ Device::Device(const std::string& isa) : isa_(isa) {
             "this processor has no instruction set '{}' (it has {}); results "
             "depend on it, so run on a machine that has it",
             isa, fmt::join(supported, ", ")));
-    handle_ = std::make_unique<Handle>(
-        Handle{new_device("threads=1,set_affinity=0,isa=" + isa)});
+    device_ = new_device("threads=1,set_affinity=0,isa=" + isa);
 }
 
 Device::~Device() {
-    rtcReleaseDevice(handle_->device);
+    rtcReleaseDevice(device_);
 }
 
 std::vector<std::string> Device::supported_isas() {

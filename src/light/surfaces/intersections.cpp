@@ -36,14 +36,13 @@ void RayScene::commit(const Device& device) {
 }
 
 void RayScene::commit(const Device& device, Part& part) {
-    RTCDevice embree = device.handle_->device;
-    part.handle = std::make_unique<Handle>(rtcNewScene(embree));
+    part.scene = {rtcNewScene(device.device_), rtcReleaseScene};
     // Robust mode keeps light from passing through common edges of faces.
-    rtcSetSceneFlags(part.handle->scene, RTC_SCENE_FLAG_ROBUST);
-    if (!part.face.empty()) attach_faces(embree, part);
-    rtcCommitScene(part.handle->scene);
-    require_no_error(
-        embree, fmt::format("build a scene of {} faces", part.face.size()));
+    rtcSetSceneFlags(part.scene.get(), RTC_SCENE_FLAG_ROBUST);
+    if (!part.face.empty()) attach_faces(device.device_, part);
+    rtcCommitScene(part.scene.get());
+    require_no_error(device.device_, fmt::format("build a scene of {} faces",
+                                                 part.face.size()));
 }
 
 void RayScene::attach_faces(RTCDeviceTy* embree, Part& part) {
@@ -58,7 +57,7 @@ void RayScene::attach_faces(RTCDeviceTy* embree, Part& part) {
     if (indices)
         for (std::uint32_t i = 0; i < corners.size(); ++i) indices[i] = i;
     rtcCommitGeometry(geometry);
-    rtcAttachGeometry(part.handle->scene, geometry);
+    rtcAttachGeometry(part.scene.get(), geometry);
     rtcReleaseGeometry(geometry);
 }
 
@@ -70,7 +69,7 @@ bool RayScene::meets(const Part& part, RTCRayHit& ray) const {
         return false;
     RTCRayHit nearer = ray;
     nearer.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    intersect_first(part.handle->scene, nearer);
+    intersect_first(part.scene.get(), nearer);
     if (nearer.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
     ray = nearer;
     return true;
@@ -95,7 +94,7 @@ bool RayScene::intersect(const glm::dvec3& origin, const glm::dvec3& direction,
     query.ray.flags = 0;
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-    intersect_first(standing_.handle->scene, query);
+    intersect_first(standing_.scene.get(), query);
     const Part* part = &standing_;
     if (pose > 0 && pose <= moving_.size() && meets(moving_[pose - 1], query))
         part = &moving_[pose - 1];
@@ -146,7 +145,7 @@ int RayScene::faces_at(const glm::dvec3& point) const {
         at.found += lies_on(0, 1, 3) || lies_on(2, 3, 1);
         return false;
     };
-    rtcPointQuery(standing_.handle->scene, &query, &context, look_at, &search);
+    rtcPointQuery(standing_.scene.get(), &query, &context, look_at, &search);
     return search.found;
 }
 

@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
-#include "embree_handle.hpp"
 #include "ideotype/core/contract.hpp"
 #include "ideotype/core/error.hpp"
 #include "repeated_faces.hpp"
@@ -195,20 +194,6 @@ glm::dvec3 RayScene::offset_origin(const glm::dvec3& point,
     offset.z = std::clamp(offset.z, soil(), top_);
     return wrapped(offset);
 }
-
-RayScene::Part::Part() = default;
-
-RayScene::Part::~Part() = default;
-
-RayScene::Part::Part(Part&&) noexcept = default;
-
-RayScene::Part& RayScene::Part::operator=(Part&&) noexcept = default;
-
-RayScene::~RayScene() = default;
-
-RayScene::RayScene(RayScene&&) noexcept = default;
-
-RayScene& RayScene::operator=(RayScene&&) noexcept = default;
 
 void Surfaces::add(const std::array<std::uint32_t, 4>& face,
                    std::uint32_t group, std::uint32_t pose) {

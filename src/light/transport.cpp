@@ -269,24 +269,4 @@ BandTallies simulate(const Subject& subject, const Accuracy& accuracy,
     return simulate(subject, work, accuracy.randomisations, randomness);
 }
 
-std::vector<Tally> simulate(const RayScene& scene,
-                            const std::vector<Group>& groups,
-                            const Optics& optics,
-                            const Illumination& illumination,
-                            const Accuracy& accuracy,
-                            const Randomness& randomness, const Layers& layers,
-                            std::size_t pieces) {
-    const Band band = band_of(optics, illumination);
-    return std::move(simulate({scene, groups, {&band, 1}, layers, pieces},
-                              accuracy, randomness)
-                         .front());
-}
-
-Band band_of(const Optics& optics, const Illumination& illumination) {
-    Band band;
-    band.optics = optics;
-    band.light.light = illumination;
-    return band;
-}
-
 }  // namespace ideotype

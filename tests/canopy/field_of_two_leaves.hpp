@@ -9,7 +9,7 @@
 #include "ideotype/canopy/assimilation.hpp"
 #include "ideotype/canopy/canopy.hpp"
 #include "ideotype/light/device.hpp"
-#include "ideotype/light/transport.hpp"
+#include "light/one_band.hpp"
 #include "two_leaves.hpp"
 
 namespace ideotype {

@@ -15,6 +15,7 @@
 #include "ideotype/canopy/sensors.hpp"
 #include "ideotype/light/device.hpp"
 #include "ideotype/light/transport.hpp"
+#include "light/one_band.hpp"
 #include "pair_light.hpp"
 #include "quantities/declaration.hpp"
 #include "two_leaves.hpp"

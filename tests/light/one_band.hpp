@@ -7,6 +7,26 @@
 
 namespace ideotype {
 
+//! Returns a band with a light that follows no series.
+inline Band band_of(const Optics& optics, const Illumination& illumination) {
+    Band band;
+    band.optics = optics;
+    band.light.light = illumination;
+    return band;
+}
+
+//! Simulates light in one band.
+inline std::vector<Tally> simulate(
+    const RayScene& scene, const std::vector<Group>& groups,
+    const Optics& optics, const Illumination& light, const Accuracy& accuracy,
+    const Randomness& randomness, const Layers& layers = {},
+    std::size_t pieces = 0) {
+    const Band band = band_of(optics, light);
+    return simulate({scene, groups, {&band, 1}, layers, pieces}, accuracy,
+                    randomness)
+        .front();
+}
+
 //! Simulates light in one band and a single layer with a workload.
 inline std::vector<Tally> simulate(const RayScene& scene,
                                    const std::vector<Group>& groups,

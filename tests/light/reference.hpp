@@ -8,7 +8,7 @@
 #include "ideotype/core/mesh.hpp"
 #include "ideotype/light/illumination.hpp"
 #include "ideotype/light/optics.hpp"
-#include "ideotype/light/transport.hpp"
+#include "one_band.hpp"
 
 namespace ideotype {
 

@@ -80,17 +80,4 @@ BandTallies simulate(const Subject& subject, const Workload& work,
 BandTallies simulate(const Subject& subject, const Accuracy& accuracy,
                      const Randomness& randomness);
 
-//! Follows light in one band.
-//! @return one tally per randomisation
-std::vector<Tally> simulate(const RayScene& scene,
-                            const std::vector<Group>& groups,
-                            const Optics& optics,
-                            const Illumination& illumination,
-                            const Accuracy& accuracy,
-                            const Randomness& randomness,
-                            const Layers& layers = {}, std::size_t pieces = 0);
-
-//! Returns a band with a light that follows no series.
-Band band_of(const Optics& optics, const Illumination& illumination);
-
 }  // namespace ideotype

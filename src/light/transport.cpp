@@ -23,47 +23,41 @@ namespace ideotype {
 namespace {
 
 //! Finds the first hits of one source.
-class SourceRun {
-  public:
+struct SourceRun {
     //! A function of a randomisation's first hits and a number uniform in [0,
     //! 1).
     using Use = std::function<void(std::size_t, const FirstHits&, double)>;
 
-    SourceRun(const RayScene& scene, const Source& source, std::uint32_t number,
-              const Launcher& launcher, const Randomness& randomness)
-        : scene_(scene),
-          source_(source),
-          number_(number),
-          launcher_(launcher),
-          randomness_(randomness) {}
+    const RayScene& scene;
+    const Source& source;
+    std::uint32_t number;
+    const Launcher& launcher;
+    const Randomness& randomness;
 
     //! Finds first hits and calls `use` for each randomisation.
     //! @param all number of randomisations; hits are found from `first` up to
     //! `last`
     void find(std::uint32_t first_hits, int all, std::size_t first,
               std::size_t last, const Use& use) const {
-        if (is_drawn(scene_, source_, first_hits, all))
+        if (is_drawn(scene, source, first_hits, all))
             return draw(first_hits, all, first, last, use);
-        const double energy =
-            source_.energy * launcher_.entering() / first_hits;
+        const double energy = source.energy * launcher.entering() / first_hits;
         for (std::size_t r = first; r < last; ++r) {
             PathSampler numbers = sampler(r);
-            const FirstHits hits(scene_, launcher_, numbers, first_hits,
-                                 energy);
+            const FirstHits hits(scene, launcher, numbers, first_hits, energy);
             use(r, hits, start(numbers));
         }
     }
 
-  private:
     PathSampler sampler(std::size_t r) const {
-        return {randomness_.seed, randomness_.generation,
-                randomness_.first_randomisation + static_cast<std::uint32_t>(r),
-                number_};
+        return {randomness.seed, randomness.generation,
+                randomness.first_randomisation + static_cast<std::uint32_t>(r),
+                number};
     }
 
     //! Returns a random number in a dimension that first hits do not use.
     double start(PathSampler& numbers) const {
-        numbers.begin(0, scene_.boundary() == Boundary::periodic ? 4 : 8);
+        numbers.begin(0, scene.boundary() == Boundary::periodic ? 4 : 8);
         return numbers.next();
     }
 
@@ -71,11 +65,11 @@ class SourceRun {
     //! memory.
     void draw(std::uint32_t first_hits, int all, std::size_t first,
               std::size_t last, const Use& use) const {
-        const glm::dvec3 direction = not_level(*source_.direction);
+        const glm::dvec3 direction = not_level(*source.direction);
         const BeamLattice lattice =
-            lattice_of(scene_, direction, first_hits, all);
+            lattice_of(scene, direction, first_hits, all);
         const double energy =
-            source_.energy / static_cast<double>(lattice.points());
+            source.energy / static_cast<double>(lattice.points());
         const std::size_t together = replicates_together(lattice);
         for (std::size_t r = first; r < last;) {
             std::vector<PathSampler> numbers;
@@ -86,18 +80,12 @@ class SourceRun {
                 const double u = numbers.back().next();
                 shifts.push_back({u, numbers.back().next()});
             }
-            const DepthBuffer buffer(scene_, direction, lattice, shifts,
-                                     source_.pose);
+            const DepthBuffer buffer(scene, direction, lattice, shifts,
+                                     source.pose);
             for (std::size_t i = 0; i < numbers.size(); ++i, ++r)
-                use(r, {scene_, buffer, i, energy}, start(numbers[i]));
+                use(r, {scene, buffer, i, energy}, start(numbers[i]));
         }
     }
-
-    const RayScene& scene_;
-    const Source& source_;
-    std::uint32_t number_;
-    const Launcher& launcher_;
-    const Randomness& randomness_;
 };
 
 //! The number of nets of scattered light that are reserved for each band.
@@ -228,8 +216,8 @@ BandTallies simulate(const Subject& subject, const Workload& work,
                     if (on.size() > room) follow(b, r, s);
                 }
             };
-            SourceRun(scene, sources[s], s, launchers[s], randomness)
-                .find(hits, randomisations, first, last, use);
+            SourceRun{scene, sources[s], s, launchers[s], randomness}.find(
+                hits, randomisations, first, last, use);
         }
         const auto last_source = static_cast<std::uint32_t>(sources.size() - 1);
         for (std::size_t b = 0; b < bands.size(); ++b)

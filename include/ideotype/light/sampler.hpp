@@ -20,7 +20,15 @@ inline constexpr std::size_t path_dimensions = 16;
 class PathSampler {
   public:
     PathSampler(std::uint64_t seed, std::uint32_t generation,
-                std::uint32_t randomisation, std::uint32_t source);
+                std::uint32_t randomisation, std::uint32_t source)
+        : generation_(generation) {
+        RandomStream of_randomisation(seed, Purpose::scramble, generation,
+                                      randomisation);
+        RandomStream stream(of_randomisation.bits64(), Purpose::scramble,
+                            source);
+        for (std::uint32_t& s : scramble_seeds_) s = stream.bits();
+        tail_seed_ = stream.bits64();
+    }
 
     //! Goes to the number of a path in one dimension, by default the first.
     void begin(std::uint32_t path, std::size_t dimension = 0) {
@@ -39,7 +47,11 @@ class PathSampler {
     }
 
   private:
-    double next_of_tail();
+    double next_of_tail() {
+        if (!tail_)
+            tail_.emplace(tail_seed_, Purpose::scattering, generation_, path_);
+        return tail_->uniform();
+    }
 
     std::uint32_t generation_;
     std::array<std::uint32_t, path_dimensions> scramble_seeds_;

@@ -5,7 +5,7 @@
 
 #include "ideotype/core/contract.hpp"
 #include "ideotype/light/report.hpp"
-#include "work_costs.hpp"
+#include "trial.hpp"
 #include "workload.hpp"
 
 namespace ideotype {

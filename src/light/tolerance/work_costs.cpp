@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "work_costs.hpp"
-
 #include <algorithm>
 
 #include "beams/beam_costs.hpp"
 #include "ideotype/core/contract.hpp"
+#include "trial.hpp"
 #include "workload.hpp"
 
 namespace ideotype {

@@ -4,7 +4,6 @@
 #include "ideotype/core/error.hpp"
 #include "ideotype/crop/crop.hpp"
 #include "ideotype/crop/measures.hpp"
-#include "ideotype/crop/profile.hpp"
 #include "sample_plant.hpp"
 
 namespace ideotype {

@@ -40,11 +40,12 @@ struct ReplyHeader {
 };
 static_assert(std::is_trivially_copyable_v<ReplyHeader>);
 
-//! Returns a header followed by room for doubles.
+//! Returns a header followed by numbers.
 template <class Header>
-Bytes with_room(const Header& header, std::size_t doubles) {
-    Bytes bytes(sizeof(Header) + doubles * sizeof(double));
+Bytes encoded(const Header& header, std::span<const double> numbers) {
+    Bytes bytes(sizeof(Header) + numbers.size_bytes());
     std::memcpy(bytes.data(), &header, sizeof(Header));
+    std::ranges::copy(std::as_bytes(numbers), bytes.begin() + sizeof(Header));
     return bytes;
 }
 
@@ -62,35 +63,34 @@ Header read_header(std::span<const std::byte> bytes, Mark mark,
     return header;
 }
 
-void check_size(std::span<const std::byte> bytes, std::size_t expected,
-                const char* kind) {
+//! Returns the numbers that follow a header.
+template <class Header>
+std::vector<double> numbers_after(std::span<const std::byte> bytes,
+                                  std::size_t count, const char* kind) {
+    const std::size_t expected = sizeof(Header) + count * sizeof(double);
     if (bytes.size() != expected)
         throw Error(
             fmt::format("MPI message has {} bytes instead of {} (as {}); all "
                         "ranks must run the same ideotype and campaign",
                         bytes.size(), expected, kind));
+    std::vector<double> numbers(count);
+    std::ranges::copy(bytes.subspan(sizeof(Header)),
+                      std::as_writable_bytes(std::span(numbers)).begin());
+    return numbers;
 }
 
 }  // namespace
 
 Bytes encode_work(const Work& work) {
-    const WorkHeader header{Mark::work, work.task,
-                            static_cast<std::uint32_t>(work.genome.size())};
-    Bytes bytes = with_room(header, work.genome.size());
-    std::copy_n(reinterpret_cast<const std::byte*>(work.genome.data()),
-                work.genome.size() * sizeof(double),
-                bytes.begin() + sizeof(WorkHeader));
-    return bytes;
+    return encoded(WorkHeader{Mark::work, work.task,
+                              static_cast<std::uint32_t>(work.genome.size())},
+                   work.genome);
 }
 
 Work decode_work(std::span<const std::byte> bytes) {
     const auto header = read_header<WorkHeader>(bytes, Mark::work, "work");
-    const std::size_t size = header.gene_count * sizeof(double);
-    check_size(bytes, sizeof(WorkHeader) + size, "work");
-    Work work{header.task, Genome(header.gene_count)};
-    std::copy_n(bytes.begin() + sizeof(WorkHeader), size,
-                reinterpret_cast<std::byte*>(work.genome.data()));
-    return work;
+    return {header.task,
+            numbers_after<WorkHeader>(bytes, header.gene_count, "work")};
 }
 
 Bytes encode_reply(const Reply& reply) {
@@ -109,10 +109,7 @@ Bytes encode_reply(const Reply& reply) {
 
     std::vector<double> numbers;
     outcome.for_each_number([&](double& x) { numbers.push_back(x); });
-    Bytes bytes = with_room(header, numbers.size());
-    std::memcpy(bytes.data() + sizeof(ReplyHeader), numbers.data(),
-                numbers.size() * sizeof(double));
-    return bytes;
+    return encoded(header, numbers);
 }
 
 Task task_of_reply(std::span<const std::byte> bytes) {
@@ -125,20 +122,17 @@ Reply decode_reply(std::span<const std::byte> bytes,
     const auto status = static_cast<Status>(header.status);
     Outcome outcome =
         status == Status::proposed ? Outcome{} : unknown_outcome(schema);
-    std::size_t expected = sizeof(ReplyHeader);
-    outcome.for_each_number([&](double&) { expected += sizeof(double); });
-    check_size(bytes, expected, "a reply");
+    std::size_t count = 0;
+    outcome.for_each_number([&](double&) { ++count; });
+    const auto numbers = numbers_after<ReplyHeader>(bytes, count, "a reply");
     outcome.status = status;
     outcome.seconds = header.seconds;
     outcome.worker = header.worker;
     outcome.message.assign(
         header.message.data(),
         std::min<std::size_t>(header.message_size, header.message.size()));
-    const std::byte* from = bytes.data() + sizeof(ReplyHeader);
-    outcome.for_each_number([&](double& x) {
-        std::memcpy(&x, from, sizeof(double));
-        from += sizeof(double);
-    });
+    auto next = numbers.begin();
+    outcome.for_each_number([&](double& x) { x = *next++; });
     return {header.task, std::move(outcome)};
 }
 

@@ -16,8 +16,6 @@ class UnboundedGenes {
   public:
     explicit UnboundedGenes(const GeneSpace& genes);
 
-    std::size_t size() const { return free_.size(); }
-
     //! Returns the coordinates of a genome within its bounds, each the nearest
     //! to 0.
     std::vector<double> of(const Genome& genome) const;

@@ -15,7 +15,7 @@ const GeneSpace genes{{"length", "m", 0.4, 1.2, false, true},
 const Genome baseline{0.7, 90, 0.08, 1};
 
 TEST(UnboundedGenes, AreThoseThatAreFreeAndHaveARange) {
-    EXPECT_EQ(UnboundedGenes(genes).size(), 2U);
+    EXPECT_EQ(UnboundedGenes(genes).of(baseline).size(), 2U);
 }
 
 TEST(UnboundedGenes, ComeBackToTheSameGenome) {

@@ -197,13 +197,4 @@ void DdCma::decompose() {
     correlation_condition_ = values.maxCoeff() / values.minCoeff();
 }
 
-double DdCma::condition() const {
-    const MatrixXd covariance =
-        scales_.asDiagonal() * correlation_ * scales_.asDiagonal();
-    const VectorXd values = Eigen::SelfAdjointEigenSolver<MatrixXd>(
-                                covariance, Eigen::EigenvaluesOnly)
-                                .eigenvalues();
-    return values.maxCoeff() / std::max(values.minCoeff(), 1e-300);
-}
-
 }  // namespace ideotype

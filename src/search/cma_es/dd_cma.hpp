@@ -38,9 +38,6 @@ class DdCma {
     Eigen::VectorXd deviations() const { return step_size_ * scales_; }
     //! Returns the correlations of the coordinates [n, n].
     const Eigen::MatrixXd& correlation() const { return correlation_; }
-    //! Returns the ratio of the largest to the smallest eigenvalue of the
-    //! covariance.
-    double condition() const;
 
   private:
     //! The learning rates and weights of D or of C.

@@ -47,12 +47,6 @@ PairLight::PairLight(const std::vector<Tally>& tallies, const LitLeaves& lit,
     sort_hits();
 }
 
-//! Returns the product of the means of x and y without bias, from the sums of
-//! x, y and x y. Sums of a single randomisation are multiplied as they are.
-double PairLight::product(double x, double y, double sum) const {
-    return n_ > 1 ? (x * y - sum) / (n_ * (n_ - 1)) : x * y;
-}
-
 //! Compares diffuse light with the expected diffuse light.
 void PairLight::compare() {
     std::vector<double> squares(places_.pieces()), products(places_.pieces());

@@ -94,7 +94,12 @@ class PairLight {
         std::uint32_t bin = 0;
     };
 
-    double product(double x, double y, double sum) const;
+    //! Returns the product of the means of x and y without bias, from the sums
+    //! of x, y and x y. Sums of a single randomisation are multiplied as they
+    //! are.
+    double product(double x, double y, double sum) const {
+        return n_ > 1 ? (x * y - sum) / (n_ * (n_ - 1)) : x * y;
+    }
     void compare();
     void find_hits(const LitLeaves& lit, const Source& source);
     void sort_hits();

@@ -7,11 +7,6 @@
 
 namespace ideotype {
 
-bool Scene::varies() const {
-    return std::ranges::any_of(components, &PlantVariation::is_any,
-                               &Component::variation);
-}
-
 bool Scene::assimilates() const {
     return std::ranges::any_of(components, [](const Component& each) {
         return each.photosynthesis.has_value();
@@ -34,10 +29,6 @@ std::vector<Group> groups_of(const Scene& scene, std::span<const Mesh> lines) {
         add(lines.empty() ? scene.components[c].mesh : lines[c], false);
     for (const FixedObject& each : scene.objects) add(each.mesh, true);
     return groups;
-}
-
-std::vector<Material> PlantOptics::materials() const {
-    return {Material(leaf), Material(stalk), Material(sheath)};
 }
 
 void set_plant(Component& component, const Plant& plant, std::uint32_t first) {

@@ -101,10 +101,6 @@ double LightSeries::diffuse() const {
     return mean_day(*this, &Irradiance::diffuse);
 }
 
-double LightSeries::incident() const {
-    return beam() + diffuse();
-}
-
 double LightSeries::lit_seconds() const {
     double sum = 0;
     for (const TimeStep& step : steps)

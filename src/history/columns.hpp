@@ -11,11 +11,6 @@
 
 namespace ideotype {
 
-//! Returns whether a row with this status has an outcome.
-inline bool is_recorded(Status status) {
-    return status == Status::done || status == Status::failed;
-}
-
 Axis gene_axis(const GeneSpace& genes);
 Axis objective_axis(const std::vector<Objective>& objectives);
 

@@ -9,12 +9,6 @@
 
 namespace ideotype {
 
-double Resolution::largest_path() const {
-    return path_energy.empty()
-               ? 0
-               : *std::max_element(path_energy.begin(), path_energy.end());
-}
-
 Resolution combined(const Resolution& a, const Resolution& b) {
     IDEOTYPE_EXPECT(a.path_energy.size() == b.path_energy.size());
     IDEOTYPE_EXPECT(a.groups.size() == b.groups.size());
@@ -32,6 +26,12 @@ Resolution combined(const Resolution& a, const Resolution& b) {
     for (std::size_t i = 0; i < b.layers.size(); ++i)
         both.layers[i] = std::max(a.layers[i], b.layers[i]);
     return both;
+}
+
+Estimate at_least(Estimate x, double standard_error) {
+    return {x.mean, std::max(x.standard_error, standard_error)};
+}
+
 Resolution resolution_of(const RayScene& scene,
                          const std::vector<Group>& groups, const Optics& optics,
                          const Layers& layers,
@@ -82,12 +82,6 @@ Resolution resolution_of(const RayScene& scene,
     if (scatters) result.scattered = leaves.keeps;
     if (!is_open(1)) result.groups.assign(groups.size(), 0);
     return result;
-}
-
-}
-
-Estimate at_least(Estimate x, double standard_error) {
-    return {x.mean, std::max(x.standard_error, standard_error)};
 }
 
 }  // namespace ideotype

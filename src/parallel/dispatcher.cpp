@@ -90,20 +90,10 @@ void Dispatcher::run(Director& director) {
     if (!obstacle_.empty()) throw Error(obstacle_);
 }
 
-//! Returns whether no more work is to be handed out.
-bool Dispatcher::is_ending() const {
-    return stop_.requested() || !obstacle_.empty();
-}
-
 bool Dispatcher::dismiss() {
     while (busy_in_time() > 0) drop_next();
     if (!std::exchange(is_dismissed_, true)) workers_->dismiss();
     return !has_late();
-}
-
-//! Returns the number of workers that may still answer in time.
-int Dispatcher::busy_in_time() const {
-    return static_cast<int>(deadlines_.size());
 }
 
 bool Dispatcher::has_late() const {

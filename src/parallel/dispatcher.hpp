@@ -126,7 +126,8 @@ class Dispatcher {
     void close(Batch& batch);
     void remove(Batch& batch);
     bool fetch(Batch& batch);
-    int busy_in_time() const;
+    //! Returns the number of workers that may still answer in time.
+    int busy_in_time() const { return static_cast<int>(deadlines_.size()); }
     bool has_late() const;
     double now();
     void give(int worker, const Assignment& given, const Work& work);
@@ -134,7 +135,8 @@ class Dispatcher {
     std::optional<int> next_late();
     bool hand_out();
     void resume_complete();
-    bool is_ending() const;
+    //! Returns whether no more work is to be handed out.
+    bool is_ending() const { return stop_.requested() || !obstacle_.empty(); }
     void note_obstacle(int worker, const Task& task, const std::string& reason);
     void release_all();
     void receive(Director& director);

@@ -30,10 +30,6 @@ void require_few_failures(double most, History& history,
     throw CaseError(message);
 }
 
-bool is_known(const Individual& row) {
-    return row.status == Status::done || row.status == Status::failed;
-}
-
 }  // namespace
 
 CaseSearch::CaseSearch(const Evolution& evolution, History& history)
@@ -94,10 +90,6 @@ bool CaseSearch::is_over(std::uint32_t generation) const {
            !history_.has_room(generation, optimizer.size(generation));
 }
 
-std::uint32_t CaseSearch::first_open() const {
-    return static_cast<std::uint32_t>(progress_.generations.size());
-}
-
 //! Proposes rows until one waits, as far as possible now.
 void CaseSearch::extend() {
     while (waiting_.empty() && (is_proposing() || begin_generation())) {
@@ -120,11 +112,6 @@ void CaseSearch::propose() {
         candidates.push_back(evolution_.optimizer.propose(
             generation, static_cast<std::uint32_t>(i)));
     add(candidates);
-}
-
-//! Returns whether a generation has begun and has rows that are not proposed.
-bool CaseSearch::is_proposing() const {
-    return !open_.empty() && open_.back().rows.size() < open_.back().size;
 }
 
 //! Begins the next generation; returns false if there is none, or not yet.
@@ -202,7 +189,7 @@ std::vector<double> CaseSearch::features_of(const Outcome& outcome) const {
 void CaseSearch::copy(std::uint32_t generation, std::uint32_t original) {
     Open& open = open_[generation - first_open()];
     const auto [begin, end] = open.copies.equal_range(original);
-    if (begin == end || !is_known(open.rows[original])) return;
+    if (begin == end || !is_recorded(open.rows[original].status)) return;
     const Outcome outcome = history_.row(generation, original).outcome;
     const std::vector<std::pair<const std::uint32_t, std::uint32_t>> copies(
         begin, end);
@@ -219,7 +206,7 @@ void CaseSearch::learn() {
     while (!open_.empty()) {
         Open& open = open_.front();
         while (open.learnt < open.rows.size() &&
-               is_known(open.rows[open.learnt])) {
+               is_recorded(open.rows[open.learnt].status)) {
             evolution_.optimizer.learn(open.rows[open.learnt++]);
             ++known_rows_;
         }
@@ -258,11 +245,6 @@ void CaseSearch::judge(const GenerationSummary& summary) {
     reason_ =
         finished(evolution_.campaign.stop, progress_, space_.senses.front());
     reason_row_ = known_rows_;
-}
-
-//! Returns the wall time of all sessions on the case [s].
-double CaseSearch::wall_time() const {
-    return spent_before_ + evolution_.elapsed();
 }
 
 }  // namespace ideotype

@@ -62,7 +62,11 @@ class CaseSearch {
     void extend();
     void propose();
     bool is_over(std::uint32_t generation) const;
-    bool is_proposing() const;
+    //! Returns whether a generation has begun and has rows that are not
+    //! proposed.
+    bool is_proposing() const {
+        return !open_.empty() && open_.back().rows.size() < open_.back().size;
+    }
     bool begin_generation();
     void add(const std::vector<Candidate>& candidates);
     void keep(std::uint32_t generation, std::uint32_t slot,
@@ -71,8 +75,11 @@ class CaseSearch {
     std::vector<double> features_of(const Outcome& outcome) const;
     void complete();
     void judge(const GenerationSummary& summary);
-    std::uint32_t first_open() const;
-    double wall_time() const;
+    std::uint32_t first_open() const {
+        return static_cast<std::uint32_t>(progress_.generations.size());
+    }
+    //! Returns the wall time of all sessions on the case [s].
+    double wall_time() const { return spent_before_ + evolution_.elapsed(); }
 
     const Evolution& evolution_;
     History& history_;

@@ -180,11 +180,6 @@ void ProgressLog::print_result(const std::string& text) {
     is_live_ = false;
 }
 
-long long ProgressLog::all_after(std::uint32_t generation) const {
-    return (campaign_.stop.generations - static_cast<long long>(generation)) *
-           campaign_.search.population;
-}
-
 //! Returns the rate of this session.
 double ProgressLog::evaluations_per_second() const {
     return evaluations_ / std::max(now() - started_, 1e-3);

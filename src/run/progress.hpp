@@ -56,7 +56,11 @@ class ProgressLog {
 
     //! Returns the evaluations of a case from a generation on, if no rule ends
     //! it.
-    long long all_after(std::uint32_t generation) const;
+    long long all_after(std::uint32_t generation) const {
+        return (campaign_.stop.generations -
+                static_cast<long long>(generation)) *
+               campaign_.search.population;
+    }
     double evaluations_per_second() const;
     //! Returns the largest number of evaluations that are left.
     long long left() const;

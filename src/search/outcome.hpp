@@ -40,6 +40,11 @@ enum class Status : std::uint8_t {
     failed = 3,
 };
 
+//! Returns whether a row with this status has an outcome.
+inline bool is_recorded(Status status) {
+    return status == Status::done || status == Status::failed;
+}
+
 //! The direction in which values of an objective are better.
 enum class Sense { maximise, minimise };
 

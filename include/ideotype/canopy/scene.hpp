@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -120,7 +121,10 @@ struct Scene {
     }
 
     //! Returns whether plants of any component differ besides their direction.
-    bool varies() const;
+    bool varies() const {
+        return std::ranges::any_of(components, &PlantVariation::is_any,
+                                   &Component::variation);
+    }
     //! Returns whether leaves of any component assimilate.
     bool assimilates() const;
 };
@@ -136,7 +140,9 @@ struct PlantOptics {
     Lambertian leaf, stalk, sheath;
 
     //! Returns the materials in the order of PlantMaterial.
-    std::vector<Material> materials() const;
+    std::vector<Material> materials() const {
+        return {Material(leaf), Material(stalk), Material(sheath)};
+    }
 };
 
 //! A waveband in which campaigns can follow light.

@@ -53,9 +53,10 @@ struct LightSeries {
     //! during which plants are as they stand.
     bool grows = false;
 
-    double beam() const;      //!< beam PAR on a mean day [J m-2 day-1]
-    double diffuse() const;   //!< diffuse PAR on a mean day [J m-2 day-1]
-    double incident() const;  //!< beam + diffuse PAR [J m-2 day-1]
+    double beam() const;     //!< beam PAR on a mean day [J m-2 day-1]
+    double diffuse() const;  //!< diffuse PAR on a mean day [J m-2 day-1]
+    //! Returns beam + diffuse PAR [J m-2 day-1].
+    double incident() const { return beam() + diffuse(); }
 
     double lit_seconds() const;  //!< time of all steps with any light [s]
 

@@ -139,7 +139,10 @@ class RayScene {
     const Surfaces& surfaces() const { return surfaces_; }
 
     //! Returns the lowest and the highest point of the faces of a group [m].
-    Interval heights(std::size_t group) const;
+    Interval heights(std::size_t group) const {
+        return group < group_heights_.size() ? group_heights_[group]
+                                             : Interval{};
+    }
 
     //! Finds the first face within a distance [m] of a point of the cell, along
     //! a unit direction; returns false if there is no face.
@@ -152,7 +155,9 @@ class RayScene {
     int faces_at(const glm::dvec3& point) const;
 
     //! Returns the position that a point of the mesh has in this scene.
-    glm::dvec3 placed(const glm::dvec3& point) const;
+    glm::dvec3 placed(const glm::dvec3& point) const {
+        return wrapped(point - plot_corner_);
+    }
 
     //! Returns the position inside the cell that stands for a position anywhere
     //! in the stand. In a plot the position stays as it is.

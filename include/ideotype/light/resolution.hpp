@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "ideotype/core/estimate.hpp"
@@ -32,7 +33,9 @@ struct Resolution {
     std::vector<double> layers{};  //!< parts of paths for layers of leaves
 
     //! Returns the energy of the largest path of any source [J m-2 of ground].
-    double largest_path() const;
+    double largest_path() const {
+        return path_energy.empty() ? 0 : std::ranges::max(path_energy);
+    }
 };
 
 //! Returns the larger energies, and the larger parts of a path, of two

@@ -212,10 +212,6 @@ void LeafAir::set_air(const CanopyAir& air) {
     }
 }
 
-double LeafAir::hot_over_air(std::uint32_t group) const {
-    return water_.hot - leaf_[group]->above.temperature;
-}
-
 CanopyAir LeafAir::driven_by(std::uint32_t group, double heat,
                              double water) const {
     if (!water_.has_leaf_temperature || !water_.has_canopy_air) return {};

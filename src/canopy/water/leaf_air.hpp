@@ -93,7 +93,9 @@ class LeafAir {
 
     //! Returns by how much a leaf is warmer than the air above when it counts
     //! as hot [K].
-    double hot_over_air(std::uint32_t group) const;
+    double hot_over_air(std::uint32_t group) const {
+        return water_.hot - leaf_[group]->above.temperature;
+    }
 
     //! Returns the canopy air that follows if leaves lose this heat and water
     //! [W m-2, mmol m-2 s-1]; the air above if canopy air has no state of its

@@ -6,10 +6,6 @@
 
 namespace ideotype {
 
-void LeafLines::clear() {
-    for (Class& each : classes_) each = Class{};
-}
-
 void LeafLines::add(std::uint32_t group, double ppfd, double cosine,
                     double area) {
     // Rounding may make the shaded area of a place slightly negative.

@@ -20,7 +20,9 @@ class LeafLines {
     explicit LeafLines(LeafAir& air) : air_(air), classes_(air.classes()) {}
 
     //! Forgets all leaves.
-    void clear();
+    void clear() {
+        for (Class& each : classes_) each = Class{};
+    }
 
     //! Adds some leaf area.
     //! @param ppfd,cosine those of LeafAir::Point

@@ -177,10 +177,6 @@ void RayScene::add_plot(const Mesh& mesh, const std::vector<double>& areas) {
     }
 }
 
-glm::dvec3 RayScene::placed(const glm::dvec3& point) const {
-    return wrapped(point - plot_corner_);
-}
-
 glm::dvec3 RayScene::wrapped(const glm::dvec3& point) const {
     if (boundary_ == Boundary::isolated) return point;
     return {wrapped_into(point.x, period_x_), wrapped_into(point.y, period_y_),
@@ -260,10 +256,6 @@ void RayScene::add_image(Part& part, const glm::dvec3& shift) const {
                                 static_cast<float>(p.z), 0});
     }
     part.face.push_back(static_cast<std::uint32_t>(surfaces_.faces.size() - 1));
-}
-
-Interval RayScene::heights(std::size_t group) const {
-    return group < group_heights_.size() ? group_heights_[group] : Interval{};
 }
 
 }  // namespace ideotype

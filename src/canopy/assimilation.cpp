@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "ideotype/core/contract.hpp"
-#include "step_light.hpp"
 #include "water/water_fluxes.hpp"
 
 namespace ideotype {

@@ -7,7 +7,7 @@
 
 #include "ideotype/canopy/assimilation.hpp"
 #include "leaf_lines.hpp"
-#include "step_light.hpp"
+#include "pair_light.hpp"
 
 namespace ideotype {
 

@@ -51,18 +51,15 @@ std::vector<double> leaf_area_of_lines(const Scene& scene, std::size_t groups) {
 //! @param scene scene of the request, perhaps with other groups
 CanopyReport evaluate(const CanopyRequest& request, const Scene& scene,
                       const Device& device, const Clock& clock) {
-    const Plan plan(request);
-    const Lines lines(scene, request);
-    SharedByFields shared{request.layers, {}, bands_of(scene)};
+    SharedByFields shared{request, scene};
+    const std::vector<Group>& groups = shared.lines.groups;
     if (scene.varies())
-        shared.leaves =
-            leaf_groups(scene, lines.groups,
-                        leaf_area_of_lines(scene, lines.groups.size()));
+        shared.leaves = leaf_groups(scene, groups,
+                                    leaf_area_of_lines(scene, groups.size()));
     FieldLight all;
-    for (int number = 0; number < plan.fields; ++number)
-        all.append(light_in_field(number, request, scene, plan, lines, device,
-                                  clock, shared));
-    return report_on(request, scene, lines, shared, all);
+    for (int number = 0; number < shared.plan.fields; ++number)
+        all.append(light_in_field(number, shared, device, clock));
+    return report_on(shared, all);
 }
 
 }  // namespace

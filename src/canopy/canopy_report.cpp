@@ -33,15 +33,8 @@ PlantForm form_of(const Plant& plant, const Tessellation& tessellation) {
 class Reporter {
   public:
     //! Keeps references to its arguments.
-    //! @param scene scene of the request, perhaps with other groups
-    Reporter(const CanopyRequest& request, const Scene& scene,
-             const Lines& lines, const SharedByFields& shared,
-             const FieldLight& found)
-        : request_(request),
-          scene_(scene),
-          lines_(lines),
-          shared_(shared),
-          found_(found) {}
+    Reporter(const SharedByFields& shared, const FieldLight& found)
+        : shared_(shared), found_(found) {}
 
     CanopyReport result() && {
         IDEOTYPE_EXPECT(found_.fields > 0);
@@ -142,9 +135,8 @@ class Reporter {
         report.rows_by_randomisation = found;
         for (std::size_t row = 0; !found.empty() && row < found.front().size();
              ++row) {
-            std::vector<double> light;
-            for (const std::vector<double>& each : found)
-                light.push_back(each[row]);
+            const auto light =
+                mapped(found, [&](const auto& each) { return each[row]; });
             report.rows.push_back(absorbed_by_some_leaves(tallies, light));
         }
     }
@@ -166,10 +158,12 @@ class Reporter {
                 one.assimilation.loss +=
                     all.losses[g].scaled(area / found_.leaf_area_index[g]);
             }
-            if (result_.assimilation)
+            if (result_.assimilation) {
                 one.assimilation.loss_by_randomisation = losses_of_row(row);
-            if (result_.assimilation)
-                one.assimilation.gross = gross_of_row(row);
+                one.assimilation.gross = estimate(
+                    mapped(result_.assimilation->gross.tallies,
+                           [&](const FluxTally& t) { return t.rows[row]; }));
+            }
             result_.rows.push_back(one);
         }
     }
@@ -197,13 +191,6 @@ class Reporter {
             for (const Place& place : scene_.components[c].places)
                 if (place.row == row) return c;
         return 0;
-    }
-
-    Estimate gross_of_row(std::size_t row) const {
-        std::vector<double> values;
-        for (const FluxTally& tally : result_.assimilation->gross.tallies)
-            values.push_back(tally.rows[row]);
-        return estimate(values);
     }
 
     void report_sunlit() {
@@ -283,20 +270,18 @@ class Reporter {
         return faces;
     }
 
-    const CanopyRequest& request_;
-    const Scene& scene_;
-    const Lines& lines_;
     const SharedByFields& shared_;
     const FieldLight& found_;
     CanopyReport result_;
+    const CanopyRequest& request_ = shared_.request;
+    const Scene& scene_ = shared_.scene;
+    const Lines& lines_ = shared_.lines;
 };
 
 }  // namespace
 
-CanopyReport report_on(const CanopyRequest& request, const Scene& scene,
-                       const Lines& lines, const SharedByFields& shared,
-                       const FieldLight& found) {
-    return Reporter(request, scene, lines, shared, found).result();
+CanopyReport report_on(const SharedByFields& shared, const FieldLight& found) {
+    return Reporter(shared, found).result();
 }
 
 }  // namespace ideotype

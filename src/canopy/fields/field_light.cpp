@@ -19,13 +19,7 @@ constexpr int most_sunlit_points = 2048;
 //! The work on one field of an evaluation.
 class FieldPass {
   public:
-    FieldPass(const CanopyRequest& request, const Scene& scene,
-              const Plan& plan, const Lines& lines, SharedByFields& shared)
-        : request_(request),
-          scene_(scene),
-          plan_(plan),
-          lines_(lines),
-          shared_(shared) {}
+    explicit FieldPass(SharedByFields& shared) : shared_(shared) {}
 
     //! Draws the field, from which its surfaces follow.
     Field draw(int number) {
@@ -247,11 +241,11 @@ class FieldPass {
         found_.light = std::move(tallies);
     }
 
-    const CanopyRequest& request_;
-    const Scene& scene_;
-    const Plan& plan_;
-    const Lines& lines_;
     SharedByFields& shared_;
+    const CanopyRequest& request_ = shared_.request;
+    const Scene& scene_ = shared_.scene;
+    const Plan& plan_ = shared_.plan;
+    const Lines& lines_ = shared_.lines;
     Randomness randomness_;
     Pieces pieces_;
     FieldLight found_;
@@ -259,16 +253,14 @@ class FieldPass {
 
 }  // namespace
 
-FieldLight light_in_field(int number, const CanopyRequest& request,
-                          const Scene& scene, const Plan& plan,
-                          const Lines& lines, const Device& device,
-                          const Clock& clock, SharedByFields& shared) {
+FieldLight light_in_field(int number, SharedByFields& shared,
+                          const Device& device, const Clock& clock) {
     double last = clock ? clock() : 0;
     const auto take = [&](double& part) {
         const double now = clock ? clock() : 0;
         part += now - std::exchange(last, now);
     };
-    FieldPass pass(request, scene, plan, lines, shared);
+    FieldPass pass(shared);
     const Field field = pass.draw(number);
     take(pass.seconds().geometry);
     const RayScene surfaces = build_scene(device, field);

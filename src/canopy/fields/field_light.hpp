@@ -9,13 +9,36 @@
 #include "ideotype/canopy/light_classes.hpp"
 #include "ideotype/light/sunlit.hpp"
 #include "ideotype/light/tolerance.hpp"
-#include "plan.hpp"
 #include "water/leaf_air.hpp"
 
 namespace ideotype {
 
 //! The names of the bands besides PAR whose radiation warms leaves.
 inline constexpr auto nir = "nir", longwave = "longwave";
+
+//! The fields of an evaluation, and how light is traced in each.
+struct Plan {
+    explicit Plan(const CanopyRequest& request);
+
+    //! Returns the random numbers of the plants of a field.
+    Randomness of_plants(int field) const;
+
+    //! Returns the random numbers of the light in a field.
+    Randomness of_light(int field) const {
+        return of_field(field, is_one_of_many ? accuracy.randomisations : 1);
+    }
+
+    Accuracy accuracy;  //!< accuracy in each field
+    int fields = 1;
+    //! Whether each field counts as a single randomisation of the result,
+    //! although its light is traced in several randomisations.
+    bool is_one_of_many = false;
+
+  private:
+    Randomness of_field(int field, int times) const;
+
+    Randomness randomness_;
+};
 
 //! One plant of each component, from which fields are made.
 struct Lines {
@@ -34,14 +57,18 @@ struct Lines {
 //! @throws Error if leaves have a temperature and there is no near infrared.
 Bands bands_of(const Scene& scene);
 
-//! Numbers that all fields of an evaluation share. The first field fills in the
-//! numbers that are not known before.
+//! An evaluation: its parts, and numbers that all of its fields share. The
+//! first field fills in the numbers that are not known before.
 struct SharedByFields {
-    Layers layers;
+    const CanopyRequest& request;
+    const Scene& scene;  //!< scene of the request, perhaps with other groups
+    Plan plan{request};
+    Lines lines{scene, request};
+    Layers layers = request.layers;
     std::vector<LeafGroup> leaves{};  //!< leaves of each group of the lines
     //! The bands of the scene and, if leaves exchange heat, the longwave
     //! radiation of the sky as a band in which surfaces are black.
-    Bands bands;
+    Bands bands = bands_of(scene);
     std::optional<Simulation> trial{};  //!< work that the tolerance needs
 };
 
@@ -73,16 +100,10 @@ struct FieldLight {
 };
 
 //! Draws a field of a scene, and follows light and assimilation in it.
-//! @param scene scene of the lines
-FieldLight light_in_field(int number, const CanopyRequest& request,
-                          const Scene& scene, const Plan& plan,
-                          const Lines& lines, const Device& device,
-                          const Clock& clock, SharedByFields& shared);
+FieldLight light_in_field(int number, SharedByFields& shared,
+                          const Device& device, const Clock& clock);
 
 //! Makes the report of an evaluation from the results in its fields.
-//! @param scene scene of the request, perhaps with other groups
-CanopyReport report_on(const CanopyRequest& request, const Scene& scene,
-                       const Lines& lines, const SharedByFields& shared,
-                       const FieldLight& found);
+CanopyReport report_on(const SharedByFields& shared, const FieldLight& found);
 
 }  // namespace ideotype

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "field_light.hpp"
@@ -10,6 +11,16 @@
 namespace ideotype {
 
 namespace {
+
+//! Least number of randomisations in a field for assimilate().
+constexpr int fewest_in_field = 4;
+
+//! Tells whether fields of a scene may differ from each other.
+bool are_drawn(const Scene& scene) {
+    return std::any_of(
+        scene.components.begin(), scene.components.end(),
+        [](const Component& each) { return each.plant || each.jitter > 0; });
+}
 
 //! Returns how one plant of a component is cut.
 Pieces pieces_of_line(const Component& component,
@@ -22,6 +33,37 @@ Pieces pieces_of_line(const Component& component,
 }
 
 }  // namespace
+
+Plan::Plan(const CanopyRequest& request)
+    : accuracy(request.accuracy), randomness_(request.randomness) {
+    IDEOTYPE_EXPECT(accuracy.paths > 0 && accuracy.randomisations > 0);
+    IDEOTYPE_EXPECT(accuracy.tolerance >= 0);
+    if (are_drawn(request.scene))
+        fields = std::clamp(accuracy.fields, 1, accuracy.randomisations);
+    accuracy.randomisations /= fields;
+    accuracy.tolerance *= std::sqrt(fields);
+    if (request.scene.assimilates() && !request.details.exact &&
+        accuracy.randomisations < fewest_in_field) {
+        accuracy.paths =
+            accuracy.paths * accuracy.randomisations / fewest_in_field;
+        accuracy.randomisations = fewest_in_field;
+    }
+    is_one_of_many = fields > 1 && accuracy.randomisations > 1;
+}
+
+Randomness Plan::of_plants(int field) const {
+    if (!randomness_.has_common_fields) return of_field(field, 1);
+    return {randomness_.seed, 0, static_cast<std::uint32_t>(field)};
+}
+
+Randomness Plan::of_field(int field, int times) const {
+    IDEOTYPE_EXPECT(field >= 0 && field < fields);
+    Randomness numbers = randomness_;
+    numbers.first_randomisation =
+        (numbers.first_randomisation + static_cast<std::uint32_t>(field)) *
+        static_cast<std::uint32_t>(times);
+    return numbers;
+}
 
 Lines::Lines(const Scene& scene, const CanopyRequest& request)
     : are_cut((scene.assimilates() && !request.details.exact) ||

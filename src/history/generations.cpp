@@ -30,43 +30,38 @@ constexpr auto product = "product";
 //! The number of columns at the end that only cases with several objectives
 //! have.
 constexpr std::size_t front_columns = 2;
-constexpr std::array number_columns{
-    SummaryColumn<double>{"best", nullptr, "first objective of the best row",
-                          &GenerationSummary::best},
-    SummaryColumn<double>{
-        "best_standard_error", nullptr,
-        "standard error of the first objective of the best row",
-        &GenerationSummary::best_standard_error},
-    SummaryColumn<double>{"mean", nullptr,
-                          "mean of the first objective over rows that keep the "
-                          "constraints, or over all rows while none does",
-                          &GenerationSummary::mean},
-    SummaryColumn<double>{"spread", nullptr,
-                          "standard deviation of the first objective over the "
-                          "rows that mean counts",
-                          &GenerationSummary::spread},
-    SummaryColumn<double>{"diversity", "1",
-                          "mean over free genes of standard deviation over "
-                          "range",
-                          &GenerationSummary::diversity},
-    SummaryColumn<double>{"wall_time", "s",
-                          "time since the case began, summed over sessions",
-                          &GenerationSummary::wall_time},
-    SummaryColumn<double>{"hypervolume", product,
-                          "volume of objectives that is better than the "
-                          "reference and that a row of the front reaches",
-                          &GenerationSummary::hypervolume},
-    SummaryColumn<double>{
-        "hypervolume_standard_error", product,
-        "standard error of hypervolume, by a jackknife over randomisations",
-        &GenerationSummary::hypervolume_standard_error}};
 
-constexpr std::array count_columns{
-    SummaryColumn<std::uint32_t>{"failures", "1", "number of rows that failed",
-                                 &GenerationSummary::failures},
-    SummaryColumn<std::uint32_t>{
-        "evaluations", "1", "number of rows that were evaluated and not copied",
-        &GenerationSummary::evaluations}};
+using Summary = GenerationSummary;
+
+constexpr auto number_columns = std::to_array<SummaryColumn<double>>(
+    {{"best", nullptr, "first objective of the best row", &Summary::best},
+     {"best_standard_error", nullptr,
+      "standard error of the first objective of the best row",
+      &Summary::best_standard_error},
+     {"mean", nullptr,
+      "mean of the first objective over rows that keep the constraints, or "
+      "over all rows while none does",
+      &Summary::mean},
+     {"spread", nullptr,
+      "standard deviation of the first objective over the rows that mean "
+      "counts",
+      &Summary::spread},
+     {"diversity", "1", "mean over free genes of standard deviation over range",
+      &Summary::diversity},
+     {"wall_time", "s", "time since the case began, summed over sessions",
+      &Summary::wall_time},
+     {"hypervolume", product,
+      "volume of objectives that is better than the reference and that a row "
+      "of the front reaches",
+      &Summary::hypervolume},
+     {"hypervolume_standard_error", product,
+      "standard error of hypervolume, by a jackknife over randomisations",
+      &Summary::hypervolume_standard_error}});
+
+constexpr auto count_columns = std::to_array<SummaryColumn<std::uint32_t>>(
+    {{"failures", "1", "number of rows that failed", &Summary::failures},
+     {"evaluations", "1", "number of rows that were evaluated and not copied",
+      &Summary::evaluations}});
 
 std::string path(const std::string& name) {
     return group_name + "/" + name;

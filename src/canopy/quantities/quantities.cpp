@@ -80,6 +80,13 @@ const Declaration* find(const std::string& quantity,
     for (const Declaration* each : declared(scope))
         if (each->quantity.name == quantity) return each;
     return nullptr;
+//! Returns whether a canopy has a quantity only because of what is taken away.
+bool needs(const std::string& quantity, const auto& take_away) {
+    Scope others = everything;
+    take_away(others);
+    return find(quantity) && !find(quantity, others);
+}
+
 }
 
 }  // namespace
@@ -138,9 +145,8 @@ bool is_of_lines(const std::string& quantity) {
 }
 
 bool is_of_band(const std::string& quantity, const std::string& band) {
-    Scope others = everything;
-    std::erase(others.bands, band);
-    return find(quantity) && !find(quantity, others);
+    return needs(quantity,
+                 [&](Scope& scope) { std::erase(scope.bands, band); });
 }
 
 bool is_of_water(const std::string& quantity) {
@@ -148,21 +154,15 @@ bool is_of_water(const std::string& quantity) {
 }
 
 bool is_of_growth(const std::string& quantity) {
-    Scope grown = everything;
-    grown.grows = false;
-    return find(quantity) && !find(quantity, grown);
+    return needs(quantity, [](Scope& scope) { scope.grows = false; });
 }
 
 bool is_of_panels(const std::string& quantity) {
-    Scope open = everything;
-    open.has_panels = false;
-    return find(quantity) && !find(quantity, open);
+    return needs(quantity, [](Scope& scope) { scope.has_panels = false; });
 }
 
 bool is_of_two_components(const std::string& quantity) {
-    Scope one = everything;
-    one.components = 1;
-    return find(quantity) && !find(quantity, one);
+    return needs(quantity, [](Scope& scope) { scope.components = 1; });
 }
 
 std::string unit_of(const std::string& quantity) {

@@ -6,6 +6,7 @@
 #include "ideotype/canopy/assimilation.hpp"
 #include "ideotype/core/contract.hpp"
 #include "ideotype/core/error.hpp"
+#include "ideotype/core/mapped.hpp"
 
 namespace ideotype {
 
@@ -215,10 +216,7 @@ FluxReport report(std::vector<FluxTally> tallies, const LightSeries& series,
     IDEOTYPE_EXPECT(tallies.front().steps.size() == series.steps.size());
     FluxReport result;
     const auto over = [&](const auto& figure) {
-        std::vector<double> randomisations;
-        for (const FluxTally& tally : tallies)
-            randomisations.push_back(figure(tally));
-        return estimate(randomisations);
+        return estimate(mapped(tallies, figure));
     };
     const auto each = [&](std::vector<double> FluxTally::*part) {
         std::vector<Estimate> all;
@@ -227,7 +225,7 @@ FluxReport report(std::vector<FluxTally> tallies, const LightSeries& series,
                 over([&](const FluxTally& t) { return (t.*part)[i]; }));
         return all;
     };
-    result.sum = over([](const FluxTally& t) { return t.sum(); });
+    result.sum = over(&FluxTally::sum);
     result.groups = each(&FluxTally::groups);
     result.layers = each(&FluxTally::layers);
     const auto of_steps = [&](const auto& lists, const auto& weight) {

@@ -7,6 +7,7 @@
 #include "fields/field_light.hpp"
 #include "ideotype/core/contract.hpp"
 #include "ideotype/core/error.hpp"
+#include "ideotype/core/mapped.hpp"
 
 namespace ideotype {
 
@@ -272,10 +273,10 @@ class Reporter {
 
     const SharedByFields& shared_;
     const FieldLight& found_;
-    CanopyReport result_;
     const CanopyRequest& request_ = shared_.request;
     const Scene& scene_ = shared_.scene;
     const Lines& lines_ = shared_.lines;
+    CanopyReport result_;
 };
 
 }  // namespace

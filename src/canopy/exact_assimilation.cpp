@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "ideotype/core/contract.hpp"
+#include "ideotype/core/mapped.hpp"
 #include "ideotype/light/backward.hpp"
 #include "ideotype/light/leaf_points.hpp"
 #include "ideotype/light/sampler.hpp"
@@ -92,9 +93,7 @@ class Referee {
     static double relative_error(const std::vector<FluxTally>& all) {
         constexpr double unknown = std::numeric_limits<double>::infinity();
         if (all.size() < 2) return unknown;
-        std::vector<double> gross;
-        for (const FluxTally& tally : all) gross.push_back(tally.sum());
-        const Estimate found = estimate(gross);
+        const Estimate found = estimate(mapped(all, &FluxTally::sum));
         if (found.standard_error == 0) return 0;
         return found.mean > 0 ? found.standard_error / found.mean : unknown;
     }

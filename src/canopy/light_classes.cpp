@@ -2,6 +2,7 @@
 #include "ideotype/canopy/light_classes.hpp"
 
 #include "ideotype/core/contract.hpp"
+#include "ideotype/core/mapped.hpp"
 #include "ideotype/light/sunlit.hpp"
 #include "leaf_places.hpp"
 
@@ -185,12 +186,11 @@ LightClassReport report(const std::vector<LightClasses>& randomisations) {
     LightClassReport result;
     const auto take = [&](std::vector<double> LightClasses::*part,
                           std::vector<Estimate>& to) {
-        for (std::size_t c = 0; c < ppfd_classes; ++c) {
-            std::vector<double> values;
-            for (const LightClasses& each : randomisations)
-                values.push_back((each.*part)[c]);
-            to.push_back(estimate(values));
-        }
+        for (std::size_t c = 0; c < ppfd_classes; ++c)
+            to.push_back(
+                estimate(mapped(randomisations, [&](const LightClasses& each) {
+                    return (each.*part)[c];
+                })));
     };
     take(&LightClasses::sunlit, result.sunlit);
     take(&LightClasses::shaded, result.shaded);

@@ -7,6 +7,7 @@
 
 #include "checksum.hpp"
 #include "ideotype/core/contract.hpp"
+#include "ideotype/core/mapped.hpp"
 #include "layout.hpp"
 
 namespace ideotype {
@@ -20,15 +21,12 @@ constexpr std::size_t failure_size = 160;
 }  // namespace
 
 Axis gene_axis(const GeneSpace& genes) {
-    std::vector<std::string> names;
-    for (const Gene& gene : genes) names.push_back(gene.name);
-    return {"gene", "", "gene of a genome", std::move(names)};
+    return {"gene", "", "gene of a genome", mapped(genes, &Gene::name)};
 }
 
 Axis objective_axis(const std::vector<Objective>& objectives) {
-    std::vector<std::string> names;
-    for (const Objective& each : objectives) names.push_back(each.name);
-    return {"objective", "", "quantity that is searched for", std::move(names)};
+    return {"objective", "", "quantity that is searched for",
+            mapped(objectives, &Objective::name)};
 }
 
 void Columns::create(hid_t file, const GeneSpace& genes,

@@ -6,8 +6,12 @@
 #include <limits>
 #include <span>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include "checksum.hpp"
 #include "ideotype/core/contract.hpp"
+#include "ideotype/core/mapped.hpp"
 #include "layout.hpp"
 
 namespace ideotype {
@@ -71,10 +75,8 @@ std::string unit_of(const SummaryColumn<double>& column,
                     const std::vector<Objective>& objectives) {
     if (!column.unit) return objectives[0].unit;
     if (column.unit != product) return column.unit;
-    std::string unit;
-    for (const Objective& each : objectives)
-        unit += (unit.empty() ? "" : " ") + each.unit;
-    return unit;
+    return fmt::format("{}",
+                       fmt::join(mapped(objectives, &Objective::unit), " "));
 }
 
 }  // namespace

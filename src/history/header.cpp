@@ -6,19 +6,12 @@
 #include "dataset.hpp"
 #include "disk/open.hpp"
 #include "ideotype/core/contract.hpp"
+#include "ideotype/core/mapped.hpp"
 #include "layout.hpp"
 
 namespace ideotype {
 
 namespace {
-
-template <class Item>
-std::vector<std::string> texts_of(const std::vector<Item>& items,
-                                  std::string Item::*member) {
-    std::vector<std::string> texts;
-    for (const Item& item : items) texts.push_back(item.*member);
-    return texts;
-}
 
 void write_genes(hid_t file, const GeneSpace& genes) {
     for (const Gene& gene : genes) IDEOTYPE_EXPECT(gene.lower <= gene.upper);
@@ -26,11 +19,11 @@ void write_genes(hid_t file, const GeneSpace& genes) {
     create_axis(group, gene_axis(genes));
     create_texts(group,
                  {.name = "trait", .axes = {"gene"}, .meaning = "what is bred"},
-                 texts_of(genes, &Gene::trait));
+                 mapped(genes, &Gene::trait));
     create_texts(
         group,
         {.name = "unit", .axes = {"gene"}, .meaning = "of the gene's values"},
-        texts_of(genes, &Gene::unit));
+        mapped(genes, &Gene::unit));
     // Adds a number of each gene; the last argument tells the type in the file.
     const auto add = [&](const std::string& name, const std::string& meaning,
                          const std::string& unit, hid_t type, auto member,
@@ -40,10 +33,10 @@ void write_genes(hid_t file, const GeneSpace& genes) {
                                .axes = {"gene"},
                                .unit = unit,
                                .meaning = meaning});
-        std::vector<decltype(stored)> values;
-        for (const Gene& gene : genes)
-            values.push_back(static_cast<decltype(stored)>(gene.*member));
-        Dataset(group, name).write(0, values);
+        Dataset(group, name).write(0, mapped(genes, [&](const Gene& gene) {
+                                       return static_cast<decltype(stored)>(
+                                           gene.*member);
+                                   }));
     };
     const std::string own = "/genes/unit";
     add("leaf", "leaf rank, 1 is the lowest, 0 the whole plant", "1",
@@ -89,17 +82,16 @@ std::string name_of(Sense sense) {
 void write_objectives(hid_t file, const std::vector<Objective>& objectives) {
     const Handle group = create_group(file, "objectives");
     create_axis(group, objective_axis(objectives));
-    std::vector<std::string> senses;
-    for (const Objective& each : objectives)
-        senses.push_back(name_of(each.sense));
     create_texts(
         group, {.name = "unit", .axes = {"objective"}, .meaning = "of values"},
-        texts_of(objectives, &Objective::unit));
+        mapped(objectives, &Objective::unit));
     create_texts(group,
                  {.name = "sense",
                   .axes = {"objective"},
                   .meaning = "whether larger or smaller is better"},
-                 senses);
+                 mapped(objectives, [](const Objective& each) {
+                     return name_of(each.sense);
+                 }));
 }
 
 std::vector<Objective> read_objectives(hid_t file) {

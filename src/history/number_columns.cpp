@@ -8,6 +8,7 @@
 
 #include "columns.hpp"
 #include "ideotype/core/contract.hpp"
+#include "ideotype/core/mapped.hpp"
 #include "layout.hpp"
 
 namespace ideotype {
@@ -20,13 +21,12 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 // absorbed_by_leaf[leaf]". A truncated file may have this text but lack
 // references to scales.
 std::string text_of(const std::vector<Quantity>& quantities) {
-    std::string text;
-    for (const Quantity& each : quantities)
-        text += fmt::format(
-            "{}{}{}", text.empty() ? "" : " ", each.name,
-            each.axes.empty() ? ""
-                              : fmt::format("[{}]", fmt::join(each.axes, ",")));
-    return text;
+    const auto text = [](const Quantity& each) {
+        return each.axes.empty() ? each.name
+                                 : fmt::format("{}[{}]", each.name,
+                                               fmt::join(each.axes, ","));
+    };
+    return fmt::format("{}", fmt::join(mapped(quantities, text), " "));
 }
 
 std::vector<std::string> parts(const std::string& text, char separator) {
@@ -60,12 +60,11 @@ std::vector<DatasetForm> number_forms(const OutcomeSchema& schema,
                          const std::string& unit, const std::string& meaning) {
         forms.push_back({.name = name,
                          .type = H5T_IEEE_F64LE,
-                         .axes = {rows},
+                         .axes = axes,
                          .unit = unit,
                          .meaning = meaning,
                          .empty = &nan});
-        forms.back().axes.insert(forms.back().axes.end(), axes.begin(),
-                                 axes.end());
+        forms.back().axes.insert(forms.back().axes.begin(), rows);
     };
     const std::string unit = "/objectives/unit";
     add("objectives", {"objective"}, unit, "values of the objectives");

@@ -11,6 +11,7 @@
 
 #include "ideotype/canopy/quantities.hpp"
 #include "ideotype/core/contract.hpp"
+#include "ideotype/core/mapped.hpp"
 
 namespace ideotype {
 
@@ -96,6 +97,13 @@ inline Randomised scaled(Randomised x, double factor) {
     return x;
 }
 
+//! Returns the mean of values with an error not below the least one.
+inline Randomised known_to(double least, std::vector<double> values) {
+    Estimate mean = estimate(values);
+    mean.standard_error = std::max(mean.standard_error, least);
+    return {mean, std::move(values)};
+}
+
 //! Combines the numbers of all places with the numbers of each randomisation
 //! [randomisation, place].
 inline std::vector<Randomised> randomised(
@@ -158,10 +166,7 @@ inline Randomised certain(const CanopyReport& report, double value) {
 inline std::vector<Randomised> along(const std::vector<FluxTally>& tallies,
                                      const std::vector<Estimate>& found,
                                      std::vector<double> FluxTally::*part) {
-    std::vector<std::vector<double>> by_randomisation;
-    for (const FluxTally& tally : tallies)
-        by_randomisation.push_back(tally.*part);
-    return randomised(found, by_randomisation);
+    return randomised(found, mapped(tallies, part));
 }
 
 //! Returns a ratio with its error to first order.

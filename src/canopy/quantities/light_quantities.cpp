@@ -20,10 +20,8 @@ Values to_mj(Values joules) {
 Randomised part_of_light(const CanopyReport& report,
                          Estimate BudgetEstimate::*part,
                          double (*of)(const Budget&)) {
-    Randomised result{report.par().light.day.*part, {}};
-    for (const Budget& budget : report.par().budget_by_randomisation)
-        result.by_randomisation.push_back(of(budget));
-    return result;
+    return {report.par().light.day.*part,
+            mapped(report.par().budget_by_randomisation, of)};
 }
 
 Randomised absorbed_by_leaves(const CanopyReport& report) {
@@ -78,10 +76,8 @@ Values by_organ(const CanopyReport& report) {
 }
 
 Values by_hour(const CanopyReport& report) {
-    Values hours;
-    for (const StepReport& step : report.par().light.steps)
-        hours.push_back(step.budget.leaves);
-    return hours;
+    return mapped(report.par().light.steps,
+                  [](const StepReport& step) { return step.budget.leaves; });
 }
 
 }  // namespace

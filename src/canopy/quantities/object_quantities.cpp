@@ -23,8 +23,7 @@ Randomised light_on_panels(const CanopyReport& report) {
                 sums[r] += object.area_index / joule_per_megajoule *
                            band.objects[side].by_randomisation[r];
         }
-    const Estimate mean = estimate(sums);
-    return {mean, std::move(sums)};
+    return known_to(0, std::move(sums));
 }
 
 //! Returns the light on the ground, from the light that the ground absorbs; 0
@@ -35,11 +34,10 @@ Estimate on_ground(const BandReport& band, const Estimate& absorbed) {
 }
 
 Values ground_light(const CanopyReport& report) {
-    Values values;
-    for (const BandReport& band : report.bands)
-        values.push_back(scaled(on_ground(band, band.light.day.soil),
-                                1 / joule_per_megajoule));
-    return values;
+    return mapped(report.bands, [](const BandReport& band) {
+        return scaled(on_ground(band, band.light.day.soil),
+                      1 / joule_per_megajoule);
+    });
 }
 
 Values ground_light_by_hour(const CanopyReport& report) {

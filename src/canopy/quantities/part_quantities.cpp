@@ -29,13 +29,6 @@ bool has_parts(const Scope& scope) {
 
 using Names = std::vector<std::string>;
 
-//! Returns the mean of values with an error not below the least one.
-Randomised known_to(double least, Numbers values) {
-    Estimate mean = estimate(values);
-    mean.standard_error = std::max(mean.standard_error, least);
-    return {mean, std::move(values)};
-}
-
 //! Sums light that is absorbed over some bands [MJ m-2 day-1].
 //! @param absorbed light in a band by randomisation [J m-2 day-1]
 //! @param known light in a band from all randomisations
@@ -109,12 +102,10 @@ Declaration fraction_by_band(const char* name, const char* description,
                              Estimate BudgetEstimate::*part) {
     return {{name, "1", description, {"band"}},
             [part](const CanopyReport& report) {
-                Values values;
-                for (const BandReport& band : report.bands) {
+                return mapped(report.bands, [&](const BandReport& band) {
                     const BudgetEstimate& day = band.light.day;
-                    values.push_back(fraction_of(day.*part, day.incident));
-                }
-                return values;
+                    return fraction_of(day.*part, day.incident);
+                });
             },
             has_bands};
 }
@@ -253,10 +244,9 @@ std::vector<Declaration> part_quantities() {
         {exact(by({"component"}, {"lai_by_component", "m2 m-2",
                                   "one-sided leaf area per ground area"})),
          [](const Report& r) {
-             Values values;
-             for (const ComponentReport& each : r.components)
-                 values.push_back({each.lai, 0});
-             return values;
+             return mapped(r.components, [](const ComponentReport& each) {
+                 return Estimate{each.lai, 0};
+             });
          },
          has_components},
         assimilation("gross_assimilation_by_component",

@@ -8,6 +8,7 @@
 
 #include "declaration.hpp"
 #include "ideotype/core/error.hpp"
+#include "ideotype/core/mapped.hpp"
 
 namespace ideotype {
 
@@ -49,19 +50,16 @@ const Scope everything = [] {
 }();
 
 Scope scope_of(const CanopyReport& report) {
-    Scope scope{report.components.size(),
-                {},
-                report.assimilation.has_value(),
-                report.form.has_value(),
-                report.lines.has_value(),
-                !report.rows.empty(),
-                !report.objects.empty(),
-                has_panels(report.objects),
-                report.grows,
-                report.water.has_value()};
-    for (const BandReport& band : report.bands)
-        scope.bands.push_back(band.name);
-    return scope;
+    return {report.components.size(),
+            mapped(report.bands, &BandReport::name),
+            report.assimilation.has_value(),
+            report.form.has_value(),
+            report.lines.has_value(),
+            !report.rows.empty(),
+            !report.objects.empty(),
+            has_panels(report.objects),
+            report.grows,
+            report.water.has_value()};
 }
 
 std::vector<const Declaration*> declared(const CanopyReport& report) {
@@ -80,13 +78,13 @@ const Declaration* find(const std::string& quantity,
     for (const Declaration* each : declared(scope))
         if (each->quantity.name == quantity) return each;
     return nullptr;
+}
+
 //! Returns whether a canopy has a quantity only because of what is taken away.
 bool needs(const std::string& quantity, const auto& take_away) {
     Scope others = everything;
     take_away(others);
     return find(quantity) && !find(quantity, others);
-}
-
 }
 
 }  // namespace
@@ -109,10 +107,7 @@ std::vector<Randomised> measure_by_randomisation(const CanopyReport& report) {
 }
 
 std::vector<Estimate> measure(const CanopyReport& report) {
-    std::vector<Estimate> all;
-    for (const Randomised& each : measure_by_randomisation(report))
-        all.push_back(each.estimate);
-    return all;
+    return mapped(measure_by_randomisation(report), &Randomised::estimate);
 }
 
 std::vector<Measured> measure_numbers(const CanopyReport& report) {

@@ -12,13 +12,11 @@ namespace ideotype {
 namespace {
 
 Scope scope_of(const Scene& scene, const Details& details) {
-    Scope scope{scene.components.size(),    {},
-                scene.assimilates(),        details.form,
-                details.lines.has_value(),  !scene.cell.row_ground.empty(),
-                !scene.objects.empty(),     has_panels(scene.objects),
-                scene.light().series.grows, scene.water.has_value()};
-    for (const Band& band : scene.bands) scope.bands.push_back(band.name);
-    return scope;
+    return {scene.components.size(),    mapped(scene.bands, &Band::name),
+            scene.assimilates(),        details.form,
+            details.lines.has_value(),  !scene.cell.row_ground.empty(),
+            !scene.objects.empty(),     has_panels(scene.objects),
+            scene.light().series.grows, scene.water.has_value()};
 }
 
 Axis layer_axis(const Layers& layers) {
@@ -36,9 +34,9 @@ Axis hour_axis(const LightSeries& series) {
 }
 
 Axis day_axis(const LightSeries& series) {
-    std::vector<std::string> dates;
-    for (const Date& date : series.dates()) dates.push_back(to_string(date));
-    return {"day", "", "date", std::move(dates)};
+    return {"day", "", "date", mapped(series.dates(), [](const Date& date) {
+                return to_string(date);
+            })};
 }
 
 using Names = std::vector<std::string>;
@@ -114,18 +112,12 @@ QuantitySet canopy_quantities(const Scene& scene, const Layers& layers,
     const bool has_days = series.days > 1;
     if (has_days) set.axes.push_back(day_axis(series));
     const Scope scope = scope_of(scene, details);
-    if (scope.components > 1) {
-        Names names;
-        for (const Component& each : scene.components)
-            names.push_back(each.name);
-        set.axes.push_back(
-            {"component", "", "kind of plant", std::move(names)});
-    }
+    if (scope.components > 1)
+        set.axes.push_back({"component", "", "kind of plant",
+                            mapped(scene.components, &Component::name)});
     if (scope.has_objects) {
-        Names names;
-        for (const FixedObject& each : scene.objects)
-            names.push_back(each.name);
-        set.axes.push_back({"object", "", "fixed object", std::move(names)});
+        set.axes.push_back({"object", "", "fixed object",
+                            mapped(scene.objects, &FixedObject::name)});
         set.axes.push_back({"object_side", "",
                             "side of panels, or of faces of other objects",
                             Names{"front", "back"}});

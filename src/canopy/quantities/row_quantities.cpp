@@ -15,11 +15,10 @@ using Rows = std::vector<Randomised>;
 //! Returns the light that leaves of each row absorb in each band
 //! [MJ m-2 day-1 of all ground].
 std::vector<Rows> light_of_rows(const CanopyReport& report) {
-    std::vector<Rows> bands;
-    for (const BandReport& band : report.bands)
-        bands.push_back(randomised(band.rows, band.rows_by_randomisation,
-                                   1 / joule_per_megajoule));
-    return bands;
+    return mapped(report.bands, [](const BandReport& band) {
+        return randomised(band.rows, band.rows_by_randomisation,
+                          1 / joule_per_megajoule);
+    });
 }
 
 //! Returns the gross assimilation of each row, lowered by a loss
@@ -39,10 +38,9 @@ Rows assimilation_of_rows(const CanopyReport& report, Loss loss) {
 }
 
 Rows lai_of_rows(const CanopyReport& report) {
-    Rows rows;
-    for (const RowReport& row : report.rows)
-        rows.push_back(certain(report, row.lai));
-    return rows;
+    return mapped(report.rows, [&](const RowReport& row) {
+        return certain(report, row.lai);
+    });
 }
 
 //! Converts figures of rows from per area of all ground to per own ground.
@@ -66,9 +64,8 @@ Rows on_own_strip(const CanopyReport& report, Rows rows) {
             for (std::size_t r = 0; r < sums.size(); ++r)
                 sums[r] += rows[row].by_randomisation[r];
         }
-        const Estimate sum = estimate(sums);
-        strips.push_back(scaled(Randomised{sum, std::move(sums)},
-                                report.ground_area / ground));
+        strips.push_back(
+            scaled(known_to(0, std::move(sums)), report.ground_area / ground));
     }
     return strips;
 }
@@ -122,19 +119,17 @@ void add_figure(std::vector<Declaration>& all, const Quantity& figure,
 
 std::vector<Declaration> row_quantities() {
     using Report = CanopyReport;
-    constexpr Certainty exact = Certainty::exact;
     std::vector<Declaration> all;
     for (const auto& [name, meaning, take] :
          {std::tuple{"row_position", "place of the row across the field",
                      &RowReport::position},
           std::tuple{"row_width", "width of the ground nearest to the row",
                      &RowReport::width}})
-        all.push_back({{name, "m", meaning, {"field_row"}, exact},
+        all.push_back({exact(by({"field_row"}, {name, "m", meaning})),
                        [take = take](const Report& r) {
-                           std::vector<Estimate> values;
-                           for (const RowReport& row : r.rows)
-                               values.push_back({row.*take, 0});
-                           return values;
+                           return mapped(r.rows, [&](const RowReport& row) {
+                               return Estimate{row.*take, 0};
+                           });
                        },
                        [](const Scope& scope) { return scope.has_rows; }});
     add_figure(

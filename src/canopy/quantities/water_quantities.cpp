@@ -19,10 +19,9 @@ bool exchange_water(const Scope& scope) {
 
 //! Returns a flux and its value in each randomisation.
 Randomised flux(const FluxReport& report, double factor = 1) {
-    Randomised result{report.sum, {}};
-    for (const FluxTally& tally : report.tallies)
-        result.by_randomisation.push_back(tally.sum());
-    return scaled(std::move(result), factor);
+    return scaled(
+        Randomised{report.sum, mapped(report.tallies, &FluxTally::sum)},
+        factor);
 }
 
 //! Returns the ground area per assimilating leaf area, or 0 without leaves.
@@ -85,12 +84,12 @@ std::vector<Randomised> transpiration_by_leaf(const CanopyReport& report) {
 
 std::vector<Randomised> transpiration_by_component(const CanopyReport& report) {
     std::vector<Randomised> parts;
-    for (std::size_t c = 0; c < report.components.size(); ++c) {
-        std::vector<double> values;
-        for (const FluxTally& tally : report.water->transpiration.tallies)
-            values.push_back(over_leaves(report, tally.groups, c));
-        parts.push_back({estimate(values), values});
-    }
+    for (std::size_t c = 0; c < report.components.size(); ++c)
+        parts.push_back(known_to(0, mapped(report.water->transpiration.tallies,
+                                           [&](const FluxTally& tally) {
+                                               return over_leaves(
+                                                   report, tally.groups, c);
+                                           })));
     return parts;
 }
 

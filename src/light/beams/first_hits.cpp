@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "ideotype/core/contract.hpp"
+#include "ideotype/core/mapped.hpp"
 #include "order_by_place.hpp"
 #include "paths/travel.hpp"
 
@@ -54,8 +55,7 @@ void FirstHits::order() {
     hits.reserve(hits_.size());
     points.reserve(hits_.size());
     for (const std::uint32_t i :
-         order_by_place(scene_, hits_.size(),
-                        [&](std::size_t k) { return points_[k].position; })) {
+         order_by_place(scene_, mapped(points_, &Hit::position))) {
         hits.push_back(hits_[i]);
         points.push_back(points_[i]);
     }

@@ -10,6 +10,7 @@
 #include "beams/directions.hpp"
 #include "beams/order_by_place.hpp"
 #include "ideotype/core/contract.hpp"
+#include "ideotype/core/mapped.hpp"
 #include "travel.hpp"
 
 namespace ideotype {
@@ -109,8 +110,9 @@ void Tracer::follow(std::vector<ScatteredPath>& paths,
         next.clear();
         std::uint32_t place = 0;
         for (const std::uint32_t i : order_by_place(
-                 scene_, paths.size(),
-                 [&](std::size_t k) { return paths[k].hit.position; })) {
+                 scene_, mapped(paths, [](const ScatteredPath& path) {
+                     return path.hit.position;
+                 }))) {
             ScatteredPath& path = paths[i];
             numbers.begin(place++);
             go_on(path, numbers, ledgers[path.source]);

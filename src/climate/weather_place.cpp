@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "ideotype/core/estimate.hpp"
+#include "ideotype/core/mapped.hpp"
 #include "ideotype/core/units.hpp"
 #include "weather_table.hpp"
 
@@ -41,10 +42,9 @@ void check_clock(const std::vector<WeatherStep>& series,
     const double offset = site.utc_offset;
     const auto at = [&](int quarters) {
         site.utc_offset = offset + quarters / 4.0;
-        std::vector<double> sun;
-        for (const WeatherStep& step : series)
-            sun.push_back(extraterrestrial(site, step.middle));
-        return correlation(measured, sun);
+        return correlation(measured, mapped(series, [&](const auto& step) {
+                               return extraterrestrial(site, step.middle);
+                           }));
     };
     const double unshifted = at(0);
     double best = unshifted;
@@ -129,9 +129,8 @@ void check_nights(const std::vector<WeatherStep>& series,
 void check_place(const std::vector<WeatherStep>& series,
                  const std::vector<Irradiance>& light, const Site& site,
                  Findings& findings) {
-    std::vector<double> measured;
-    for (const Irradiance& each : light)
-        measured.push_back(each.beam + each.diffuse);
+    const std::vector<double> measured = mapped(
+        light, [](const Irradiance& each) { return each.beam + each.diffuse; });
     if (*std::max_element(measured.begin(), measured.end()) <= 0)
         return findings.doubt(series.front().line,
                               "the period has no light at all", false);

@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "ideotype/climate/light_series.hpp"
+#include "ideotype/core/mapped.hpp"
 
 namespace ideotype {
 
@@ -94,18 +95,15 @@ void read_stamps(WeatherTable& table,
         if (lines[i].find_first_not_of(" \t,") == std::string_view::npos)
             continue;
         const std::vector<CsvField> fields = fields_of(lines[i]);
-        std::vector<CsvField> parts;
-        for (const std::size_t index : columns)
-            parts.push_back(entry(fields, index));
+        const std::vector<CsvField> parts =
+            mapped(columns, [&](auto index) { return entry(fields, index); });
         const int line = static_cast<int>(i) + 1;
         auto written = parse_time(parts, table.columns.date_order);
         if (!written) {
-            std::vector<std::string_view> texts;
-            for (const CsvField& each : parts) texts.push_back(each.text);
             findings.add(
                 line, parts.front().column,
                 "\"{}\" is no date and time; check the order of day and month",
-                fmt::join(texts, ","));
+                fmt::join(mapped(parts, &CsvField::text), ","));
             continue;
         }
         if (written->utc_offset) {

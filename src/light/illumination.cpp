@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "ideotype/core/contract.hpp"
+#include "ideotype/core/mapped.hpp"
 
 namespace ideotype {
 
@@ -41,8 +42,7 @@ std::vector<std::size_t> instants_of_suns(const LightSeries& series,
     const auto direction = [&](std::size_t i) {
         return beam_direction(series.steps[i].sun);
     };
-    std::vector<glm::dvec3> directions;
-    for (const std::size_t sun : suns) directions.push_back(direction(sun));
+    const std::vector<glm::dvec3> directions = mapped(suns, direction);
     std::vector<std::size_t> chosen(series.steps.size());
     std::size_t own = 0;
     for (std::size_t i = 0; i < chosen.size(); ++i) {

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include "ideotype/core/contract.hpp"
+#include "ideotype/core/mapped.hpp"
 
 namespace ideotype {
 
@@ -29,18 +29,14 @@ Resolution resolution_of(const std::vector<Tally>& tallies) {
 }
 
 //! Returns the estimate of a figure that is a function of a tally.
-Estimate over(const std::vector<Tally>& tallies,
-              const std::function<double(const Tally&)>& figure) {
-    std::vector<double> randomisations;
-    randomisations.reserve(tallies.size());
-    for (const Tally& tally : tallies) randomisations.push_back(figure(tally));
-    return estimate(randomisations);
+Estimate over(const std::vector<Tally>& tallies, const auto& figure) {
+    return estimate(mapped(tallies, figure));
 }
 
 //! Returns the estimate of a figure to which a path of any source may add a
 //! part of its energy.
 Estimate over(const std::vector<Tally>& tallies, const Resolution& resolution,
-              double part, const std::function<double(const Tally&)>& figure) {
+              double part, const auto& figure) {
     return at_least(over(tallies, figure),
                     part * resolution.largest_path() / count(tallies));
 }
@@ -185,10 +181,10 @@ DayReport report(const std::vector<Tally>& tallies,
         result.layers.push_back(
             over(tallies, resolution, part_of(resolution.layers, l),
                  [l](const Tally& t) { return t.layers[l]; }));
-    result.adaxial = over(tallies, resolution, resolution.leaves,
-                          [](const Tally& t) { return t.adaxial; });
-    result.abaxial = over(tallies, resolution, resolution.leaves,
-                          [](const Tally& t) { return t.abaxial; });
+    result.adaxial =
+        over(tallies, resolution, resolution.leaves, &Tally::adaxial);
+    result.abaxial =
+        over(tallies, resolution, resolution.leaves, &Tally::abaxial);
 
     result.utc_offset = series.utc_offset;
     const std::vector<double> hours = series.hours();
@@ -255,8 +251,7 @@ Estimate absorbed_by_some_leaves(const std::vector<Tally>& tallies,
 
 Estimate absorbed_by_leaves(const std::vector<Tally>& tallies) {
     const Resolution resolution = resolution_of(tallies);
-    return over(tallies, resolution, resolution.leaves,
-                [](const Tally& t) { return t.leaves(); });
+    return over(tallies, resolution, resolution.leaves, &Tally::leaves);
 }
 
 }  // namespace ideotype

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "ideotype/core/contract.hpp"
+#include "ideotype/core/mapped.hpp"
 
 namespace ideotype {
 
@@ -161,12 +162,12 @@ std::vector<std::uint32_t> best_distinct(const Population& population,
 std::vector<Candidate> best_of(const Population& population, std::size_t count,
                                const std::vector<Sense>& senses,
                                std::int64_t first_row) {
-    std::vector<Candidate> best;
-    for (const std::uint32_t slot : best_distinct(population, count, senses))
-        best.push_back({population[slot].candidate.genome,
-                        Origin::elite,
-                        {first_row + slot, no_parent}});
-    return best;
+    return mapped(best_distinct(population, count, senses),
+                  [&](std::uint32_t slot) {
+                      return Candidate{population[slot].candidate.genome,
+                                       Origin::elite,
+                                       {first_row + slot, no_parent}};
+                  });
 }
 
 }  // namespace ideotype

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "ideotype/core/contract.hpp"
+#include "ideotype/core/mapped.hpp"
 
 namespace ideotype {
 
@@ -56,10 +57,8 @@ std::vector<double> UnboundedGenes::of(const Genome& genome) const {
 }
 
 std::vector<double> UnboundedGenes::first_steps() const {
-    std::vector<double> steps;
-    for (const std::size_t i : free_)
-        steps.push_back(genes_[i].is_circular ? 0.5 : 1);
-    return steps;
+    return mapped(
+        free_, [&](std::size_t i) { return genes_[i].is_circular ? .5 : 1.; });
 }
 
 Genome UnboundedGenes::genome(const std::vector<double>& coordinates,

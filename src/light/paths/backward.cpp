@@ -46,8 +46,7 @@ BackwardLight::BackwardLight(const RayScene& scene,
       optics_(optics),
       soil_{optics.soil_albedo, 0} {
     for (const Source& source : sources)
-        if (std::find(poses_.begin(), poses_.end(), source.pose) ==
-            poses_.end())
+        if (std::ranges::find(poses_, source.pose) == poses_.end())
             poses_.push_back(source.pose);
 }
 

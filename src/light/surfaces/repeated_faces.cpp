@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "ideotype/core/mapped.hpp"
+
 namespace ideotype {
 
 namespace {
@@ -42,9 +44,7 @@ Corners sorted_corners(const Mesh& mesh, std::size_t face) {
 }  // namespace
 
 std::vector<bool> repeated_faces(const Mesh& mesh) {
-    std::vector<std::uint64_t> hashes;
-    hashes.reserve(mesh.vertices.size());
-    for (const glm::dvec3& v : mesh.vertices) hashes.push_back(hash_of(v));
+    const std::vector<std::uint64_t> hashes = mapped(mesh.vertices, hash_of);
 
     // The table has the first face of each set of corners, by the sum of hashes
     // of the corners.

@@ -9,6 +9,7 @@
 
 #include "ideotype/core/error.hpp"
 #include "ideotype/core/host.hpp"
+#include "ideotype/core/mapped.hpp"
 #include "ideotype/core/version.hpp"
 #include "ideotype/light/device.hpp"
 
@@ -47,10 +48,7 @@ Machine machine_of(const std::string& text) {
 
 std::vector<Machine> gather_machines(const Session& session,
                                      const Machine& own) {
-    std::vector<Machine> machines;
-    for (const std::string& text : session.gather(to_text(own)))
-        machines.push_back(machine_of(text));
-    return machines;
+    return mapped(session.gather(to_text(own)), machine_of);
 }
 
 int threads_per_rank(const Session& session, const std::optional<int>& wanted) {

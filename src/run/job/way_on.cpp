@@ -4,7 +4,9 @@
 #include <filesystem>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include "ideotype/core/mapped.hpp"
 #include "ideotype/core/text.hpp"
 
 namespace ideotype {
@@ -50,10 +52,9 @@ bool contains(const std::string& command, const std::string& option) {
 }  // namespace
 
 std::string quoted(const std::vector<std::string>& words) {
-    std::string line;
-    for (const std::string& word : words)
-        line += (line.empty() ? "" : " ") + quoted(word);
-    return line;
+    const auto all =
+        mapped(words, [](const std::string& word) { return quoted(word); });
+    return fmt::format("{}", fmt::join(all, " "));
 }
 
 bool is_start(const std::string& line) {

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "arrays.hpp"
 #include "bindings.hpp"
 #include "ideotype/physiology/energy_balance.hpp"
 
 namespace ideotype::python {
-
-namespace nb = nanobind;
 
 namespace {
 

@@ -1,16 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <nanobind/stl/string.h>
-#include <nanobind/stl/tuple.h>
-#include <nanobind/stl/vector.h>
-
-#include "arrays.hpp"
 #include "bindings.hpp"
 #include "campaign/campaign.hpp"
 #include "ideotype/core/error.hpp"
 
 namespace ideotype::python {
-
-namespace nb = nanobind;
 
 namespace {
 

@@ -1,11 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <nanobind/stl/optional.h>
-#include <nanobind/stl/pair.h>
-#include <nanobind/stl/string.h>
-#include <nanobind/stl/tuple.h>
-#include <nanobind/stl/vector.h>
-
-#include "arrays.hpp"
 #include "bindings.hpp"
 #include "ideotype/canopy/quantities.hpp"
 #include "ideotype/core/error.hpp"
@@ -14,8 +7,6 @@
 #include "stand/mesh_study.hpp"
 
 namespace ideotype::python {
-
-namespace nb = nanobind;
 
 namespace {
 

@@ -2,19 +2,11 @@
 #include <algorithm>
 #include <optional>
 
-#include <nanobind/stl/optional.h>
-#include <nanobind/stl/string.h>
-#include <nanobind/stl/unique_ptr.h>
-#include <nanobind/stl/vector.h>
-
-#include "arrays.hpp"
 #include "bindings.hpp"
 #include "ideotype/crop/measures.hpp"
 #include "stand.hpp"
 
 namespace ideotype::python {
-
-namespace nb = nanobind;
 
 namespace {
 

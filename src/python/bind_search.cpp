@@ -4,18 +4,12 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <nanobind/stl/string.h>
-#include <nanobind/stl/tuple.h>
-#include <nanobind/stl/unique_ptr.h>
-#include <nanobind/stl/vector.h>
 
 #include "bindings.hpp"
 #include "ideotype/core/error.hpp"
 #include "search/optimizer.hpp"
 
 namespace ideotype::python {
-
-namespace nb = nanobind;
 
 namespace {
 

@@ -1,18 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 
-#include <nanobind/stl/optional.h>
-#include <nanobind/stl/string.h>
-#include <nanobind/stl/unique_ptr.h>
-#include <nanobind/stl/vector.h>
-
-#include "arrays.hpp"
 #include "bindings.hpp"
 #include "stand.hpp"
 
 namespace ideotype::python {
-
-namespace nb = nanobind;
 
 namespace {
 

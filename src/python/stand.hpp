@@ -7,8 +7,6 @@
 #include <string>
 #include <vector>
 
-#include <nanobind/nanobind.h>
-
 #include "ideotype/canopy/sensors.hpp"
 #include "ideotype/light/device.hpp"
 #include "stand/stand.hpp"

@@ -2,12 +2,78 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "campaign/campaign.hpp"
-#include "over_stages.hpp"
 
 namespace ideotype {
+
+//! The outcome of plants that grow, combined from outcomes at each stage.
+class OverStages {
+  public:
+    //! @param chosen case with stages
+    OverStages(const Campaign& campaign, const Case& chosen);
+
+    //! Returns the quantities of each stage except those by hour, and some
+    //! quantities by stage.
+    const QuantitySet& measured() const { return measured_; }
+
+    //! Combines outcomes of stages. Amounts are summed over stages, for a mean
+    //! day of the season. Fractions of light are means by incident light, the
+    //! light-use efficiency by absorbed light, quantities per leaf area and
+    //! extinction by leaf area, all others by time. Stages have their own
+    //! random numbers.
+    //! @param each a done outcome of each stage
+    Outcome combine(std::span<const Outcome> each) const;
+
+  private:
+    //! The quantity by which a number of a stage is weighted.
+    enum class Weights {
+        one,
+        time,
+        leaf_area,
+        leaf_time,
+        incident,
+        absorbed,
+        transpired
+    };
+
+    static Weights weights_of(const std::string& name, const std::string& unit);
+    //! Returns the weight of each stage.
+    std::vector<double> weights(Weights kind,
+                                std::span<const Outcome> each) const;
+
+    //! A quantity combined over stages.
+    struct Summed {
+        Weights kind;
+        std::size_t size;
+        std::vector<std::size_t> begins;  //!< place in each stage's quantities
+        //! The place of each number of each stage.
+        std::vector<std::vector<std::size_t>> places;
+    };
+
+    //! Adds a quantity, unless the quantity is by hour or has other places in
+    //! each stage.
+    void add(const Quantity& quantity, const std::vector<QuantitySet>& sets);
+
+    //! A quantity that is reported for each stage.
+    struct ByStage {
+        std::vector<std::size_t> begins;
+        bool is_amount;
+    };
+
+    std::vector<ObjectiveEntry> objectives_;
+    std::vector<Weights> objective_weights_;
+    std::vector<double> days_;   //!< days of each stage since emergence
+    std::vector<double> times_;  //!< time of each stage over the season
+    //! Places in quantities; transpiration only if leaves exchange water.
+    std::vector<std::size_t> incident_, absorbed_, lai_, transpired_;
+    std::vector<Summed> summed_;
+    std::vector<ByStage> by_stage_;
+    QuantitySet measured_;
+};
 
 //! Returns all quantities of a case that is its own only scenario.
 QuantitySet measured_in(const Campaign& campaign, const Case& scenario);

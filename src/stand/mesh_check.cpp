@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "mesh_check.hpp"
-
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -8,6 +6,7 @@
 #include "ideotype/core/error.hpp"
 #include "ideotype/core/range.hpp"
 #include "ideotype/crop/obj_reader.hpp"
+#include "mesh_study.hpp"
 
 namespace ideotype {
 

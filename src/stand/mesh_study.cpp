@@ -11,7 +11,6 @@
 #include "ideotype/canopy/field.hpp"
 #include "ideotype/crop/obj_reader.hpp"
 #include "ideotype/light/device.hpp"
-#include "mesh_check.hpp"
 
 namespace ideotype {
 

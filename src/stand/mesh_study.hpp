@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ideotype/canopy/canopy.hpp"
+#include "ideotype/canopy/request.hpp"
 #include "ideotype/core/error.hpp"
 #include "mesh_options.hpp"
 
@@ -27,5 +28,11 @@ MeshReport study(const MeshOptions& options);
 
 //! Studies a mesh in memory; the path in the options is not used.
 MeshReport study(Mesh mesh, const MeshOptions& options);
+
+//! Checks whether light can be traced in copies of a mesh on some ground.
+//! @return warnings about faults that do not prevent tracing
+//! @throws Error if light cannot be traced.
+std::vector<std::string> check_mesh(const Mesh& mesh, double plants,
+                                    const Cell& cell);
 
 }  // namespace ideotype

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "over_stages.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -8,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "across_scenarios.hpp"
 #include "ideotype/canopy/quantities.hpp"
 #include "ideotype/core/contract.hpp"
 #include "stand.hpp"

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "placed_objects.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -8,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "ideotype/core/units.hpp"
+#include "stand.hpp"
 
 namespace ideotype {
 

@@ -5,7 +5,6 @@
 #include "campaign/stages.hpp"
 #include "ideotype/core/contract.hpp"
 #include "ideotype/light/tolerance.hpp"
-#include "placed_objects.hpp"
 #include "stand.hpp"
 
 namespace ideotype {

@@ -8,10 +8,35 @@
 #include "campaign/campaign.hpp"
 #include "ideotype/canopy/canopy.hpp"
 #include "ideotype/canopy/quantities.hpp"
+#include "ideotype/canopy/scene.hpp"
+#include "ideotype/core/random.hpp"
+#include "ideotype/light/accuracy.hpp"
 #include "ideotype/light/device.hpp"
-#include "sampling.hpp"
+#include "search/outcome.hpp"
 
 namespace ideotype {
+
+//! Returns the accuracy of a task: finalists are evaluated more accurately.
+//! @throws Error of wrong usage if the tolerance of the task is impossible.
+Accuracy accuracy_of(const Task& task, const Campaign& campaign);
+
+//! Returns the random numbers of a task: common to all candidates of a
+//! generation; fresh numbers for all finalists. If each row has light of its
+//! own, rows share only the field, or nothing with several fields, since their
+//! differences are part of standard errors then.
+Randomness randomness_of(const Task& task, const Campaign& campaign,
+                         const Case& chosen);
+
+//! The accuracy and the random numbers that a plant is evaluated with.
+struct Sampling {
+    Accuracy accuracy;
+    Randomness randomness;
+};
+
+//! Returns the sampling of a task. An empty task gives that of generation 0.
+//! @throws Error as accuracy_of()
+Sampling sampling_of(const Task& task, const Campaign& campaign,
+                     const Case& chosen);
 
 //! Returns about how many times longer the evaluation of a finalist takes, with
 //! more paths and a field for each randomisation.
@@ -110,5 +135,14 @@ class Stand {
     AcrossScenarios across_;
     OutcomeSchema schema_, final_schema_;
 };
+
+//! Returns whether any panels track the sun, so that each instant needs a sky
+//! of its own.
+bool has_trackers(const Campaign& campaign);
+
+//! Adds the panels and objects of a campaign to a scene that already has its
+//! components, cell and bands.
+void add_objects(Scene& scene, const Campaign& campaign,
+                 const Spacing& spacing);
 
 }  // namespace ideotype

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "contracts.hpp"
-#include "stand/over_stages.hpp"
+#include "stand/across_scenarios.hpp"
 #include "stand/stand.hpp"
 
 namespace ideotype {

@@ -16,7 +16,6 @@
 #include "run/provenance.hpp"
 #include "run/run.hpp"
 #include "stand/across_scenarios.hpp"
-#include "stand/sampling.hpp"
 #include "stand/stand.hpp"
 
 namespace ideotype {

@@ -7,7 +7,7 @@
 
 #include "campaign/campaign.hpp"
 #include "cli/formats/json.hpp"
-#include "stand/sampling.hpp"
+#include "stand/stand.hpp"
 
 namespace ideotype {
 

@@ -11,7 +11,7 @@
 #include <fmt/ranges.h>
 
 #include "campaign/campaign.hpp"
-#include "campaign/reading/known_crops.hpp"
+#include "campaign/reading/files.hpp"
 #include "campaign/schema/keys.hpp"
 #include "cli/formats/output_file.hpp"
 #include "cli/verbs.hpp"

@@ -8,9 +8,7 @@
 #include <vector>
 
 #include "cases.hpp"
-#include "climates.hpp"
-#include "components.hpp"
-#include "constraints.hpp"
+#include "entries.hpp"
 #include "ideotype/canopy/field.hpp"
 #include "ideotype/climate/light_series.hpp"
 #include "ideotype/climate/sky_sampler.hpp"
@@ -22,7 +20,6 @@
 #include "ideotype/crop/measured_lines.hpp"
 #include "ideotype/light/accuracy.hpp"
 #include "ideotype/physiology/photosynthesis.hpp"
-#include "objects.hpp"
 #include "search/outcome.hpp"
 #include "search/population.hpp"
 #include "search/settings.hpp"

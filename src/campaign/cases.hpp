@@ -7,8 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "climates.hpp"
-#include "constraints.hpp"
+#include "entries.hpp"
 #include "ideotype/canopy/field.hpp"
 #include "ideotype/climate/light_series.hpp"
 #include "ideotype/climate/sun.hpp"

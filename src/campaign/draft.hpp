@@ -6,8 +6,7 @@
 #include <vector>
 
 #include "campaign.hpp"
-#include "campaign/schema/photosynthesis_table.hpp"
-#include "campaign/schema/water_table.hpp"
+#include "campaign/schema/leaf_tables.hpp"
 
 namespace ideotype {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "stage_times.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "stages.hpp"
 
 namespace ideotype {
 

@@ -5,8 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "stage_times.hpp"
-
 namespace ideotype {
 
 namespace {

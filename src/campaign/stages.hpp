@@ -2,6 +2,7 @@
 #pragma once
 
 #include <variant>
+#include <vector>
 
 #include "campaign.hpp"
 
@@ -28,5 +29,16 @@ LightSeries at_stage(const Campaign& campaign, const Case& chosen,
 //! Returns the growth of a component, number 0 being the campaign's crop; null
 //! if the component does not grow.
 const Growth* growth_of(const Campaign& campaign, std::size_t component);
+
+//! The thermal time of a stage [deg C d], and roughly the part of light that
+//! green leaves of the baseline then intercept.
+struct StageTime {
+    double at, interception;
+};
+
+//! Returns the thermal times of a campaign's stages up to some time. A single
+//! stage is in the middle of the time with the most leaves.
+std::vector<StageTime> stage_times(const Campaign& campaign,
+                                   double ground_per_plant, double last);
 
 }  // namespace ideotype

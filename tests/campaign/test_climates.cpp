@@ -8,9 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "campaign/air.hpp"
-#include "campaign/measured/weather_reader.hpp"
 #include "campaign/reading/reader.hpp"
-#include "campaign/schema/resolve.hpp"
+#include "campaign/schema/schema.hpp"
 #include "ideotype/core/error.hpp"
 #include "sample_campaign.hpp"
 #include "temporary_folder.hpp"

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "campaign/campaign.hpp"
-#include "campaign/reading/known_crops.hpp"
+#include "campaign/reading/files.hpp"
 
 namespace ideotype {
 

@@ -8,7 +8,6 @@
 
 #include <fmt/format.h>
 
-#include "campaign/schema/key_factors.hpp"
 #include "campaign/schema/schema.hpp"
 
 namespace ideotype {

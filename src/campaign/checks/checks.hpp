@@ -82,6 +82,11 @@ std::string lower_case(std::string text);
 //! Checks measured lines and limits or objectives of the distance from lines.
 void check_feasibility(Draft& draft, const Problems& problems);
 
+//! Reports keys of a sensitivity study that are not numbers of this campaign,
+//! ranges that exceed those of their keys, and contradicting settings.
+//! Completes the values and units of the keys.
+void check_sensitivity(Draft& draft, const Problems& problems);
+
 //! Reports numbers that belong to other models, and lists of unequal length.
 //! @param leaves number of leaves of the plant; 0: unknown
 void check_photosynthesis(const PhotosynthesisTable& table, std::size_t leaves,

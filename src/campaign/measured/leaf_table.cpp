@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "leaf_table.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -9,7 +7,7 @@
 
 #include "campaign/schema/schema.hpp"
 #include "ideotype/core/text.hpp"
-#include "leaf_columns.hpp"
+#include "measured_plant.hpp"
 
 namespace ideotype {
 

@@ -10,8 +10,6 @@
 
 #include "campaign/reading/nodes.hpp"
 #include "ideotype/crop/measures.hpp"
-#include "leaf_columns.hpp"
-#include "leaf_table.hpp"
 
 namespace ideotype {
 

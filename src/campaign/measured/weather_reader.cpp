@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "weather_reader.hpp"
-
 #include <algorithm>
 #include <set>
 
 #include <fmt/format.h>
 
 #include "campaign/reading/files.hpp"
+#include "campaign/reading/reader.hpp"
 #include "ideotype/climate/weather.hpp"
 #include "ideotype/core/file.hpp"
 #include "ideotype/core/hash.hpp"

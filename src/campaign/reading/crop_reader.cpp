@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "crop_reader.hpp"
-
 #include <algorithm>
 #include <filesystem>
 #include <optional>
@@ -8,13 +6,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "campaign/measured/leaf_table.hpp"
 #include "campaign/measured/measured_plant.hpp"
 #include "campaign/schema/schema.hpp"
 #include "files.hpp"
-#include "known_crops.hpp"
 #include "nodes.hpp"
-#include "syntax.hpp"
+#include "reader.hpp"
 #include "tables.hpp"
 
 namespace ideotype {

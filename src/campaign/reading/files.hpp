@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "campaign/problems.hpp"
 
@@ -21,5 +22,12 @@ std::optional<std::string> text_of(const std::string& file,
                                    const std::string& named_by,
                                    const Location& named_at,
                                    const Problems& problems);
+
+//! Returns the names of the crops in campaigns/crops, known to the program.
+std::vector<std::string> known_crop_names();
+
+//! Returns the text of the crop file of a known crop; nothing if there is no
+//! crop of this name.
+std::optional<std::string> known_crop(const std::string& name);
 
 }  // namespace ideotype

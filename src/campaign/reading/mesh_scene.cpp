@@ -7,10 +7,9 @@
 #include <fmt/ranges.h>
 
 #include "campaign/checks/checks.hpp"
-#include "campaign/schema/photosynthesis_table.hpp"
+#include "campaign/schema/leaf_tables.hpp"
 #include "files.hpp"
 #include "nodes.hpp"
-#include "syntax.hpp"
 #include "tables.hpp"
 
 namespace ideotype {

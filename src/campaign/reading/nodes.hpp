@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <toml++/toml.h>
 
+#include "campaign/problems.hpp"
 #include "ideotype/core/error.hpp"
 
 namespace ideotype {
@@ -24,5 +27,16 @@ bool is_name(const std::string& text);
 
 //! Makes a name from any text: characters that names lack become _.
 std::string make_name(const std::string& text);
+
+//! Parses TOML text, or reports the first place of wrong syntax.
+std::optional<toml::table> parse_toml(const std::string& text,
+                                      const std::string& file,
+                                      const Problems& problems);
+
+//! Replaces values of a file by values from the command line, each given as
+//! "table.key=value". A value is read as TOML or, if it is not valid TOML, as
+//! text. Problems of a value are reported at "--set table.key=value".
+void apply_settings(const std::vector<std::string>& settings,
+                    toml::table& campaign, const Problems& problems);
 
 }  // namespace ideotype

@@ -8,8 +8,6 @@
 
 #include "files.hpp"
 #include "nodes.hpp"
-#include "settings.hpp"
-#include "syntax.hpp"
 #include "tables.hpp"
 
 namespace ideotype {
@@ -231,22 +229,6 @@ void read_draft(const std::string& text, const std::string& file,
                     problems.in("plant.baseline"))
             .read(*table);
     }
-}
-
-void read_tables(const std::string& text, const std::string& file,
-                 const std::vector<Table>& all, const Problems& problems) {
-    const auto top = parse_toml(text, file, problems);
-    if (!top) return;
-    const TableReader tables(file, problems);
-    tables.read(*top, Section(file, {}), all);
-    for (const Table& table : all)
-        if (top->contains(table.name))
-            tables.read(*top, table);
-        else
-            problems.add(Location{file, 1, 1},
-                         "there is no table [{0}] (this file is read for it); "
-                         "write [{0}] and its keys",
-                         table.name);
 }
 
 bool read_plant_draft(const std::string& text, const std::string& file,

@@ -4,12 +4,59 @@
 #include <string>
 #include <vector>
 
+#include <toml++/toml.h>
+
 #include "campaign/draft.hpp"
 #include "campaign/problems.hpp"
 #include "campaign/schema/schema.hpp"
-#include "crop_reader.hpp"
 
 namespace ideotype {
+
+//! The kinds of text from which a plant may be read.
+enum class PlantSource {
+    file_or_table,  //!< form in which users write the plant
+    table,          //!< form in resolved campaigns, without files
+};
+
+//! Reads the crop of a campaign or of a component into a draft: from a table,
+//! a crop file, or a table of measured leaves.
+class CropReader {
+  public:
+    //! @param file path of the campaign
+    //! @param of_crop problems of the keys of the crop
+    CropReader(const std::string& file, PlantSource source, Draft& draft,
+               const Problems& problems, const Problems& of_crop)
+        : file_(file),
+          source_(source),
+          draft_(draft),
+          problems_(problems),
+          of_crop_(of_crop) {}
+
+    //! Reads the crop that a key contains or names.
+    //! @param key such as "plant.baseline"
+    void read_key(const toml::node& baseline, const std::string& key);
+
+    //! Reads the tables of a crop.
+    //! @param file path of the file with the tables
+    void read_plant(const toml::table& table, const std::string& file);
+
+    //! Reads a table of measured leaves. Values that the table lacks come from
+    //! the crop that the table names or, without one, from the draft's plant.
+    void read_measured(const std::string& text, const std::string& file);
+
+  private:
+    void read_plant_file(const std::string& file, const std::string& named_by,
+                         const Location& named_at);
+    void read_crop_of_table(const std::string& file, const Location& named_at);
+    void read_crop(const std::string& text, const std::string& file);
+
+    const std::string& file_;
+    PlantSource source_;
+    Draft& draft_;
+    Problems problems_, of_crop_;
+    //! Tables that each name the next as crop.
+    std::vector<std::string> tables_above_;
+};
 
 //! Reads the text of a campaign, and the crop file that it names, into a draft,
 //! without checks of values against each other.
@@ -28,8 +75,11 @@ bool read_plant_draft(const std::string& text, const std::string& file,
 void read_measured_draft(const std::string& text, const std::string& file,
                          Draft& draft, const Problems& problems);
 
-//! Reads the text of a file that has the given tables and no others.
-void read_tables(const std::string& text, const std::string& file,
-                 const std::vector<Table>& all, const Problems& problems);
+//! Reads the weather files of a campaign, for each site in each climate, unless
+//! the draft has the weather already; resolved campaigns have all. Problems of
+//! a file are reported with their line.
+//! @param file path of the campaign, from which weather files are found
+void read_weathers(const std::string& file, PlantSource source, Draft& draft,
+                   const Problems& problems);
 
 }  // namespace ideotype

@@ -1,16 +1,34 @@
 // SPDX-License-Identifier: Apache-2.0
 // Reads files of photosynthesis and of a climate that no campaign names.
-#include "campaign/campaign.hpp"
 #include "campaign/checks/checks.hpp"
-#include "campaign/draft.hpp"
-#include "campaign/measured/weather_reader.hpp"
-#include "campaign/problems.hpp"
-#include "campaign/schema/photosynthesis_table.hpp"
-#include "campaign/schema/schema.hpp"
+#include "campaign/schema/leaf_tables.hpp"
 #include "files.hpp"
+#include "nodes.hpp"
 #include "reader.hpp"
+#include "tables.hpp"
 
 namespace ideotype {
+
+namespace {
+
+//! Reads the text of a file that has the given tables and no others.
+void read_tables(const std::string& text, const std::string& file,
+                 const std::vector<Table>& all, const Problems& problems) {
+    const auto top = parse_toml(text, file, problems);
+    if (!top) return;
+    const TableReader tables(file, problems);
+    tables.read(*top, Section(file, {}), all);
+    for (const Table& table : all)
+        if (top->contains(table.name))
+            tables.read(*top, table);
+        else
+            problems.add(Location{file, 1, 1},
+                         "there is no table [{0}] (this file is read for it); "
+                         "write [{0}] and its keys",
+                         table.name);
+}
+
+}  // namespace
 
 Photosynthesis read_photosynthesis(const std::string& path) {
     PhotosynthesisTable table = photosynthesis_of_meshes();

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "value_faults.hpp"
-
 #include <cmath>
 #include <optional>
 #include <vector>
@@ -10,6 +8,7 @@
 
 #include "nodes.hpp"
 #include "spelling.hpp"
+#include "values.hpp"
 
 namespace ideotype {
 

@@ -10,7 +10,6 @@
 #include "ideotype/core/clock.hpp"
 #include "nodes.hpp"
 #include "spelling.hpp"
-#include "value_faults.hpp"
 
 namespace ideotype {
 

@@ -10,6 +10,27 @@
 
 namespace ideotype {
 
+//! Reports faults of the value of one key.
+struct ValueFaults {
+    const std::string& section;
+    const Key& key;
+    const Problems& problems;
+
+    //! Returns the name of the key for messages.
+    std::string name() const;
+    //! Reports a fault as a text that follows the name of the key.
+    void fail(const std::string& what) const;
+    //! Reports a value of a wrong type, or a text that without its quotes would
+    //! have the right type.
+    void fail_type(const toml::node& found) const;
+    //! Returns whether a number is in the range; reports a number that is not.
+    bool accepts(double value) const;
+
+  private:
+    std::string fault(double value) const;
+    bool is_mistaken(double value) const;
+};
+
 //! Reads one value to the place to which its key is bound, and checks the
 //! value's type and range. section names the key in messages. The problems must
 //! know the place of the value.

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "key_factors.hpp"
-
 #include <algorithm>
 #include <optional>
 #include <set>
@@ -8,6 +6,7 @@
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
+#include "campaign/checks/checks.hpp"
 #include "campaign/reading/values.hpp"
 #include "schema.hpp"
 

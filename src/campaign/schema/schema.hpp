@@ -233,4 +233,17 @@ std::string clock_text(double hours);
 //! Returns a range such as `-90 .. 90 deg`.
 std::string range_text(const Key& key);
 
+//! Sets a factor that check_sensitivity() has accepted to another value.
+void set_key(Draft& draft, const KeyFactor& factor, double value);
+
+//! Returns the whole campaign as canonical TOML: every key in a fixed order,
+//! axes as arrays of tables, and the plant inlined.
+std::string resolved_text(Draft& draft);
+
+//! Returns the keys that trade speed for accuracy, in tables that occur once.
+std::vector<AccuracyKey> accuracy_keys(Draft& draft);
+
+//! Returns the text of a crop file with the plant of a draft.
+std::string resolved_plant_text(Draft& draft);
+
 }  // namespace ideotype

@@ -152,52 +152,16 @@ Json components_json(const CanopyReport& report, Span span) {
     return json;
 }
 
-//! A component or a row of the field, with figures per area of its ground.
-struct Part {
-    std::string name;
-    double lai;
-    Estimate light;
-    std::optional<Estimate> net;
-};
-
-std::vector<Part> components_of(const CanopyReport& report) {
-    std::vector<Part> parts;
-    const auto light = measure_parts("absorbed_par", report);
-    for (const ComponentReport& each : report.components)
-        parts.push_back(
-            {each.name, each.lai, light[parts.size()].estimate, {}});
-    if (!report.assimilation) return parts;
-    const auto net = measure_parts("net_assimilation", report);
-    for (std::size_t i = 0; i < parts.size(); ++i)
-        parts[i].net = net[i].estimate;
-    return parts;
-}
-
-std::vector<Part> rows_of(const CanopyReport& report) {
-    std::vector<Part> parts;
-    const auto lai = measure_profile("lai_by_row", report);
-    const auto light = measure_profile("absorbed_light_by_row", report);
-    for (const RowReport& row : report.rows) {
-        const std::size_t i = parts.size();
-        parts.push_back({fmt::format("{} {}, {:.3g} m",
-                                     report.components[row.component].name,
-                                     i + 1, row.position),
-                         lai[i].estimate.mean,
-                         light[i * report.bands.size()].estimate,
-                         {}});
-    }
-    if (!report.assimilation) return parts;
-    const auto net = measure_profile("net_assimilation_by_row", report);
-    for (std::size_t i = 0; i < parts.size(); ++i)
-        parts[i].net = net[i].estimate;
-    return parts;
-}
-
-Json to_json(const Part& part) {
-    Json json{{"lai", part.lai},
-              {"absorbed_par", in_unit(part.light, "MJ m-2 day-1")}};
-    if (part.net)
-        json["net_assimilation"] = assimilation_json(*part.net, Span::day);
+//! Tells a component or a row of the field, by figures per area of its ground.
+//! @param part place among the figures
+//! @param net net assimilation; empty: leaves do not assimilate
+Json part_json(double lai, const Randomised& light, std::size_t part,
+               const std::vector<Randomised>& net) {
+    Json json{{"lai", lai},
+              {"absorbed_par", in_unit(light.estimate, "MJ m-2 day-1")}};
+    if (!net.empty())
+        json["net_assimilation"] =
+            assimilation_json(net[part].estimate, Span::day);
     return json;
 }
 
@@ -279,17 +243,28 @@ Json scene_json(const CanopyReport& report, Span span) {
 
 Json parts_json(const CanopyReport& report) {
     Json json = Json::object();
-    if (report.components.size() > 1)
-        for (const Part& each : components_of(report))
-            json["components"][each.name] = to_json(each);
+    const auto if_known = [&](const auto& measured, const char* quantity) {
+        return report.assimilation ? measured(quantity, report)
+                                   : std::vector<Randomised>{};
+    };
+    if (report.components.size() > 1) {
+        const auto light = measure_parts("absorbed_par", report);
+        const auto net = if_known(measure_parts, "net_assimilation");
+        for (std::size_t i = 0; i < light.size(); ++i)
+            json["components"][report.components[i].name] =
+                part_json(report.components[i].lai, light[i], i, net);
+    }
     if (report.rows.empty()) return json;
-    const std::vector<Part> rows = rows_of(report);
-    for (std::size_t i = 0; i < rows.size(); ++i) {
+    const auto lai = measure_profile("lai_by_row", report);
+    const auto light = measure_profile("absorbed_light_by_row", report);
+    const auto net = if_known(measure_profile, "net_assimilation_by_row");
+    for (std::size_t i = 0; i < report.rows.size(); ++i) {
         const RowReport& row = report.rows[i];
         Json one{{"component", report.components[row.component].name},
                  {"position_m", row.position},
                  {"width_m", row.width}};
-        one.update(to_json(rows[i]));
+        one.update(part_json(lai[i].estimate.mean,
+                             light[i * report.bands.size()], i, net));
         json["rows"].push_back(std::move(one));
     }
     return json;

@@ -65,6 +65,12 @@ class Problems {
 
     //! Warns of a value that may be wrong but stays usable.
     void warn(const std::string& key, const std::string& what) const;
+    template <class... Args>
+    requires(sizeof...(Args) > 0) void warn(const std::string& key,
+                                            fmt::format_string<Args...> text,
+                                            Args&&... args) const {
+        warn(key, fmt::format(text, std::forward<Args>(args)...));
+    }
     void warn(const Problem& warning) const;
 
     //! Throws all problems, if there are any.

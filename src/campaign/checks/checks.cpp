@@ -118,12 +118,11 @@ void check_spacing(const Spacing& spacing, const Problems& problems) {
     for (const auto& [name, value] :
          {std::pair("row", spacing.row), std::pair("plant", spacing.plant)})
         if (problems.usable({name}) && value > usual)
-            problems.warn(
-                name,
-                fmt::format("spacing.{} is {} m (crops stand closer; {} inches "
-                            "are {:.4g} m, {} feet {:.4g} m); give metres",
-                            name, value, value, value * 0.0254, value,
-                            value * 0.3048));
+            problems.warn(name,
+                          "spacing.{} is {} m (crops stand closer; {} inches "
+                          "are {:.4g} m, {} feet {:.4g} m); give metres",
+                          name, value, value, value * 0.0254, value,
+                          value * 0.3048);
     if (problems.usable({"row", "plant", "density"}) && !(spacing.plant > 0))
         problems.add("row",
                      "missing key 'plant' in [[spacing]], the distance [m] "
@@ -143,10 +142,9 @@ void check_leaf_area(const Campaign& campaign, const Problems& problems) {
         if (!doubt.empty())
             problems.in("spacing", i)
                 .warn("row",
-                      fmt::format("spacing.row is {} m (with {} m between "
-                                  "plants the baseline {}); check both "
-                                  "distances",
-                                  spacing.row, spacing.plant, doubt));
+                      "spacing.row is {} m (with {} m between plants the "
+                      "baseline {}); check both distances",
+                      spacing.row, spacing.plant, doubt);
     }
 }
 

@@ -46,12 +46,11 @@ void check_emergence(const Draft& draft, const Named<Climate>& named,
                             "C d, too few for a leaf); give a longer period",
                             sum));
         if (sum < maturity_time(draft.growth))
-            problems.warn(
-                "emergence",
-                fmt::format("plants of climate \"{}\" are not mature at the "
-                            "end of the period, with {:.0f} of {:.0f} deg C d; "
-                            "take a longer period, if the weather file has one",
-                            named.name, sum, maturity_time(draft.growth)));
+            problems.warn("emergence",
+                          "plants of climate \"{}\" are not mature at the end "
+                          "of the period, with {:.0f} of {:.0f} deg C d; take "
+                          "a longer period, if the weather file has one",
+                          named.name, sum, maturity_time(draft.growth));
     }
 }
 

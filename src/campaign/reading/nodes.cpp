@@ -166,9 +166,9 @@ class Merger {
         if (list->size() == 1) return list->front().as_table();
         is_refused_ = true;
         problems_.add(Location{name_},
-                      fmt::format("there are {} tables [[{}]] (it is not clear "
-                                  "which one is meant); change the file",
-                                  list->size(), name));
+                      "there are {} tables [[{}]] (it is not clear which one "
+                      "is meant); change the file",
+                      list->size(), name);
         return nullptr;
     }
 
@@ -216,12 +216,10 @@ std::optional<toml::table> parse_toml(const std::string& text,
                                       const Problems& problems) {
     problems.open(file);
     if (const auto at = find_deep_key(text)) {
-        problems.add(
-            place(text, *at, file),
-            fmt::format("a key has more than {} parts (joined by dots, "
-                        "the keys of a campaign have at most 4); "
-                        "correct this line",
-                        most_parts));
+        problems.add(place(text, *at, file),
+                     "a key has more than {} parts (joined by dots, the keys "
+                     "of a campaign have at most 4); correct this line",
+                     most_parts);
         return std::nullopt;
     }
     try {

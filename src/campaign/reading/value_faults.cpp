@@ -32,20 +32,14 @@ std::string ValueFaults::name() const {
     return section == "top" ? key.name : section + '.' + key.name;
 }
 
-void ValueFaults::fail(const std::string& what) const {
-    problems.add(key.name, name() + ' ' + what);
-}
-
 void ValueFaults::fail_type(const toml::node& found) const {
     if (const auto meant = without_quotes(found, key))
-        return fail(
-            fmt::format("is a text (expected: {}); write {} = {} "
-                        "without quotes",
-                        key.type, key.name, *meant));
+        return fail("is a text (expected: {}); write {} = {} without quotes",
+                    key.type, key.name, *meant);
     const std::string example =
         key.example.empty() ? toml_text(key) : key.example;
-    fail(fmt::format("is {} (expected: {}); write for example {} = {}",
-                     kind(found), key.type, key.name, example));
+    fail("is {} (expected: {}); write for example {} = {}", kind(found),
+         key.type, key.name, example);
 }
 
 //! Returns the fault of a number, or "" if it has none.
@@ -93,7 +87,7 @@ bool ValueFaults::is_mistaken(double value) const {
 bool ValueFaults::accepts(double value) const {
     if (is_mistaken(value)) return false;
     const std::string why = fault(value);
-    if (!why.empty()) fail(why);
+    if (!why.empty()) fail("{}", why);
     return why.empty();
 }
 

@@ -65,8 +65,8 @@ struct Reader : ValueFaults {
             if (const auto value = number(element)) values.push_back(*value);
         if (count == any_count || count == 0) count = array->size();
         if (array->size() != count)
-            fail(fmt::format("has {} values (expected: {}); give {} of them",
-                             array->size(), key.type, count));
+            fail("has {} values (expected: {}); give {} of them", array->size(),
+                 key.type, count);
         if (values.size() != count) return std::nullopt;
         return values;
     }
@@ -79,11 +79,10 @@ struct Reader : ValueFaults {
         if (!text) return fail_type(node), std::nullopt;
         const auto& names = key.choices;
         if (std::ranges::count(names, *text) > 0) return text;
-        fail(fmt::format(
-            "is \"{}\" (not one of its values); {}", *text,
-            nearest_name(*text, names).empty()
-                ? fmt::format("use \"{}\"", fmt::join(names, "\" or \""))
-                : did_you_mean(*text, names)));
+        fail("is \"{}\" (not one of its values); {}", *text,
+             nearest_name(*text, names).empty()
+                 ? fmt::format("use \"{}\"", fmt::join(names, "\" or \""))
+                 : did_you_mean(*text, names));
         return std::nullopt;
     }
 
@@ -99,10 +98,8 @@ struct Reader : ValueFaults {
         const auto text = node.value<std::string>();
         if (!text) return fail_type(node);
         if (!key.is_any_text && !is_name(*text))
-            return fail(
-                fmt::format("is \"{}\" (allowed: {}); use for example "
-                            "\"{}\"",
-                            *text, range_text(key), make_name(*text)));
+            return fail("is \"{}\" (allowed: {}); use for example \"{}\"",
+                        *text, range_text(key), make_name(*text));
         *value = *text;
     }
 
@@ -110,8 +107,8 @@ struct Reader : ValueFaults {
         const toml::value<std::int64_t>* found = node.as_integer();
         if (!found) return fail_type(node);
         if (found->get() < 0)
-            return fail(fmt::format("is {} (below the range {}); use 0 or more",
-                                    found->get(), range_text(key)));
+            return fail("is {} (below the range {}); use 0 or more",
+                        found->get(), range_text(key));
         *value = static_cast<std::uint64_t>(found->get());
     }
 
@@ -158,10 +155,8 @@ struct Reader : ValueFaults {
         const std::string text = *node.value<std::string>();
         const auto seconds = parse_duration(text);
         if (!seconds)
-            return fail(
-                fmt::format("is \"{}\" (not a duration); "
-                            "write for example {} = {}",
-                            text, key.name, key.example));
+            return fail("is \"{}\" (not a duration); write for example {} = {}",
+                        text, key.name, key.example);
         if (accepts(*seconds)) *value = *seconds;
     }
 
@@ -178,8 +173,8 @@ struct Reader : ValueFaults {
         const Date date{found->get().year, found->get().month,
                         found->get().day};
         if (date.year >= 1950 && date.year <= 2100) return date;
-        fail(fmt::format("is {} (outside the range {}); use a year within",
-                         to_string(date), range_text(key)));
+        fail("is {} (outside the range {}); use a year within", to_string(date),
+             range_text(key));
         return std::nullopt;
     }
 
@@ -199,9 +194,9 @@ struct Reader : ValueFaults {
             if (!found) return;
             if (!value->empty() && !(value->back() < *found))
                 return fail(
-                    fmt::format("has {} after {} (not in order); give "
-                                "each date once, the earliest first",
-                                to_string(*found), to_string(value->back())));
+                    "has {} after {} (not in order); give each date once, the "
+                    "earliest first",
+                    to_string(*found), to_string(value->back()));
             value->push_back(*found);
         }
     }
@@ -211,10 +206,10 @@ struct Reader : ValueFaults {
         if (!found) return;
         const double lower = (*found)[0], upper = (*found)[1];
         if (lower >= upper)
-            return fail(fmt::format(
+            return fail(
                 "is [{}, {}] (the lower bound is not below the upper); write "
                 "[lower, upper]",
-                lower, upper));
+                lower, upper);
         *value = {lower, upper};
     }
 
@@ -244,10 +239,8 @@ struct Reader : ValueFaults {
         if (!array) return fail_type(node);
         for (const toml::node& element : *array) add(element, texts);
         if (array->empty() && key.is_required)
-            fail(
-                fmt::format("is empty (nothing could be bred); name any of "
-                            "{}",
-                            fmt::join(key.choices, ", ")));
+            fail("is empty (nothing could be bred); name any of {}",
+                 fmt::join(key.choices, ", "));
         *value = texts;
     }
 
@@ -258,12 +251,11 @@ struct Reader : ValueFaults {
             return std::find(list.begin(), list.end(), *text) != list.end();
         };
         if (is_in(texts))
-            return fail(fmt::format(
-                "has \"{}\" twice (once is enough); remove one", *text));
+            return fail("has \"{}\" twice (once is enough); remove one", *text);
         texts.push_back(*text);
         if (key.choices.empty() || is_in(key.choices)) return;
-        fail(fmt::format("has \"{}\" (not one of its values); {}", *text,
-                         did_you_mean(*text, key.choices)));
+        fail("has \"{}\" (not one of its values); {}", *text,
+             did_you_mean(*text, key.choices));
     }
 };
 

@@ -19,7 +19,11 @@ struct ValueFaults {
     //! Returns the name of the key for messages.
     std::string name() const;
     //! Reports a fault as a text that follows the name of the key.
-    void fail(const std::string& what) const;
+    template <class... Args>
+    void fail(fmt::format_string<Args...> text, Args&&... args) const {
+        problems.add(key.name, "{} {}", name(),
+                     fmt::format(text, std::forward<Args>(args)...));
+    }
     //! Reports a value of a wrong type, or a text that without its quotes would
     //! have the right type.
     void fail_type(const toml::node& found) const;

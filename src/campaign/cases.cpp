@@ -8,8 +8,8 @@
 
 #include "air.hpp"
 #include "campaign.hpp"
-#include "ideotype/core/error.hpp"
 #include "ideotype/core/hash.hpp"
+#include "problems.hpp"
 #include "stages.hpp"
 
 namespace ideotype {
@@ -189,10 +189,10 @@ LightSeries light_of(const Campaign& campaign, const Case& chosen) {
 Case case_at(const Campaign& campaign, int index, const std::string& path) {
     const std::vector<Case> all = cases(campaign);
     if (index < 0 || index >= static_cast<int>(all.size()))
-        throw Error(fmt::format("there is no case {}; {} has cases 0 to {} "
-                                "(see ideotype check --cases)",
-                                index, path, all.size() - 1),
-                    ExitCode::usage);
+        throw wrong_usage(
+            "there is no case {}; {} has cases 0 to {} (see ideotype check "
+            "--cases)",
+            index, path, all.size() - 1);
     return all[static_cast<std::size_t>(index)];
 }
 

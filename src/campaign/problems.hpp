@@ -13,6 +13,13 @@
 
 namespace ideotype {
 
+//! Returns an error of wrong usage with a formatted message.
+template <class... Args>
+Error wrong_usage(fmt::format_string<Args...> text, Args&&... args) {
+    return Error(fmt::format(text, std::forward<Args>(args)...),
+                 ExitCode::usage);
+}
+
 //! Collects the problems of a campaign, and remembers where each value was
 //! written, for the messages of later checks. Values are known by the paths of
 //! their keys, such as "site[1].latitude". Copies, and the parts that in()

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "problems.hpp"
+
 namespace ideotype {
 
 namespace {
@@ -166,11 +168,10 @@ void add_stages(const Campaign& campaign, Case& one) {
 Stage stage_on(const Campaign& campaign, const Case& one,
                const std::variant<Date, double>& when) {
     if (one.stages.empty())
-        throw Error(
+        throw wrong_usage(
             "plants of this campaign do not grow (there is no "
             "climate.emergence), so that they have one age only; leave the age "
-            "out",
-            ExitCode::usage);
+            "out");
     const LightSeries series = light_of(campaign, one);
     const Season season = season_of(campaign, one, series);
     const auto* date = std::get_if<Date>(&when);
@@ -192,16 +193,14 @@ Stage stage_on(const Campaign& campaign, const Case& one,
                    season.times[step] >= 0
              : std::get<double>(when) >= 0 && step < season.end;
     if (!is_in_season)
-        throw Error(
-            fmt::format("{} is not in the season of these plants: they emerge "
-                        "on {}, and are {:.0f} deg C d old at its end on {}",
-                        date
-                            ? to_string(*date)
-                            : fmt::format("{} deg C d", std::get<double>(when)),
-                        to_string(climate_of(campaign, one).emergence),
-                        season.times[season.end - 1],
-                        to_string(series.steps[season.end - 1].date)),
-            ExitCode::usage);
+        throw wrong_usage(
+            "{} is not in the season of these plants: they emerge on {}, and "
+            "are {:.0f} deg C d old at its end on {}",
+            date ? to_string(*date)
+                 : fmt::format("{} deg C d", std::get<double>(when)),
+            to_string(climate_of(campaign, one).emergence),
+            season.times[season.end - 1],
+            to_string(series.steps[season.end - 1].date));
     const Ages ages(campaign, one, season, series);
     Stage stage;
     stage.at = date ? season.times[step] : std::get<double>(when);

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "campaign/campaign.hpp"
+#include "campaign/problems.hpp"
 #include "run/summary.hpp"
 
 namespace ideotype {
@@ -40,31 +41,27 @@ Row best_row(const History& history, Task& task) {
 Row row_of(const History& history, const RowChoice& choice, Task& task) {
     if (choice.is_best) return best_row(history, task);
     if (!choice.generation || !choice.slot)
-        throw Error(
+        throw wrong_usage(
             "no plant of the history is chosen; give --best, or --generation G "
-            "--slot S",
-            ExitCode::usage);
+            "--slot S");
     const HistoryHeader& header = history.header();
     const auto most = static_cast<std::uint32_t>(header.generations);
     if (*choice.generation >= most)
-        throw Error(fmt::format("there is no generation {}: this history has "
-                                "generations 0 to {}",
-                                *choice.generation, most - 1),
-                    ExitCode::usage);
+        throw wrong_usage(
+            "there is no generation {}: this history has generations 0 to {}",
+            *choice.generation, most - 1);
     const std::uint32_t slots = history.size(*choice.generation);
     if (slots > 0 && *choice.slot >= slots)
-        throw Error(
-            fmt::format("there is no slot {}: generation {} has slots 0 to {}",
-                        *choice.slot, *choice.generation, slots - 1),
-            ExitCode::usage);
+        throw wrong_usage(
+            "there is no slot {}: generation {} has slots 0 to {}",
+            *choice.slot, *choice.generation, slots - 1);
     task.generation = *choice.generation;
     task.slot = *choice.slot;
     Row row;
     if (slots > 0) row = history.row(task.generation, task.slot);
     if (row.candidate.origin == Origin::none)
-        throw Error(fmt::format("generation {} slot {} has not been bred yet",
-                                task.generation, task.slot),
-                    ExitCode::usage);
+        throw wrong_usage("generation {} slot {} has not been bred yet",
+                          task.generation, task.slot);
     return row;
 }
 

@@ -9,6 +9,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "campaign/problems.hpp"
 #include "ideotype/core/ending.hpp"
 #include "ideotype/core/text.hpp"
 #include "ranks.hpp"
@@ -28,9 +29,8 @@ void check_verb_name(const CLI::App& app, const std::string& word) {
     if (word.empty() || word.starts_with('-') ||
         std::ranges::find(verbs, word) != verbs.end())
         return;
-    throw Error(fmt::format("there is no command '{}'; {}", word,
-                            did_you_mean(word, verbs)),
-                ExitCode::usage);
+    throw wrong_usage("there is no command '{}'; {}", word,
+                      did_you_mean(word, verbs));
 }
 
 //! Returns the error for words that a verb does not know. It tells the first
@@ -42,10 +42,8 @@ Error unknown_word(const CLI::App& verb) {
     });
     const std::string how = "see ideotype " + verb.get_name() + " --help";
     if (found == words.end())
-        return Error(
-            fmt::format("{}: '{}' is one word too many; {}", verb.get_name(),
-                        words.empty() ? "" : words.front(), how),
-            ExitCode::usage);
+        return wrong_usage("{}: '{}' is one word too many; {}", verb.get_name(),
+                           words.empty() ? "" : words.front(), how);
     std::vector<std::string> names;
     for (const CLI::Option* each : verb.get_options())
         if (!each->get_group().empty())
@@ -55,14 +53,11 @@ Error unknown_word(const CLI::App& verb) {
     names.push_back("--ranks");
     const std::string nearest = nearest_name(name, names);
     if (nearest == "--ranks")
-        return Error(
+        return wrong_usage(
             "--ranks is gone: all cores of this machine are used without it, N "
-            "of them with --threads N",
-            ExitCode::usage);
-    return Error(
-        fmt::format("{}: there is no option {}; {}", verb.get_name(), name,
-                    nearest.empty() ? how : "did you mean " + nearest + "?"),
-        ExitCode::usage);
+            "of them with --threads N");
+    return wrong_usage("{}: there is no option {}; {}", verb.get_name(), name,
+                       nearest.empty() ? how : "did you mean " + nearest + "?");
 }
 
 //! Refuses several ranks for verbs that would all do the same.
@@ -71,12 +66,11 @@ void require_shared_work(const CLI::App& verb, const Launch& launch) {
     if (launch.size == 1 || name == "run" || name == "sensitivity" ||
         name == "serve")
         return;
-    throw Error(
-        fmt::format("{}: {} copies of this were started, which would all do "
-                    "the same work; start it without mpirun or srun (run, "
-                    "sensitivity and serve share their work between ranks)",
-                    name, launch.size),
-        ExitCode::usage);
+    throw wrong_usage(
+        "{}: {} copies of this were started, which would all do the same work; "
+        "start it without mpirun or srun (run, sensitivity and serve share "
+        "their work between ranks)",
+        name, launch.size);
 }
 
 ExitCode code_of(const std::exception& error) {

@@ -7,7 +7,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "ideotype/core/error.hpp"
+#include "campaign/problems.hpp"
 #include "ideotype/core/text.hpp"
 #include "texts.hpp"
 #include "verbs.hpp"
@@ -75,10 +75,10 @@ void hand_to_python(const std::vector<std::string>& words) {
     const auto own = std::filesystem::read_symlink("/proc/self/exe");
     setenv("IDEOTYPE_EXECUTABLE", own.c_str(), 0);
     execvp(python.c_str(), arguments.data());
-    throw Error(fmt::format("{}: there is no {} to answer it with, which "
-                            "$IDEOTYPE_PYTHON names, or else the PATH has",
-                            words.front(), python),
-                ExitCode::usage);
+    throw wrong_usage(
+        "{}: there is no {} to answer it with, which $IDEOTYPE_PYTHON names, "
+        "or else the PATH has",
+        words.front(), python);
 }
 
 }  // namespace ideotype

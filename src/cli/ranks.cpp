@@ -5,8 +5,7 @@
 #include <charconv>
 #include <cstdlib>
 
-#include <fmt/format.h>
-
+#include "campaign/problems.hpp"
 #include "ideotype/core/host.hpp"
 #include "verbs.hpp"
 
@@ -33,13 +32,11 @@ constexpr std::array<Variables, 3> variables{{
 //! another MPI, where each rank would do all the work.
 void require_all_ranks(int found, int started) {
     if (found >= started) return;
-    throw Error(
-        fmt::format("{} ranks were started, but do not find each other: the "
-                    "launcher is not that of {}, which this program is built "
-                    "with; start it with the mpirun of that, or srun with "
-                    "another --mpi (srun --mpi=list)",
-                    started, Session::library_version()),
-        ExitCode::usage);
+    throw wrong_usage(
+        "{} ranks were started, but do not find each other: the launcher is "
+        "not that of {}, which this program is built with; start it with the "
+        "mpirun of that, or srun with another --mpi (srun --mpi=list)",
+        started, Session::library_version());
 }
 
 }  // namespace
@@ -52,10 +49,10 @@ int parse_threads(const std::string& text) {
     const auto [rest, failure] = std::from_chars(text.data(), end, threads);
     if (failure != std::errc() || rest != end || threads < 1 ||
         threads > most_threads)
-        throw Error(fmt::format("--threads: '{}' is no number of threads; give "
-                                "1 to {}, or auto, which is {} here",
-                                text, most_threads, automatic),
-                    ExitCode::usage);
+        throw wrong_usage(
+            "--threads: '{}' is no number of threads; give 1 to {}, or auto, "
+            "which is {} here",
+            text, most_threads, automatic);
     return threads;
 }
 

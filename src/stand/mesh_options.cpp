@@ -6,14 +6,15 @@
 
 #include <fmt/format.h>
 
-#include "ideotype/core/error.hpp"
+#include "campaign/problems.hpp"
 
 namespace ideotype {
 
 namespace {
 
-void require(bool holds, const std::string& problem) {
-    if (!holds) throw Error(problem, ExitCode::usage);
+template <class... Args>
+void require(bool holds, fmt::format_string<Args...> text, Args&&... args) {
+    if (!holds) throw wrong_usage(text, std::forward<Args>(args)...);
 }
 
 bool is_positive(double x) {
@@ -57,9 +58,8 @@ void check_ground(const MeshOptions& options) {
     }
     const double cell = period->x * period->y;
     require(std::abs(*area - cell) <= 1e-6 * cell,
-            fmt::format("--ground-area {} contradicts --period, which spans "
-                        "{:.6g} m2",
-                        *area, cell));
+            "--ground-area {} contradicts --period, which spans {:.6g} m2",
+            *area, cell);
 }
 
 void check_site(const Site& site, const Date& date) {
@@ -68,9 +68,8 @@ void check_site(const Site& site, const Date& date) {
             "--site: longitude is -180 to 180");
     require(site.utc_offset >= -12 && site.utc_offset <= 14,
             "--site: the UTC offset is -12 to 14 h");
-    require(
-        date.year >= 1950 && date.year <= 2100,
-        fmt::format("--date: {} is no day from 1950 to 2100", to_string(date)));
+    require(date.year >= 1950 && date.year <= 2100,
+            "--date: {} is no day from 1950 to 2100", to_string(date));
 }
 
 void check_light(const MeshOptions& options) {
@@ -110,7 +109,7 @@ void check_light(const MeshOptions& options) {
          {std::pair("--beam-ppfd", options.beam_ppfd),
           std::pair("--sky-ppfd", options.sky_ppfd)})
         require(!ppfd || (*ppfd >= 0 && *ppfd <= 1e5),
-                fmt::format("{}: from 0 to 100000 umol m-2 s-1", name));
+                "{}: from 0 to 100000 umol m-2 s-1", name);
     require(options.beam_ppfd.value_or(0) + options.sky_ppfd.value_or(0) > 0 ||
                 !(options.beam_ppfd || options.sky_ppfd),
             "--beam-ppfd and --sky-ppfd: there is no light");
@@ -130,12 +129,10 @@ void check_light(const MeshOptions& options) {
 
 void check_surface(const std::string& name, const Lambertian& surface) {
     const auto& [reflectance, transmittance] = surface;
-    require(is_fraction(reflectance), name + "-reflectance: from 0 to 1");
-    require(is_fraction(transmittance), name + "-transmittance: from 0 to 1");
+    require(is_fraction(reflectance), "{}-reflectance: from 0 to 1", name);
+    require(is_fraction(transmittance), "{}-transmittance: from 0 to 1", name);
     require(reflectance + transmittance <= 1 + 1e-12,
-            fmt::format("{0}-reflectance and {0}-transmittance exceed 1 "
-                        "together",
-                        name));
+            "{0}-reflectance and {0}-transmittance exceed 1 together", name);
 }
 
 void check_optics(const MeshOptions& options) {
@@ -159,7 +156,7 @@ void check(const MeshOptions& options) {
     constexpr std::uint64_t most_paths = std::uint64_t{1} << 32;
     if (options.paths)
         require(*options.paths >= 1 && *options.paths <= most_paths,
-                fmt::format("--paths: from 1 to {}", most_paths));
+                "--paths: from 1 to {}", most_paths);
 }
 
 }  // namespace ideotype

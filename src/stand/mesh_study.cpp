@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "campaign/campaign.hpp"
+#include "campaign/problems.hpp"
 #include "campaign/reading/mesh_scene.hpp"
 #include "ideotype/canopy/field.hpp"
 #include "ideotype/crop/obj_reader.hpp"
@@ -179,12 +180,11 @@ SeriesIllumination light_in(const std::string& band, SeriesIllumination light,
     if (!has_day(options) || band == "par") return light;
     for (const Waveband& each : wavebands)
         if (band == each.name) return in_band(std::move(light), each.light);
-    throw Error(
-        fmt::format("{}: there is no light in band \"{}\" (a day and a climate "
-                    "have light in those of campaigns); name the band so, such "
-                    "as \"nir\", or give --sun or --sky",
-                    options.scene, band),
-        ExitCode::usage);
+    throw wrong_usage(
+        "{}: there is no light in band \"{}\" (a day and a climate have light "
+        "in those of campaigns); name the band so, such as \"nir\", or give "
+        "--sun or --sky",
+        options.scene, band);
 }
 
 Scene scene_of(Mesh mesh, const MeshOptions& options,
@@ -209,11 +209,11 @@ Scene scene_of(Mesh mesh, const MeshOptions& options,
             SceneBuilder(std::move(mesh), file, warnings).components();
         if (scene.assimilates() && !has_day(options) && !options.beam_ppfd &&
             !options.sky_ppfd)
-            throw Error(options.scene +
-                            ": photosynthesis needs how strong the light is: "
-                            "--beam-ppfd, --sky-ppfd, a day with --site and "
-                            "--date, or --climate",
-                        ExitCode::usage);
+            throw wrong_usage(
+                "{}: photosynthesis needs how strong the light is: "
+                "--beam-ppfd, --sky-ppfd, a day with --site and --date, or "
+                "--climate",
+                options.scene);
         for (std::size_t b = 0; b < file.bands.size(); ++b) {
             Optics optics{{}, file.soil_albedo[b]};
             for (const MeshScene::Matter& each : file.materials)
@@ -265,10 +265,9 @@ MeshReport study(Mesh mesh, const MeshOptions& options) {
                            .exact = options.is_exact}};
     if (request.scene.components.size() > 1 && options.field &&
         options.field->jitter > 0)
-        throw Error(
-            "--jitter: components of a mesh cannot turn together; "
-            "leave it out",
-            ExitCode::usage);
+        throw wrong_usage(
+            "--jitter: components of a mesh cannot turn together; leave it "
+            "out");
     result.canopy = evaluate(request, Device(Device::supported_isas().back()));
     return result;
 }

@@ -5,10 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include <fmt/format.h>
-
+#include "campaign/problems.hpp"
 #include "ideotype/core/contract.hpp"
-#include "ideotype/core/error.hpp"
 #include "ideotype/core/hash.hpp"
 #include "ideotype/light/tolerance.hpp"
 
@@ -22,10 +20,10 @@ Accuracy accuracy_of(const Task& task, const Campaign& campaign) {
         task.is_final ? campaign.final_rule.sampling : campaign.sampling;
     if (task.tolerance) {
         if (!(*task.tolerance > 0 && *task.tolerance <= largest))
-            throw Error(fmt::format("the tolerance is {} (a relative standard "
-                                    "error); it must be above 0 and at most {}",
-                                    *task.tolerance, largest),
-                        ExitCode::usage);
+            throw wrong_usage(
+                "the tolerance is {} (a relative standard error); it must be "
+                "above 0 and at most {}",
+                *task.tolerance, largest);
         accuracy.randomisations = std::max(accuracy.randomisations, fewest);
         accuracy.paths = std::max(accuracy.paths, most_paths);
         accuracy.tolerance = *task.tolerance;

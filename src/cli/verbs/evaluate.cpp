@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "campaign/problems.hpp"
 #include "cli/choose_row.hpp"
 #include "cli/formats/light_output.hpp"
 #include "cli/verbs.hpp"
@@ -220,10 +221,9 @@ ExitCode repeat_row(const ChosenRow& which, const EvaluateOptions& options) {
 
 ExitCode evaluate(const EvaluateOptions& options) {
     if (is_history(options.path) && !options.settings.empty())
-        throw Error(
+        throw wrong_usage(
             "evaluate: --set changes campaigns only (a row of a history is "
-            "evaluated as it was); leave it out",
-            ExitCode::usage);
+            "evaluated as it was); leave it out");
     return is_history(options.path)
                ? repeat_row(choose_row(options.path, options.row), options)
                : evaluate_baseline(options);

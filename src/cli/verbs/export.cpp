@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "campaign/problems.hpp"
 #include "campaign/stages.hpp"
 #include "cli/choose_row.hpp"
 #include "cli/formats/mesh_files.hpp"
@@ -165,11 +166,10 @@ Case as_it_stood(const Campaign& campaign, const Case& chosen,
     const std::optional<Date> date = to_date(at);
     const std::optional<double> time = number_of(at);
     if (!date && !time)
-        throw Error(
-            fmt::format("--at: \"{}\" is neither a date nor a number of "
-                        "deg C d; write for example 2025-07-15 or 600",
-                        at),
-            ExitCode::usage);
+        throw wrong_usage(
+            "--at: \"{}\" is neither a date nor a number of deg C d; write for "
+            "example 2025-07-15 or 600",
+            at);
     Case one = scenarios(chosen).front();
     for (const Case& each : scenarios(chosen)) {
         if (!date || campaign.climates.empty()) break;
@@ -180,7 +180,7 @@ Case as_it_stood(const Campaign& campaign, const Case& chosen,
         one.stage = date ? stage_on(campaign, one, *date)
                          : stage_on(campaign, one, *time);
     } catch (const Error& error) {
-        throw Error(fmt::format("--at: {}", error.what()), ExitCode::usage);
+        throw wrong_usage("--at: {}", error.what());
     }
     return one;
 }
@@ -192,9 +192,8 @@ std::size_t chosen_component(const Campaign& campaign,
     const auto found = std::ranges::find(names, name);
     if (name.empty()) return 0;
     if (found == names.end())
-        throw Error(fmt::format("--component: there is no '{}'; {}", name,
-                                did_you_mean(name, names)),
-                    ExitCode::usage);
+        throw wrong_usage("--component: there is no '{}'; {}", name,
+                          did_you_mean(name, names));
     return static_cast<std::size_t>(found - names.begin());
 }
 
@@ -212,17 +211,16 @@ ExitCode export_plant(const ExportOptions& options) {
     const auto extension = std::filesystem::path(options.to).extension();
     if (extension != ".csv" && extension != ".obj" && extension != ".vtp" &&
         extension != ".toml")
-        throw Error(fmt::format("{}: the format is unknown; use a name that "
-                                "ends in .obj, .vtp, .csv or .toml",
-                                options.to),
-                    ExitCode::usage);
+        throw wrong_usage(
+            "{}: the format is unknown; use a name that ends in .obj, .vtp, "
+            ".csv or .toml",
+            options.to);
     if (!options.at.empty()) {
         if (extension == ".csv" || extension == ".toml")
-            throw Error(
-                fmt::format("--at: {} files describe full-grown plants only; "
-                            "write a .obj or .vtp file, or leave --at out",
-                            extension.string()),
-                ExitCode::usage);
+            throw wrong_usage(
+                "--at: {} files describe full-grown plants only; write a .obj "
+                "or .vtp file, or leave --at out",
+                extension.string());
         row.chosen = as_it_stood(campaign, chosen, options.at);
         title += fmt::format(", {} ({:.0f} deg C d)",
                              to_string(*row.chosen.stage->date),

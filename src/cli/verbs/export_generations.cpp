@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "campaign/problems.hpp"
 #include "cli/formats/output_file.hpp"
 #include "cli/verbs.hpp"
 #include "history/history.hpp"
@@ -95,10 +96,9 @@ void write_rows(OutputFile& out, std::uint64_t first, std::uint32_t generation,
 
 ExitCode export_generations(const ExportOptions& options) {
     if (std::filesystem::path(options.to).extension() != ".csv")
-        throw Error(options.to +
-                        ": generations are written as CSV; use a name that "
-                        "ends in .csv",
-                    ExitCode::usage);
+        throw wrong_usage(
+            "{}: generations are written as CSV; use a name that ends in .csv",
+            options.to);
     require_new(options.to);
     const History history = History::salvage(options.path);
     const std::uint32_t count = history.next_generation();

@@ -11,6 +11,7 @@
 #include <fmt/ranges.h>
 
 #include "campaign/campaign.hpp"
+#include "campaign/problems.hpp"
 #include "campaign/reading/files.hpp"
 #include "campaign/schema/keys.hpp"
 #include "cli/formats/output_file.hpp"
@@ -63,28 +64,23 @@ constexpr Question questions[] = {
 Name)",
      &NewOptions::objective, "carbon_balance"}};
 
-[[noreturn]] void refuse(const std::string& what) {
-    throw Error(what, ExitCode::usage);
-}
-
 double to_number(const std::string& text, const std::string& section,
                  const std::string& key) {
     const std::optional<double> number = number_of(text);
     for (const KeyInfo& info : campaign_keys())
         if (info.section == section && info.name == key &&
             (!number || *number < info.lower || *number > info.upper))
-            refuse(
-                fmt::format("\"{}\" is no {} (expected: a number, {} {}); "
-                            "correct it",
-                            text, key, info.range, info.unit));
+            throw wrong_usage(
+                "\"{}\" is no {} (expected: a number, {} {}); correct it", text,
+                key, info.range, info.unit);
     return number.value();
 }
 
 Date date_of(const std::string& text) {
     if (const std::optional<Date> date = to_date(text)) return *date;
-    refuse("\"" + text +
-           "\" is no date (year, month and day); write for example "
-           "2025-07-01");
+    throw wrong_usage(
+        "\"{}\" is no date (year, month and day); write for example 2025-07-01",
+        text);
 }
 
 //! Tells a file from a crop that the program knows by name.
@@ -99,8 +95,8 @@ void check(const Question& question, const std::string& answer) {
     const auto require = [&](const std::string& what,
                              const std::vector<std::string>& names) {
         if (std::ranges::count(names, answer) == 0)
-            refuse(fmt::format("there is no {} '{}'; {}", what, answer,
-                               did_you_mean(answer, names)));
+            throw wrong_usage("there is no {} '{}'; {}", what, answer,
+                              did_you_mean(answer, names));
     };
     if (key == "date")
         date_of(answer);
@@ -121,10 +117,10 @@ std::string ask(const Question& question) {
                    initial.empty() ? "" : " (" + initial + ")");
         std::fflush(stdout);
         if (!std::getline(std::cin, answer))
-            refuse(
-                fmt::format("new: the input ended before {} was given; answer "
-                            "it, or give it as an option",
-                            question.option));
+            throw wrong_usage(
+                "new: the input ended before {} was given; answer it, or give "
+                "it as an option",
+                question.option);
         if (answer.empty()) answer = initial;
         try {
             check(question, answer);
@@ -152,14 +148,13 @@ void complete(NewOptions& options) {
             } catch (const InputError&) {
                 throw;
             } catch (const Error& error) {
-                refuse(fmt::format("new: {}: {}", each.option, error.what()));
+                throw wrong_usage("new: {}: {}", each.option, error.what());
             }
     }
     if (!missing.empty())
-        refuse(fmt::format(
-            "new: there is no {} (on a terminal you would be asked); "
-            "give {}",
-            fmt::join(missing, ", "), missing.size() == 1 ? "it" : "them"));
+        throw wrong_usage(
+            "new: there is no {} (on a terminal you would be asked); give {}",
+            fmt::join(missing, ", "), missing.size() == 1 ? "it" : "them");
 }
 
 void write(const std::string& path, const std::string& text) {
@@ -230,8 +225,8 @@ ExitCode write_new_campaign(const NewOptions& given) {
     const fs::path beside = fs::path(options.path).parent_path();
     require_new(options.path);
     if (!beside.empty() && !fs::is_directory(beside))
-        refuse(fmt::format("new: there is no folder {}; make it first",
-                           beside.string()));
+        throw wrong_usage("new: there is no folder {}; make it first",
+                          beside.string());
     complete(options);
     const bool is_known = !is_file(options.plant);
     const std::string plant =

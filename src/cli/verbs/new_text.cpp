@@ -7,10 +7,10 @@
 
 #include <fmt/format.h>
 
+#include "campaign/problems.hpp"
 #include "campaign/schema/keys.hpp"
 #include "cli/texts.hpp"
 #include "ideotype/climate/light_series.hpp"
-#include "ideotype/core/error.hpp"
 
 namespace ideotype {
 
@@ -28,10 +28,10 @@ std::string new_text(const Site& site, const Date& date, double row,
                      const std::string& bounds, const std::string& objective) {
     const Daylight day = daylight(site, date);
     if (!day.sunrise && !(day.elevation > 0))
-        throw Error(fmt::format("the sun does not rise on {} at a latitude of "
-                                "{} deg; choose another date",
-                                to_string(date), site.latitude),
-                    ExitCode::usage);
+        throw wrong_usage(
+            "the sun does not rise on {} at a latitude of {} deg; choose "
+            "another date",
+            to_string(date), site.latitude);
     const bool has_night = day.sunrise && day.sunset;
     std::istringstream lines(fmt::format(
         fmt::runtime(campaign_form), fmt::arg("name", site.name),

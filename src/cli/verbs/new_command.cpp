@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
+#include <sstream>
 #include <unistd.h>
 
 #include <fmt/format.h>
@@ -15,11 +16,12 @@
 #include "campaign/reading/files.hpp"
 #include "campaign/schema/keys.hpp"
 #include "cli/formats/output_file.hpp"
+#include "cli/texts.hpp"
 #include "cli/verbs.hpp"
 #include "ideotype/canopy/quantities.hpp"
+#include "ideotype/climate/light_series.hpp"
 #include "ideotype/core/file.hpp"
 #include "ideotype/core/text.hpp"
-#include "new_text.hpp"
 
 namespace ideotype {
 
@@ -67,13 +69,12 @@ Name)",
 double to_number(const std::string& text, const std::string& section,
                  const std::string& key) {
     const std::optional<double> number = number_of(text);
-    for (const KeyInfo& info : campaign_keys())
-        if (info.section == section && info.name == key &&
-            (!number || *number < info.lower || *number > info.upper))
-            throw wrong_usage(
-                "\"{}\" is no {} (expected: a number, {} {}); correct it", text,
-                key, info.range, info.unit);
-    return number.value();
+    const KeyInfo& info = key_info(section, key);
+    if (!number || *number < info.lower || *number > info.upper)
+        throw wrong_usage(
+            "\"{}\" is no {} (expected: a number, {} {}); correct it", text,
+            key, info.range, info.unit);
+    return *number;
 }
 
 Date date_of(const std::string& text) {
@@ -178,11 +179,21 @@ bool place_crop(const std::string& crop, const std::string& path) {
     return false;
 }
 
-//! Returns the text of a campaign whose bounds include the baseline of a plant.
-std::string text_for(const NewOptions& options, const std::string& plant) {
-    const fs::path path = options.path;
+//! Returns a full hour as a time of TOML, where 24:00 does not exist.
+std::string clock(double hour) {
+    return hour < 24 ? fmt::format("{:02}:00:00", hour) : "\"24:00\"";
+}
+
+//! Returns the text of a campaign file with the most important keys, their
+//! units and meanings. Light lasts from sunrise to sunset.
+//! @param plant path of the plant from the folder of the campaign
+//! @param bounds "\n" and a line of the table [plant], or ""
+//! @throws Error if the sun does not rise.
+std::string new_text(const NewOptions& options, const std::string& plant,
+                     const std::string& bounds) {
     Site site;
-    site.name = options.name.empty() ? path.stem().string() : options.name;
+    site.name = options.name.empty() ? fs::path(options.path).stem().string()
+                                     : options.name;
     if (options.name.empty())
         for (char& c : site.name)
             if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-')
@@ -192,30 +203,70 @@ std::string text_for(const NewOptions& options, const std::string& plant) {
     site.utc_offset = options.utc_offset.empty()
                           ? std::round(site.longitude / 15)  // degrees per hour
                           : to_number(options.utc_offset, "site", "utc_offset");
+    const Date date = date_of(options.date);
+    const Daylight day = daylight(site, date);
+    if (!day.sunrise && !(day.elevation > 0))
+        throw wrong_usage(
+            "the sun does not rise on {} at a latitude of {} deg; choose "
+            "another date",
+            to_string(date), site.latitude);
+    const bool has_night = day.sunrise && day.sunset;
+    std::istringstream lines(fmt::format(
+        fmt::runtime(campaign_form), fmt::arg("name", site.name),
+        fmt::arg("latitude", site.latitude),
+        fmt::arg("longitude", site.longitude),
+        fmt::arg("utc_offset", site.utc_offset),
+        fmt::arg("date", to_string(date)),
+        fmt::arg("start", clock(has_night ? std::floor(*day.sunrise) : 0)),
+        fmt::arg("end", clock(has_night ? std::ceil(*day.sunset) : 24)),
+        fmt::arg("row", to_number(options.row, "spacing", "row")),
+        fmt::arg("plant", to_number(options.plant_spacing, "spacing", "plant")),
+        fmt::arg("baseline", plant), fmt::arg("bounds", bounds),
+        fmt::arg("objective", options.objective)));
+    std::string text, section = "top";
+    for (std::string line, name; std::getline(lines, line);) {
+        if (line.starts_with('[') || line.starts_with('#') || line.empty()) {
+            if (line.starts_with('[')) section = line;
+            std::erase_if(section, [](char c) { return c == '[' || c == ']'; });
+            text += (line.starts_with('#') && !name.empty() ? "\n" : "") +
+                    line + '\n';
+            continue;
+        }
+        const std::size_t equals = line.find(" = "), note = line.find(" # ");
+        std::istringstream names(line.substr(0, std::min(equals, note)));
+        while (names >> name) {
+            const KeyInfo& key = key_info(section, name);
+            text += fmt::format(
+                "{:<27} # {}{}\n",
+                equals == line.npos ? name + " = " + key.initial
+                                    : line.substr(0, note),
+                note == line.npos ? key.meaning : line.substr(note + 3),
+                key.unit == "-" ? "" : " [" + key.unit + "]");
+        }
+    }
+    return text;
+}
+
+//! Returns the text of a campaign whose bounds include the baseline of a plant.
+std::string text_for(const NewOptions& options, const std::string& plant) {
     const std::string file =
-        fs::proximate(plant, fs::absolute(path).parent_path()).generic_string();
-    const auto text_with = [&](const std::string& bounds) {
-        return new_text(site, date_of(options.date),
-                        to_number(options.row, "spacing", "row"),
-                        to_number(options.plant_spacing, "spacing", "plant"),
-                        file, bounds, options.objective);
-    };
-    std::string text = text_with(
+        fs::proximate(plant, fs::absolute(options.path).parent_path())
+            .generic_string();
+    std::string text = new_text(
+        options, file,
         std::ranges::count(read_crop(plant).rules, "breedable") > 0
             ? "\nbounds = \"breedable\" # what a breeder could select: sizes "
-              "and "
-              "angles that change smoothly from leaf to leaf; \"traits\" frees "
-              "each leaf"
+              "and angles that change smoothly from leaf to leaf; \"traits\" "
+              "frees each leaf"
             : "\nbounds # how far traits may move: as the crop file says");
     const auto outside = read_campaign_text(text, options.path).outside_bounds;
     if (outside.empty()) return text;
     // The last problem ends with the bounds to write.
     const std::string& remedy = outside.back().what;
-    text = text_with("") +
+    return new_text(options, file, "") +
            "\n# How far traits may move: as the crop file says,"
            " but wide enough for the baseline.\n" +
            remedy.substr(remedy.find("\n[") + 1) + '\n';
-    return text;
 }
 
 }  // namespace

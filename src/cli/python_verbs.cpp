@@ -9,7 +9,6 @@
 
 #include "campaign/problems.hpp"
 #include "ideotype/core/text.hpp"
-#include "texts.hpp"
 #include "verbs.hpp"
 
 namespace ideotype {

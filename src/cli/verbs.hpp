@@ -143,6 +143,14 @@ bool is_python_verb(const std::string& verb);
 //! @throws Error (usage) if there is no such Python.
 [[noreturn]] void hand_to_python(const std::vector<std::string>& words);
 
+//! The form of a campaign file, from verbs/campaign_form.txt. A key without
+//! value gets its default, and a key without note its meaning.
+extern const char* const campaign_form;
+
+//! The verbs that Python answers, from verbs.txt of the Python package: in each
+//! line the name, the function that answers, and what the verb does.
+extern const char* const python_verbs_text;
+
 //! Parses the command line, runs the verb, reports errors, returns the exit
 //! code.
 int run_command_line(int argc, char** argv);

@@ -16,7 +16,6 @@
 #include "campaign/reading/files.hpp"
 #include "campaign/schema/keys.hpp"
 #include "cli/formats/output_file.hpp"
-#include "cli/texts.hpp"
 #include "cli/verbs.hpp"
 #include "ideotype/canopy/quantities.hpp"
 #include "ideotype/climate/light_series.hpp"

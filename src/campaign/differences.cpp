@@ -88,10 +88,6 @@ const std::string* find(const Entries& entries, const std::string& name) {
     return found == entries.end() ? nullptr : &found->second;
 }
 
-}  // namespace
-
-namespace {
-
 //! Returns a value as it stands, or shortened if it has a season's numbers.
 std::string shown(const std::string& value) {
     constexpr std::size_t longest = 80;

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 
 #include "campaign.hpp"
 #include "ideotype/canopy/quantities.hpp"
+#include "ideotype/crop/measures.hpp"
 
 namespace ideotype {
 
@@ -16,6 +19,107 @@ ObjectiveEntry to_objective(const std::string& name, Sense sense,
     const auto found = std::ranges::find(components, name.substr(0, dot));
     return {name, name.substr(dot + 1),
             static_cast<std::size_t>(found - components.begin()), sense};
+}
+
+constexpr double circle = 360;
+
+//! Returns the excess of a value over its limit, relative to the limit.
+double excess(double value, double limit) {
+    return std::max(0.0, value - limit) / limit;
+}
+
+double excess(double value, const Range& allowed) {
+    double sum = excess(value, allowed.upper);
+    if (value < allowed.lower) sum += (allowed.lower - value) / allowed.lower;
+    return sum;
+}
+
+//! Returns the distance of two values, which may be directions [deg].
+double distance(double a, double b, bool is_direction) {
+    const double apart = std::abs(a - b);
+    if (!is_direction) return apart;
+    const double rest = std::fmod(apart, circle);
+    return std::min(rest, circle - rest);
+}
+
+double step_excess(const std::vector<double>& leaves, double limit,
+                   bool is_direction) {
+    double sum = 0;
+    for (std::size_t i = 1; limit > 0 && i < leaves.size(); ++i)
+        sum += excess(distance(leaves[i], leaves[i - 1], is_direction), limit);
+    return sum;
+}
+
+//! Returns the sum of all rises from leaf to leaf, over the largest possible.
+double rise(const std::vector<double>& leaves, const Range& limits) {
+    double sum = 0;
+    for (std::size_t i = 1; i < leaves.size(); ++i)
+        sum += std::max(0.0, leaves[i] - leaves[i - 1]) /
+               (limits.upper - limits.lower);
+    return sum;
+}
+
+//! Returns the azimuth of the plane with the least largest deviation of leaves
+//! that alternate between its two sides: the middle of the smallest arc that
+//! holds all leaves once every other leaf is turned by half a circle.
+double plane(std::vector<double> leaves) {
+    for (std::size_t i = 0; i < leaves.size(); ++i) {
+        leaves[i] =
+            std::fmod(leaves[i] + (i % 2 == 0 ? 0 : circle / 2), circle);
+        if (leaves[i] < 0) leaves[i] += circle;
+    }
+    std::sort(leaves.begin(), leaves.end());
+    double first = leaves.front(), length = leaves.back() - leaves.front();
+    for (std::size_t i = 1; i < leaves.size(); ++i) {
+        const double other = circle - (leaves[i] - leaves[i - 1]);
+        if (other >= length) continue;
+        first = leaves[i];
+        length = other;
+    }
+    return first + length / 2;
+}
+
+double distichous_excess(const std::vector<double>& azimuths, double limit) {
+    if (!(limit > 0) || azimuths.empty()) return 0;
+    const double middle = plane(azimuths);
+    double sum = 0;
+    for (std::size_t i = 0; i < azimuths.size(); ++i)
+        sum += excess(
+            distance(azimuths[i], middle + (i % 2 == 0 ? 0 : circle / 2), true),
+            limit);
+    // The middle of an arc is rounded; leaves at its ends may be just allowed.
+    constexpr double rounding = 1e-12;
+    return sum > rounding ? sum : 0;
+}
+
+//! Returns the excess over a range, relative to the limit, or to the whole
+//! range of the measure where the limit is 0.
+double range_excess(const std::vector<double>& leaves,
+                    const TraitConstraint& limit, const Range& limits) {
+    const std::size_t count = limit.highest > 0
+                                  ? static_cast<std::size_t>(limit.highest)
+                                  : leaves.size();
+    const double width = limits.upper - limits.lower;
+    const auto beyond = [&](double distance, double from) {
+        return std::max(0.0, distance) / (from != 0 ? std::abs(from) : width);
+    };
+    double sum = 0;
+    for (std::size_t i = leaves.size() - std::min(count, leaves.size());
+         i < leaves.size(); ++i)
+        sum += beyond(leaves[i] - limit.range.upper, limit.range.upper) +
+               beyond(limit.range.lower - leaves[i], limit.range.lower);
+    return sum;
+}
+
+double violation(const TraitConstraint& limit, const MeasureInfo& measure) {
+    std::vector<double> leaves;
+    for (const double* value : measure.values) leaves.push_back(*value);
+    double sum = step_excess(leaves, limit.step, measure.is_direction);
+    sum +=
+        excess(std::accumulate(leaves.begin(), leaves.end(), 0.0), limit.total);
+    sum += range_excess(leaves, limit, measure.limits);
+    if (limit.is_falling) sum += rise(leaves, measure.limits);
+    return sum + distichous_excess(leaves, limit.distichous);
 }
 
 }  // namespace
@@ -52,6 +156,30 @@ std::string unit_of(const Campaign& campaign, const std::string& quantity) {
             return objective.quantity == quantity;
         });
     return is_ratio ? "1" : unit_of(quantity);
+}
+
+bool constrains(const TraitConstraint& limit) {
+    const TraitConstraint none;
+    return limit.step > 0 || limit.total.lower > none.total.lower ||
+           limit.total.upper < none.total.upper || limit.is_falling ||
+           limit.distichous > 0 || limit.range.lower > none.range.lower ||
+           limit.range.upper < none.range.upper;
+}
+
+double violation(const Constraints& constraints,
+                 const std::vector<Trait>& traits, const Plant& plant,
+                 double lai) {
+    double sum = excess(lai, constraints.lai);
+    if (constraints.traits.empty()) return sum;
+    Plant measured = plant;
+    for (const TraitConstraint& limit : constraints.traits) {
+        const auto trait = std::find_if(
+            traits.begin(), traits.end(),
+            [&](const Trait& each) { return each.name == limit.trait; });
+        sum +=
+            violation(limit, *find_measure(measured, trait->measures.front()));
+    }
+    return sum;
 }
 
 }  // namespace ideotype

@@ -78,20 +78,6 @@ ExitCode code_of(const std::exception& error) {
     return own != nullptr ? own->exit_code() : ExitCode::runtime;
 }
 
-}  // namespace
-
-ExitCode report_error(const std::exception& error) {
-    fmt::print(stderr, "ideotype: {}\n", printable_lines(reason_of(error)));
-    return code_of(error);
-}
-
-ExitCode report_error(const std::exception& error, const Log& log) {
-    log.write(LogLevel::error, reason_of(error));
-    return code_of(error);
-}
-
-namespace {
-
 int run_verb(int argc, char** argv) {
     // A file beyond `ulimit -f` shall fail with a reason, not kill.
     std::signal(SIGXFSZ, SIG_IGN);
@@ -136,6 +122,16 @@ int run_verb(int argc, char** argv) {
 }
 
 }  // namespace
+
+ExitCode report_error(const std::exception& error) {
+    fmt::print(stderr, "ideotype: {}\n", printable_lines(reason_of(error)));
+    return code_of(error);
+}
+
+ExitCode report_error(const std::exception& error, const Log& log) {
+    log.write(LogLevel::error, reason_of(error));
+    return code_of(error);
+}
 
 int run_command_line(int argc, char** argv) {
     watch_for_foreign_end();

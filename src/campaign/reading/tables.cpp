@@ -52,6 +52,42 @@ std::string advice(const std::string& name, const std::string& nearest,
     return fmt::format("use one of {}", fmt::join(known, ", "));
 }
 
+//! A key that versions after 0.2.3 no longer have, and its replacement.
+struct GoneKey {
+    std::string section, name, instead;
+};
+
+const std::vector<GoneKey> gone_keys{
+    {"light", "first_tolerance", "light.tolerance"},
+    {"search", "window", "search.streams"},
+    {"search", "smallest_step", "search.optimizer = \"auto\""},
+    {"search", "restarts", "search.optimizer = \"auto\""},
+    {"search", "adapts_learning_rates", "search.optimizer = \"auto\""},
+    {"stop", "stagnation", "stop.no_gain"},
+    {"stop", "target", "stop.evaluations"}};
+
+//! A key's or table's name in earlier versions, and the present name.
+struct FormerName {
+    std::string section, was, is;
+};
+
+const std::vector<FormerName> former_names{
+    {"top", "evolution", "search"},
+    {"field", "cut", "border_rows"},
+    {"stalk", "diameter", "base_diameter"},
+    {"blade", "droop_exponent", "curvature_exponent"},
+    {"blade", "fold", "folding_angle"},
+    {"leaf", "droop", "curvature"},
+    {"leaf", "inclination", "insertion_angle"}};
+
+//! Returns the name that an unknown name most likely stands for, or "".
+std::string meant_name(const std::string& section, const std::string& name,
+                       const std::vector<std::string>& known) {
+    for (const FormerName& former : former_names)
+        if (former.section == section && former.was == name) return former.is;
+    return nearest_name(name, known);
+}
+
 }  // namespace
 
 Location TableReader::where(const toml::node& node) const {
@@ -151,46 +187,6 @@ void TableReader::report_missing(const toml::table& parent,
                       "missing table [{}] (it has no default); add it with {}",
                       table.name, fmt::join(needed, ", "));
 }
-
-namespace {
-
-//! A key that versions after 0.2.3 no longer have, and its replacement.
-struct GoneKey {
-    std::string section, name, instead;
-};
-
-const std::vector<GoneKey> gone_keys{
-    {"light", "first_tolerance", "light.tolerance"},
-    {"search", "window", "search.streams"},
-    {"search", "smallest_step", "search.optimizer = \"auto\""},
-    {"search", "restarts", "search.optimizer = \"auto\""},
-    {"search", "adapts_learning_rates", "search.optimizer = \"auto\""},
-    {"stop", "stagnation", "stop.no_gain"},
-    {"stop", "target", "stop.evaluations"}};
-
-//! A key's or table's name in earlier versions, and the present name.
-struct FormerName {
-    std::string section, was, is;
-};
-
-const std::vector<FormerName> former_names{
-    {"top", "evolution", "search"},
-    {"field", "cut", "border_rows"},
-    {"stalk", "diameter", "base_diameter"},
-    {"blade", "droop_exponent", "curvature_exponent"},
-    {"blade", "fold", "folding_angle"},
-    {"leaf", "droop", "curvature"},
-    {"leaf", "inclination", "insertion_angle"}};
-
-//! Returns the name that an unknown name most likely stands for, or "".
-std::string meant_name(const std::string& section, const std::string& name,
-                       const std::vector<std::string>& known) {
-    for (const FormerName& former : former_names)
-        if (former.section == section && former.was == name) return former.is;
-    return nearest_name(name, known);
-}
-
-}  // namespace
 
 bool TableReader::is_gone(const std::string& section, const toml::key& key,
                           const toml::node& value) const {

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
+#include <fmt/format.h>
+
 #include "ideotype/canopy/quantities.hpp"
 #include "schema.hpp"
 
@@ -72,6 +76,82 @@ Section final_section(FinalRule& rule) {
              {"randomisations", &rule.sampling.randomisations}}};
 }
 
+Section light_section(Campaign& campaign) {
+    Accuracy& accuracy = campaign.sampling;
+    Section section(
+        "light",
+        {{"paths", &accuracy.paths},
+         {"randomisations", &accuracy.randomisations},
+         {"fields", &accuracy.fields},
+         {"tolerance", &accuracy.tolerance},
+         {"band", &campaign.bounded_band},
+         {"sky", choice(campaign.sky_model, {{"uniform", SkyModel::uniform},
+                                             {"overcast", SkyModel::overcast},
+                                             {"clear", SkyModel::clear}})},
+         {"dates", &campaign.sun_dates},
+         {"stages", &campaign.stages}});
+    const bool has_tolerance = accuracy.tolerance > 0;
+    const bool has_climates = !campaign.climates.empty();
+    const bool grows = plants_grow(campaign);
+    section["paths"].trades({1024, 4096, 16384, 65536}, !has_tolerance);
+    section["fields"].written_if(accuracy.fields != 1);
+    section["tolerance"]
+        .trades({0.02, 0.01, 0.005, 0.0025}, has_tolerance)
+        .mistaken = {{"per cent", 0.01}};
+    section["band"].written_if(std::ranges::count(campaign.follows, true) > 1);
+    section["dates"]
+        .written_if(has_climates)
+        .trades({1, 2, 3, 6, 12}, has_climates);
+    section["stages"].written_if(grows).trades({4, 7, 10, 20}, grows);
+    return section;
+}
+
+//! Returns the names of all objectives, including those of components.
+std::vector<std::string> objectives_of(const Draft& draft) {
+    std::vector<std::string> names = objective_names();
+    if (draft.components.empty()) return names;
+    std::vector<std::string> components{draft.campaign.crop.baseline.name};
+    for (const std::shared_ptr<Draft>& each : draft.components)
+        components.push_back(each->campaign.name);
+    for (const std::string& component : components)
+        for (const std::string& quantity : additive_objectives())
+            names.push_back(fmt::format("{}.{}", component, quantity));
+    return names;
+}
+
+Section objective_section(Draft& draft) {
+    Campaign& campaign = draft.campaign;
+    Section section(
+        "objective",
+        {{"maximise", &campaign.maximised},
+         {"minimise", &campaign.minimised},
+         {"weights", &campaign.weights},
+         {"sole", &campaign.sole},
+         {"sole_errors", &campaign.sole_errors},
+         {"over", &campaign.over},
+         {"scenarios", choice(campaign.across, {{"mean", Across::mean},
+                                                {"worst", Across::worst}})}});
+    const std::vector<std::string> names = objectives_of(draft);
+    section["maximise"].one_of(names).written_if(!campaign.maximised.empty());
+    section["minimise"].one_of(names);
+    for (const char* key : {"weights", "sole", "sole_errors"})
+        section[key].optional_list();
+    for (const char* key : {"over", "scenarios"})
+        section[key].written_if(!campaign.over.empty());
+    return section;
+}
+
+Section constraint_section(TraitConstraint& limit) {
+    return {"constraints." + limit.trait,
+            {{"step", &limit.step},
+             {"total", &limit.total},
+             {"falling", &limit.is_falling},
+             {"distichous", &limit.distichous},
+             {"range", &limit.range},
+             {"highest", &limit.highest}},
+            "constraints.TRAIT"};
+}
+
 }  // namespace
 
 std::vector<Table> run_tables(Draft& draft) {
@@ -92,6 +172,31 @@ std::vector<Table> run_tables(Draft& draft) {
         one_table({"parallel",
                    {{"deadline", &limits.deadline},
                     {"attempts", &limits.attempts}}})};
+}
+
+bool asks_for(const Campaign& campaign, bool (*is_of)(const std::string&)) {
+    return std::ranges::any_of(objectives_of(campaign), is_of,
+                               &ObjectiveEntry::quantity) ||
+           std::ranges::any_of(campaign.search.axes, is_of,
+                               &AtlasAxis::quantity);
+}
+
+bool asks_for_assimilation(const Campaign& campaign) {
+    return asks_for(campaign, is_of_assimilation);
+}
+
+std::vector<Table> measured_tables(Draft& draft) {
+    return {one_table(light_section(draft.campaign)),
+            one_table(objective_section(draft))};
+}
+
+Table constraints_table(Constraints& constraints) {
+    Table table = one_table({"constraints", {{"lai", &constraints.lai}}});
+    for (TraitConstraint& limit : constraints.traits)
+        table.with(one_table(constraint_section(limit))
+                       .left_out_if(!constrains(limit)),
+                   limit.trait);
+    return table;
 }
 
 }  // namespace ideotype

@@ -87,6 +87,81 @@ struct Writer {
     }
 };
 
+//! Returns whether a key may be left out, because it has no value or has a form
+//! of its own.
+bool is_empty(const Key& key) {
+    if (!key.is_written) return true;
+    return std::visit(
+        [&](const auto& value) {
+            using Value = std::remove_cvref_t<decltype(value)>;
+            if constexpr (std::is_same_v<Value, std::monostate>)
+                return true;
+            else if constexpr (requires { value->has_value(); })
+                return !value->has_value();
+            else if constexpr (!std::is_same_v<Value,
+                                               std::vector<std::string>*> &&
+                               requires { value->empty(); })
+                return value->empty() && !key.is_required;
+            else
+                return false;
+        },
+        key.value);
+}
+
+//! Appends the keys of a section.
+void append_keys(std::string& text, const Section& section) {
+    for (const Key& key : section.keys)
+        if (!is_empty(key))
+            text += fmt::format("{} = {}\n", key.name, toml_text(key));
+}
+
+//! Appends a table under a name with the prefix of the tables of its file.
+void append_table(std::string& text, const std::string& prefix,
+                  const Table& table) {
+    if (table.is_default) return;
+    for (std::size_t i = 0; i < table.size(); ++i) {
+        const std::string name = prefix + table.name;
+        text += table.resize ? "\n[[" + name + "]]\n" : "\n[" + name + "]\n";
+        append_keys(text, table.section(i));
+    }
+    for (const Table& child : table.children)
+        append_table(text, prefix + table.name + '.', child);
+}
+
+void append_plant(std::string& text, const std::string& prefix, Draft& draft) {
+    append_keys(text, plant_file_section(draft.campaign.crop.baseline));
+    for (const Table& table : plant_tables(draft))
+        append_table(text, prefix, table);
+}
+
+void append_crop(std::string& text, const std::string& prefix, Draft& draft) {
+    append_plant(text, prefix, draft);
+    for (const Table& table : crop_defaults(draft))
+        append_table(text, prefix, table);
+}
+
+//! Appends the components beside the crop, each with its own tables.
+void append_components(std::string& text, const Table& components,
+                       Draft& draft) {
+    for (std::size_t i = 0; i < draft.components.size(); ++i) {
+        Draft& component = *draft.components[i];
+        component.campaign.follows = draft.campaign.follows;
+        text += "\n[[component]]\n";
+        append_keys(text, components.section(i));
+        if (component.has_variation) {
+            text += "\n[component.variation]\n";
+            append_keys(text,
+                        variation_section(component.campaign.field.variation,
+                                          "component.variation"));
+        }
+        text += "\n[component.crop]\n";
+        append_crop(text, "component.crop.", component);
+        if (component.rule.empty())
+            append_table(text, "component.",
+                         own_bounds_table(component, "component"));
+    }
+}
+
 }  // namespace
 
 std::string clock_text(double hours) {
@@ -110,6 +185,45 @@ std::string range_text(const Key& key) {
     if (key.lower == key.upper) return "-";
     return fmt::format("{} .. {}{}{}", key.lower, key.upper,
                        key.unit.empty() ? "" : " ", key.unit);
+}
+
+std::string resolved_text(Draft& draft) {
+    std::string text;
+    append_keys(text, top_section(draft.campaign));
+    for (const Table& table : campaign_tables(draft)) {
+        if (table.name == "component") {
+            append_components(text, table, draft);
+            continue;
+        }
+        // A study has no search.
+        if (!draft.is_study || table.name != "search")
+            append_table(text, "", table);
+        if (table.name != "plant") continue;
+        text += "\n[plant.baseline]\n";
+        append_plant(text, "plant.baseline.", draft);
+    }
+    return text;
+}
+
+std::vector<AccuracyKey> accuracy_keys(Draft& draft) {
+    std::vector<AccuracyKey> found;
+    for (const Table& table : campaign_tables(draft)) {
+        if (table.size() != 1) continue;
+        for (const Key& key : table.section(0).keys) {
+            if (key.accuracy.empty()) continue;
+            const auto* const whole = std::get_if<int*>(&key.value);
+            found.push_back({table.name + '.' + key.name,
+                             whole ? **whole : *std::get<double*>(key.value),
+                             key.accuracy});
+        }
+    }
+    return found;
+}
+
+std::string resolved_plant_text(Draft& draft) {
+    std::string text;
+    append_crop(text, "", draft);
+    return text;
 }
 
 }  // namespace ideotype

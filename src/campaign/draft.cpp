@@ -7,10 +7,6 @@ namespace ideotype {
 
 namespace {
 
-Range intersection(Range a, Range b) {
-    return {std::max(a.lower, b.lower), std::min(a.upper, b.upper)};
-}
-
 TraitEntry leaf_trait(const std::string& name, const std::string& unit,
                       Range range, bool is_circular = false) {
     TraitEntry entry;
@@ -96,9 +92,8 @@ Range bounds_of(const Draft& draft, std::size_t trait, double baseline) {
     for (const BoundsEntry& each : draft.bounds) {
         if (each.rule != draft.rule || each.trait != bred.name) continue;
         if (!(each.change > 0)) return each.range;
-        return intersection(
-            {(1 - each.change) * baseline, (1 + each.change) * baseline},
-            each.range);
+        return {std::max((1 - each.change) * baseline, each.range.lower),
+                std::min((1 + each.change) * baseline, each.range.upper)};
     }
     return bred.range;
 }

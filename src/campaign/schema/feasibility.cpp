@@ -30,10 +30,10 @@ Section lines_section(MeasuredLines& known) {
 }
 
 std::vector<Table> lines_tables(MeasuredLines& known) {
-    return {list_of_tables<LineTrait>("trait", line_trait_section, known.traits)
+    return {list_of_tables("trait", line_trait_section, known.traits)
                 .optional()
                 .at_most(30),
-            list_of_tables<MeasuredLine>("line", line_section, known.lines)
+            list_of_tables("line", line_section, known.lines)
                 .optional()
                 .at_most(most_entries)};
 }

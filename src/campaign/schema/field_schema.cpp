@@ -148,20 +148,17 @@ Section top_section(Campaign& campaign) {
 std::vector<Table> campaign_tables(Draft& draft) {
     Campaign& campaign = draft.campaign;
     PlantVariation& variation = campaign.field.variation;
-    Table days =
-        list_of_tables<Named<DaySpan>>("day", day_section, campaign.days);
+    Table days = list_of_tables("day", day_section, campaign.days);
     days.is_optional = draft.has_climate;
     std::vector<Table> tables{
-        list_of_tables<Site>("site", site_section, campaign.sites)
+        list_of_tables("site", site_section, campaign.sites)
             .at_most(most_entries),
         days.at_most(most_entries),
-        list_of_tables<Named<Climate>>("climate", climate_section,
-                                       campaign.climates)
+        list_of_tables("climate", climate_section, campaign.climates)
             .optional(),
-        list_of_tables<Named<Spacing>>("spacing", spacing_section,
-                                       campaign.spacings)
+        list_of_tables("spacing", spacing_section, campaign.spacings)
             .at_most(most_entries),
-        list_of_tables<Named<TraitSet>>(
+        list_of_tables(
             "traits",
             [&draft](Named<TraitSet>& traits) {
                 return traits_section(draft, traits);
@@ -178,7 +175,7 @@ std::vector<Table> campaign_tables(Draft& draft) {
         std::move(more.begin(), more.end(), std::back_inserter(tables));
     };
     append(object_tables(campaign));
-    append({list_of_tables<BandEntry>("band", band_section, campaign.bands)
+    append({list_of_tables("band", band_section, campaign.bands)
                 .optional()
                 .at_most(wavebands.size()),
             optics_table(campaign, true)});
@@ -190,8 +187,7 @@ std::vector<Table> campaign_tables(Draft& draft) {
                 .left_out_if(!draft.has_water),
             constraints_table(campaign.constraints), feasibility_table(draft)});
     append(run_tables(draft));
-    append({list_of_tables<SiteWeather>("weather", weather_section,
-                                        campaign.weathers)
+    append({list_of_tables("weather", weather_section, campaign.weathers)
                 .optional()
                 .at_most(most_entries)});
     return tables;

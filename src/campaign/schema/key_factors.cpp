@@ -95,13 +95,12 @@ bool is_in_range(const KeyFactor& factor, const NamedKey& found,
         const Problems own;
         own.locate(probe.name, problems.where("range"));
         read_value(toml::value(bound), found.section, probe, own);
-        if (own.empty()) continue;
         try {
             own.throw_if_any();
         } catch (const InputError& error) {
             problems.add("range", error.problems().front().what);
+            return false;
         }
-        return false;
     }
     return true;
 }

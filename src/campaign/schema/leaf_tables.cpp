@@ -66,19 +66,19 @@ LeafRates filled(LeafRates leaf, const auto& with) {
     return leaf;
 }
 
-//! Returns the names of the models that a predicate holds for.
-std::vector<std::string> names_of_models(const auto& is_one) {
-    std::vector<std::string> names;
-    for (const Model& model : models)
-        if (is_one(model)) names.emplace_back(model.name);
-    return names;
-}
-
 bool has(const Model& model, Numbers numbers) {
     bool is_there = false;
     filled(model.leaf,
            [&](Numbers own, auto&) { is_there = is_there || own == numbers; });
     return is_there;
+}
+
+//! Returns the names of the models that have some numbers.
+std::vector<std::string> models_with(Numbers numbers) {
+    std::vector<std::string> names;
+    for (const Model& model : models)
+        if (has(model, numbers)) names.emplace_back(model.name);
+    return names;
 }
 
 struct LeafKey {
@@ -135,10 +135,7 @@ void check_photosynthesis(const PhotosynthesisTable& table, std::size_t leaves,
                 "photosynthesis.{} is no number of the model \"{}\" (it is one "
                 "of \"{}\"); remove it",
                 key.name, model_of(table).name,
-                fmt::join(names_of_models([&](const Model& each) {
-                              return has(each, key.numbers);
-                          }),
-                          "\" or \""));
+                fmt::join(models_with(key.numbers), "\" or \""));
         else if (numbers.size() != 1 && numbers.size() != count)
             problems.add(key.name,
                          "photosynthesis.{} has {} values ({} has {}); give "

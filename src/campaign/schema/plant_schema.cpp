@@ -197,23 +197,22 @@ std::vector<Table> crop_defaults(Draft& draft) {
 
 std::vector<Table> plant_tables(Draft& draft) {
     Plant& plant = draft.campaign.crop.baseline;
-    return {one_table(stalk_section(plant.stalk)),
-            one_table(part_section("sheath", sheath_measures, plant.sheath)),
-            one_table(part_section("petiole", petiole_measures, plant.petiole))
-                .left_out_if(!has_petioles(plant)),
-            one_table(blade_section(plant.blade)),
-            one_table(growth_section(draft.growth))
-                .optional()
-                .left_out_if(!draft.has_growth),
-            list_of_tables<Leaf>("leaf", leaf_section, plant.leaves)
-                .at_most(most_leaves),
-            list_of_tables<Organ>("organ", organ_section, plant.organs)
-                .optional()
-                .at_most(most_organs),
-            list_of_tables<TraitEntry>("trait", trait_section, draft.traits)
-                .at_most(most_traits),
-            list_of_tables<BoundsEntry>("bounds", bounds_section, draft.bounds)
-                .optional()};
+    return {
+        one_table(stalk_section(plant.stalk)),
+        one_table(part_section("sheath", sheath_measures, plant.sheath)),
+        one_table(part_section("petiole", petiole_measures, plant.petiole))
+            .left_out_if(!has_petioles(plant)),
+        one_table(blade_section(plant.blade)),
+        one_table(growth_section(draft.growth))
+            .optional()
+            .left_out_if(!draft.has_growth),
+        list_of_tables("leaf", leaf_section, plant.leaves).at_most(most_leaves),
+        list_of_tables("organ", organ_section, plant.organs)
+            .optional()
+            .at_most(most_organs),
+        list_of_tables("trait", trait_section, draft.traits)
+            .at_most(most_traits),
+        list_of_tables("bounds", bounds_section, draft.bounds).optional()};
 }
 
 }  // namespace ideotype

@@ -18,7 +18,7 @@ Table keys_table(const std::string& table, std::vector<KeyFactor>& factors) {
         section["key"].is_any_text = true;
         return section;
     };
-    return list_of_tables<KeyFactor>("keys", section_of, factors).optional();
+    return list_of_tables("keys", section_of, factors).optional();
 }
 
 Section axis_section(AtlasAxis& axis) {
@@ -160,8 +160,7 @@ std::vector<Table> run_tables(Draft& draft) {
     return {
         one_table(search_section(campaign.search))
             .with(keys_table("search", draft.searched), "keys")
-            .with(list_of_tables<AtlasAxis>("axes", axis_section,
-                                            campaign.search.axes)
+            .with(list_of_tables("axes", axis_section, campaign.search.axes)
                       .optional(),
                   "axes"),
         one_table(sensitivity_section(draft.design, draft.varied.has_traits))

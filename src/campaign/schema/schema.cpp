@@ -58,24 +58,9 @@ Key::Key(const std::string& key, Target place, const KeyInfo& declared)
     if (type.find(" or list") != type.npos) count = any_count;
 }
 
-Key& Key::in_metres(const std::vector<MistakenUnit>& others) {
-    mistaken = others;
-    return *this;
-}
-
-Key& Key::one_of(const std::vector<std::string>& names) {
-    choices = names;
-    return *this;
-}
-
 Key& Key::optional_list() {
     count = any_count;
     return written_if(!std::get<std::vector<double>*>(value)->empty());
-}
-
-Key& Key::written_if(bool is_so) {
-    is_written = is_so;
-    return *this;
 }
 
 Key& Key::trades(const std::vector<double>& values, bool is_so) {
@@ -96,21 +81,6 @@ Key& Section::operator[](const std::string& key) {
     const auto found = std::ranges::find(keys, key, &Key::name);
     IDEOTYPE_EXPECT(found != keys.end());
     return *found;
-}
-
-Table& Table::optional() {
-    is_optional = true;
-    return *this;
-}
-
-Table& Table::left_out_if(bool is_so) {
-    is_default = is_so;
-    return *this;
-}
-
-Table& Table::at_most(std::size_t entries) {
-    most = entries;
-    return *this;
 }
 
 Table& Table::with(Table child, const std::string& child_name) {

@@ -65,13 +65,17 @@ struct Key {
 
     //! Recognises lengths above the range that may be in other units.
     Key& in_metres(const std::vector<MistakenUnit>& others = {
-                       {"centimetres", 0.01}});
+                       {"centimetres", 0.01}}) {
+        return mistaken = others, *this;
+    }
     //! Allows only these texts.
-    Key& one_of(const std::vector<std::string>& names);
+    Key& one_of(const std::vector<std::string>& names) {
+        return choices = names, *this;
+    }
     //! Makes the value a list or a single number, written only if not empty.
     Key& optional_list();
     //! Writes the key in resolved campaigns only if a condition holds.
-    Key& written_if(bool is_so);
+    Key& written_if(bool is_so) { return is_written = is_so, *this; }
     //! Marks the key as one that trades speed for accuracy, if a condition
     //! holds.
     //! @param values values that `fidelity` tries, the most accurate last
@@ -122,11 +126,11 @@ struct Section {
 //! A table that is written once, or any number of times as [[name]].
 struct Table {
     //! Allows the table to have no entry.
-    Table& optional();
+    Table& optional() { return is_optional = true, *this; }
     //! Lets the table be left out if a condition holds.
-    Table& left_out_if(bool is_so);
+    Table& left_out_if(bool is_so) { return is_default = is_so, *this; }
     //! Sets the largest number of entries.
-    Table& at_most(std::size_t entries);
+    Table& at_most(std::size_t entries) { return most = entries, *this; }
     //! Adds a table inside this table, under a name of its own.
     Table& with(Table child, const std::string& child_name);
 
@@ -148,8 +152,7 @@ Table one_table(const Section& section);
 
 //! Returns the tables [[name]], one for each record.
 template <class Record>
-Table list_of_tables(const std::string& name,
-                     const std::function<Section(Record&)>& section_of,
+Table list_of_tables(const std::string& name, const auto& section_of,
                      std::vector<Record>& records) {
     return {name,
             [&records, section_of](std::size_t i) {

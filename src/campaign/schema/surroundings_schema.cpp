@@ -140,13 +140,12 @@ Section object_section(ObjectEntry& entry) {
 }  // namespace
 
 std::vector<Table> object_tables(Campaign& campaign) {
-    return {
-        list_of_tables<PanelEntry>("panel", panel_section, campaign.panels)
-            .optional()
-            .at_most(most_components),
-        list_of_tables<ObjectEntry>("object", object_section, campaign.objects)
-            .optional()
-            .at_most(most_components)};
+    return {list_of_tables("panel", panel_section, campaign.panels)
+                .optional()
+                .at_most(most_components),
+            list_of_tables("object", object_section, campaign.objects)
+                .optional()
+                .at_most(most_components)};
 }
 
 }  // namespace ideotype

@@ -25,6 +25,13 @@ std::string quoted(const std::string& text) {
     return '"' + escaped + '"';
 }
 
+//! Returns the texts of values between commas.
+std::string listed(const auto& values, const auto& text_of) {
+    std::vector<std::string> texts;
+    for (const auto& each : values) texts.push_back(text_of(each));
+    return fmt::format("{}", fmt::join(texts, ", "));
+}
+
 //! Writes the value that a target points at.
 struct Writer {
     const Key& key;
@@ -50,20 +57,21 @@ struct Writer {
                            quoted((*column)->unit));
     }
     std::string operator()(const std::vector<Date>* dates) const {
-        std::vector<std::string> texts;
-        for (const Date& date : *dates) texts.push_back(to_string(date));
-        const std::string all = fmt::format("{}", fmt::join(texts, ", "));
-        return texts.size() == 1 ? all : '[' + all + ']';
+        const std::string all =
+            listed(*dates, [](const Date& date) { return to_string(date); });
+        return dates->size() == 1 ? all : '[' + all + ']';
     }
     std::string operator()(const Date* date) const { return to_string(*date); }
     std::string operator()(const Range* range) const {
         return fmt::format("[{}, {}]", range->lower, range->upper);
     }
     std::string operator()(const std::vector<glm::dvec2>* points) const {
-        std::vector<std::string> texts;
-        for (const glm::dvec2& point : *points)
-            texts.push_back(fmt::format("[{}, {}]", point.x, point.y));
-        return fmt::format("[{}]", fmt::join(texts, ", "));
+        return '[' +
+               listed(*points,
+                      [](const glm::dvec2& point) {
+                          return fmt::format("[{}, {}]", point.x, point.y);
+                      }) +
+               ']';
     }
     std::string operator()(const std::vector<double>* numbers) const {
         if (key.count == any_count && numbers->size() == 1)
@@ -71,12 +79,9 @@ struct Writer {
         return fmt::format("[{}]", fmt::join(*numbers, ", "));
     }
     std::string operator()(const std::vector<std::string>* texts) const {
-        if (texts->empty()) return "[]";
-        if (key.count == any_count && texts->size() == 1)
-            return quoted(texts->front());
-        std::vector<std::string> all;
-        for (const std::string& text : *texts) all.push_back(quoted(text));
-        return fmt::format("[{}]", fmt::join(all, ", "));
+        const std::string all = listed(*texts, quoted);
+        return key.count == any_count && texts->size() == 1 ? all
+                                                            : '[' + all + ']';
     }
     std::string operator()(const Choice& choice) const {
         return quoted(choice.get());

@@ -36,22 +36,18 @@ bool has_same_axes(const Quantity& quantity, const QuantitySet& a,
 
 }  // namespace
 
-QuantitySet measured_in(const Campaign& campaign, const Case& scenario) {
-    if (!scenario.stages.empty())
-        return OverStages(campaign, scenario).measured();
-    return canopy_quantities(scene_of(campaign, scenario),
-                             canopy_layers(campaign), details_of(campaign));
-}
-
 AcrossScenarios::AcrossScenarios(const Campaign& campaign, const Case& chosen)
     : across_(campaign.across), objectives_(objectives_of(campaign)) {
     std::vector<QuantitySet> sets;
     std::vector<std::string> labels;
     for (const Case& each : scenarios(chosen)) {
         stages_.push_back(std::max<std::size_t>(1, each.stages.size()));
-        if (!each.stages.empty()) over_stages_.emplace_back(campaign, each);
-        sets.push_back(each.stages.empty() ? measured_in(campaign, each)
-                                           : over_stages_.back().measured());
+        sets.push_back(
+            each.stages.empty()
+                ? canopy_quantities(scene_of(campaign, each),
+                                    canopy_layers(campaign),
+                                    details_of(campaign))
+                : over_stages_.emplace_back(campaign, each).measured());
         labels.push_back(label(campaign, each));
     }
     const QuantitySet& first = sets.front();

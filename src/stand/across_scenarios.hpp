@@ -75,9 +75,6 @@ class OverStages {
     QuantitySet measured_;
 };
 
-//! Returns all quantities of a case that is its own only scenario.
-QuantitySet measured_in(const Campaign& campaign, const Case& scenario);
-
 //! The outcome of a plant in all scenarios of a case, each over its stages.
 class AcrossScenarios {
   public:

@@ -321,7 +321,7 @@ TEST_F(Mixtures, MeasureWhatTheyDeclareInTheSameOrder) {
         read_campaign(IDEOTYPE_CAMPAIGNS "/ames_quick.toml",
                       {weed, nir, "objective.maximise=net_assimilation"});
     const Case chosen = cases(campaign).front();
-    const QuantitySet measured = measured_in(campaign, chosen);
+    const QuantitySet measured = AcrossScenarios(campaign, chosen).measured();
     const CanopyReport report = evaluated({weed, nir});
     const std::vector<Estimate> numbers = measure(report);
     ASSERT_EQ(numbers.size(), measured.size());

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <cctype>
 #include <tuple>
 #include <utility>
 
@@ -15,18 +14,6 @@
 namespace ideotype {
 
 namespace {
-
-//! Returns a name that does not depend on the number of other cases: all axes
-//! are named, also axes with one entry.
-std::string case_name(const std::string& site, const std::string& day,
-                      const std::string& spacing, const std::string& traits,
-                      int replicate) {
-    std::string name =
-        fmt::format("{}_{}_{}_{}_r{}", site, day, spacing, traits, replicate);
-    for (char& c : name)
-        c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return name;
-}
 
 //! Adds a scenario to the case that it belongs to.
 void add_scenario(const Campaign& campaign, const Case& scenario,
@@ -81,13 +68,15 @@ LightSeries to_series(const SiteWeather& weather, const Site& here) {
     return series;
 }
 
-//! Names a case by its axes, its trait set and its replicate.
+//! Names a case by its axes, its trait set and its replicate. The name does not
+//! depend on the number of other cases: axes with one entry are named too.
 void complete(Case& one, const Named<TraitSet>& traits, int replicate) {
     one.traits = traits.value;
     one.trait_set_name = traits.name;
     one.replicate = replicate;
-    one.name = case_name(one.site.name, one.day_name, one.spacing_name,
-                         traits.name, replicate);
+    one.name =
+        lower_case(fmt::format("{}_{}_{}_{}_r{}", one.site.name, one.day_name,
+                               one.spacing_name, traits.name, replicate));
 }
 
 //! Returns all cases without traits, seed and replicate.

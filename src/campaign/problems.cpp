@@ -2,6 +2,7 @@
 #include "problems.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <map>
 #include <optional>
 #include <set>
@@ -9,6 +10,12 @@
 #include <utility>
 
 namespace ideotype {
+
+std::string lower_case(std::string text) {
+    for (char& c : text)
+        c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return text;
+}
 
 struct Problems::Collected {
     std::vector<std::string> files;

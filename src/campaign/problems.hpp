@@ -13,6 +13,9 @@
 
 namespace ideotype {
 
+//! Returns a text in lower case, in which names are compared.
+std::string lower_case(std::string text);
+
 //! Returns an error of wrong usage with a formatted message.
 template <class... Args>
 Error wrong_usage(fmt::format_string<Args...> text, Args&&... args) {

@@ -2,7 +2,6 @@
 #include "checks.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <map>
 #include <set>
 
@@ -11,12 +10,6 @@
 #include "campaign/schema/schema.hpp"
 
 namespace ideotype {
-
-std::string lower_case(std::string text) {
-    for (char& c : text)
-        c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return text;
-}
 
 void check_surface(const std::string& prefix, const Lambertian& surface,
                    double most, const Problems& problems) {
@@ -46,12 +39,11 @@ void check_plant_optics(const ByBand<PlantOptics>& optics,
 std::vector<ObjectiveKey> objective_keys(const Campaign& campaign,
                                          const Problems& problems) {
     std::vector<ObjectiveKey> all;
-    if (problems.usable({"objective.maximise"}))
-        for (const std::string& each : campaign.maximised)
-            all.push_back({"objective.maximise", each});
-    if (problems.usable({"objective.minimise"}))
-        for (const std::string& each : campaign.minimised)
-            all.push_back({"objective.minimise", each});
+    for (const auto& [key, names] :
+         {std::pair("objective.maximise", &campaign.maximised),
+          std::pair("objective.minimise", &campaign.minimised)})
+        if (problems.usable({key}))
+            for (const std::string& each : *names) all.push_back({key, each});
     return all;
 }
 

@@ -76,9 +76,6 @@ inline std::string quantity_of(const std::string& objective) {
     return objective.substr(objective.find('.') + 1);
 }
 
-//! Returns a text in lower case, in which names are compared.
-std::string lower_case(std::string text);
-
 //! Checks measured lines and limits or objectives of the distance from lines.
 void check_feasibility(Draft& draft, const Problems& problems);
 

@@ -61,40 +61,35 @@ Season season_of(const Campaign& campaign, const Case& chosen,
     return season;
 }
 
-//! The thermal times of each component in all steps; 0 without growth.
-class Ages {
-  public:
-    Ages(const Campaign& campaign, const Case& one, const Season& season,
-         const LightSeries& series)
-        : times_{season.times} {
-        for (std::size_t c = 1; c <= campaign.components.size(); ++c)
-            times_.push_back(
-                growth_of(campaign, c)
-                    ? thermal_times(*growth_of(campaign, c),
-                                    climate_of(campaign, one).emergence,
-                                    campaign.components[c - 1].standing.later,
-                                    series)
-                    : std::vector<double>(season.times.size()));
-    }
+//! Returns the thermal times of each component in all steps; 0 without growth.
+std::vector<std::vector<double>> all_ages(const Campaign& campaign,
+                                          const Case& one, const Season& season,
+                                          const LightSeries& series) {
+    std::vector<std::vector<double>> ages{season.times};
+    for (std::size_t c = 1; c <= campaign.components.size(); ++c)
+        ages.push_back(
+            growth_of(campaign, c)
+                ? thermal_times(*growth_of(campaign, c),
+                                climate_of(campaign, one).emergence,
+                                campaign.components[c - 1].standing.later,
+                                series)
+                : std::vector<double>(season.times.size()));
+    return ages;
+}
 
-    //! Returns the thermal times of all components in a step, given the thermal
-    //! time of the campaign's crop.
-    std::vector<double> at(std::size_t step, double of_crop) const {
-        std::vector<double> ages;
-        for (const std::vector<double>& each : times_)
-            ages.push_back(each[step]);
-        ages.front() = of_crop;
-        return ages;
-    }
+//! Returns the thermal times of all components in a step.
+//! @param of_crop thermal time of the campaign's crop
+std::vector<double> ages_at(const std::vector<std::vector<double>>& ages,
+                            std::size_t step, double of_crop) {
+    std::vector<double> all{of_crop};
+    for (std::size_t c = 1; c < ages.size(); ++c) all.push_back(ages[c][step]);
+    return all;
+}
 
-    //! Returns the thermal times of all components before emergence.
-    std::vector<double> before() const {
-        return std::vector<double>(times_.size(), -1);
-    }
-
-  private:
-    std::vector<std::vector<double>> times_;
-};
+//! Returns the thermal times of all components before emergence.
+std::vector<double> ages_before(const Campaign& campaign) {
+    return std::vector<double>(1 + campaign.components.size(), -1);
+}
 
 //! Returns the part of the time around a thermal time that a stage stands for.
 double weight(const Stage& stage, double time) {
@@ -133,7 +128,7 @@ void add_stages(const Campaign& campaign, Case& one) {
     const std::vector<StageTime> times =
         stage_times(campaign, one.spacing.row * one.spacing.plant,
                     season.times[season.end - 1]);
-    const Ages ages(campaign, one, season, series);
+    const auto ages = all_ages(campaign, one, season, series);
     const Case whole = one;
     double sum = 0;
     for (std::size_t k = 0; k < times.size(); ++k) {
@@ -149,9 +144,9 @@ void add_stages(const Campaign& campaign, Case& one) {
             season.times.begin());
         stage.day = static_cast<double>(step - season.begin) *
                     series.steps[step].seconds / 86400;
-        stage.ages = ages.at(step, at);
+        stage.ages = ages_at(ages, step, at);
         stage.ages_before =
-            k > 0 ? one.stages[k - 1].stage->ages : ages.before();
+            k > 0 ? one.stages[k - 1].stage->ages : ages_before(campaign);
         stage.share = 0;
         for (std::size_t i = season.begin; i < season.end; ++i)
             stage.share +=
@@ -201,11 +196,11 @@ Stage stage_on(const Campaign& campaign, const Case& one,
             to_string(climate_of(campaign, one).emergence),
             season.times[season.end - 1],
             to_string(series.steps[season.end - 1].date));
-    const Ages ages(campaign, one, season, series);
+    const auto ages = all_ages(campaign, one, season, series);
     Stage stage;
     stage.at = date ? season.times[step] : std::get<double>(when);
-    stage.ages = ages.at(step, stage.at);
-    stage.ages_before = ages.before();
+    stage.ages = ages_at(ages, step, stage.at);
+    stage.ages_before = ages_before(campaign);
     stage.date = series.steps[step].date;
     return stage;
 }

@@ -13,9 +13,6 @@ namespace ideotype {
 
 namespace {
 
-//! Options of verbs that choose one row.
-constexpr const char* row_options[] = {"--best", "--generation", "--slot"};
-
 void declare_row(CLI::App& verb, RowChoice& row) {
     verb.add_flag(
         "--best", row.is_best,
@@ -127,7 +124,8 @@ void declare_export(CLI::App& verb, ExportOptions& options) {
                       "(.csv); it works for a file that was cut short, too");
     generations->excludes("--field")->excludes("--paths");
     generations->excludes(component)->excludes(at);
-    for (const char* each : row_options) generations->excludes(each);
+    for (const char* each : {"--best", "--generation", "--slot"})
+        generations->excludes(each);
 }
 
 void declare_light(CLI::App& verb, MeshOptions& options) {

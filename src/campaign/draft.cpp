@@ -44,7 +44,7 @@ Draft::Draft() {
 std::vector<std::string> rule_names(const Draft& draft) {
     std::vector<std::string> names{"traits"};
     for (const BoundsEntry& each : draft.bounds)
-        if (std::find(names.begin(), names.end(), each.rule) == names.end())
+        if (std::ranges::count(names, each.rule) == 0)
             names.push_back(each.rule);
     return names;
 }

@@ -173,9 +173,7 @@ double violation(const Constraints& constraints,
     if (constraints.traits.empty()) return sum;
     Plant measured = plant;
     for (const TraitConstraint& limit : constraints.traits) {
-        const auto trait = std::find_if(
-            traits.begin(), traits.end(),
-            [&](const Trait& each) { return each.name == limit.trait; });
+        const auto trait = std::ranges::find(traits, limit.trait, &Trait::name);
         sum +=
             violation(limit, *find_measure(measured, trait->measures.front()));
     }

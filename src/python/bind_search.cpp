@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -73,14 +74,13 @@ std::unique_ptr<Search> make_search(
     const std::vector<std::string>& traits, const std::vector<bool>& maximise,
     const std::vector<std::tuple<double, double, int>>& axes) {
     SearchSettings settings;
-    std::vector<std::string> names;
-    for (const auto& each : optimizers) names.push_back(each.first);
-    const auto name = std::find(names.begin(), names.end(), optimizer);
-    if (name == names.end())
-        throw Error(fmt::format("there is no optimizer \"{}\"; use one of {}",
-                                optimizer, fmt::join(names, ", ")));
-    settings.optimizer =
-        optimizers[static_cast<std::size_t>(name - names.begin())].second;
+    const auto found = std::ranges::find(optimizers, optimizer,
+                                         [](const auto& x) { return x.first; });
+    if (found == optimizers.end())
+        throw Error(fmt::format(
+            "there is no optimizer \"{}\"; use one of {}", optimizer,
+            fmt::join(optimizers | std::views::keys, ", ")));
+    settings.optimizer = found->second;
     settings.population =
         population > 0 ? population
                        : usual_population(settings.optimizer, start.size());

@@ -89,8 +89,8 @@ void add(Scene& scene, FixedObject object) {
 }  // namespace
 
 bool has_trackers(const Campaign& campaign) {
-    return std::any_of(campaign.panels.begin(), campaign.panels.end(),
-                       [](const PanelEntry& each) { return each.rows.tracks; });
+    return std::ranges::any_of(campaign.panels, &PanelRows::tracks,
+                               &PanelEntry::rows);
 }
 
 void add_objects(Scene& scene, const Campaign& campaign,

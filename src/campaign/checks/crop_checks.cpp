@@ -2,8 +2,6 @@
 #include <algorithm>
 #include <set>
 
-#include <fmt/format.h>
-
 #include "checks.hpp"
 #include "ideotype/crop/measures.hpp"
 

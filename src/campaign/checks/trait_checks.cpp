@@ -23,9 +23,8 @@ class TraitCheck {
           problems_(problems) {}
 
     void run() {
-        const int lists = static_cast<int>(!entry_.sets.empty()) +
-                          static_cast<int>(!entry_.scales.empty()) +
-                          static_cast<int>(!entry_.shifts.empty());
+        const int lists = !entry_.sets.empty() + !entry_.scales.empty() +
+                          !entry_.shifts.empty();
         if (lists != 1)
             return problems_.add(
                 "name",

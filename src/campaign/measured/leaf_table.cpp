@@ -78,10 +78,7 @@ class LeafReader {
             columns_.push_back({std::string(field.text), nullptr});
             ReadColumn& column = columns_.back();
             const auto kind =
-                std::find_if(std::begin(leaf_columns), std::end(leaf_columns),
-                             [&](const LeafColumn& each) {
-                                 return each.name == column.name;
-                             });
+                std::ranges::find(leaf_columns, column.name, &LeafColumn::name);
             const Location place{file_, where.line, field.column};
             if (kind != std::end(leaf_columns))
                 choose(column, *kind, place);
@@ -198,9 +195,7 @@ class LeafReader {
     }
 
     void sort_by_rank() {
-        std::stable_sort(
-            table_.rows.begin(), table_.rows.end(),
-            [](const LeafRow& a, const LeafRow& b) { return a.rank < b.rank; });
+        std::ranges::stable_sort(table_.rows, {}, &LeafRow::rank);
         for (std::size_t i = 0; has_ranks_ && i < table_.rows.size(); ++i) {
             const int expected = static_cast<int>(i) + 1;
             if (table_.rows[i].rank == expected) continue;

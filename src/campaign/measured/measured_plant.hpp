@@ -102,9 +102,7 @@ inline constexpr auto rank_column = "leaf";
 //! Returns the place of a measure in leaf_measures.
 inline std::size_t index_of(double Leaf::*value) {
     return static_cast<std::size_t>(
-        std::find_if(
-            leaf_measures.begin(), leaf_measures.end(),
-            [&](const Measure<Leaf>& each) { return each.value == value; }) -
+        std::ranges::find(leaf_measures, value, &Measure<Leaf>::value) -
         leaf_measures.begin());
 }
 

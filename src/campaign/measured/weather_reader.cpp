@@ -98,7 +98,7 @@ void check_weather(const SiteWeather& weather, const Problems& problems) {
                          name, values.size(), expected);
     };
     check("hours", hours,
-          !hours.empty() && std::is_sorted(hours.begin(), hours.end()) &&
+          !hours.empty() && std::ranges::is_sorted(hours) &&
               hours.front() >= 0 && hours.back() < 24,
           "from 0 to 24, in order");
     const std::size_t steps = weather.dates.size() * hours.size();

@@ -126,8 +126,7 @@ class DraftReader {
         Plant& plant = draft_.campaign.crop.baseline;
         for (const std::string& name : all_organs(plant))
             set_present(plant, name,
-                        std::find(draft_.organs.begin(), draft_.organs.end(),
-                                  name) != draft_.organs.end());
+                        std::ranges::count(draft_.organs, name) > 0);
         draft_.organs = organ_names(plant);
     }
 

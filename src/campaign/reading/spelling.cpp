@@ -73,8 +73,7 @@ std::optional<std::string> meant_number(const std::string& text) {
     const auto decimals = *rest.digits(0, text.size());
     if (whole.empty() && decimals.empty()) return {};
     const auto unit = trimmed(rest.rest());
-    if (std::find(std::begin(units), std::end(units), unit) == std::end(units))
-        return {};
+    if (std::ranges::count(units, unit) == 0) return {};
     const auto significant =
         whole.substr(std::min(whole.find_first_not_of('0'), whole.size()));
     number += significant.empty() ? "0" : significant;

@@ -56,10 +56,7 @@ struct Reader : ValueFaults {
             if (!value) return std::nullopt;
             return std::vector{*value};
         }
-        if (!array) {
-            fail_type(node);
-            return std::nullopt;
-        }
+        if (!array) return fail_type(node), std::nullopt;
         std::vector<double> values;
         for (const toml::node& element : *array)
             if (const auto value = number(element)) values.push_back(*value);
@@ -248,7 +245,7 @@ struct Reader : ValueFaults {
         const auto text = element.value<std::string>();
         if (!text) return fail_type(element);
         const auto is_in = [&](const std::vector<std::string>& list) {
-            return std::find(list.begin(), list.end(), *text) != list.end();
+            return std::ranges::count(list, *text) > 0;
         };
         if (is_in(texts))
             return fail("has \"{}\" twice (once is enough); remove one", *text);

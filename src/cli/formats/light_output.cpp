@@ -35,8 +35,7 @@ Json gross_and_net(const Estimate& gross, double loss, Span span) {
 }
 
 bool has_stalks(const CanopyReport& report) {
-    return std::any_of(report.groups.begin(), report.groups.end(),
-                       [](const Group& group) { return !group.id.is_leaf(); });
+    return !std::ranges::all_of(report.groups, &SurfaceId::is_leaf, &Group::id);
 }
 
 //! Returns the name of a group, with that of its component where there are

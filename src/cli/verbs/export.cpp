@@ -28,10 +28,9 @@ std::vector<Measure<Leaf>> written_measures(const std::vector<Leaf>& leaves) {
     std::vector<Measure<Leaf>> written(leaf_measures.begin(), usual);
     std::copy_if(usual, leaf_measures.end(), std::back_inserter(written),
                  [&](const Measure<Leaf>& each) {
-                     return std::any_of(leaves.begin(), leaves.end(),
-                                        [&](const Leaf& leaf) {
-                                            return leaf.*each.value != 0;
-                                        });
+                     return std::ranges::any_of(leaves, [&](const Leaf& leaf) {
+                         return leaf.*each.value != 0;
+                     });
                  });
     return written;
 }

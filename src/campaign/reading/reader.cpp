@@ -33,24 +33,17 @@ void sort_traits(const Draft& draft, TraitSet& free) {
     });
 }
 
-class DraftReader {
+//! Reads a campaign, or one of its components, with its crop.
+class DraftReader : CropReader {
   public:
-    //! @param of_crop problems of the keys of the crop
-    DraftReader(const std::string& file, PlantSource source, Draft& draft,
-                const Problems& problems, const Problems& of_crop)
-        : file_(file),
-          source_(source),
-          draft_(draft),
-          problems_(problems),
-          crop_(file, source, draft, problems, of_crop),
-          tables_(file, problems) {}
+    using CropReader::CropReader;
 
     void read(const toml::table& top) {
         Campaign& campaign = draft_.campaign;
         // Other tables name traits and organs of the crop.
         draft_.is_crop_known = false;
         if (const auto baseline = top["plant"]["baseline"])
-            crop_.read_key(*baseline.node(), "plant.baseline");
+            read_key(*baseline.node(), "plant.baseline");
         prepare(top["plant"]["bounds"].value_or<std::string>(""));
         read_components(top);
         draft_.has_climate = top.contains("climate");
@@ -150,7 +143,7 @@ class DraftReader {
         draft_.campaign.name = table["name"].value_or<std::string>("");
         draft_.is_crop_known = false;
         if (const toml::node* const crop = table.get("crop"))
-            crop_.read_key(*crop, "component.crop");
+            read_key(*crop, "component.crop");
         if (const toml::node* const variation = table.get("variation"))
             read_variation(*variation);
         prepare("");
@@ -187,12 +180,7 @@ class DraftReader {
         for (const Table& part : parts) tables.read(*top, part);
     }
 
-    const std::string& file_;
-    PlantSource source_;
-    Draft& draft_;
-    Problems problems_;
-    CropReader crop_;
-    TableReader tables_;
+    TableReader tables_{file_, problems_};
 };
 
 //! Removes the optimizer of a study, which histories of version 0.2.0 name.

@@ -44,16 +44,18 @@ class CropReader {
     //! the crop that the table names or, without one, from the draft's plant.
     void read_measured(const std::string& text, const std::string& file);
 
+  protected:
+    const std::string& file_;
+    PlantSource source_;
+    Draft& draft_;
+    Problems problems_, of_crop_;
+
   private:
     void read_plant_file(const std::string& file, const std::string& named_by,
                          const Location& named_at);
     void read_crop_of_table(const std::string& file, const Location& named_at);
     void read_crop(const std::string& text, const std::string& file);
 
-    const std::string& file_;
-    PlantSource source_;
-    Draft& draft_;
-    Problems problems_, of_crop_;
     //! Tables that each name the next as crop.
     std::vector<std::string> tables_above_;
 };

@@ -70,9 +70,8 @@ nb::tuple to_tuple(const Estimate& x) {
     return nb::make_tuple(x.mean, x.standard_error);
 }
 
-nb::dict to_dict(const MeshReport& report, bool is_day,
+nb::dict to_dict(const CanopyReport& canopy, bool is_day,
                  const std::vector<Estimate>& faces) {
-    const CanopyReport& canopy = report.canopy;
     const BudgetEstimate& day = canopy.par().light.day;
     nb::dict dict;
     dict["incident"] = day.incident;
@@ -84,9 +83,7 @@ nb::dict to_dict(const MeshReport& report, bool is_day,
     budget["soil"] = to_tuple(day.soil);
     budget["reflected"] = to_tuple(day.reflected);
     dict["budget"] = budget;
-    std::vector<std::string> names;
-    for (const Group& group : canopy.groups) names.push_back(group.name);
-    dict["groups"] = names;
+    dict["groups"] = names_of(canopy.groups);
     dict["absorbed_by_group"] = to_array(canopy.par().light.groups);
     dict["absorbed_by_layer"] = to_array(canopy.par().light.layers);
     dict["layer_thickness"] = canopy.layers.thickness;
@@ -106,16 +103,11 @@ nb::dict to_dict(const MeshReport& report, bool is_day,
         dict["net_loss"] = sum_of(all.losses).in_light;
     }
     dict["balance_error"] = canopy.par().light.balance_error;
-    dict["ground_area"] = canopy.ground_area;
-    dict["paths"] = canopy.paths;
-    dict["is_capped"] = canopy.is_capped;
-    dict["warnings"] = report.warnings;
     return dict;
 }
 
 //! Returns the light of all bands and components of a scene.
-nb::dict to_scene_dict(const MeshReport& report) {
-    const CanopyReport& canopy = report.canopy;
+nb::dict to_scene_dict(const CanopyReport& canopy) {
     nb::dict dict;
     nb::list bands;
     for (const BandReport& band : canopy.bands) {
@@ -132,31 +124,23 @@ nb::dict to_scene_dict(const MeshReport& report) {
         bands.append(one);
     }
     dict["bands"] = bands;
-    std::vector<std::string> names, groups;
     std::vector<double> lai;
-    for (const ComponentReport& each : canopy.components) {
-        names.push_back(each.name);
+    for (const ComponentReport& each : canopy.components)
         lai.push_back(each.lai);
-    }
-    for (const Group& group : canopy.groups) groups.push_back(group.name);
-    dict["components"] = names;
+    dict["components"] = names_of(canopy.components);
     dict["lai"] = lai;
-    dict["groups"] = groups;
+    dict["groups"] = names_of(canopy.groups);
     if (canopy.assimilation) {
         std::vector<Estimate> gross;
         std::vector<double> lost;
         for (const ComponentAssimilation& each :
-             by_component(*canopy.assimilation, canopy.groups, names.size())) {
+             by_component(*canopy.assimilation, canopy.groups, lai.size())) {
             gross.push_back(each.gross);
             lost.push_back(each.loss.in_light);
         }
         dict["gross_assimilation"] = to_array(gross);
         dict["respired"] = lost;
     }
-    dict["ground_area"] = canopy.ground_area;
-    dict["paths"] = canopy.paths;
-    dict["is_capped"] = canopy.is_capped;
-    dict["warnings"] = report.warnings;
     return dict;
 }
 
@@ -182,8 +166,13 @@ void bind_mesh(nb::module_& module) {
             faces = by_polygon(divided, areas, report.canopy.par().faces);
         }
         const bool is_day = has_day(options);
-        nb::dict found = options.scene.empty() ? to_dict(report, is_day, faces)
-                                               : to_scene_dict(report);
+        nb::dict found = options.scene.empty()
+                             ? to_dict(report.canopy, is_day, faces)
+                             : to_scene_dict(report.canopy);
+        found["ground_area"] = report.canopy.ground_area;
+        found["paths"] = report.canopy.paths;
+        found["is_capped"] = report.canopy.is_capped;
+        found["warnings"] = report.warnings;
         found["is_day"] = is_day;
         return found;
     });

@@ -54,6 +54,12 @@ inline std::vector<double> to_vector(const Input<double, 1>& array) {
     return {array.data(), array.data() + array.size()};
 }
 
+inline std::vector<std::string> names_of(const auto& all) {
+    std::vector<std::string> names;
+    for (const auto& each : all) names.push_back(each.name);
+    return names;
+}
+
 //! Returns vertices [n, 3] in m, faces [m, 4], the group of each face, and
 //! names of groups.
 inline nb::tuple mesh_tuple(const Mesh& mesh) {
@@ -63,12 +69,10 @@ inline nb::tuple mesh_tuple(const Mesh& mesh) {
     std::vector<std::uint32_t> faces;
     for (const auto& face : mesh.faces)
         faces.insert(faces.end(), face.begin(), face.end());
-    std::vector<std::string> groups;
-    for (const Group& group : mesh.groups) groups.push_back(group.name);
     return nb::make_tuple(to_array(vertices, {mesh.vertices.size(), 3}),
                           to_array(faces, {mesh.faces.size(), 4}),
                           to_array(mesh.face_group, {mesh.face_group.size()}),
-                          groups);
+                          names_of(mesh.groups));
 }
 
 void bind_plants(nb::module_& module);

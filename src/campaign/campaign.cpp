@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "campaign/checks/checks.hpp"
-#include "campaign/measured/measured_plant.hpp"
 #include "campaign/reading/files.hpp"
 #include "campaign/reading/reader.hpp"
 #include "campaign/schema/leaf_tables.hpp"
@@ -213,13 +212,8 @@ Crop read_crop(const std::string& path, const Plant* other) {
     const std::string text = read_text(path);
     Draft draft;
     Problems problems;
-    if (is_measured(path)) {
-        draft.is_crop_known = other != nullptr;
-        if (other) draft.campaign.crop.baseline = *other;
-        read_measured_draft(text, path, draft, problems);
-    } else if (!read_plant_draft(text, path, draft, problems)) {
+    if (!read_crop_draft(text, path, other, draft, problems))
         return parse(text, path, PlantSource::file_or_table).crop;
-    }
     check_plant(draft, problems);
     problems.throw_if_any();
     Crop crop = crop_of(draft);

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "campaign/measured/measured_plant.hpp"
 #include "files.hpp"
 #include "nodes.hpp"
 #include "tables.hpp"
@@ -218,20 +219,20 @@ void read_draft(const std::string& text, const std::string& file,
     }
 }
 
-bool read_plant_draft(const std::string& text, const std::string& file,
-                      Draft& draft, const Problems& problems) {
-    const auto table = parse_toml(text, file, problems);
-    if (table && !is_plant(*table)) return false;
-    if (table)
-        CropReader(file, PlantSource::table, draft, problems, problems)
-            .read_plant(*table, file);
+bool read_crop_draft(const std::string& text, const std::string& file,
+                     const Plant* other, Draft& draft,
+                     const Problems& problems) {
+    CropReader reader(file, PlantSource::file_or_table, draft, problems,
+                      problems);
+    if (is_measured(file)) {
+        draft.is_crop_known = other != nullptr;
+        if (other) draft.campaign.crop.baseline = *other;
+        reader.read_measured(text, file);
+    } else if (const auto table = parse_toml(text, file, problems)) {
+        if (!is_plant(*table)) return false;
+        reader.read_plant(*table, file);
+    }
     return true;
-}
-
-void read_measured_draft(const std::string& text, const std::string& file,
-                         Draft& draft, const Problems& problems) {
-    CropReader(file, PlantSource::file_or_table, draft, problems, problems)
-        .read_measured(text, file);
 }
 
 }  // namespace ideotype

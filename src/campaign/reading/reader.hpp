@@ -67,15 +67,13 @@ void read_draft(const std::string& text, const std::string& file,
                 PlantSource source, const std::vector<std::string>& settings,
                 Draft& draft, const Problems& problems);
 
-//! Reads the text of a crop file into a draft and leaves all else in the draft
-//! as it is. Returns false if the text is no crop file.
-bool read_plant_draft(const std::string& text, const std::string& file,
-                      Draft& draft, const Problems& problems);
-
-//! Reads a table of measured leaves into a draft, whose plant has all other
-//! values if the table names no crop.
-void read_measured_draft(const std::string& text, const std::string& file,
-                         Draft& draft, const Problems& problems);
+//! Reads the text of a crop file, or of a table of measured leaves, into a
+//! draft and leaves all else in the draft as it is. Returns false if the text
+//! is neither.
+//! @param other plant with the measures that a table without crop lacks
+bool read_crop_draft(const std::string& text, const std::string& file,
+                     const Plant* other, Draft& draft,
+                     const Problems& problems);
 
 //! Reads the weather files of a campaign, for each site in each climate, unless
 //! the draft has the weather already; resolved campaigns have all. Problems of

@@ -54,17 +54,6 @@ Section field_section(FieldForm& field) {
     return section;
 }
 
-//! Returns the section with the optics of plants.
-Section plant_optics_section(const std::string& name, PlantOptics& optics) {
-    return {name,
-            {{"leaf_reflectance", &optics.leaf.reflectance},
-             {"leaf_transmittance", &optics.leaf.transmittance},
-             {"stalk_reflectance", &optics.stalk.reflectance},
-             {"stalk_transmittance", &optics.stalk.transmittance},
-             {"sheath_reflectance", &optics.sheath.reflectance},
-             {"sheath_transmittance", &optics.sheath.transmittance}}};
-}
-
 Section band_section(BandEntry& band) {
     return {"band", {{"name", &band.name}}};
 }
@@ -124,8 +113,14 @@ Section variation_section(PlantVariation& variation, const std::string& name) {
 
 Table optics_table(Campaign& campaign, bool has_soil) {
     const auto table = [&](std::size_t b) {
-        Section optics =
-            plant_optics_section(wavebands[b].table, campaign.optics[b]);
+        auto& [leaf, stalk, sheath] = campaign.optics[b];
+        Section optics(wavebands[b].table,
+                       {{"leaf_reflectance", &leaf.reflectance},
+                        {"leaf_transmittance", &leaf.transmittance},
+                        {"stalk_reflectance", &stalk.reflectance},
+                        {"stalk_transmittance", &stalk.transmittance},
+                        {"sheath_reflectance", &sheath.reflectance},
+                        {"sheath_transmittance", &sheath.transmittance}});
         if (has_soil) optics.add("soil_albedo", &campaign.soil_albedo[b]);
         if (has_soil && b == 0)
             optics.add("par_fraction", &campaign.par_fraction);

@@ -60,22 +60,6 @@ Section sensitivity_section(SensitivitySettings& design, bool& has_traits) {
              {"traits", &has_traits}}};
 }
 
-Section stop_section(StopRules& stop) {
-    return {"stop",
-            {{"generations", &stop.generations},
-             {"no_gain", &stop.no_gain},
-             {"evaluations", &stop.evaluations},
-             {"wall_time", &stop.wall_time},
-             {"failed_fraction", &stop.failed_fraction}}};
-}
-
-Section final_section(FinalRule& rule) {
-    return {"final",
-            {{"candidates", &rule.candidates},
-             {"paths", &rule.sampling.paths},
-             {"randomisations", &rule.sampling.randomisations}}};
-}
-
 Section light_section(Campaign& campaign) {
     Accuracy& accuracy = campaign.sampling;
     Section section(
@@ -156,6 +140,8 @@ Section constraint_section(TraitConstraint& limit) {
 
 std::vector<Table> run_tables(Draft& draft) {
     Campaign& campaign = draft.campaign;
+    StopRules& stop = campaign.stop;
+    FinalRule& final = campaign.final_rule;
     AnswerLimits& limits = campaign.answer_limits;
     return {
         one_table(search_section(campaign.search))
@@ -166,8 +152,16 @@ std::vector<Table> run_tables(Draft& draft) {
         one_table(sensitivity_section(draft.design, draft.varied.has_traits))
             .left_out_if(!draft.is_study)
             .with(keys_table("sensitivity", draft.varied.keys), "keys"),
-        one_table(stop_section(campaign.stop)),
-        one_table(final_section(campaign.final_rule)),
+        one_table({"stop",
+                   {{"generations", &stop.generations},
+                    {"no_gain", &stop.no_gain},
+                    {"evaluations", &stop.evaluations},
+                    {"wall_time", &stop.wall_time},
+                    {"failed_fraction", &stop.failed_fraction}}}),
+        one_table({"final",
+                   {{"candidates", &final.candidates},
+                    {"paths", &final.sampling.paths},
+                    {"randomisations", &final.sampling.randomisations}}}),
         one_table({"parallel",
                    {{"deadline", &limits.deadline},
                     {"attempts", &limits.attempts}}})};

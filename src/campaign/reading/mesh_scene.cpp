@@ -26,7 +26,7 @@ struct Entry {
 class SceneReader {
   public:
     SceneReader(const std::string& file, const Problems& problems)
-        : file_(file), problems_(problems), tables_(file, problems) {
+        : file_(file), problems_(problems) {
         scene_.file = file;
     }
 
@@ -267,7 +267,6 @@ class SceneReader {
 
     const std::string& file_;
     const Problems& problems_;
-    TableReader tables_;
     MeshScene scene_;
     std::vector<Entry> entries_;
 };

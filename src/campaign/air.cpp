@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "air.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
+#include "campaign.hpp"
 #include "ideotype/physiology/leaf.hpp"
 #include "ideotype/physiology/temperature.hpp"
 

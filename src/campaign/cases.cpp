@@ -5,11 +5,9 @@
 
 #include <fmt/format.h>
 
-#include "air.hpp"
 #include "campaign.hpp"
 #include "ideotype/core/hash.hpp"
 #include "problems.hpp"
-#include "stages.hpp"
 
 namespace ideotype {
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "entries.hpp"
@@ -112,5 +113,60 @@ GeneSpace gene_space(const Campaign& campaign, const Case& chosen);
 //! Returns the genes of a case and, after them, the keys that a study or search
 //! varies. If traits are not varied, no gene of a trait is free.
 GeneSpace search_genes(const Campaign& campaign, const Case& chosen);
+
+//! Returns the pressure of the standard atmosphere at an elevation [m] in kPa.
+double standard_pressure(double elevation);
+
+//! Returns the longwave radiation of the sky [W m-2], from a clear sky
+//! (Brutsaert 1975, doi:10.1029/WR011i005p00742) and clouds (Crawford and
+//! Duchon 1999, doi:10.1175/1520-0450(1999)038<0474:AIPFEE>2.0.CO;2),
+//!
+//!     [(1 - s) + 1.24 s (e / T)^(1/7)] sigma T^4
+//!
+//! @param temperature temperature T of the air [deg C], in the equation in K
+//! @param vapour vapour pressure e of the air [hPa]
+//! @param clearness s: light over that of a clear sky, 0 to 1
+double sky_longwave(double temperature, double vapour, double clearness);
+
+//! Gives each step the wind, pressure and longwave radiation that weather does
+//! not tell: a wind of 2 m s-1 at a height of 2 m (Allen et al. 1998, FAO 56),
+//! the pressure at the elevation, and sky_longwave(), at night and with a low
+//! sun with the clearness of the daylight before. If temperature or humidity is
+//! unknown, air is that of clear days. The series then lists the estimates.
+//! @param par_fraction PAR over all solar radiation of the clear sky
+void estimate_air(LightSeries& series, const Site& site, double par_fraction);
+
+//! Adds stages to a case whose plants grow, from the first leaf to maturity or
+//! to the end of the period. The ages of stages are chosen so that straight
+//! lines between them follow best how much light leaves intercept.
+void add_stages(const Campaign& campaign, Case& one);
+
+//! Returns the stage of plants at noon of a date, or at a thermal time of the
+//! campaign's crop [deg C d]. The stage stands for the hours of the day.
+//! @param one a case without scenarios, or a single scenario of a case
+//! @throws Error of wrong usage if plants do not grow or it is not their
+//! season.
+Stage stage_on(const Campaign& campaign, const Case& one,
+               const std::variant<Date, double>& when);
+
+//! Returns the hours of a period for which a stage stands, each with the share
+//! of its time that belongs to the stage.
+LightSeries at_stage(const Campaign& campaign, const Case& chosen,
+                     LightSeries series);
+
+//! Returns the growth of a component, number 0 being the campaign's crop; null
+//! if the component does not grow.
+const Growth* growth_of(const Campaign& campaign, std::size_t component);
+
+//! The thermal time of a stage [deg C d], and roughly the part of light that
+//! green leaves of the baseline then intercept.
+struct StageTime {
+    double at, interception;
+};
+
+//! Returns the thermal times of a campaign's stages up to some time. A single
+//! stage is in the middle of the time with the most leaves.
+std::vector<StageTime> stage_times(const Campaign& campaign,
+                                   double ground_per_plant, double last);
 
 }  // namespace ideotype

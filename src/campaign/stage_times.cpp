@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "stages.hpp"
+#include "campaign.hpp"
 
 namespace ideotype {
 

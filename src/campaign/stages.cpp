@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "stages.hpp"
-
 #include <algorithm>
 
 #include <fmt/format.h>
 
+#include "campaign.hpp"
 #include "problems.hpp"
 
 namespace ideotype {

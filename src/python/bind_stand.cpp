@@ -2,7 +2,6 @@
 #include <algorithm>
 
 #include "bindings.hpp"
-#include "campaign/stages.hpp"
 #include "ideotype/core/error.hpp"
 #include "stand.hpp"
 

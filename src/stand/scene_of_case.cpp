@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "campaign/stages.hpp"
 #include "ideotype/core/contract.hpp"
 #include "ideotype/light/tolerance.hpp"
 #include "stand.hpp"

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "campaign/air.hpp"
 #include "campaign/reading/reader.hpp"
 #include "campaign/schema/schema.hpp"
 #include "ideotype/core/error.hpp"

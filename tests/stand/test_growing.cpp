@@ -5,7 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include "campaign/stages.hpp"
 #include "ideotype/core/error.hpp"
 #include "season_numbers.hpp"
 

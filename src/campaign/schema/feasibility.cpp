@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-
 #include "campaign/checks/checks.hpp"
 #include "ideotype/canopy/quantities.hpp"
 #include "ideotype/crop/measures.hpp"

@@ -12,7 +12,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "campaign/air.hpp"
 #include "ideotype/climate/light_series.hpp"
 #include "ideotype/core/clock.hpp"
 #include "ideotype/light/device.hpp"

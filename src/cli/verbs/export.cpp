@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "campaign/problems.hpp"
-#include "campaign/stages.hpp"
 #include "cli/choose_row.hpp"
 #include "cli/formats/mesh_files.hpp"
 #include "cli/formats/output_file.hpp"

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <map>
 #include <memory>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "options.hpp"
+#include "ideotype/core/clock.hpp"
+#include "ranks.hpp"
 #include "run/job/way_on.hpp"
 #include "stand/mesh_options.hpp"
 #include "verbs.hpp"
@@ -12,6 +14,54 @@
 namespace ideotype {
 
 namespace {
+
+//! Declares `--set KEY=VALUE`, any number of times.
+void add_settings(CLI::App& verb, std::vector<std::string>& settings) {
+    verb.add_option("--set", settings,
+                    "a key of the campaign and its value, in the place of what "
+                    "the file says: search.optimizer=random; may be repeated")
+        ->type_name("KEY=VALUE")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+        ->allow_extra_args(false);
+}
+
+//! Declares a campaign file and the settings that replace its values.
+void add_campaign(CLI::App& verb, std::string& path,
+                  std::vector<std::string>& settings) {
+    verb.add_option("campaign", path, "campaign file (TOML)")->required();
+    add_settings(verb, settings);
+}
+
+void add_threads(CLI::App& verb, std::optional<int>& threads) {
+    verb.add_option_function<std::string>(
+            "--threads",
+            [&](const std::string& text) { threads = parse_threads(text); },
+            "threads that evaluate, or auto: as many as this process may use "
+            "cores; if not given auto, and under mpirun or srun one on each "
+            "rank")
+        ->type_name("N|auto");
+}
+
+void add_log_level(CLI::App& verb, LogLevel& level) {
+    static const std::map<std::string, LogLevel> levels{
+        {"error", LogLevel::error},
+        {"warning", LogLevel::warning},
+        {"info", LogLevel::info},
+        {"debug", LogLevel::debug}};
+    auto* option =
+        verb.add_option_function<std::string>(
+                "--log-level",
+                [&level](const std::string& name) { level = levels.at(name); },
+                "what is told of the work: errors, also warnings, also how "
+                "far it is (if not given), also each evaluation")
+            ->check(CLI::IsMember({"error", "warning", "info", "debug"}))
+            ->type_name("LEVEL");
+    verb.add_flag_callback(
+            "--quiet", [&level] { level = LogLevel::warning; },
+            "--log-level warning: results are still printed")
+        ->excludes(option);
+}
 
 void declare_row(CLI::App& verb, RowChoice& row) {
     verb.add_flag(
@@ -49,6 +99,51 @@ void declare_check(CLI::App& verb, CheckOptions& options) {
     for (CLI::Option* each : kinds)
         for (CLI::Option* other : kinds)
             if (each != other) each->excludes(other);
+}
+
+double to_seconds(const std::string& text) {
+    const auto seconds = parse_duration(text);
+    if (seconds && *seconds > 0) return *seconds;
+    throw CLI::ValidationError(
+        "--wall-time", fmt::format("'{}' is no time; write for example 90, "
+                                   "90s, 30m, 2h, 1h30m or 01:30:00",
+                                   text));
+}
+
+void declare_run(CLI::App& verb, RunOptions& options) {
+    add_campaign(verb, options.campaign_path, options.settings);
+    verb.add_option("--start", options.start,
+                    "plant around which CMA-ES begins (search.start): a plant "
+                    "file, or a history, whose best plant is taken");
+    add_threads(verb, options.threads);
+    verb.add_option("--masters", options.masters,
+                    "number of ranks that evolve cases, each with workers of "
+                    "its own; if not given, one for each 1,000 ranks, but no "
+                    "more than there are cases")
+        ->check(CLI::PositiveNumber);
+    verb.add_option("--case", options.case_index,
+                    "only the case of this index (see check --cases)");
+    verb.add_flag("--resume", options.is_resumed,
+                  "go on with histories that exist; start the others");
+    verb.add_option("--out", options.out, "folder for <campaign>/<case>.h5")
+        ->capture_default_str();
+    verb.add_option("--isa", options.isa,
+                    "instruction set to begin with, the same on all ranks; if "
+                    "not given, that of a history that is resumed, or else "
+                    "the widest that all ranks have")
+        ->check(CLI::IsMember({"sse2", "sse4.2", "avx", "avx2", "avx512"}));
+    add_log_level(verb, options.level);
+    verb.add_option_function<std::string>(
+        "--wall-time",
+        [&](const std::string& text) { options.wall_time = to_seconds(text); },
+        "time after which to stop cleanly: seconds, or for example 30m, "
+        "1h30m, 01:30:00");
+}
+
+void declare_sensitivity(CLI::App& verb, RunOptions& options) {
+    options.read = read_study;
+    options.out = "results/sensitivity";
+    declare_run(verb, options);
 }
 
 void declare_status(CLI::App& verb, StatusOptions& options) {
@@ -135,11 +230,6 @@ void declare_light(CLI::App& verb, MeshOptions& options) {
     add_json(verb, options.is_json);
 }
 
-ExitCode export_any(const ExportOptions& options) {
-    return options.is_generations ? export_generations(options)
-                                  : export_plant(options);
-}
-
 void declare_files(CLI::App& verb, std::vector<std::string>& paths) {
     verb.add_option("files", paths, "histories")->required();
 }
@@ -199,7 +289,7 @@ void declare_verbs(CLI::App& app, const std::vector<std::string>& words,
         "write a plant of a history as OBJ (mesh), VTP (mesh with the PAR "
         "that each face absorbs, for ParaView), CSV (traits) or TOML (plant "
         "file, for campaigns), or all complete generations as CSV",
-        "FILE.h5 --best --to best.toml", declare_export, export_any);
+        "FILE.h5 --best --to best.toml", declare_export, export_plant);
     add("verify",
         "compare histories with their checksums, also while they are written",
         "FILE.h5", declare_files, verify);

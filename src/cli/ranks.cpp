@@ -112,4 +112,11 @@ ExitCode share_work(const Session& session, const Evaluators& evaluators,
     return code;
 }
 
+ExitCode start_run(const RunOptions& options) {
+    StopFlag stop;
+    const Session session = start_session();
+    return on_ranks(session, Log(options.level),
+                    [&] { return run(options, session, stop); });
+}
+
 }  // namespace ideotype

@@ -121,11 +121,6 @@ ExitCode report_error(const std::exception& error, const Log& log);
 void declare_verbs(CLI::App& app, const std::vector<std::string>& words,
                    std::function<int()>& action);
 
-void declare_run(CLI::App& verb, RunOptions& options);
-
-//! Declares the verb `sensitivity`, which evaluates the design of a study.
-void declare_sensitivity(CLI::App& verb, RunOptions& options);
-
 //! Runs a campaign; collective over the ranks that a launcher has started, if
 //! any.
 ExitCode start_run(const RunOptions& options);

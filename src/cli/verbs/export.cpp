@@ -198,6 +198,7 @@ std::size_t chosen_component(const Campaign& campaign,
 }  // namespace
 
 ExitCode export_plant(const ExportOptions& options) {
+    if (options.is_generations) return export_generations(options);
     ChosenRow row = choose_row(options.path, options.row);
     const auto& [campaign, chosen, task, found, schema, isa] = row;
     const std::size_t component = chosen_component(campaign, options.component);

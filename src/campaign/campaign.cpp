@@ -221,10 +221,6 @@ Crop read_crop(const std::string& path, const Plant* other) {
     return crop;
 }
 
-Plant read_plant(const std::string& path) {
-    return read_crop(path).baseline;
-}
-
 void require_breedable(const Campaign& campaign) {
     if (!campaign.outside_bounds.empty())
         throw InputError(campaign.outside_bounds);

@@ -9,17 +9,10 @@
 
 #include "cases.hpp"
 #include "entries.hpp"
-#include "ideotype/canopy/field.hpp"
-#include "ideotype/climate/light_series.hpp"
 #include "ideotype/climate/sky_sampler.hpp"
 #include "ideotype/climate/sun.hpp"
-#include "ideotype/climate/weather.hpp"
 #include "ideotype/core/error.hpp"
-#include "ideotype/core/range.hpp"
-#include "ideotype/crop/crop.hpp"
-#include "ideotype/crop/measured_lines.hpp"
 #include "ideotype/light/accuracy.hpp"
-#include "ideotype/physiology/photosynthesis.hpp"
 #include "search/outcome.hpp"
 #include "search/population.hpp"
 #include "search/settings.hpp"
@@ -224,9 +217,6 @@ void require_breedable(const Campaign& campaign);
 //! @throws InputError with all problems.
 //! @throws Error if a file cannot be read.
 Crop read_crop(const std::string& path, const Plant* other = nullptr);
-
-//! Returns the baseline of read_crop().
-Plant read_plant(const std::string& path);
 
 //! Reads the [photosynthesis] table of a file that has no other tables. Missing
 //! keys have the defaults of a campaign, except that leaves do not differ by

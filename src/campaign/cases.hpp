@@ -9,8 +9,6 @@
 #include <vector>
 
 #include "entries.hpp"
-#include "ideotype/canopy/field.hpp"
-#include "ideotype/climate/light_series.hpp"
 #include "ideotype/climate/sun.hpp"
 #include "search/population.hpp"
 

@@ -168,7 +168,7 @@ std::string start_setting(const Campaign& campaign, const std::string& path) {
         start = best_of_history(genes, std::move(start), path);
     } else {
         Crop crop = campaign.crop;
-        crop.baseline = read_plant(path);
+        crop.baseline = read_crop(path).baseline;
         if (crop.baseline.leaves.size() != campaign.crop.baseline.leaves.size())
             throw Error(
                 fmt::format("{}: this plant has {} leaves (the campaign's "

@@ -41,7 +41,8 @@ constexpr Setting settings[] = {
 Campaign ames(int plants) {
     Campaign campaign = BenchStand::ames();
     campaign.crop.baseline =
-        read_plant(IDEOTYPE_CAMPAIGNS "/../tests/data/golden/pole.toml");
+        read_crop(IDEOTYPE_CAMPAIGNS "/../tests/data/golden/pole.toml")
+            .baseline;
     campaign.days[0].value.step_minutes = 60;
     campaign.field.rows = campaign.field.plants = plants;
     return campaign;

@@ -47,8 +47,9 @@ class Canopy {
         : stand_(campaign(which)) {
         Plant plant = stand_.campaign.crop.baseline;
         if (which.plant)
-            plant = read_plant(
-                fmt::format("{}/{}.toml", IDEOTYPE_CAMPAIGNS, which.plant));
+            plant = read_crop(fmt::format("{}/{}.toml", IDEOTYPE_CAMPAIGNS,
+                                          which.plant))
+                        .baseline;
         if (which.azimuth)
             for (std::size_t i = 0; i < plant.leaves.size(); ++i)
                 plant.leaves[i].azimuth =

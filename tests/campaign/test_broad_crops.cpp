@@ -25,7 +25,7 @@ INSTANTIATE_TEST_SUITE_P(Known, BroadCrop,
                          ::testing::Values("soybean", "cowpea"));
 
 TEST_P(BroadCrop, TrifoliatesHaveTheAreaOfTheirMiddleLeaflet) {
-    const Plant plant = read_plant(crop_file(GetParam()));
+    const Plant plant = read_crop(crop_file(GetParam())).baseline;
     const Mesh mesh = build_plant(plant, {});
     const std::vector<double> areas = face_areas(mesh);
     std::vector<double> of_groups(mesh.groups.size());
@@ -38,7 +38,8 @@ TEST_P(BroadCrop, TrifoliatesHaveTheAreaOfTheirMiddleLeaflet) {
 }
 
 TEST_P(BroadCrop, StandsAboveTheSoilAndIsAMetreHighOrLess) {
-    const Mesh mesh = build_plant(read_plant(crop_file(GetParam())), {});
+    const Mesh mesh =
+        build_plant(read_crop(crop_file(GetParam())).baseline, {});
     double lowest = 9, highest = 0;
     for (const glm::dvec3& v : mesh.vertices) {
         lowest = std::min(lowest, v.z);
@@ -56,7 +57,7 @@ TEST_P(BroadCrop, IsWrittenAsItIsRead) {
     EXPECT_EQ(text.find("insertion_height"), std::string::npos);
     const std::string path = temporary_file("again.toml");
     std::ofstream(path) << text;
-    const Plant again = read_plant(path);
+    const Plant again = read_crop(path).baseline;
     EXPECT_EQ(crop_text(campaign, again), text);
     EXPECT_EQ(build_plant(again, {}).vertices,
               build_plant(crop.baseline, {}).vertices);
@@ -122,15 +123,16 @@ TEST(BroadCrops, MeasuredHeightsAndInternodesAgree) {
         for (int rank = 1; rank <= 12; ++rank)
             table << rank << ',' << 5 + growth * (rank - 1) << '\n';
         table.close();
-        return read_plant(path);
+        return read_crop(path).baseline;
     };
     for (const Plant& plant :
          {read("insertion_height_cm", 5), read("internode_cm", 0)}) {
         EXPECT_NEAR(plant.leaves[11].insertion_height, .6, 1e-12);
         EXPECT_NEAR(plant.stalk.height, .6, 1e-12);
         EXPECT_NEAR(plant.leaves[5].internode, .05, 1e-12);
-        EXPECT_EQ(plant.leaves[5].petiole_length,
-                  read_plant(crop_file("soybean")).leaves[5].petiole_length);
+        EXPECT_EQ(
+            plant.leaves[5].petiole_length,
+            read_crop(crop_file("soybean")).baseline.leaves[5].petiole_length);
     }
 }
 

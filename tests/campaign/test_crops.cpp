@@ -16,13 +16,14 @@ namespace {
 
 TEST(Campaign, PlantsAreWrittenAsTheyAreRead) {
     const Campaign campaign = ames();
-    const Plant b73 = read_plant(IDEOTYPE_CAMPAIGNS "/crops/maize.toml");
+    const Plant b73 =
+        read_crop(IDEOTYPE_CAMPAIGNS "/crops/maize.toml").baseline;
     EXPECT_EQ(b73.leaves.size(), 10u);
     const std::string text = crop_text(campaign, b73);
     EXPECT_EQ(text, crop_text(campaign, campaign.crop.baseline));
     const std::string path = temporary_file("again.toml");
     std::ofstream(path) << text;
-    const Plant again = read_plant(path);
+    const Plant again = read_crop(path).baseline;
     EXPECT_EQ(crop_text(campaign, again), text);
     EXPECT_EQ(again.leaves[9].width, b73.leaves[9].width);
     EXPECT_EQ(organ_names(again), organ_names(b73));
@@ -30,8 +31,8 @@ TEST(Campaign, PlantsAreWrittenAsTheyAreRead) {
     turned.leaves[9].azimuth = b73.leaves[9].azimuth - 720;
     EXPECT_EQ(crop_text(campaign, turned), text) << "files begin at north";
     std::ofstream(path, std::ios::app) << "\n[[leaf]]\nlength = 0.5\n";
-    EXPECT_THROW(read_plant(path), InputError);
-    EXPECT_THROW(read_plant(path + "none"), Error);
+    EXPECT_THROW(read_crop(path), InputError);
+    EXPECT_THROW(read_crop(path + "none"), Error);
 }
 
 TEST(Campaign, PlantFilesHoldTheKnownPlants) {
@@ -57,7 +58,8 @@ TEST(Campaign, ElitePlantIsLargerAndInsideThePaperBounds) {
         area += 0.7455 * leaf.length * leaf.width;
     EXPECT_NEAR(area / (0.762 * 0.1524), 4.7, 0.05);
     // The droops of this plant are those of version 0.2.
-    const Plant b73 = read_plant(IDEOTYPE_CAMPAIGNS "/plants/maize_v02.toml");
+    const Plant b73 =
+        read_crop(IDEOTYPE_CAMPAIGNS "/plants/maize_v02.toml").baseline;
     for (std::size_t i = 0; i < 10; ++i) {
         EXPECT_EQ(elite.leaves[i].azimuth, b73.leaves[i].azimuth);
         EXPECT_EQ(elite.leaves[i].curvature, b73.leaves[i].curvature);
@@ -76,7 +78,7 @@ TEST(Campaign, EveryCropAndMeasuredPlantOfTheProjectIsAPlant) {
     for (const char* place : {"/crops", "/plants"})
         for (const auto& file : std::filesystem::directory_iterator(
                  std::string(IDEOTYPE_CAMPAIGNS) + place)) {
-            EXPECT_EQ(read_plant(file.path().string()).leaves.size(),
+            EXPECT_EQ(read_crop(file.path().string()).baseline.leaves.size(),
                       leaves.at(file.path().stem().string()));
             ++found;
         }

@@ -226,7 +226,7 @@ TEST_F(MeasuredPlants, ATableNamesItsCrop) {
         << problems;
     // Nothing tells the remaining measures.
     try {
-        read_plant(written(lengths));
+        read_crop(written(lengths));
         FAIL() << "a table without a crop is a plant";
     } catch (const InputError& error) {
         EXPECT_NE(std::string(error.what())

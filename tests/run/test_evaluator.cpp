@@ -96,7 +96,8 @@ TEST_F(Ames, TheElitePlantAbsorbsMoreThanTheBaseline) {
     };
     const Estimate b = absorbed(campaign.crop.baseline);
     const Estimate e = absorbed(
-        read_plant(std::string(IDEOTYPE_CAMPAIGNS) + "/plants/elite.toml"));
+        read_crop(std::string(IDEOTYPE_CAMPAIGNS) + "/plants/elite.toml")
+            .baseline);
     EXPECT_GT(e.mean - b.mean,
               4 * std::hypot(b.standard_error, e.standard_error));
 }

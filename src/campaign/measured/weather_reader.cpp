@@ -126,36 +126,33 @@ void check_weather(const SiteWeather& weather, const Problems& problems) {
     }
 }
 
-class WeathersReader {
-  public:
-    WeathersReader(const std::string& campaign_file, PlantSource source,
-                   Draft& draft, const Problems& problems)
-        : campaign_file_(campaign_file),
-          source_(source),
-          campaign_(draft.campaign),
-          problems_(problems) {}
+struct WeathersReader {
+    const std::string& campaign_file;
+    PlantSource source;
+    Campaign& campaign;
+    const Problems& problems;
+    std::set<std::string> told{};
 
     void read() {
-        for (std::size_t i = 0; i < campaign_.weathers.size(); ++i)
-            check_weather(campaign_.weathers[i], problems_.in("weather", i));
+        for (std::size_t i = 0; i < campaign.weathers.size(); ++i)
+            check_weather(campaign.weathers[i], problems.in("weather", i));
         std::vector<SiteWeather> found;
-        for (std::size_t c = 0; c < campaign_.climates.size(); ++c) {
-            const Problems of_climate = problems_.in("climate", c);
-            const auto& [name, climate] = campaign_.climates[c];
+        for (std::size_t c = 0; c < campaign.climates.size(); ++c) {
+            const Problems of_climate = problems.in("climate", c);
+            const auto& [name, climate] = campaign.climates[c];
             if (!check_climate(climate, of_climate)) continue;
-            for (std::size_t s = 0; s < campaign_.sites.size(); ++s)
-                if (!has(campaign_.sites[s].name, name))
-                    read(campaign_.sites[s], campaign_.climates[c],
-                         problems_.in("site", s), of_climate, found);
+            for (std::size_t s = 0; s < campaign.sites.size(); ++s)
+                if (!has(campaign.sites[s].name, name))
+                    read(campaign.sites[s], campaign.climates[c],
+                         problems.in("site", s), of_climate, found);
         }
         for (SiteWeather& each : found)
-            campaign_.weathers.push_back(std::move(each));
+            campaign.weathers.push_back(std::move(each));
     }
 
-  private:
     bool has(const std::string& site, const std::string& climate) const {
         return std::ranges::any_of(
-            campaign_.weathers, [&](const SiteWeather& each) {
+            campaign.weathers, [&](const SiteWeather& each) {
                 return each.site == site && each.climate == climate;
             });
     }
@@ -164,7 +161,7 @@ class WeathersReader {
               const Problems& of_site, const Problems& of_climate,
               std::vector<SiteWeather>& found) {
         const auto& [name, climate] = named;
-        if (source_ == PlantSource::table)
+        if (source == PlantSource::table)
             return of_climate.add(
                 "file",
                 "climate \"{}\" has no [[weather]] of site \"{}\" (resolved "
@@ -172,7 +169,7 @@ class WeathersReader {
                 name, site.name);
         if (!of_site.usable({"name", "weather", "latitude", "longitude",
                              "utc_offset", "elevation"}) ||
-            !problems_.usable({"optics.par_fraction"}))
+            !problems.usable({"optics.par_fraction"}))
             return;
         if (climate.file.empty() && site.weather.empty())
             return of_climate.add(
@@ -187,47 +184,41 @@ class WeathersReader {
                                site.name, name);
         const bool is_of_site = climate.file.empty();
         const std::string path =
-            path_from(campaign_file_, is_of_site ? site.weather : climate.file);
+            path_from(campaign_file, is_of_site ? site.weather : climate.file);
         const FileText file = read_file(path, most_data_bytes);
         if (!file.is_there)
             return (is_of_site ? of_site : of_climate)
                 .add(
                     is_of_site ? "weather" : "file",
                     file.refusal(path) + "; give a path relative to this file");
-        problems_.open(path);
+        problems.open(path);
         try {
             const Weather weather = parse_weather(
                 file.text,
-                request_of(path, site, climate, campaign_.par_fraction));
+                request_of(path, site, climate, campaign.par_fraction));
             for (const Problem& warning : weather.warnings)
-                if (is_new(warning)) problems_.warn(warning);
-            found.push_back(to_site_weather(weather.series, campaign_.follows));
+                if (is_new(warning)) problems.warn(warning);
+            found.push_back(to_site_weather(weather.series, campaign.follows));
             found.back().site = site.name;
             found.back().climate = name;
             found.back().sha256 = sha256(file.text);
         } catch (const InputError& error) {
             // Sites may share a file, whose problems are reported only once.
             for (const Problem& problem : error.problems())
-                if (is_new(problem)) problems_.add(problem.where, problem.what);
+                if (is_new(problem)) problems.add(problem.where, problem.what);
         }
     }
 
     bool is_new(const Problem& problem) {
-        return told_.insert(to_string(problem)).second;
+        return told.insert(to_string(problem)).second;
     }
-
-    const std::string& campaign_file_;
-    PlantSource source_;
-    Campaign& campaign_;
-    Problems problems_;
-    std::set<std::string> told_;
 };
 
 }  // namespace
 
 void read_weathers(const std::string& file, PlantSource source, Draft& draft,
                    const Problems& problems) {
-    WeathersReader(file, source, draft, problems).read();
+    WeathersReader{file, source, draft.campaign, problems}.read();
 }
 
 }  // namespace ideotype

@@ -133,22 +133,22 @@ std::optional<toml::table> read(const std::string& setting,
     return parsed(key + " = \"" + quoted + '"', name);
 }
 
-class Merger {
-  public:
-    Merger(const std::string& name, const Problems& problems)
-        : name_(name), problems_(problems) {}
+struct Merger {
+    const std::string& name;
+    const Problems& problems;
+    bool is_refused = false;
 
     void merge(toml::table& into, toml::table& from, const std::string& path) {
         for (auto&& [key, node] : from) {
-            const std::string name =
+            const std::string inner =
                 path.empty() ? std::string(key.str())
                              : fmt::format("{}.{}", path, key.str());
             toml::table* const given = node.as_table();
             toml::table* const known =
-                given ? table_at(into[key.str()].node(), name) : nullptr;
+                given ? table_at(into[key.str()].node(), inner) : nullptr;
             if (known)
-                merge(*known, *given, name);
-            else if (!is_refused_)
+                merge(*known, *given, inner);
+            else if (!is_refused)
                 // A moved node still has the place where it was read.
                 node.visit([&, at = key](auto& value) {
                     into.insert_or_assign(at, std::move(value));
@@ -156,25 +156,20 @@ class Merger {
         }
     }
 
-  private:
     //! Returns the table itself, or the only table of a list.
-    toml::table* table_at(toml::node* node, const std::string& name) {
+    toml::table* table_at(toml::node* node, const std::string& path) {
         if (!node) return nullptr;
         if (toml::table* const table = node->as_table()) return table;
         toml::array* const list = node->as_array();
         if (!list || !list->is_homogeneous<toml::table>()) return nullptr;
         if (list->size() == 1) return list->front().as_table();
-        is_refused_ = true;
-        problems_.add(Location{name_},
-                      "there are {} tables [[{}]] (it is not clear which one "
-                      "is meant); change the file",
-                      list->size(), name);
+        is_refused = true;
+        problems.add(Location{name},
+                     "there are {} tables [[{}]] (it is not clear which one "
+                     "is meant); change the file",
+                     list->size(), path);
         return nullptr;
     }
-
-    const std::string& name_;
-    const Problems& problems_;
-    bool is_refused_ = false;
 };
 
 }  // namespace
@@ -237,7 +232,7 @@ void apply_settings(const std::vector<std::string>& settings,
         const std::string name = std::string(command_line_mark) + setting;
         problems.open(name);
         if (auto table = read(setting, name))
-            Merger(name, problems).merge(campaign, *table, "");
+            Merger{name, problems}.merge(campaign, *table, "");
         else
             problems.add(
                 Location{name},

@@ -96,10 +96,9 @@ void AcrossScenarios::combine_objective(const std::vector<Outcome>& each,
                                  objectives_[objective].sense);
             });
         all.objectives.push_back(at(*worst));
-        const auto from =
-            worst->randomisations.begin() + static_cast<std::ptrdiff_t>(first);
-        all.randomisations.insert(all.randomisations.end(), from,
-                                  from + static_cast<std::ptrdiff_t>(count));
+        const auto own = std::span(worst->randomisations).subspan(first, count);
+        all.randomisations.insert(all.randomisations.end(), own.begin(),
+                                  own.end());
         return;
     }
     std::vector<double> means, values;

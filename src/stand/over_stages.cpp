@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <set>
 #include <utility>
 
@@ -66,15 +65,14 @@ void OverStages::add(const Quantity& quantity,
                 set.axis(axis).coordinates != sets[0].axis(axis).coordinates)
                 return;
         summed.begins.push_back(set.offset(quantity.name));
-        std::vector<std::size_t>& places = summed.places.emplace_back(
-            is_by_day ? set.axis("day").size() : sets[0].size(quantity));
-        std::iota(places.begin(), places.end(), std::size_t{0});
+        std::vector<std::size_t>& places = summed.places.emplace_back();
         if (is_by_day)
-            std::transform(places.begin(), places.end(), places.begin(),
-                           [&](std::size_t i) {
-                               return place_of.at(std::get<Names>(
-                                   set.axis("day").coordinates)[i]);
-                           });
+            for (const std::string& day :
+                 std::get<Names>(set.axis("day").coordinates))
+                places.push_back(place_of.at(day));
+        else
+            for (std::size_t i = 0; i < sets[0].size(quantity); ++i)
+                places.push_back(i);
     }
     summed.size = is_by_day ? place_of.size() : sets[0].size(quantity);
     measured_.quantities.push_back(quantity);

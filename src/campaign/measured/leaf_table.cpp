@@ -13,12 +13,6 @@ namespace ideotype {
 
 namespace {
 
-std::vector<std::string> column_names() {
-    std::vector<std::string> names{rank_column};
-    for (const LeafColumn& each : leaf_columns) names.push_back(each.name);
-    return names;
-}
-
 //! Limits of heights above the soil [m]; a tip may hang below the foot of a
 //! plant on a ridge.
 constexpr Range height_limits{-1, 10};
@@ -114,12 +108,13 @@ class LeafReader {
     }
 
     std::string unknown(const std::string& name) const {
-        const std::vector<std::string> names = column_names();
         for (const Measure<Leaf>& each : leaf_measures)
             if (name == each.name)
                 return fmt::format(
                     "column '{}' has no unit; name it {}_{}", name, name,
                     std::string_view(each.unit) == "m" ? "cm" : each.unit);
+        std::vector<std::string> names{rank_column};
+        for (const LeafColumn& each : leaf_columns) names.push_back(each.name);
         return fmt::format("there is no column '{}'; {}", name,
                            did_you_mean(name, names));
     }

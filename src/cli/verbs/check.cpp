@@ -242,13 +242,12 @@ void print(const CheckOptions& options, const Campaign& campaign,
 ExitCode check(const CheckOptions& options) try {
     Campaign campaign = read_campaign(options.campaign_path, options.settings);
     if (options.lists_cases || options.only_count || options.only_left) {
-        if (options.lists_cases)
+        if (options.lists_cases) {
             fmt::print("{:>5}  {:<40}  {:>20}\n", "index", "case", "seed");
-        if (options.lists_cases)
             for (const Case& each : cases(campaign))
                 fmt::print("{:>5}  {:<40}  {:>20}\n", each.index, each.name,
                            each.seed);
-        else if (options.only_count)
+        } else if (options.only_count)
             fmt::print("{}\n", cases(campaign).size());
         else
             list_left(campaign, options.out);

@@ -14,10 +14,6 @@ namespace ideotype {
 
 namespace {
 
-const char* boundary_name(const MeshOptions& options) {
-    return options.boundary == Boundary::periodic ? "periodic" : "isolated";
-}
-
 std::string light_name(const MeshOptions& options) {
     if (!options.climate.empty()) return "mean day of " + options.climate;
     if (options.site)
@@ -47,12 +43,6 @@ double relative_error(const MeshReport& report) {
     return largest;
 }
 
-//! Returns null for an infinite relative error, since JSON has no infinity.
-Json relative_error_json(const MeshReport& report) {
-    const double error = relative_error(report);
-    return std::isfinite(error) ? Json(error) : Json(nullptr);
-}
-
 void warn_of_tolerance(const MeshReport& report, double tolerance) {
     const double error = relative_error(report);
     fmt::print(stderr, "ideotype: warning: {} after the most paths ({}); ",
@@ -77,7 +67,8 @@ Span span_of(const MeshOptions& options) {
 Json to_json(const MeshReport& report, const MeshOptions& options,
              double seconds) {
     Json json{{"mesh", options.path},
-              {"boundary", boundary_name(options)},
+              {"boundary", options.boundary == Boundary::periodic ? "periodic"
+                                                                  : "isolated"},
               {"light", light_name(options)}};
     if (options.scene.empty()) {
         json.update(to_json(report.canopy, span_of(options)));
@@ -93,7 +84,10 @@ Json to_json(const MeshReport& report, const MeshOptions& options,
         json.update(scene_json(report.canopy, span_of(options)));
     }
     json["paths"] = report.canopy.paths;
-    json["relative_standard_error"] = relative_error_json(report);
+    const double error = relative_error(report);
+    // JSON has no infinity.
+    json["relative_standard_error"] =
+        std::isfinite(error) ? Json(error) : Json(nullptr);
     if (!options.paths)
         json["tolerance"] = {{"asked", options.tolerance},
                              {"is_met", !report.canopy.is_capped},

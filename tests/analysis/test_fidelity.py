@@ -144,9 +144,9 @@ def of_a_day(folder: Path) -> Path:
 
 
 def of_a_season(folder: Path) -> Path:
-    """Writes a campaign of a week of bondville.toml."""
+    """Writes a campaign of four days of bondville.toml."""
     text = (CAMPAIGNS / "bondville.toml").read_text()
-    text = text.replace("to = 2011-09-20", "to = 2011-07-27")
+    text = text.replace("to = 2011-09-20", "to = 2011-07-24")
     for name in ("weather", "crops"):
         text = text.replace(f'"{name}/', f'"{CAMPAIGNS}/{name}/')
     campaign = folder / "season.toml"

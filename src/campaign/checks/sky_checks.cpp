@@ -103,7 +103,7 @@ void check_sky(const Campaign& campaign, const Problems& problems) {
             check_light(sites[s], days[d], problems.in("site", s),
                         problems.in("day", d));
     if (campaign.climates.empty()) return;
-    const Location& first = problems.in("climate", 0).where("name");
+    const Location first = problems.in("climate", 0).where("name");
     if (!days.empty())
         problems.add(first,
                      "there are both [[climate]] and [[day]] (each case has "

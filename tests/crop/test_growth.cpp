@@ -141,7 +141,7 @@ TEST(Growth, AnUnfoldingBladeIsErectAndItsTipIsTheGrownOne) {
     const LeafDates dates = leaf_dates(hybrid)[18];
     const double half = (dates.tip + dates.collar) / 2;
     const Plant young = plant_at(hybrid, sample_plant(), half);
-    const Leaf &leaf = young.leaves[18], &grown = sample_plant().leaves[2];
+    const Leaf leaf = young.leaves[18], grown = sample_plant().leaves[2];
     EXPECT_NEAR(leaf.insertion_angle, grown.insertion_angle * 0.65, 1e-12);
     EXPECT_GT(leaf.hidden, 0.2);
     EXPECT_LT(leaf.hidden, 0.6);

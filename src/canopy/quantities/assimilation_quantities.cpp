@@ -36,9 +36,8 @@ std::vector<Randomised> net_by_leaf(const CanopyReport& report) {
     const AssimilationReport& all = *report.assimilation;
     std::vector<Randomised> groups = gross_of_groups(report);
     for (std::size_t g = 0; g < groups.size(); ++g) {
-        std::vector<CarbonLoss> losses;
-        for (const std::vector<CarbonLoss>& each : all.losses_by_randomisation)
-            losses.push_back(each[g]);
+        const auto losses = mapped(all.losses_by_randomisation,
+                                   [&](const auto& each) { return each[g]; });
         groups[g] =
             lowered(groups[g].estimate, std::move(groups[g].by_randomisation),
                     all.losses[g], losses, loss_in_light);
@@ -76,14 +75,10 @@ std::optional<Randomised> sunlit_lai(const CanopyReport& report) {
 }  // namespace
 
 Randomised assimilation_of_all(const AssimilationReport& report, Loss loss) {
-    std::vector<double> gross;
-    for (const FluxTally& tally : report.gross.tallies)
-        gross.push_back(tally.sum());
-    std::vector<CarbonLoss> losses;
-    for (const std::vector<CarbonLoss>& each : report.losses_by_randomisation)
-        losses.push_back(sum_of(each));
-    return lowered(report.gross.sum, std::move(gross), sum_of(report.losses),
-                   losses, loss);
+    return lowered(report.gross.sum,
+                   mapped(report.gross.tallies, &FluxTally::sum),
+                   sum_of(report.losses),
+                   mapped(report.losses_by_randomisation, sum_of), loss);
 }
 
 std::vector<Declaration> assimilation_quantities() {

@@ -117,11 +117,13 @@ std::vector<Randomised> assimilation_by_component(const CanopyReport& report,
     std::vector<Randomised> parts;
     for (const ComponentAssimilation& each :
          by_component(all, report.groups, report.components.size())) {
-        std::vector<double> gross;
-        for (const FluxTally& tally : all.gross.tallies)
-            gross.push_back(over_leaves(report, tally.groups, parts.size()));
-        parts.push_back(lowered(each.gross, std::move(gross), each.loss,
-                                each.loss_by_randomisation, loss));
+        parts.push_back(lowered(
+            each.gross,
+            mapped(all.gross.tallies,
+                   [&](const FluxTally& tally) {
+                       return over_leaves(report, tally.groups, parts.size());
+                   }),
+            each.loss, each.loss_by_randomisation, loss));
     }
     return parts;
 }

@@ -27,11 +27,11 @@ Rows assimilation_of_rows(const CanopyReport& report, Loss loss) {
     Rows rows;
     for (std::size_t row = 0; row < report.rows.size(); ++row) {
         const ComponentAssimilation& all = report.rows[row].assimilation;
-        std::vector<double> gross;
-        for (const FluxTally& tally : report.assimilation->gross.tallies)
-            gross.push_back(tally.rows[row]);
-        rows.push_back(lowered(all.gross, std::move(gross), all.loss,
-                               all.loss_by_randomisation, loss));
+        rows.push_back(lowered(
+            all.gross,
+            mapped(report.assimilation->gross.tallies,
+                   [&](const FluxTally& tally) { return tally.rows[row]; }),
+            all.loss, all.loss_by_randomisation, loss));
         rows.back().estimate = estimate(rows.back().by_randomisation);
     }
     return rows;

@@ -5,7 +5,8 @@
 build=$4
 
 DESTDIR=$folder/root expect 0 cmake --install "$build" --prefix /opt/ideotype
-prefix=$folder/root/opt/ideotype share=$folder/root/opt/ideotype/share
+prefix=$folder/root/opt/ideotype
+share=$prefix/share
 expect 0 "$prefix/bin/ideotype" check "$share/ideotype/campaigns/ames_quick.toml"
 for file in doc/ideotype/LICENSE bash-completion/completions/ideotype; do
     [ -s "$share/$file" ] || fail "there is no $file"

@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 import pandas as pd
-from shared import Numbers, campaign_of
+from shared import SEVERAL_FIELDS, Numbers, campaign_of
 
 DAY = date(2025, 8, 7)
 #: A whole clear day, as a [[day]] of a campaign.
@@ -67,11 +67,12 @@ def dry_month() -> dict[str, Any]:
 
 def growth() -> dict[str, Any]:
     """Returns tables for breeding the hybrid that grows and ages in 2011 at
-    Bondville: site, climate, plant and light."""
+    Bondville: site, climate, plant and light. Results of a single field would
+    be those of its few plants."""
     found = growing_season()
     return {
         **{name: found[name] for name in ("site", "climate", "plant")},
-        "light": {"tolerance": 0.02},
+        "light": {"tolerance": 0.02, **SEVERAL_FIELDS},
         "final": {"candidates": 3, "paths": 512, "randomisations": 48},
     }
 

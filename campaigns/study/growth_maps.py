@@ -36,6 +36,7 @@ from shared import (
     FIELD_PLANTS,
     HYBRID,
     ROUGH,
+    SEVERAL_FIELDS,
     Estimate,
     Numbers,
     best,
@@ -77,6 +78,13 @@ def campaigns(options: Options, density: float) -> dict[str, dict[str, Any]]:
     return dict(zip(WAYS, (growing, of_full_canopy(growing)), strict=True))
 
 
+def stand_of(campaign: dict[str, Any]) -> Stand:
+    """Returns the stand that compares plants which a campaign bred, in several
+    fields: a search has one, whose few plants it favours."""
+    several = {**campaign["light"], **SEVERAL_FIELDS}
+    return Stand({**campaign, "light": several})
+
+
 def bred(
     campaign: dict[str, Any], name: str, seed: int, options: Options
 ) -> Numbers:
@@ -97,7 +105,7 @@ def of_a_top(
     }
     full = Stand(both[WAYS[1]])
     limit = float(full.evaluate(full.baseline, ["lai"]).lai[0])
-    stand = Stand(both[way])
+    stand = stand_of(both[way])
     quantity = "lai_by_stage" if way == WAYS[0] else "lai"
     shaped = {
         **both[way],
@@ -186,7 +194,7 @@ def shape(stand: Stand, genome: Numbers) -> list[str]:
 def best_plants(options: Options) -> None:
     """Breeds with growth and without, and evaluates each plant in both ways."""
     both = campaigns(options, 7.5)
-    stands = {way: Stand(x) for way, x in both.items()}
+    stands = {way: stand_of(x) for way, x in both.items()}
     plants = {
         way: [
             bred(both[way], f"best_{way.split()[0]}", seed, options)

@@ -39,7 +39,6 @@ from shared import (
     BREEDABLE,
     CAMPAIGNS,
     ROUGH,
-    SEVERAL_FIELDS,
     TITLES,
     Estimate,
     Numbers,
@@ -109,15 +108,9 @@ def campaign(
         "site": tables["site"],
         **lit,
         "objective": {"maximise": objective},
-        **(in_several_fields(growth()) if grows and path == SEASON else {}),
+        **(growth() if grows and path == SEASON else {}),
         **(ROUGH if is_rough else {}),
     }
-
-
-def in_several_fields(tables: dict[str, Any]) -> dict[str, Any]:
-    """Returns tables with several fields: the indices of a single one would be
-    those of its few plants."""
-    return {**tables, "light": {**tables["light"], **SEVERAL_FIELDS}}
 
 
 def is_of(stand: Stand, traits: Sequence[str]) -> np.ndarray:

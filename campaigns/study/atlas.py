@@ -13,14 +13,13 @@ once in the search. ± is the standard error.
 from __future__ import annotations
 
 import matplotlib
+from estimates import print_table, told
 from shared import (
     ROUGH,
     breed_tables,
     campaign_of,
     guard,
     parser_of_searches,
-    print_table,
-    told,
 )  # fmt: skip
 
 from ideotype import Error

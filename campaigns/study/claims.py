@@ -23,21 +23,17 @@ from typing import Any
 
 import numpy as np
 from conditions import CONDITIONS, FIRST, Condition, campaign
+from estimates import Estimate, gain, mean_over_seeds, print_table, told
 from paper_table import bred
 from shared import (
     CAMPAIGNS,
-    Estimate,
     Numbers,
-    gain,
     gains_over_baseline,
     guard,
     leaves,
     light,
-    mean_over_seeds,
     parser_of_searches,
-    print_table,
     say,
-    told,
     with_trait,
 )  # fmt: skip
 

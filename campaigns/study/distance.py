@@ -23,13 +23,13 @@ from typing import Any
 
 import numpy as np
 from conditions import FIRST, UNITS, campaign
+from estimates import print_table
 from shared import (
     Numbers,
     best_plants,
     gains_over_baseline,
     guard,
     parser_of_searches,
-    print_table,
 )
 
 from ideotype import Stand

@@ -18,21 +18,18 @@ from __future__ import annotations
 from pathlib import Path
 
 import numpy as np
+from estimates import Estimate, gain, print_table, told
 from shared import (
     CAMPAIGNS,
     MAIZE,
     PLANT_AREA,
-    Estimate,
     Numbers,
     Settings,
-    gain,
     guard,
     leaves,
     light,
     parser_of,
-    print_table,
     stand_of,
-    told,
     with_trait,
 )  # fmt: skip
 

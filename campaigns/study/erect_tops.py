@@ -34,25 +34,21 @@ from pathlib import Path
 from typing import Any
 
 from climates import CLEAR_DAY, bondville, overcast_day, season, site
+from estimates import Estimate, mean_over_seeds, print_table, sign_change, told
 from shared import (
     MAIZE,
     PLANT_AREA,
     ROUGH,
     SEVERAL_FIELDS,
     SMALL_FIELD,
-    Estimate,
     Numbers,
     best,
     breed_tables,
     breedable_but,
     gain_in,
     guard,
-    mean_over_seeds,
     parser_of_searches,
-    print_table,
     say,
-    sign_change,
-    told,
 )  # fmt: skip
 
 from ideotype import Stand

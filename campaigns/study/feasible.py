@@ -18,6 +18,7 @@ import tomllib
 from typing import Any
 
 import numpy as np
+from estimates import gain, print_table, told
 from fields import DAY, SEASON
 from shared import (
     BREEDABLE,
@@ -26,12 +27,9 @@ from shared import (
     TITLES,
     best,
     breed_tables,
-    gain,
     guard,
     light,
     parser_of_searches,
-    print_table,
-    told,
 )  # fmt: skip
 
 import ideotype

@@ -14,12 +14,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from shared import (
-    CAMPAIGNS,
-    FIELD_PLANTS,
-    Estimate,
-    Settings,
-)  # fmt: skip
+from estimates import Estimate
+from shared import CAMPAIGNS, FIELD_PLANTS, Settings
 
 import ideotype
 from ideotype import Stand

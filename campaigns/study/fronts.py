@@ -27,6 +27,7 @@ from typing import Any
 import numpy as np
 from climates import bondville, dry_month, growth, season
 from draw_plants import draw as draw_plant
+from estimates import estimate, gain, print_table, told
 from front_members import BALANCE, LEAVES, WATER, Found, Price
 from matplotlib.axes import Axes
 from shared import (
@@ -34,13 +35,9 @@ from shared import (
     ROUGH,
     Numbers,
     breed_tables,
-    estimate,
     front_of,
-    gain,
     guard,
     parser_of_searches,
-    print_table,
-    told,
 )  # fmt: skip
 
 from ideotype import Stand

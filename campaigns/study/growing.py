@@ -27,7 +27,8 @@ from typing import Any
 import numpy as np
 from climates import growing_season
 from draw_plants import draw
-from shared import HYBRID, gain_in, guard, print_table, sign_change
+from estimates import print_table, sign_change
+from shared import HYBRID, gain_in, guard
 
 from ideotype import Crop, Stand
 from ideotype.analysis.figures.style import new_figure

@@ -30,6 +30,15 @@ from typing import Any
 
 import numpy as np
 from erect_tops import ANGLES, ROW, TOP_LEAVES, bred_pairs
+from estimates import (
+    Estimate,
+    gain,
+    interval_of,
+    mean_over_seeds,
+    print_table,
+    sign_change,
+    told,
+)
 from growing import of_full_canopy, tables
 from measured_seasons import compare_seasons
 from shared import (
@@ -37,23 +46,16 @@ from shared import (
     HYBRID,
     ROUGH,
     SEVERAL_FIELDS,
-    Estimate,
     Numbers,
     best,
     breed_tables,
     breedable_but,
-    gain,
     gain_in,
     guard,
-    interval_of,
     light,
-    mean_over_seeds,
     parser_of_searches,
-    print_table,
     run_parts,
     say,
-    sign_change,
-    told,
 )  # fmt: skip
 
 from ideotype import Stand

@@ -37,16 +37,8 @@ from blade_shapes import (
     blade,
     half_widths,
 )  # fmt: skip
-from shared import (
-    CAMPAIGNS,
-    Numbers,
-    best,
-    breed,
-    estimate,
-    guard,
-    parser_of,
-    told,
-)
+from estimates import estimate, told
+from shared import CAMPAIGNS, Numbers, best, breed, guard, parser_of
 
 import ideotype
 

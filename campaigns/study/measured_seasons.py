@@ -16,8 +16,9 @@ from statistics import fmean, stdev
 from typing import Any
 
 import numpy as np
+from estimates import estimate, print_table, told
 from published import APSIM, CERES, MUCHOW, PUBLISHED, ceres_k
-from shared import CAMPAIGNS, Numbers, estimate, print_table, told
+from shared import CAMPAIGNS, Numbers
 
 from ideotype import Stand
 

@@ -30,25 +30,27 @@ from typing import Any
 
 import matplotlib
 import numpy as np
+from estimates import (
+    Estimate,
+    estimate,
+    gain,
+    interval_of,
+    mean_over_seeds,
+    print_table,
+    ratio,
+    told,
+)
 from shared import (
     CAMPAIGNS,
     ROUGH,
-    Estimate,
     Numbers,
     best_plants,
     campaign_of,
-    estimate,
-    gain,
     gains_over_baseline,
     guard,
-    interval_of,
     light,
-    mean_over_seeds,
     parser_of_searches,
-    print_table,
-    ratio,
     run_parts,
-    told,
 )  # fmt: skip
 
 from ideotype import Stand

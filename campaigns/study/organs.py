@@ -19,18 +19,15 @@ import re
 from pathlib import Path
 
 import numpy as np
+from estimates import Estimate, gain, mean_over_seeds, told
 from shared import (
     CAMPAIGNS,
-    Estimate,
     Numbers,
     best,
     breed,
-    gain,
     guard,
     light,
-    mean_over_seeds,
     parser_of,
-    told,
 )  # fmt: skip
 
 from ideotype import Stand

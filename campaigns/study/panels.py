@@ -34,16 +34,15 @@ from typing import Any
 
 import numpy as np
 import pandas as pd
+from estimates import Estimate, print_table
 from panels_crops import bred, jackknife, trial
 from pvlib import solarposition
 from shared import (
     CAMPAIGNS,
     MAIZE,
-    Estimate,
     Numbers,
     guard,
     parser_of_searches,
-    print_table,
     run_parts,
 )  # fmt: skip
 

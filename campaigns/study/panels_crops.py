@@ -14,21 +14,17 @@ from typing import Any
 
 import numpy as np
 import tomli_w
-from panels_front import front, tables_of
-from shared import (
-    FIELD_PLANTS,
-    MAIZE,
+from estimates import (
     Estimate,
-    Numbers,
-    best_plants,
     estimate,
     gain,
     interval_of,
-    light,
     mean_over_seeds,
     print_table,
     told,
-)  # fmt: skip
+)
+from panels_front import front, tables_of
+from shared import FIELD_PLANTS, MAIZE, Numbers, best_plants, light
 
 from ideotype import Stand
 

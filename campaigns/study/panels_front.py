@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from estimates import print_table, told
 from pvlib import pvsystem, temperature
 from shared import (
     ROUGH,
@@ -16,8 +17,6 @@ from shared import (
     breed_tables,
     campaign_of,
     front_of,
-    print_table,
-    told,
 )  # fmt: skip
 
 from ideotype import Stand

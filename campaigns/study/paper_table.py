@@ -38,25 +38,27 @@ from typing import Any
 
 import numpy as np
 from conditions import CONDITIONS, FIRST, UNITS, Condition, campaign
+from estimates import (
+    Estimate,
+    estimate,
+    gain,
+    mean_over_seeds,
+    print_table,
+    told,
+)
 from libraries import LIBRARIES
 from searches import best_until
 from shared import (
     MAIZE,
     SMALL_FIELD,
     TITLES,
-    Estimate,
     Numbers,
     best,
     breed_tables,
-    estimate,
-    gain,
     gains_over_baseline,
     guard,
-    mean_over_seeds,
     parser_of_searches,
-    print_table,
     say,
-    told,
 )  # fmt: skip
 
 from ideotype import Stand

@@ -26,16 +26,15 @@ from typing import Any
 import numpy as np
 import tomli_w
 from conditions import CONDITIONS, Condition, campaign
+from estimates import Estimate, print_table
 from shared import (
     MAIZE,
-    Estimate,
     Numbers,
     best,
     breed_tables,
     gains_over_baseline,
     guard,
     parser_of_searches,
-    print_table,
     say,
 )  # fmt: skip
 

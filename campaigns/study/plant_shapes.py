@@ -24,6 +24,7 @@ from typing import Any
 import matplotlib
 import numpy as np
 import pandas as pd
+from estimates import print_table
 from shared import (
     ANYWHERE,
     CAMPAIGNS,
@@ -34,7 +35,6 @@ from shared import (
     breed_tables,
     folder_at,
     guard,
-    print_table,
 )
 
 from ideotype._geometry import Mesh

@@ -19,20 +19,17 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from estimates import Estimate, gain, print_table, told
 from scipy.stats import qmc, spearmanr
 from shared import (
     CAMPAIGNS,
     FIELD_PLANTS,
     MAIZE,
     MEASURED_LINES,
-    Estimate,
     Numbers,
-    gain,
     guard,
     light,
     parser_of,
-    print_table,
-    told,
 )  # fmt: skip
 
 from ideotype import Stand

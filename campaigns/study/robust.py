@@ -26,20 +26,16 @@ from typing import Any
 
 import numpy as np
 from climates import growth, moved_season, season, site
+from estimates import Estimate, gain, mean_over_seeds, print_table, told
 from shared import (
     BREEDABLE,
     ROUGH,
-    Estimate,
     Numbers,
     best_plants,
-    gain,
     guard,
     light,
-    mean_over_seeds,
     parser_of_searches,
-    print_table,
     say,
-    told,
 )  # fmt: skip
 
 from ideotype import Stand

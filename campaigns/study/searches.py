@@ -23,6 +23,7 @@ from pathlib import Path
 from statistics import fmean, stdev
 
 import numpy as np
+from estimates import print_table, told
 from shared import (
     CAMPAIGNS,
     Numbers,
@@ -30,9 +31,7 @@ from shared import (
     gains_over_baseline,
     guard,
     parser_of,
-    print_table,
     say,
-    told,
 )
 
 from ideotype import Stand, open_history

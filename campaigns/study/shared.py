@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """Functions that the scripts of this folder share: breeding by the program,
-plants in the light of a campaign, and gains with their standard errors."""
+plants in the light of a campaign, and gains over the baseline of a stand."""
 
 from __future__ import annotations
 
 import argparse
-import math
 import os
 import subprocess
 import sys
@@ -14,7 +13,6 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from datetime import date, time
 from pathlib import Path
-from statistics import fmean, stdev
 from tempfile import TemporaryDirectory
 from time import perf_counter
 from typing import Any
@@ -22,13 +20,11 @@ from typing import Any
 import numpy as np
 import pandas as pd
 import tomli_w
+from estimates import Estimate, gain
 from numpy.typing import NDArray
 
 import ideotype
 from ideotype import Stand
-from ideotype.analysis.interval import interval
-from ideotype.analysis.reading.estimate import Estimate as Figure
-from ideotype.analysis.reading.estimate import relative_gain
 
 CAMPAIGNS = Path(__file__).parents[1]
 MAIZE = CAMPAIGNS / "crops" / "maize.toml"
@@ -64,8 +60,6 @@ SEVERAL_FIELDS = {"fields": 4}
 Numbers = NDArray[np.float64]
 Settings = Sequence[str]
 """Settings as --set takes them: "search.optimizer=ga"."""
-Estimate = tuple[float, float]
-"""A mean and its standard error."""
 
 TITLES = {
     "absorbed_par": "absorbed PAR, clear day",
@@ -330,40 +324,6 @@ def with_trait(
     return changed
 
 
-def estimate(values: Sequence[float]) -> Estimate:
-    """Returns mean and standard error of randomisations."""
-    return fmean(values), stdev(values) / math.sqrt(len(values))
-
-
-def sign_change(
-    low: tuple[float, Estimate], high: tuple[float, Estimate]
-) -> Estimate:
-    """Returns the place where a line through two points is zero."""
-    (x, (y, error)), (x2, (y2, error2)) = low, high
-    slope = (y2 - y) / (x2 - x)
-    weight = -y / (y2 - y)
-    error = math.hypot((1 - weight) * error, weight * error2)
-    return x - y / slope, error / abs(slope)
-
-
-def gain(before: Sequence[float], after: Sequence[float]) -> Estimate:
-    """Returns 100 (after / before - 1) [%], of randomisations that both plants
-    share."""
-    found = relative_gain(
-        *(
-            Figure(*estimate(values), draws=np.array(values))
-            for values in (after, before)
-        )
-    )
-    return found.mean, found.standard_error
-
-
-def ratio(a: Estimate, b: Estimate) -> Estimate:
-    """Returns the ratio of two evaluations with independent errors."""
-    mean = a[0] / b[0]
-    return mean, abs(mean) * math.hypot(a[1] / a[0], b[1] / b[0])
-
-
 def gain_in(stand: Stand, before: Numbers, after: Numbers) -> Estimate:
     """Returns the gain of a plant over another one in the same fields [%]."""
     return gain(*light(stand, np.array([before, after])).tolist())
@@ -377,36 +337,3 @@ def gains_over_baseline(
         stand, np.array([stand.baseline, *plants])
     ).tolist()
     return [gain(baseline, each) for each in others]
-
-
-def mean_over_seeds(values: Sequence[Estimate]) -> Estimate:
-    """Returns the mean over seeds. The error is that of the evaluations, or of
-    the seeds where that is larger."""
-    means = [mean for mean, _ in values]
-    error = math.hypot(*(error for _, error in values)) / len(values)
-    if len(values) > 1:
-        error = max(error, stdev(means) / math.sqrt(len(means)))
-    return fmean(means), error
-
-
-def told(value: Estimate, digits: int = 1, sign: str = "") -> str:
-    """Returns mean and standard error as text, with the sign "+" before
-    gains."""
-    mean, error = value
-    return f"{mean:{sign}.{digits}f} ± {error:.{digits}f}"
-
-
-def interval_of(values: Sequence[Estimate]) -> str:
-    """Tells the mean of gains with its 95 % interval over seeds, and the gain
-    of each seed."""
-    found = interval([Figure(*value, "%") for value in values])
-    seeds = ", ".join(f"{mean:+.1f}" for mean, _ in values)
-    return f"{found} (95 %; by seed {seeds})"
-
-
-def print_table(titles: Sequence[str], rows: Iterable[Sequence[str]]) -> None:
-    """Prints a table as Markdown."""
-    print(f"| {' | '.join(titles)} |")
-    print("|---" * len(titles) + "|")
-    for row in rows:
-        print(f"| {' | '.join(row)} |")

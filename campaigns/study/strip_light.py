@@ -28,14 +28,8 @@ from typing import Any
 import numpy as np
 import pandas as pd
 import tomli_w
-from shared import (
-    CAMPAIGNS,
-    MAIZE,
-    Estimate,
-    guard,
-    parser_of,
-    print_table,
-)  # fmt: skip
+from estimates import Estimate, print_table
+from shared import CAMPAIGNS, MAIZE, guard, parser_of
 
 from ideotype import Stand
 

@@ -52,6 +52,7 @@ from compared_fields import (
     changed,
     density_of,
 )  # fmt: skip
+from estimates import Estimate, print_table, ratio, told
 from fields import (
     DAY,
     Field,
@@ -68,13 +69,9 @@ from shared import (
     FIELD_PLANTS,
     HYBRID,
     ROUGH,
-    Estimate,
     Settings,
     guard,
     parser_of,
-    print_table,
-    ratio,
-    told,
 )  # fmt: skip
 
 from ideotype.analysis.figures.style import new_figure

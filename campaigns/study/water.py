@@ -25,7 +25,8 @@ from typing import Any
 
 import numpy as np
 from climates import growing_season, season
-from shared import campaign_of, guard, print_table, told
+from estimates import print_table, told
+from shared import campaign_of, guard
 
 from ideotype import Stand
 

@@ -17,6 +17,7 @@ from pathlib import Path
 from typing import Any
 
 from climates import bondville, growing_season, season
+from estimates import interval_of, print_table
 from shared import (
     ROUGH,
     best,
@@ -24,9 +25,7 @@ from shared import (
     campaign_of,
     gain_in,
     guard,
-    interval_of,
     parser_of_searches,
-    print_table,
     say,
 )  # fmt: skip
 from water import WEEK

@@ -35,23 +35,19 @@ from typing import Any
 
 import numpy as np
 from climates import growth, season
+from estimates import Estimate, gain, mean_over_seeds, print_table, told
 from shared import (
     BREEDABLE,
     CAMPAIGNS,
     ROUGH,
     TITLES,
-    Estimate,
     Numbers,
     best_plants,
     breed_tables,
-    gain,
     guard,
     light,
-    mean_over_seeds,
     parser_of_searches,
-    print_table,
     say,
-    told,
 )  # fmt: skip
 
 from ideotype import Stand, open_history

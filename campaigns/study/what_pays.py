@@ -20,18 +20,14 @@ from statistics import correlation, fmean, stdev
 
 import numpy as np
 import pandas as pd
+from estimates import Estimate, gain, mean_over_seeds, print_table, told
 from shared import (
     MAIZE,
-    Estimate,
-    gain,
     guard,
     leaves,
     light,
-    mean_over_seeds,
     parser_of,
-    print_table,
     stand_of,
-    told,
     with_trait,
 )  # fmt: skip
 

@@ -51,6 +51,7 @@ class Reporter {
         result_.seconds = found_.seconds;
         report_plant();
         report_areas();
+        result_.leaf_area_by_randomisation = found_.leaf_area;
         for (std::size_t b = 0; b < scene_.bands.size(); ++b) {
             report_band(scene_.bands[b], found_.light[b]);
             report_rows(result_.bands.back(), found_.light[b], found_.rows[b]);

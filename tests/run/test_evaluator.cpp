@@ -288,7 +288,13 @@ TEST_F(Study, RowsHaveIndependentNoiseOfKnownSize) {
            "field.plants=2", "field.variation={length=0.3, width=0.3}"},
           {"light.fields=4", "light.tolerance=0.005", "field.rows=2",
            "field.plants=2", "field.variation={missing=0.3}",
-           "objective={maximise=\"carbon_balance\"}"}}) {
+           "objective={maximise=\"carbon_balance\"}"},
+          {"light.fields=4", "light.tolerance=0.005", "field.rows=2",
+           "field.plants=2", "field.variation={missing=0.3}",
+           "objective={maximise=\"net_assimilation_per_leaf_area\"}"},
+          {"light.fields=4", "light.tolerance=0.005", "field.rows=2",
+           "field.plants=2", "field.variation={missing=0.3}",
+           "objective={maximise=\"extinction_coefficient\"}"}}) {
         const Campaign chosen = study(fields);
         CanopyEvaluator of_chosen(chosen, Device::supported_isas().back());
         std::vector<double> values;
@@ -307,7 +313,7 @@ TEST_F(Study, RowsHaveIndependentNoiseOfKnownSize) {
         EXPECT_NEAR(variance / squares, 1,
                     3.5 * std::sqrt(2.0 / (count - 1) + 2.0 / (3 * count)))
             << fields.size();
-        EXPECT_LT(std::sqrt(squares), 0.02 * values[0]);
+        EXPECT_LT(std::sqrt(squares), 0.05 * values[0]);
     }
 }
 

@@ -120,6 +120,11 @@ struct PlantForm {
     double top_leaf_angle = 0;  //!< mean of the four highest leaves [deg]
 };
 
+//! Leaf area index [m2 m-2].
+struct LeafArea {
+    double all = 0, assimilating = 0;
+};
+
 //! The result of evaluating one canopy.
 struct CanopyReport {
     std::vector<BandReport> bands;  //!< reports of the bands, PAR first
@@ -144,7 +149,9 @@ struct CanopyReport {
     bool grows = false;           //!< whether plants grow; this is one stage
     double dead_area_index = 0;   //!< area of dead leaves per ground [m2 m-2]
     double assimilating_lai = 0;  //!< leaf area index of assimilating leaves
-    double ground_area = 0;       //!< ground of all figures [m2]
+    //! Leaf area index of the field of each randomisation.
+    std::vector<LeafArea> leaf_area_by_randomisation;
+    double ground_area = 0;  //!< ground of all figures [m2]
     Boundary boundary = Boundary::periodic;
     Timing seconds;  //!< durations, if there was a clock
 

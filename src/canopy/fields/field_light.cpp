@@ -141,13 +141,14 @@ class FieldPass {
                 scene_.photons, shared_.leaves, shared_.layers};
     }
 
-    //! Returns the leaf area of the components that assimilate [m2].
-    double assimilating_area() const {
-        double lai = 0;
-        for (std::size_t c = 0; c < found_.areas.size(); ++c)
-            if (scene_.components[c].photosynthesis)
-                lai += found_.areas[c].leaves;
-        return lai * scene_.cell.ground_area;
+    LeafArea leaf_area() const {
+        LeafArea sum;
+        for (std::size_t c = 0; c < found_.areas.size(); ++c) {
+            const double lai = found_.areas[c].leaves;
+            sum.all += lai;
+            if (scene_.components[c].photosynthesis) sum.assimilating += lai;
+        }
+        return sum;
     }
 
     void assimilate(const RayScene& surfaces, const Mesh& mesh,
@@ -165,9 +166,10 @@ class FieldPass {
             measure_layers();
         }
         found_.fluxes = ideotype::assimilate(tallies, pieces_, leaves);
-        found_.hit_by_sun =
-            sunlit_fractions(tallies, surfaces, mesh.groups, leaves.par.optics,
-                             leaves.par.light.light, assimilating_area());
+        found_.hit_by_sun = sunlit_fractions(
+            tallies, surfaces, mesh.groups, leaves.par.optics,
+            leaves.par.light.light,
+            leaf_area().assimilating * scene_.cell.ground_area);
         if (request_.details.sunlit)
             found_.light_classes = leaf_area_by_light(tallies, pieces_, leaves);
         if (!plan_.is_one_of_many) return;
@@ -239,6 +241,7 @@ class FieldPass {
             if (!rows.empty()) rows = {mean_of(rows)};
         }
         found_.light = std::move(tallies);
+        found_.leaf_area.assign(found_.light.front().size(), leaf_area());
     }
 
     SharedByFields& shared_;

@@ -89,6 +89,7 @@ struct FieldLight {
     SunlitFractions hit_by_sun;  //!< estimates by first hits
     std::vector<LightClasses> light_classes;
     std::vector<PlantArea> areas;         //!< areas of components [m2 m-2]
+    std::vector<LeafArea> leaf_area;      //!< index by randomisation
     std::vector<double> leaf_area_index;  //!< index by group of the lines
     std::vector<double> areas_of_groups;  //!< area of all copies of a face [m2]
     //! Leaf area index by row and group, where rows are told apart.

@@ -115,6 +115,7 @@ void FieldLight::append(FieldLight more) {
     ideotype::append(hit_by_sun, std::move(more.hit_by_sun));
     ideotype::append(light_classes, std::move(more.light_classes));
     add(areas, more.areas);
+    ideotype::append(leaf_area, std::move(more.leaf_area));
     add(leaf_area_index, more.leaf_area_index);
     add(areas_of_groups, more.areas_of_groups);
     add(areas_of_rows, more.areas_of_rows);

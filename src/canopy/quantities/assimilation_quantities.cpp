@@ -93,7 +93,7 @@ std::vector<Declaration> assimilation_quantities() {
          [](const Report& r) { return net(r); }},
         {{"net_assimilation_per_leaf_area", rate,
           "net assimilation per one-sided leaf area"},
-         [](const Report& r) { return net(r, 1 / r.lai); }},
+         [](const Report& r) { return per_leaf_area(r, net(r)); }},
         {{"carbon_balance", rate,
           "gross assimilation less the respiration of leaves by day and night "
           "and the carbon that builds them"},

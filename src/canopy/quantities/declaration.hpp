@@ -183,6 +183,27 @@ Randomised ratio_with_error(double ratio, double denominator,
     return result;
 }
 
+//! Returns a number per leaf area of fields, or 0 without leaves, with errors
+//! to first order.
+//! @param lai mean leaf area index of all fields
+inline Randomised per_leaf_area(const CanopyReport& report,
+                                const Randomised& number, double lai,
+                                double LeafArea::*of) {
+    if (!(lai > 0)) return certain(report, 0);
+    const double ratio = number.estimate.mean / lai;
+    return ratio_with_error(
+        ratio, lai, report.randomisations(), [&](std::size_t r) {
+            return number.by_randomisation[r] -
+                   ratio * (report.leaf_area_by_randomisation[r].*of);
+        });
+}
+
+//! Returns a number per area of all leaves.
+inline Randomised per_leaf_area(const CanopyReport& report,
+                                const Randomised& number) {
+    return per_leaf_area(report, number, report.lai, &LeafArea::all);
+}
+
 //! Sums numbers of groups over the leaves of a component.
 inline double over_leaves(const CanopyReport& report,
                           const std::vector<double>& groups,

@@ -43,21 +43,20 @@ TakeNumber fapar() {
                     [](const Budget& day) { return day.leaves + day.organs; });
 }
 
-//! Returns -ln(1 - fAPAR) / LAI by the delta method; 1 - fAPAR is at least its
-//! standard error. An isolated plot has no extinction coefficient, since light
-//! enters through its sides.
+//! Returns -ln(1 - fAPAR) / LAI with errors to first order; 1 - fAPAR is at
+//! least its standard error. An isolated plot has no extinction coefficient,
+//! since light enters through its sides.
 std::optional<Randomised> extinction_coefficient(const CanopyReport& report) {
     if (report.boundary == Boundary::isolated) return std::nullopt;
     const Randomised absorbed = *fapar()(report);
     const auto& [mean, error] = absorbed.estimate;
     constexpr double least = 1e-9;
     const double left = std::max({1 - mean, error, least});
-    Randomised result{{-std::log(left) / report.lai, error / left / report.lai},
-                      {}};
-    for (const double x : absorbed.by_randomisation)
-        result.by_randomisation.push_back(result.estimate.mean +
-                                          (x - mean) / left / report.lai);
-    return result;
+    const double depth = -std::log(left);
+    return per_leaf_area(
+        report, {{depth, error / left},
+                 mapped(absorbed.by_randomisation,
+                        [&](double x) { return depth + (x - mean) / left; })});
 }
 
 //! Returns the light of the leaves of each component, each followed by that of
@@ -92,8 +91,8 @@ std::vector<Declaration> light_quantities() {
         {{"absorbed_par_per_leaf_area", daily,
           "PAR that leaves absorb per one-sided leaf area"},
          [](const Report& r) {
-             return scaled(absorbed_by_leaves(r),
-                           1 / joule_per_megajoule / r.lai);
+             return per_leaf_area(
+                 r, scaled(absorbed_by_leaves(r), 1 / joule_per_megajoule));
          }},
         {exact({"incident", daily, "PAR on level ground above the canopy"}),
          [](const Report& r) {

@@ -24,16 +24,15 @@ Randomised flux(const FluxReport& report, double factor = 1) {
         factor);
 }
 
-//! Returns the ground area per assimilating leaf area, or 0 without leaves.
-double per_leaf_area(const CanopyReport& report) {
-    return report.assimilating_lai > 0 ? 1 / report.assimilating_lai : 0;
+TakeNumber number(FluxReport WaterReport::*part) {
+    return
+        [=](const CanopyReport& report) { return flux((*report.water).*part); };
 }
 
-TakeNumber number(FluxReport WaterReport::*part,
-                  bool is_per_leaf_area = false) {
+TakeNumber mean_of_leaves(FluxReport WaterReport::*part) {
     return [=](const CanopyReport& report) {
-        const FluxReport& of = (*report.water).*part;
-        return flux(of, is_per_leaf_area ? per_leaf_area(report) : 1);
+        return per_leaf_area(report, flux((*report.water).*part),
+                             report.assimilating_lai, &LeafArea::assimilating);
     };
 }
 
@@ -72,7 +71,8 @@ Values warming_by_layer(const CanopyReport& report) {
 
 Values warming_by_hour(const CanopyReport& report) {
     Values hours = report.water->warming.hours;
-    for (Estimate& x : hours) x = scaled(x, per_leaf_area(report));
+    const double lai = report.assimilating_lai;
+    for (Estimate& x : hours) x = scaled(x, lai > 0 ? 1 / lai : 0);
     return hours;
 }
 
@@ -114,7 +114,7 @@ std::vector<Declaration> water_quantities() {
         declare({"leaf_warming", "K",
                  "temperature of leaves less that of the air above the canopy, "
                  "mean over leaf area and the time with light"},
-                number(&WaterReport::warming, true)),
+                mean_of_leaves(&WaterReport::warming)),
         declare({"canopy_conductance", "mol m-2 s-1",
                  "conductance of the stomata of all leaves for vapour per "
                  "ground area, mean over the time with light"},
@@ -122,7 +122,7 @@ std::vector<Declaration> water_quantities() {
         declare({"hot_hours", "h day-1",
                  "time for which leaves are warmer than water.hot, mean over "
                  "leaf area"},
-                number(&WaterReport::hot, true)),
+                mean_of_leaves(&WaterReport::hot)),
         declare(by({"leaf"}, {"transpiration_by_leaf", depth,
                               "water that each leaf transpires"}),
                 TakeProfile(transpiration_by_leaf)),

@@ -90,19 +90,16 @@ PARTS = {
         ("--rough", "--generations", "2", "--seeds", "1"),
     ),
     "robust_growing": Part(
-        "What does one plant for two sites cost where plants grow?",
-        (
-            *("robust.py", "{folder}", "--growing", "--generations", "6"),
-            *("--latitudes", "7", "56.2"),
-        ),
-        ("--rough", "--generations", "1"),
+        "What does one plant for five sites cost where plants grow?",
+        ("robust.py", "{folder}", "--growing", "--generations", "20"),
+        ("--rough", "--latitudes", "7", "56.2", "--generations", "1"),
     ),
     "traits_growing": Part(
         "Which traits make the difference where plants grow?",
         (
             *("what_matters.py", "{folder}", "--growing"),
-            *("--only", "carbon_balance", "--samples", "64"),
-            *("--generations", "8", "--draws", "2"),
+            *("--only", "carbon_balance", "--samples", "256"),
+            *("--generations", "20"),
         ),
         ("--rough", "--samples", "4", "--generations", "1", "--seeds", "1"),
     ),
@@ -110,7 +107,7 @@ PARTS = {
         "How much leaf area does the carbon of a growing season need?",
         (
             *("fronts.py", "{folder}", "--growing"),
-            *("--generations", "20", "--seeds", "1"),
+            *("--generations", "40", "--seeds", "1"),
         ),
         ("--rough", "--generations", "2"),
     ),
@@ -133,14 +130,14 @@ PARTS = {
     ),
     "growth_best": Part(
         "Which plant has the most carbon of a season, if plants grow?",
-        ("growth_maps.py", "{folder}", "--only", "best", "--seeds", "3"),
+        ("growth_maps.py", "{folder}", "--only", "best", "--seeds", "6"),
         ("--rough", "--generations", "1", "--seeds", "1"),
     ),
     "growth_tops": Part(
         "When does an erect top pay, if plants grow?",
         (
             *("growth_maps.py", "{folder}", "--only", "tops"),
-            *("--densities", "3", "8", "--seeds", "2"),
+            *("--densities", "3", "8", "--seeds", "4"),
         ),
         (
             *("--rough", "--densities", "8"),

@@ -16,7 +16,13 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from climates import bondville, growing_season, season
+from climates import (
+    GROWING_FINAL,
+    GROWING_LIGHT,
+    bondville,
+    growing_season,
+    season,
+)
 from estimates import interval_of, print_table
 from shared import (
     ROUGH,
@@ -44,8 +50,8 @@ def whole_season(year: int) -> dict[str, Any]:
     """Returns the tables of growing_season.toml in one year."""
     return growing_season(
         year,
-        light={"tolerance": 0.02},
-        final={"candidates": 3, "paths": 512, "randomisations": 16},
+        light=GROWING_LIGHT,
+        final={"candidates": 3, **GROWING_FINAL, "randomisations": 16},
     )
 
 
@@ -56,8 +62,8 @@ def hot_week(campaign: str) -> dict[str, Any]:
         site=bondville()["site"],
         climate=[{**season(), **WEEK}],
         photosynthesis={"model": "collatz"},
-        light={"tolerance": 0.02, "fields": 4},
-        final={"candidates": 2, "paths": 1024, "randomisations": 16},
+        light={"tolerance": 0.005, "fields": 4},
+        final={"candidates": 2, "paths": 4096, "randomisations": 48},
     )
     del found["day"]
     found["plant"]["bounds"] = "breedable"

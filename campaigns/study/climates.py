@@ -28,11 +28,11 @@ OVERCAST_SHARE = 0.25
 """The share of the light outside of the atmosphere that passes a closed layer
 of clouds (E)."""
 
-#: The [light] and [final] of growing plants. Fields of all stages take most of
-#: the time, so that more paths cost next to nothing; with few paths, rare large
-#: values scatter by several per cent.
-GROWING_LIGHT = {"tolerance": 0.005}
-GROWING_FINAL = {"paths": 4096, "randomisations": 48}
+#: The [light] and [final] of plants that grow or exchange water. Their fields and
+#: leaves take most of the time, so that more paths cost next to nothing; with few
+#: paths, rare large values scatter by several per cent.
+PRECISE_LIGHT = {"tolerance": 0.005}
+PRECISE_FINAL = {"paths": 4096, "randomisations": 48}
 
 
 def bondville() -> dict[str, Any]:
@@ -66,6 +66,7 @@ def dry_month() -> dict[str, Any]:
         **{name: found[name] for name in ("site", "photosynthesis")},
         "climate": [climate | dates],
         "water": {},
+        "light": {**PRECISE_LIGHT, **SEVERAL_FIELDS},
         # With fewer paths single randomisations scatter far more than most.
         "final": {"paths": 4096, "randomisations": 32},
     }
@@ -78,8 +79,8 @@ def growth() -> dict[str, Any]:
     found = growing_season()
     return {
         **{name: found[name] for name in ("site", "climate", "plant")},
-        "light": {**GROWING_LIGHT, **SEVERAL_FIELDS},
-        "final": {"candidates": 3, **GROWING_FINAL},
+        "light": {**PRECISE_LIGHT, **SEVERAL_FIELDS},
+        "final": {"candidates": 3, **PRECISE_FINAL},
     }
 
 

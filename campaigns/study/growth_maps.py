@@ -29,7 +29,7 @@ from statistics import fmean
 from typing import Any
 
 import numpy as np
-from climates import GROWING_FINAL, GROWING_LIGHT
+from climates import PRECISE_FINAL, PRECISE_LIGHT
 from erect_tops import ANGLES, ROW, TOP_LEAVES, bred_pairs
 from estimates import (
     Estimate,
@@ -68,13 +68,13 @@ WAYS = ("growth", "full canopy")
 
 def campaigns(options: Options, density: float) -> dict[str, dict[str, Any]]:
     """Returns the tables of a season with growth and without."""
-    growing = tables(**GROWING_LIGHT) | {
+    growing = tables(**PRECISE_LIGHT) | {
         "spacing": [{"row": ROW, "density": density}],
         "field": {"rows": 2, "plants": 2, "variation": FIELD_PLANTS},
         "plant": {"baseline": str(HYBRID), "bounds": "breedable"},
         "search": {"optimizer": "cma_es", "population": 20},
         "stop": {"generations": options.generations},
-        "final": {"candidates": 1, **GROWING_FINAL},
+        "final": {"candidates": 1, **PRECISE_FINAL},
     }
     if options.rough:
         growing |= {**ROUGH, "light": {**ROUGH["light"], "stages": 4}}

@@ -115,7 +115,7 @@ PARTS = {
         "How much water does the carbon of a dry month need?",
         (
             *("fronts.py", "{folder}", "--water"),
-            *("--generations", "20", "--seeds", "1"),
+            *("--generations", "40", "--seeds", "2"),
             *("--figure", "{figures}/front_water.png"),
         ),
         ("--rough", "--generations", "2"),
@@ -153,7 +153,7 @@ PARTS = {
         "How much land do strips of maize and soybean save?",
         (
             *("neighbours.py", "{folder}", "--only", "strips"),
-            *("--generations", "20", "--seeds", "2"),
+            *("--generations", "20", "--seeds", "4"),
             *("--figure", "{figures}/strip_rows.png"),
         ),
         ("--rough", "--generations", "1", "--seeds", "1"),
@@ -162,7 +162,7 @@ PARTS = {
         "What is a plant worth that was bred to win?",
         (
             *("neighbours.py", "{folder}", "--only", "invaders"),
-            *("--generations", "20", "--seeds", "2"),
+            *("--generations", "20", "--seeds", "4"),
         ),
         ("--rough", "--generations", "1", "--seeds", "1"),
     ),
@@ -180,7 +180,8 @@ PARTS = {
         "Which maize suits rows of photovoltaic modules?",
         (
             *("panels.py", "{folder}", "--only", "bred"),
-            *("--generations", "30", "--figure", "{figures}/panels.png"),
+            *("--generations", "30", "--seeds", "6"),
+            *("--figure", "{figures}/panels.png"),
         ),
         ("--rough", "--generations", "1", "--seeds", "1"),
     ),

@@ -17,8 +17,8 @@ from pathlib import Path
 from typing import Any
 
 from climates import (
-    GROWING_FINAL,
-    GROWING_LIGHT,
+    PRECISE_FINAL,
+    PRECISE_LIGHT,
     bondville,
     growing_season,
     season,
@@ -50,8 +50,8 @@ def whole_season(year: int) -> dict[str, Any]:
     """Returns the tables of growing_season.toml in one year."""
     return growing_season(
         year,
-        light=GROWING_LIGHT,
-        final={"candidates": 3, **GROWING_FINAL, "randomisations": 16},
+        light=PRECISE_LIGHT,
+        final={"candidates": 3, **PRECISE_FINAL, "randomisations": 16},
     )
 
 

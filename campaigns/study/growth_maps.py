@@ -8,8 +8,9 @@ growth_maps.py FOLDER [--only PART] [--densities N...] [--generations N] [--seed
 tops     The hybrid bred twice for each plant density, with growth and without (the same days with
          plants as they stand at silking): plants whose four highest leaves have insertion angles
          below 25 deg, and plants whose four highest leaves have more than 45 deg, both with the
-         leaf area of the hybrid at most. Tells how much more carbon of the season the erect top
-         gains, and the leaf area index at silking at which it gains nothing.
+         mean leaf area of the hybrid at most, in a field without gaps. Tells how much more carbon
+         of the season the erect top gains, and the leaf area index at silking at which it gains
+         nothing.
 best     The hybrid bred for the carbon of the season with growth and without. Each plant is
          evaluated in both ways, with the same random numbers.
 season   Extinction coefficient, light-use efficiency and dry matter of a growing season beside
@@ -106,8 +107,8 @@ def of_a_top(
         name: tables | breedable_but(HYBRID, insertion_angle_profile=ANGLES)
         for name, tables in campaigns(options, density).items()
     }
-    full = Stand(both[WAYS[1]])
-    limit = float(full.evaluate(full.baseline, ["lai"]).lai[0])
+    alike = Stand({**both[way], "field": {"rows": 2, "plants": 2}})
+    limit = float(alike.evaluate(alike.baseline, ["lai"]).lai[0])
     stand = stand_of(both[way])
     quantity = "lai_by_stage" if way == WAYS[0] else "lai"
     shaped = {

@@ -141,7 +141,7 @@ PARTS = {
         ),
         (
             *("--rough", "--densities", "8"),
-            *("--generations", "3", "--seeds", "1"),
+            *("--generations", "8", "--seeds", "1"),
         ),
     ),
     "seasons": Part(

@@ -8,7 +8,7 @@ growth_maps.py FOLDER [--only PART] [--densities N...] [--generations N] [--seed
 tops     The hybrid bred twice for each plant density, with growth and without (the same days with
          plants as they stand at silking): plants whose four highest leaves have insertion angles
          below 25 deg, and plants whose four highest leaves have more than 45 deg, both with the
-         mean leaf area of the hybrid at most, in a field without gaps. Tells how much more carbon
+         leaf area of the hybrid at most, at silking in a field without gaps. Tells how much more carbon
          of the season the erect top gains, and the leaf area index at silking at which it gains
          nothing.
 best     The hybrid bred for the carbon of the season with growth and without. Each plant is
@@ -107,7 +107,7 @@ def of_a_top(
         name: tables | breedable_but(HYBRID, insertion_angle_profile=ANGLES)
         for name, tables in campaigns(options, density).items()
     }
-    alike = Stand({**both[way], "field": {"rows": 2, "plants": 2}})
+    alike = Stand({**both[WAYS[1]], "field": {"rows": 2, "plants": 2}})
     limit = float(alike.evaluate(alike.baseline, ["lai"]).lai[0])
     stand = stand_of(both[way])
     quantity = "lai_by_stage" if way == WAYS[0] else "lai"

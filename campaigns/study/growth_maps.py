@@ -8,7 +8,7 @@ growth_maps.py FOLDER [--only PART] [--densities N...] [--generations N] [--seed
 tops     The hybrid bred twice for each plant density, with growth and without (the same days with
          plants as they stand at silking): plants whose four highest leaves have insertion angles
          below 25 deg, and plants whose four highest leaves have more than 45 deg, both with the
-         leaf area of the hybrid at most, at silking in a field without gaps. Tells how much more carbon
+         leaf area of the hybrid at most, at silking, in fields without gaps. Tells how much more carbon
          of the season the erect top gains, and the leaf area index at silking at which it gains
          nothing.
 best     The hybrid bred for the carbon of the season with growth and without. Each plant is
@@ -103,8 +103,15 @@ def of_a_top(
 ) -> tuple[float, list[Estimate]]:
     """Returns the leaf area index at silking, and for each seed the gain of an
     erect top over a flat top [%]."""
+    # With gaps the leaf area of a plant would not be that of its field.
+    no_gaps = {"variation": {**FIELD_PLANTS, "missing": 0}}
     both = {
-        name: tables | breedable_but(HYBRID, insertion_angle_profile=ANGLES)
+        name: {
+            **tables,
+            **breedable_but(HYBRID, insertion_angle_profile=ANGLES),
+            "field": {**tables["field"], **no_gaps},
+            "final": {**tables["final"], "candidates": 5},
+        }
         for name, tables in campaigns(options, density).items()
     }
     alike = Stand({**both[WAYS[1]], "field": {"rows": 2, "plants": 2}})

@@ -3,6 +3,8 @@
 # From a fresh Debian 12 or 13 to an evolved canopy: installs what is missing,
 # builds, runs a quick campaign on all cores, writes its report.
 # May be run again: finished parts are not repeated.
+#
+#     ./quickstart.sh [FOLDER]     # of the results; default: results
 set -euo pipefail
 cd "$(dirname "$0")"
 . .ci/install
@@ -20,7 +22,11 @@ export IDEOTYPE_PYTHON=$PWD/.venv/bin/python
 echo
 "$ideotype" check "$campaign"
 echo
-"$ideotype" run "$campaign" --out "$out" --resume
+"$ideotype" run "$campaign" --out "$out" --resume || {
+    status=$?
+    echo "$0 FOLDER writes to another folder than $out" >&2
+    exit "$status"
+}
 
 # Reports draw the shapes of plants, which the compiled module knows.
 install_python release

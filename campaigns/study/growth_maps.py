@@ -82,7 +82,7 @@ def campaigns(options: Options, density: float) -> dict[str, dict[str, Any]]:
     return dict(zip(WAYS, (growing, of_full_canopy(growing)), strict=True))
 
 
-def stand_of(campaign: dict[str, Any]) -> Stand:
+def comparing_stand(campaign: dict[str, Any]) -> Stand:
     """Returns the stand that compares plants which a campaign bred, in several
     fields: a search has one, whose few plants it favours."""
     several = {**campaign["light"], **SEVERAL_FIELDS}
@@ -116,7 +116,7 @@ def of_a_top(
     }
     alike = Stand({**both[WAYS[1]], "field": {"rows": 2, "plants": 2}})
     limit = float(alike.evaluate(alike.baseline, ["lai"]).lai[0])
-    stand = stand_of(both[way])
+    stand = comparing_stand(both[way])
     quantity = "lai_by_stage" if way == WAYS[0] else "lai"
     shaped = {
         **both[way],
@@ -205,7 +205,7 @@ def shape(stand: Stand, genome: Numbers) -> list[str]:
 def best_plants(options: Options) -> None:
     """Breeds with growth and without, and evaluates each plant in both ways."""
     both = campaigns(options, 7.5)
-    stands = {way: stand_of(x) for way, x in both.items()}
+    stands = {way: comparing_stand(x) for way, x in both.items()}
     plants = {
         way: [
             bred(both[way], f"best_{way.split()[0]}", seed, options)

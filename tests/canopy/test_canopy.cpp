@@ -110,6 +110,18 @@ TEST_F(TwoLeaves, EveryNumberIsKnownByRandomisation) {
     }
 }
 
+TEST_F(TwoLeaves, NumbersPerLeafAreaAreAsUncertainAsTheNumbers) {
+    CanopyReport report = evaluated();
+    // Randomisations that agree by chance have a larger error than they show.
+    report.bands[0].light.day.leaves.standard_error *= 3;
+    const Estimate whole = measure_objective("absorbed_par", report).estimate;
+    const Estimate part =
+        measure_objective("absorbed_par_per_leaf_area", report).estimate;
+    EXPECT_NEAR(part.mean, whole.mean / report.lai, 1e-12 * part.mean);
+    EXPECT_NEAR(part.standard_error, whole.standard_error / report.lai,
+                1e-9 * part.mean);
+}
+
 TEST_F(TwoLeaves, SaysWhichNumbersItDoesNotHave) {
     const CanopyReport dark = evaluated();
     EXPECT_THROW(measure_objective("sunlit_lai", dark), Error);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <optional>
 #include <string>
@@ -191,11 +192,20 @@ inline Randomised per_leaf_area(const CanopyReport& report,
                                 double LeafArea::*of) {
     if (!(lai > 0)) return certain(report, 0);
     const double ratio = number.estimate.mean / lai;
-    return ratio_with_error(
+    Randomised result = ratio_with_error(
         ratio, lai, report.randomisations(), [&](std::size_t r) {
             return number.by_randomisation[r] -
                    ratio * (report.leaf_area_by_randomisation[r].*of);
         });
+    // The error of a number is larger than the scatter of its randomisations
+    // tells where these agree by chance.
+    const double scatter = estimate(number.by_randomisation).standard_error;
+    const double error = number.estimate.standard_error;
+    if (error > scatter)
+        result.estimate.standard_error =
+            std::hypot(result.estimate.standard_error,
+                       std::sqrt(error * error - scatter * scatter) / lai);
+    return result;
 }
 
 //! Returns a number per area of all leaves.

@@ -49,7 +49,8 @@ TakeNumber fapar() {
 std::optional<Randomised> extinction_coefficient(const CanopyReport& report) {
     if (report.boundary == Boundary::isolated) return std::nullopt;
     const Randomised absorbed = *fapar()(report);
-    const auto& [mean, error] = absorbed.estimate;
+    const double mean = absorbed.estimate.mean,
+                 error = absorbed.estimate.standard_error;
     constexpr double least = 1e-9;
     const double left = std::max({1 - mean, error, least});
     const double depth = -std::log(left);

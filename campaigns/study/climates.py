@@ -67,8 +67,7 @@ def dry_month() -> dict[str, Any]:
         "climate": [climate | dates],
         "water": {},
         "light": {**PRECISE_LIGHT, **SEVERAL_FIELDS},
-        # With fewer paths single randomisations scatter far more than most.
-        "final": {"paths": 4096, "randomisations": 32},
+        "final": {**PRECISE_FINAL, "randomisations": 32},
     }
 
 

@@ -8,9 +8,9 @@ growth_maps.py FOLDER [--only PART] [--densities N...] [--generations N] [--seed
 tops     The hybrid bred twice for each plant density, with growth and without (the same days with
          plants as they stand at silking): plants whose four highest leaves have insertion angles
          below 25 deg, and plants whose four highest leaves have more than 45 deg, both with the
-         leaf area of the hybrid at most, at silking, in fields without gaps. Tells how much more carbon
-         of the season the erect top gains, and the leaf area index at silking at which it gains
-         nothing.
+         leaf area of the hybrid at most, at silking, in fields without gaps. Tells how much more
+         carbon of the season the erect top gains, and the leaf area index at silking at which it
+         gains nothing.
 best     The hybrid bred for the carbon of the season with growth and without. Each plant is
          evaluated in both ways, with the same random numbers.
 season   Extinction coefficient, light-use efficiency and dry matter of a growing season beside

@@ -26,6 +26,7 @@ from climates import (
 from estimates import interval_of, print_table
 from shared import (
     ROUGH,
+    SEVERAL_FIELDS,
     best,
     breed_tables,
     campaign_of,
@@ -62,8 +63,8 @@ def hot_week(campaign: str) -> dict[str, Any]:
         site=bondville()["site"],
         climate=[{**season(), **WEEK}],
         photosynthesis={"model": "collatz"},
-        light={"tolerance": 0.005, "fields": 4},
-        final={"candidates": 2, "paths": 4096, "randomisations": 48},
+        light={**PRECISE_LIGHT, **SEVERAL_FIELDS},
+        final={"candidates": 2, **PRECISE_FINAL},
     )
     del found["day"]
     found["plant"]["bounds"] = "breedable"

@@ -35,6 +35,7 @@ from shared import (
     breed_tables,
     folder_at,
     guard,
+    run_program,
 )
 
 from ideotype._geometry import Mesh
@@ -107,7 +108,7 @@ def drawn(tables: Any, folder: Path) -> Mesh:
     program = os.environ.get("IDEOTYPE_EXECUTABLE", "ideotype")
     words = [program, "export", str(history), "--to", str(to)]
     words += ["--generation", "0", "--slot", "0", "--field"]
-    subprocess.run(words, check=True, capture_output=True, text=True)
+    run_program(words, stderr=subprocess.PIPE).check_returncode()
     return read_obj(to)
 
 

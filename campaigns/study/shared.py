@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import argparse
 import os
+import signal
 import subprocess
 import sys
 import tomllib
@@ -105,7 +106,7 @@ def guard(main: Callable[[], None]) -> None:
     try:
         main()
     except subprocess.CalledProcessError as error:
-        raise SystemExit(error.stderr.strip()) from None
+        raise SystemExit(error.stderr.strip() or str(error)) from None
     except (ideotype.Error, OSError) as error:
         raise SystemExit(str(error)) from None
 
@@ -197,6 +198,22 @@ def campaign_of(campaign: str | Path, **tables: Any) -> dict[str, Any]:
     return found | tables
 
 
+def run_program(
+    words: Sequence[str], stderr: int | None = None
+) -> subprocess.CompletedProcess[str]:
+    """Runs a program and keeps what it prints. SIGTERM goes to the program,
+    which then ends as it always does, before this script does."""
+    with subprocess.Popen(
+        words, stdout=subprocess.PIPE, stderr=stderr, text=True
+    ) as program:
+        before = signal.signal(
+            signal.SIGTERM, lambda *_: program.send_signal(signal.SIGTERM)
+        )
+        out, errors = program.communicate()
+        signal.signal(signal.SIGTERM, before)
+    return subprocess.CompletedProcess(words, program.returncode, out, errors)
+
+
 def breed(
     campaign: Path,
     name: str,
@@ -214,12 +231,7 @@ def breed(
     words += ["--out", str(out)]
     for key in (f"name={name}", *settings):
         words += ["--set", key]
-    subprocess.run(
-        words,
-        check=True,
-        capture_output=True,
-        text=True,
-    )
+    run_program(words, stderr=subprocess.PIPE).check_returncode()
     return sorted((out / name).glob("*.h5"))
 
 

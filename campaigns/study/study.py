@@ -31,7 +31,7 @@ import sys
 import time
 from pathlib import Path
 
-from shared import CAMPAIGNS, guard, parser_of
+from shared import CAMPAIGNS, guard, parser_of, run_program
 from study_parts import PARTS
 
 import ideotype
@@ -43,20 +43,12 @@ def table_of(name: str, folder: Path, figures: Path, is_short: bool) -> str:
     """Returns the output of a part's script."""
     part = PARTS[name]
     words = [*part.words, *(part.short if is_short else ())]
-    done = subprocess.run(
+    places = {"folder": folder / name, "study": folder, "figures": figures}
+    done = run_program(
         [
-            sys.executable,
-            str(HERE / words[0]),
-            *(
-                word.format(
-                    folder=folder / name, study=folder, figures=figures
-                )
-                for word in words[1:]
-            ),
-        ],
-        check=False,
-        stdout=subprocess.PIPE,
-        text=True,
+            *(sys.executable, str(HERE / words[0])),
+            *(word.format(**places) for word in words[1:]),
+        ]
     )
     if done.returncode != 0:
         raise SystemExit(f"{name}: {words[0]} ended with {done.returncode}")

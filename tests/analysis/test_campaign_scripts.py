@@ -8,13 +8,14 @@ import os
 import re
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 import numpy as np
 import pytest
 from real_program import CAMPAIGNS, executable
+from short_study import STUDY, tables_of
 from short_study import run as run_study
-from short_study import tables_of
 
 
 def run(script: str, *words: object) -> str:
@@ -264,6 +265,30 @@ def test_the_error_of_a_gain_is_that_of_the_ratio(
     assert found[:, 0].mean() == pytest.approx(100 * (0.728 / 0.171 - 1), 0.01)
     error = np.sqrt((found[:, 1] ** 2).mean())
     assert error == pytest.approx(found[:, 0].std(), rel=0.05)
+
+
+def test_a_study_that_is_told_to_end_leaves_no_program_running(
+    tmp_path: Path,
+) -> None:
+    results = tmp_path / "RESULTS.md"
+    results.write_text("<!-- study: paper_table -->\n<!-- end of study -->\n")
+    words = [tmp_path, "--only", "paper_table", "--results", results]
+    with subprocess.Popen(
+        [sys.executable, STUDY, *words],
+        env=os.environ | {"IDEOTYPE_EXECUTABLE": executable()},
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.PIPE,
+        text=True,
+    ) as study:
+        while not list(tmp_path.rglob("*.h5")):
+            assert study.poll() is None
+            time.sleep(0.1)
+        study.terminate()
+        _, told = study.communicate(timeout=60)
+    assert study.returncode != 0
+    assert "paper_table.py ended with 1" in told, told
+    left = subprocess.run(["pgrep", "-f", tmp_path], check=False)
+    assert left.returncode == 1, "a program is still running"
 
 
 def test_parts_of_the_light_are_told_by_organ(

@@ -46,6 +46,11 @@ def gain(before: Sequence[float], after: Sequence[float]) -> Estimate:
     return found.mean, found.standard_error
 
 
+def difference(before: Sequence[float], after: Sequence[float]) -> Estimate:
+    """Returns after - before, of randomisations that both plants share."""
+    return estimate(np.subtract(after, before).tolist())
+
+
 def ratio(a: Estimate, b: Estimate) -> Estimate:
     """Returns the ratio of two evaluations with independent errors."""
     mean = a[0] / b[0]

@@ -16,11 +16,13 @@ evaluations each. BIPOP-CMA-ES comes from the package cma and differential
 evolution from pymoo; both ask for plants through the Python module, and run
 only if --search names them. Evaluates the best plants again, all with the same
 random numbers, and prints gains over the baseline [%] with standard errors,
-leaf area, and the gain per leaf area. With --alike all plants of a field are
-the same while they are bred; a second table tells what those champions gain
-where plants differ. Also tells after how many core-seconds (by the clock of
-the wall: leave other work aside) the first seed had a plant with 90 % of the
-largest gain under the first condition, which has more seeds than the others.
+leaf area, and the gain per leaf area; differences in the unit of the objective
+where the baseline is not above zero by three standard errors. With --alike all
+plants of a field are the same while they are bred; a second table tells what
+those champions gain where plants differ. Also tells after how many core-seconds
+(by the clock of the wall: leave other work aside) the first seed had a plant
+with 90 % of the largest gain under the first condition, which has more seeds
+than the others.
 
 The season is that of Bondville, Illinois, 40 deg north in the place of 42, and
 moved to the other latitudes (climates.moved_season).
@@ -30,7 +32,7 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import product
 from pathlib import Path
@@ -40,6 +42,7 @@ import numpy as np
 from conditions import CONDITIONS, FIRST, UNITS, Condition, campaign
 from estimates import (
     Estimate,
+    difference,
     estimate,
     gain,
     mean_over_seeds,
@@ -80,8 +83,12 @@ class Found:
     """The results under one condition and objective."""
 
     baseline: Estimate
+    has_percent: bool
+    """Whether the baseline is above zero, so that gains have a meaning in per
+    cent."""
     gains: dict[str, list[Estimate]]
-    """The gains of the best plant of each search and seed [%]."""
+    """The gains of the best plant of each search and seed: [%] if
+    `has_percent`, else differences in the unit of the objective."""
     lai: float
     """The leaf area index of the best plant of all."""
     gain_per_leaf_area: Estimate
@@ -155,11 +162,13 @@ def find(
     stand = Stand(tables)
     genomes = np.array([stand.baseline, *plants])
 
-    def gains(values: Numbers) -> dict[str, list[Estimate]]:
+    def compared(
+        values: Numbers, compare: Callable[..., Estimate]
+    ) -> dict[str, list[Estimate]]:
         baseline, *others = values.tolist()
         found: dict[str, list[Estimate]] = {search: [] for search in searches}
         for (search, _), each in zip(keys, others, strict=True):
-            found[search].append(gain(baseline, each))
+            found[search].append(compare(baseline, each))
         return found
 
     seen = stand.evaluate(genomes, ["lai"], final=True)
@@ -170,11 +179,15 @@ def find(
     if not tables["field"]:
         field = Stand({**tables, "field": SMALL_FIELD})
         varied = field.evaluate(genomes, [], final=True)
-    found = gains(values)
-    least = 0.9 * max(mean for each in found.values() for mean, _ in each)
+    baseline = estimate(values[0].tolist())
+    has_percent = baseline[0] > 3 * baseline[1]
+    gains = compared(values, gain if has_percent else difference)
+    least = 0.9 * max(mean for each in gains.values() for mean, _ in each)
+    is_timed = has_percent and tables["name"].endswith(FIRST.name)
     return Found(
-        baseline=estimate(values[0].tolist()),
-        gains=found,
+        baseline=baseline,
+        has_percent=has_percent,
+        gains=gains,
         lai=float(lai[first]),
         gain_per_leaf_area=gain(
             (values[0] / lai[0]).tolist(),
@@ -182,13 +195,15 @@ def find(
         ),
         varied_gains={}
         if varied is None
-        else gains(np.asarray(varied.objective_by_randomisation[:, 0])),
+        else compared(
+            np.asarray(varied.objective_by_randomisation[:, 0]), gain
+        ),
         seconds={
             search: seconds_until(
                 searched(tables, search, 1, count, folder), stand, least
             )
             for search in searches
-            if search not in LIBRARIES and tables["name"].endswith(FIRST.name)
+            if is_timed and search not in LIBRARIES
         },
     )
 
@@ -197,13 +212,19 @@ def over_seeds(values: list[Estimate]) -> str:
     return told(mean_over_seeds(values))
 
 
-def row(where: Condition, found: Found) -> list[str]:
+def row(where: Condition, found: Found, unit: str) -> list[str]:
+    changes = (
+        over_seeds(each)
+        if found.has_percent
+        else f"{told(mean_over_seeds(each), 3, '+')} {unit.partition(' ')[0]}"
+        for each in found.gains.values()
+    )
     return [
         where.title,
         told(found.baseline, 3),
-        *(over_seeds(each) for each in found.gains.values()),
+        *changes,
         f"{found.lai:.1f}",
-        told(found.gain_per_leaf_area, sign="+"),
+        told(found.gain_per_leaf_area, sign="+") if found.has_percent else "",
     ]
 
 
@@ -218,7 +239,7 @@ def tell(results: dict[tuple[str, Condition], Found]) -> None:
         print_table(
             titles,
             [
-                row(where, found)
+                row(where, found, UNITS[objective])
                 for (name, where), found in results.items()
                 if name == objective
             ],
@@ -277,14 +298,15 @@ def draw(results: dict[tuple[str, Condition], Found], path: Path) -> None:
         some = results[objective, wheres[0]]
         for number, search in enumerate(some.gains):
             color, marker = series(number)
-            found = [
-                mean_over_seeds(results[objective, where].gains[search])
-                for where in wheres
-            ]
+            found = {
+                place: mean_over_seeds(results[objective, where].gains[search])
+                for place, where in enumerate(wheres)
+                if results[objective, where].has_percent
+            }
             axis.errorbar(
-                [mean for mean, _ in found],
-                np.arange(len(wheres)) + 0.15 * (number - 1),
-                xerr=[error for _, error in found],
+                [mean for mean, _ in found.values()],
+                np.array([*found]) + 0.15 * (number - 1),
+                xerr=[error for _, error in found.values()],
                 linestyle="",
                 color=color,
                 marker=marker,
@@ -331,7 +353,7 @@ def main() -> None:
                 objective,
                 options.folder,
                 options.rough,
-                options.plant,
+                options.plant.resolve(),
                 options.alike,
             ),
             options.folder,

@@ -17,6 +17,8 @@ from real_program import CAMPAIGNS, executable
 from short_study import STUDY, tables_of
 from short_study import run as run_study
 
+MAIZE = CAMPAIGNS / "crops" / "maize.toml"
+
 
 def run(script: str, *words: object) -> str:
     done = subprocess.run(
@@ -222,6 +224,18 @@ def test_searches_are_compared_by_their_gains(tmp_path: Path) -> None:
     assert gains[3] > gains[2]
     assert min(gains) > 5
     assert figure.stat().st_size > 10000
+
+
+def test_gains_over_a_loss_are_told_in_the_unit(tmp_path: Path) -> None:
+    """In this dense stand the baseline's season ends with a loss."""
+    words = ["--objective", "carbon_balance", "--condition", "15x3"]
+    table = run(
+        *("paper_table.py", tmp_path, "--rough", "--evaluations", 200),
+        *("--search", "auto", "--plant", os.path.relpath(MAIZE), *words),
+    )
+    row = re.search(r"\| 15 x 3 \| (\S+) ± \S+ \| (\S+) ± (\S+) mol \|", table)
+    assert row is not None, table
+    assert float(row[1]) < 0 < float(row[2]) and float(row[3]) > 0
 
 
 def test_the_best_known_is_as_near_as_triples_of_searches_say(

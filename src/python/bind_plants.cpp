@@ -20,7 +20,7 @@ AnyPlants read_plants(const CaseStand& under, const std::string& path) {
 }
 
 AnyPlants grown_plants(const CaseStand& stand, const Input<double, 1>& genome) {
-    return {grow(stand.campaign(), to_vector(genome))};
+    return {stand.grown(to_vector(genome))};
 }
 
 //! Returns the height that no leaf of the plants exceeds [m].

@@ -31,17 +31,38 @@ std::unique_ptr<CaseStand> from_text(const std::string& text,
     return of_case(read_campaign_text(text, path, settings), index, path, isa);
 }
 
+//! Makes the stand of the case of this name with the keys at the end of a
+//! genome, if it has any, which are then cut off; none: there is no such case.
+std::unique_ptr<CaseStand> stand_at(const Campaign& campaign,
+                                    const std::string& name, Genome& genome,
+                                    const std::string& isa) {
+    Campaign varied = at_keys(campaign, genome);
+    for (const Case& each : cases(varied))
+        if (each.name == name)
+            return std::make_unique<CaseStand>(std::move(varied), each, isa);
+    return nullptr;
+}
+
 //! Makes the stand of a history from its resolved campaign.
 std::unique_ptr<CaseStand> from_history(const std::string& text,
                                         const std::string& path,
                                         const std::string& name, Genome genome,
                                         const std::string& isa) {
-    Campaign campaign = parse_campaign(text, path);
-    if (!genome.empty()) campaign = at_keys(campaign, genome);
-    for (const Case& each : cases(campaign))
-        if (each.name == name)
-            return std::make_unique<CaseStand>(std::move(campaign), each, isa);
+    const Campaign campaign = parse_campaign(text, path);
+    if (auto found = stand_at(campaign, name, genome, isa)) return found;
     throw Error(path + ": the campaign in this history has no case " + name);
+}
+
+//! Returns the name of the entry of each axis; of a mean over several entries
+//! that of the first.
+nb::dict entries(const CaseStand& stand) {
+    const Case chosen = scenarios(stand.chosen()).front();
+    nb::dict found;
+    found["site"] = chosen.site.name;
+    found["day"] = found["climate"] = chosen.day_name;
+    found["spacing"] = chosen.spacing_name;
+    found["traits"] = chosen.trait_set_name;
+    return found;
 }
 
 nb::list genes(const CaseStand& stand) {
@@ -174,6 +195,10 @@ void bind_stand(nb::module_& module) {
                     nb::arg("path"), nb::arg("case"), nb::arg("genome"),
                     nb::arg("isa"))
         .def_prop_ro("name", [](const CaseStand& x) { return x.chosen().name; })
+        .def_prop_ro("entries", &entries)
+        .def_prop_ro(
+            "key_count",
+            [](const CaseStand& x) { return x.campaign().varied.keys.size(); })
         .def_prop_ro("isa", &CaseStand::isa)
         .def_prop_ro("resolved",
                      [](const CaseStand& x) { return x.campaign().resolved; })
@@ -196,9 +221,9 @@ void bind_stand(nb::module_& module) {
         .def("light_on_sensors", &light_on_sensors)
         .def("crop_text", [](const CaseStand& x, const Input<double, 1>& genome,
                              std::size_t component) {
-            return crop_text(
-                x.campaign(),
-                grow(x.campaign(), to_vector(genome)).at(component), component);
+            return crop_text(x.campaign(),
+                             x.grown(to_vector(genome)).at(component),
+                             component);
         });
 }
 
@@ -213,13 +238,30 @@ CaseStand::CaseStand(Campaign campaign, const Case& chosen,
     stand_.prepare();
 }
 
+Plants CaseStand::grown(const Genome& genome) const {
+    Genome plain = genome;
+    if (plain.size() == count_genes(campaign_) + campaign_.varied.keys.size())
+        plain.resize(count_genes(campaign_));
+    return grow(campaign_, plain);
+}
+
+std::unique_ptr<CaseStand> CaseStand::at_own_keys(Genome& genome) const {
+    const std::size_t keys = campaign_.varied.keys.size();
+    if (keys == 0 || genome.size() != count_genes(campaign_) + keys)
+        return nullptr;
+    return stand_at(campaign_, chosen_.name, genome, isa());
+}
+
 Outcome CaseStand::evaluate(const Genome& genome, const Task& task) {
+    Genome plain = genome;
+    if (const auto varied = at_own_keys(plain))
+        return varied->evaluate(plain, task);
     const Sampling sampling = sampling_of(task, campaign_, chosen_);
     OutcomeSchema schema = stand_.schema(task.is_final);
     schema.randomisations =
         static_cast<std::size_t>(sampling.accuracy.repetitions());
     try {
-        const Plants plants = grow(campaign_, genome);
+        const Plants plants = grow(campaign_, plain);
         return checked_outcome(schema, devices_.with([&](const Device& device) {
             return stand_.evaluate(plants, sampling, device);
         }));
@@ -230,7 +272,7 @@ Outcome CaseStand::evaluate(const Genome& genome, const Task& task) {
 
 Mesh CaseStand::mesh(const Genome& genome, std::size_t component,
                      std::optional<double> thermal_time) const {
-    Plant plant = grow(campaign_, genome).at(component);
+    Plant plant = grown(genome).at(component);
     if (thermal_time) {
         const Growth* growth = growth_of(campaign_, component);
         if (!growth)
@@ -245,12 +287,15 @@ Mesh CaseStand::mesh(const Genome& genome, std::size_t component,
 std::vector<std::vector<Estimate>> CaseStand::light_on_sensors(
     const Genome& genome, const std::vector<Sensor>& sensors, int fields,
     int points) {
+    Genome plain = genome;
+    if (const auto varied = at_own_keys(plain))
+        return varied->light_on_sensors(plain, sensors, fields, points);
     Sampling sampling;
     sampling.accuracy = {1, fields};
     sampling.randomness = {chosen_.seed};
     const CanopyRequest request =
         request_of(sampling, campaign_, chosen_, scene_of(campaign_, chosen_),
-                   grow(campaign_, genome));
+                   grow(campaign_, plain));
     return devices_.with([&](const Device& device) {
         return ideotype::light_on_sensors(request, device, sensors, points);
     });

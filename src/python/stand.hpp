@@ -49,7 +49,9 @@ class Devices {
     std::vector<std::unique_ptr<Device>> idle_;
 };
 
-//! The plants of one case of a campaign. Several threads may evaluate.
+//! The plants of one case of a campaign. Several threads may evaluate. Genomes
+//! are as in rows of histories: after the traits they may have the numbers of
+//! the keys that the campaign varies.
 class CaseStand {
   public:
     //! @param isa instruction set; "" for the widest of this processor
@@ -63,7 +65,11 @@ class CaseStand {
     const std::string& isa() const { return devices_.isa(); }
     const OutcomeSchema& schema() const { return stand_.schema(false); }
 
-    //! Evaluates a plant. The outcome tells a failure.
+    //! Returns the plants of a genome, which may end with the keys of a row.
+    Plants grown(const Genome& genome) const;
+
+    //! Evaluates a plant, with keys of its own if its genome ends with them.
+    //! The outcome tells a failure.
     //! @throws Error if the task is impossible.
     Outcome evaluate(const Genome& genome, const Task& task);
 
@@ -84,6 +90,10 @@ class CaseStand {
     LightSeries light() const;
 
   protected:
+    //! Returns the stand with the keys at the end of a genome, which are then
+    //! cut off; none: the genome has no keys.
+    std::unique_ptr<CaseStand> at_own_keys(Genome& genome) const;
+
     Campaign campaign_;
     Case chosen_;
     Stand stand_;

@@ -10,6 +10,7 @@ import pytest
 from conftest import WriterProcess
 from live_page import CAMPAIGNS
 from made_obj import MIDRIBS, obj_of
+from real_program import write_campaign
 
 from ideotype import Error, Stand
 from ideotype.live.conditions import tables_under
@@ -50,6 +51,23 @@ def test_every_campaign_is_opened() -> None:
         tables = tables_under(found.base, found.conditions, found.conditions)
         stand = Stand(tables)
         assert len(stand.baseline) == len(found.genome), path
+
+
+def test_a_page_begins_with_the_entries_of_the_case(tmp_path: Path) -> None:
+    campaign = write_campaign(tmp_path, 2)
+    latitudes = {"X": 5, "North": 60, "2": 10, "north_2": 42}
+    sites = "\n".join(
+        f'[[site]]\nname = "{name}"\nlatitude = {latitude}\n'
+        "longitude = -93.6\nutc_offset = -6\n"
+        for name, latitude in latitudes.items()
+    )
+    text = campaign.read_text()
+    campaign.write_text(
+        text[: text.index("[[site]]")] + sites + text[text.index("[[day]]") :]
+    )
+    for case, latitude in enumerate(latitudes.values()):
+        found = open_place(str(campaign), case=case)
+        assert found.conditions.latitude == latitude
 
 
 BAD = {

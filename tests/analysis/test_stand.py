@@ -19,9 +19,10 @@ from zipfile import ZipFile
 import numpy as np
 import pytest
 import xarray
-from real_program import CAMPAIGNS, executable, write_campaign
+from real_program import CAMPAIGNS, executable, output_of, write_campaign
 
 import ideotype
+from ideotype.live.opened import open_place
 
 TOP = CAMPAIGNS.parent
 AMES = CAMPAIGNS / "ames_quick.toml"
@@ -63,6 +64,37 @@ def test_rows_of_a_history_have_the_same_bits(history: Path) -> None:
         again.objective_by_randomisation.values,
         finalists.objectives_by_randomisation.values,
     )
+
+
+def test_rows_with_keys_of_their_own_have_the_same_bits(
+    tmp_path: Path,
+) -> None:
+    campaign = write_campaign(tmp_path, 2)
+    keys = '[[search.keys]]\nkey = "spacing.row"\nrange = [0.5, 1.0]\n'
+    campaign.write_text(campaign.read_text() + keys)
+    output_of("run", campaign, "--out", tmp_path)
+    (path,) = (tmp_path / "tiny").glob("*.h5")
+    rows = ideotype.open(path)
+    own = rows.isel(row=slice(0, rows.sizes["row"] // 2))
+    genomes = own.genome.values
+    assert len(set(genomes[:, -1])) > 1
+    stand = ideotype.Stand.from_history(path)
+    again = stand.evaluate(genomes, generation=0)
+    for name in stand.quantities.name:
+        np.testing.assert_array_equal(again[name].values, own[name].values)
+    bare = stand.evaluate(genomes[1, :-1], ["lai"], generation=0)
+    assert bare.lai[0] != again.lai[1]
+    light = [
+        stand.light_at(x, 0.1).fraction.values
+        for x in (genomes[1], genomes[1, :-1])
+    ]
+    assert (light[0] != light[1]).any()
+    assert len(stand.mesh(genomes[1]).faces) > 0
+    with ideotype.open_history(path) as opened:
+        best = opened.best()
+    assert best is not None
+    found = open_place(str(path))
+    assert found.conditions.row == pytest.approx(best.row.genome[0, -1])
 
 
 def test_one_plant_has_the_bits_of_the_command_line(

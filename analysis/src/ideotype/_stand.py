@@ -18,6 +18,7 @@ from numpy.typing import ArrayLike, NDArray
 import ideotype._core as _core
 
 from ._arrays import real
+from ._errors import Error
 from ._evaluated import dataset_of
 from ._settings import Settings, words_of
 from ._views.stand_views import StandViews, processors
@@ -83,8 +84,9 @@ class Stand(StandViews):
         same_isa: bool = True,
     ) -> Self:
         """Returns the stand that the plants of a history were evaluated in. A
-        sensitivity study also varies keys of its campaign: the stand then has
-        the keys of the row with this genome.
+        sensitivity study and `[[search.keys]]` also vary keys of the campaign:
+        the stand has the keys of the row with this genome, without it those of
+        the campaign; genomes of rows are evaluated with their own keys.
 
         `same_isa`: whether to use the instruction set of the history, without
         which light differs in its last digits, or else the widest set of this
@@ -131,7 +133,8 @@ class Stand(StandViews):
 
         genomes: [plants, genes], or [plants, free genes] with the other genes
             of the baseline; one plant may be [genes]. Numbers have the units
-            of `genes`. Numbers beyond their bounds are evaluated unchanged; a
+            of `genes`. Rows of a history whose search varied keys of its
+            campaign end with their numbers. Numbers beyond their bounds are evaluated unchanged; a
             measure that a plant cannot have is moved to its limit.
         quantities: names of `quantities`; all if not given.
         tolerance: relative standard error of the leaves' light, at most 0.05,
@@ -153,6 +156,11 @@ class Stand(StandViews):
         Raises Error if a name or number is impossible."""
         plants = self._plants(genomes)
         wanted = self._wanted(quantities)
+        for name, number, bits in (
+            ("generation", generation, 32), ("seed", seed or 0, 64),
+        ):  # fmt: skip
+            if not 0 <= number < 2**bits:
+                raise Error(f"{name} is {number}; use 0 to {2**bits - 1}")
 
         def one(genome: NDArray[np.float64]) -> tuple[Any, ...]:
             return self._case.evaluate(

@@ -130,10 +130,12 @@ class StandCase:
         return self._case.crop_text(self._plants(genome)[0], component)
 
     def _plants(self, genomes: ArrayLike) -> NDArray[np.float64]:
-        """Returns the genomes as an array [plants, genes]."""
+        """Returns the genomes as an array [plants, genes], of which rows of
+        histories may end with the numbers of the keys that a search varied."""
         given = np.atleast_2d(real(genomes, "genomes"))
         free = self.free
-        if given.ndim != 2 or given.shape[1] not in (free.size, free.sum()):
+        sizes = free.size, free.size + self._case.key_count, free.sum()
+        if given.ndim != 2 or given.shape[1] not in sizes:
             raise Error(
                 f"genomes are an array of {np.shape(genomes)}; give "
                 f"[plants, {free.size}] for all genes or "
@@ -146,7 +148,7 @@ class StandCase:
                 f"genomes[{row}, {column}] is {given[row, column]}; numbers "
                 "must be finite"
             )
-        if given.shape[1] == free.size:
+        if given.shape[1] in sizes[:2]:
             return np.ascontiguousarray(given)
         plants = np.tile(self.baseline, (len(given), 1))
         plants[:, free] = given

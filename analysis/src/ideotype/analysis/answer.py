@@ -156,7 +156,17 @@ def _not_searched(known: Sequence[Case]) -> Iterator[str]:
         yield f"{names[:1].upper()}{names[1:]} {stay} as in the baseline."
     if len(known) == 1:
         site, day, spacing = _place(first)
-        yield f"The plant is bred for {site}, {day} and {spacing} alone."
+        keys = [
+            f"{name} = {value:.4g} {unit}"
+            for name, unit, value in zip(
+                genes.names, genes.units, first.best.row.genome[0]
+            )
+            if "." in name
+        ]
+        place = f"{site}, {day} and {spacing} alone"
+        if keys:
+            place = f"{site} and {day} alone, with {_listed(keys)} of its own"
+        yield f"The plant is bred for {place}."
     bounds = first.resolved.get("plant", {}).get("bounds")
     within = f'the bounds "{bounds}"' if isinstance(bounds, str) else "bounds"
     counts = [evaluations_of(h) for c in known for h in c.histories]

@@ -7,14 +7,13 @@ from __future__ import annotations
 import copy
 import datetime
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass, fields, replace
 from typing import Any
 
 from .._errors import Error
 
 Tables = dict[str, Any]
-
-_AXES = ("site", "day", "climate", "spacing", "traits")
 
 
 @dataclass(frozen=True)
@@ -122,14 +121,14 @@ def _date(base: Tables) -> datetime.date:
     return dates[0] if isinstance(dates, list) else dates
 
 
-def one_case(tables: Tables, case: str) -> Tables:
-    """Returns a resolved campaign with one entry of each axis: the entry of
-    the case, or the first entry if the case is a mean over several entries."""
+def one_case(tables: Tables, names: Mapping[str, str]) -> Tables:
+    """Returns a resolved campaign that varies no keys, with one entry of each
+    axis, which `names` tells."""
     cut = copy.deepcopy(tables)
-    for axis in _AXES:
+    for axis in names:
         if entries := cut.get(axis):
-            named = [e for e in entries if f"_{e['name']}_" in f"_{case}_"]
-            cut[axis] = (named or entries)[:1]
+            cut[axis] = [e for e in entries if e["name"] == names[axis]]
+    cut["search"].pop("keys", None)
     kept = {axis: cut[axis][0]["name"] for axis in ("site", "climate")
             if axis in cut}  # fmt: skip
     if "weather" in cut:

@@ -104,7 +104,7 @@ def _opened(
     genome: NDArray[np.float64],
     atlas: Atlas | None = None,
 ) -> Opened:
-    base = one_case(tomllib.loads(stand.campaign), stand.name)
+    base = one_case(tomllib.loads(stand.campaign), stand._case.entries)
     _add_profiles(base["plant"]["baseline"])
     breeds = {gene for gene, is_free in zip(stand.genes["name"], stand.free)
               if is_free}  # fmt: skip
@@ -199,9 +199,10 @@ def _of_history(path: Path) -> Opened:
         name = str(history.attributes.get("case", path.stem))
     if best is None:
         raise Error(f"{path}: no plant is evaluated yet; come back later")
-    stand = Stand.from_history(path, same_isa=False)
+    genome = best.row.genome[0]
+    stand = Stand.from_history(path, genome, same_isa=False)
     told = f"It is the best plant that was bred in {path.name}."
-    return _opened(name, told, stand, best.row.genome[0], atlas)
+    return _opened(name, told, stand, genome, atlas)
 
 
 def _of_measured(path: Path, plant: str | None, crop: str) -> Opened:

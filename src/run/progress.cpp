@@ -12,6 +12,7 @@
 
 #include "ideotype/canopy/quantities.hpp"
 #include "parallel/rank_clock.hpp"
+#include "summary.hpp"
 
 namespace ideotype {
 
@@ -123,7 +124,7 @@ class ProgressLog::CaseWatcher : public Watcher {
         if (log_.columns_ > 0 && log_.cases_ > 1) return;
         log_.print(fmt::format(
             "{}  ended by {}; evaluating finalists with fresh random numbers",
-            entry_.name, reason));
+            entry_.name, in_words(reason)));
     }
 
   private:

@@ -156,11 +156,16 @@ CaseResult result_of(const History& history) {
     return result;
 }
 
+std::string in_words(const std::string& reason) {
+    return reason == "room" ? "the size of its history (stop.generations)"
+                            : reason;
+}
+
 std::string to_text(const CaseResult& result, const std::string& path,
                     const std::string& state) {
     std::string line =
         fmt::format("{}: {}{}, {} of {} generations", path, state,
-                    result.reason ? " by " + *result.reason : "",
+                    result.reason ? " by " + in_words(*result.reason) : "",
                     result.complete, result.generations);
     if (result.best)
         line += fmt::format(
@@ -182,7 +187,8 @@ std::string to_text(const CaseResult& result, const std::string& path,
 
 std::string in_short(const CaseResult& result, const std::string& name) {
     return fmt::format(
-        "{}: finished by {}{}{}", name, result.reason.value_or("nothing"),
+        "{}: finished by {}{}{}", name,
+        in_words(result.reason.value_or("nothing")),
         result.gain.empty() ? "" : ", " + result.gain,
         result.failed_finalists > 0
             ? fmt::format(", {} of {} finalists failed",

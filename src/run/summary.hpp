@@ -23,6 +23,9 @@ inline constexpr std::size_t lines_on_screen = 20;
 std::size_t best_finalist(const History& history,
                           const std::vector<Row>& finalists);
 
+//! Returns the reason for the end of a search in words.
+std::string in_words(const std::string& reason);
+
 //! The result of a case, as in its history.
 struct CaseResult {
     std::optional<std::string> reason;  //!< reason for the end

@@ -164,8 +164,12 @@ def test_impossible_numbers_are_errors(tmp_path: Path) -> None:
         crop.season("1999-05-10", [20.0] * 23 + [np.nan], 7)
     with pytest.raises(ideotype.Error, match="must be positive"):
         crop.season("1999-05-10", [20.0] * 24, 0)
-    with pytest.raises(ideotype.Error, match="must be finite"):
-        crop.at(np.nan)
+    for impossible in (np.nan, [100.0, 200.0], "late"):
+        for grow in crop.at, crop.mesh:
+            with pytest.raises(ideotype.Error, match="thermal_time"):
+                grow(impossible)  # type: ignore[arg-type]
+    with pytest.raises(ideotype.Error, match="give a date such as"):
+        crop.season("2011-02-30", np.full(24, 20.0), 7.5)
     with pytest.raises(ideotype.Error, match=r"has no \[growth\]"):
         ideotype.Crop.from_file(ROOT / "campaigns/crops/maize.toml")
     wrong = tmp_path / "wrong.toml"

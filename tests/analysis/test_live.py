@@ -74,7 +74,7 @@ def test_names_of_this_machine_that_are_not_local_are_refused(
     path = f"/{token(day)}/"
     for host in ("localhost:9", "127.0.0.1:9", "[::1]:9"):
         assert answer(day, path, Host=host)[0] == 200
-    for host in ("evil.example", "127.0.0.1.evil.example", ""):
+    for host in ("evil.example", "127.0.0.1.evil.example", "", "[::1"):
         assert answer(day, path, Host=host)[0] == 403
 
 

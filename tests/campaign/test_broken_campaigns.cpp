@@ -269,6 +269,24 @@ TEST(BrokenCampaign, QuotedValuesSayHowToWriteThem) {
         EXPECT_NE(problem.find("; " + advice), std::string::npos) << problem;
 }
 
+TEST(BrokenCampaign, RemediesAreValid) {
+    const auto expect = [](const std::string& problem,
+                           const std::string& what) {
+        EXPECT_NE(problem.find(what), std::string::npos) << problem;
+    };
+    expect(problem_of("[day]\ndate = \"2025-02-29\"\n"),
+           "day.date is 2025-02-29 (the calendar has no such day)");
+    std::string text = sample_text();
+    text.insert(text.find("[[spacing]]"), "step_minutes = 36.9231\n");
+    expect(problem_of(text), "use 32.5 or 39");
+    expect(problem_of(sample_text("",
+                                  "[search]\noptimizer = \"auto\"\n"
+                                  "[stop]\ngenerations = 2\n")),
+           "stop.generations is 2 (the first generation of auto has three "
+           "times search.population plants, so that nothing would be "
+           "evaluated); use 3 or more");
+}
+
 TEST(BrokenCampaign, OnlyTheFirstLineThatIsNotTomlIsReported) {
     std::string text;
     for (int i = 0; i < 3000; ++i) text += fmt::format("key{} = 1 in\n", i);

@@ -113,6 +113,9 @@ says "there is no objective 'light'; use one of absorbed_par, "
 ! grep -qE "paths|capped|balance_error" out.log || fail "internals are offered"
 expect 2 "$ideotype" new none.toml --objective net_assimilaton </dev/null
 says "did you mean 'net_assimilation'"
+expect 2 "$ideotype" new none.toml "${place[@]}" "${field[@]}" \
+    --plant maize --objective transpiration
+says "needs leaves that transpire" "in a copy of campaigns/growing_season.toml"
 expect 2 "$ideotype" new nowhere/none.toml "${place[@]}" "${field[@]}" \
     --plant maize
 says "there is no folder nowhere"

@@ -69,21 +69,20 @@ class Crop:
         Returns a Dataset over `rank` from the lowest leaf, 1: `green_area` and
         `dead_area` of blades [m2], dates `tip`, `collar` and `death`
         [deg C d], and `collar_height` [m]."""
-        if not np.isfinite(thermal_time):
-            raise Error(f"thermal_time is {thermal_time}; it must be finite")
-        found = self._core.at(float(thermal_time))
+        time = _finite(thermal_time)
+        found = self._core.at(time)
         ranks = np.arange(1, len(found["tip"]) + 1)
         return xarray.Dataset(
             {name: ("rank", found[name], _UNITS[name]) for name in _UNITS},
             {"rank": ranks},
-            {"thermal_time": float(thermal_time)},
+            {"thermal_time": time},
         )
 
     def mesh(self, thermal_time: float) -> Mesh:
         """Returns the surfaces of one plant at a thermal time from emergence
         [deg C d]: the foot of the plant is at the origin, y along the row, z
         up [m]."""
-        return Mesh.of(*self._core.mesh(float(thermal_time)))
+        return Mesh.of(*self._core.mesh(_finite(thermal_time)))
 
     def season(
         self,
@@ -106,7 +105,7 @@ class Crop:
         if hourly.ndim != 1 or hourly.size == 0 or hourly.size % 24:
             raise Error(
                 f"temperatures are an array of {hourly.shape}; give 24 hours "
-                "of each day"
+                "of each day, in one row"
             )
         bad = np.flatnonzero(~np.isfinite(hourly))
         if bad.size:
@@ -116,7 +115,12 @@ class Crop:
         if not (np.isfinite(density) and density > 0):
             raise Error(f"density is {density}; it must be positive [m-2]")
         time, green, dead = self._core.season(hourly)
-        first = np.datetime64(str(emergence), "D")
+        try:
+            first = np.datetime64(str(emergence), "D")
+        except ValueError:
+            raise Error(
+                f"emergence is {emergence!r}; give a date such as 2011-05-15"
+            ) from None
         index = {"units": "m2 m-2"}
         return xarray.Dataset(
             {
@@ -126,3 +130,10 @@ class Crop:
             },
             {"day": (first + np.arange(time.size)).astype("datetime64[ns]")},
         )
+
+
+def _finite(thermal_time: float) -> float:
+    found = real(thermal_time, "thermal_time")
+    if found.ndim or not np.isfinite(found):
+        raise Error(f"thermal_time is {thermal_time}; give a finite number")
+    return float(found)

@@ -192,6 +192,15 @@ void check_search(const Draft& draft, const Problems& problems) {
                      "fewer",
                      generations, population, most_rows,
                      std::floor(most_rows / population));
+    // The first generation of `auto` has as many plants as three others, and a
+    // history as many rows as its generations.
+    if (campaign.search.optimizer == OptimizerKind::automatic &&
+        problems.usable({"stop.generations"}) && generations < 3)
+        problems.add("stop.generations",
+                     "stop.generations is {} (the first generation of auto has "
+                     "three times search.population plants, so that nothing "
+                     "would be evaluated); use 3 or more",
+                     generations);
     at_most("search.elites", campaign.search.ga.elites, population - 1);
     at_most("search.tournament", campaign.search.ga.tournament, population);
     if (campaign.search.axes.empty())

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -54,11 +55,18 @@ void check_day(const DaySpan& day, const Problems& problems) {
                             "dates or a longer step",
                             day.step_minutes, day.dates.size(), instants, most);
     if (std::abs(steps - std::round(steps)) < 1e-6 && steps > 0.5) return;
-    const double fewer = std::max(1.0, std::floor(steps));
+    // Steps of whole multiples of 3 s are decimal numbers of minutes.
+    const long ticks = std::lround(span * 20);
+    const auto step = [&](long count, long change) {
+        while (count > 1 && count < ticks && ticks % count != 0)
+            count += change;
+        return span / static_cast<double>(count);
+    };
+    const long fewer = std::max(1L, static_cast<long>(steps));
     problems.add("step_minutes",
                  "day.step_minutes is {} min (does not divide the {:.6g} min "
                  "from start to end); use {:.6g} or {:.6g}",
-                 day.step_minutes, span, span / (fewer + 1), span / fewer);
+                 day.step_minutes, span, step(fewer + 1, 1), step(fewer, -1));
 }
 
 //! @param of_site problems of the site

@@ -2,6 +2,7 @@
 #include "spelling.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -26,9 +27,13 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(0, text.find_last_not_of(spaces) + 1);
 }
 
-//! Returns a date as TOML, if a month can have such a day.
+//! Returns a date as TOML, if the calendar has such a day.
 std::optional<std::string> date_of(int year, int month, int day) {
-    if (month < 1 || month > 12 || day < 1 || day > 31) return {};
+    const std::chrono::year_month_day date{
+        std::chrono::year{year},
+        std::chrono::month{static_cast<unsigned>(month)},
+        std::chrono::day{static_cast<unsigned>(day)}};
+    if (!date.ok()) return {};
     return fmt::format("{:04}-{:02}-{:02}", year, month, day);
 }
 

@@ -14,14 +14,17 @@ namespace ideotype {
 
 namespace {
 
+bool has_dates(const Key& key) {
+    return std::holds_alternative<Date*>(key.value) ||
+           std::holds_alternative<std::vector<Date>*>(key.value);
+}
+
 //! Returns a text without its quotes as TOML, if it then has the right type.
 std::optional<std::string> without_quotes(const toml::node& found,
                                           const Key& key) {
     const auto text = found.value<std::string>();
     if (!text) return std::nullopt;
-    if (std::holds_alternative<Date*>(key.value) ||
-        std::holds_alternative<std::vector<Date>*>(key.value))
-        return meant_date(*text);
+    if (has_dates(key)) return meant_date(*text);
     if (!std::holds_alternative<double*>(key.value)) return std::nullopt;
     return key.is_clock() ? meant_time(*text) : meant_number(*text);
 }
@@ -36,6 +39,10 @@ void ValueFaults::fail_type(const toml::node& found) const {
     if (const auto meant = without_quotes(found, key))
         return fail("is a text (expected: {}); write {} = {} without quotes",
                     key.type, key.name, *meant);
+    if (const auto text = found.value<std::string>(); text && has_dates(key))
+        if (text->size() == 10 && text->at(4) == '-' && text->at(7) == '-')
+            return fail("is {} (the calendar has no such day); use another day",
+                        *text);
     const std::string example =
         key.example.empty() ? toml_text(key) : key.example;
     fail("is {} (expected: {}); write for example {} = {}", kind(found),

@@ -258,7 +258,17 @@ std::string text_for(const NewOptions& options, const std::string& plant) {
               "and angles that change smoothly from leaf to leaf; \"traits\" "
               "frees each leaf"
             : "\nbounds # how far traits may move: as the crop file says");
-    const auto outside = read_campaign_text(text, options.path).outside_bounds;
+    std::vector<Problem> outside;
+    try {
+        outside = read_campaign_text(text, options.path).outside_bounds;
+    } catch (const InputError& error) {
+        const std::string& problem = error.problems().front().what;
+        if (!problem.starts_with("the objective")) throw;
+        throw wrong_usage(
+            "new writes no such campaign ({}); do so in a copy of "
+            "campaigns/growing_season.toml or campaigns/agrivoltaic.toml",
+            problem);
+    }
     if (outside.empty()) return text;
     // The last problem ends with the bounds to write.
     const std::string& remedy = outside.back().what;

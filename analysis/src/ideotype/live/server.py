@@ -63,15 +63,18 @@ class Guarded(RequestHandler):
             self.set_header(name, value)
 
     def prepare(self) -> None:
-        host = urlsplit(f"//{self.request.host}").hostname
+        try:
+            host = urlsplit(f"//{self.request.host}").hostname
+            given = (self.path_args or [""])[0].encode()
+        except ValueError:
+            raise HTTPError(403, reason="The address is malformed") from None
         if host not in _LOCAL:
             raise HTTPError(403, reason="Only this machine may ask")
         origin = self.request.headers.get("Origin")
         if origin is not None and not self.is_own(origin):
             raise HTTPError(403, reason="Another site may not ask")
-        given = self.path_args[0] if self.path_args else ""
         token = self.application.settings["token"]
-        if not hmac.compare_digest(given.encode(), token.encode()):
+        if not hmac.compare_digest(given, token.encode()):
             raise HTTPError(403, reason="The key in the address is wrong")
 
     def is_own(self, origin: str) -> bool:

@@ -128,7 +128,7 @@ def one_case(tables: Tables, names: Mapping[str, str]) -> Tables:
     for axis in names:
         if entries := cut.get(axis):
             cut[axis] = [e for e in entries if e["name"] == names[axis]]
-    cut["search"].pop("keys", None)
+    cut.get("search", {}).pop("keys", None)
     kept = {axis: cut[axis][0]["name"] for axis in ("site", "climate")
             if axis in cut}  # fmt: skip
     if "weather" in cut:

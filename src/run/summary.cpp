@@ -156,11 +156,6 @@ CaseResult result_of(const History& history) {
     return result;
 }
 
-std::string in_words(const std::string& reason) {
-    return reason == "room" ? "the size of its history (stop.generations)"
-                            : reason;
-}
-
 std::string to_text(const CaseResult& result, const std::string& path,
                     const std::string& state) {
     std::string line =

@@ -24,7 +24,10 @@ std::size_t best_finalist(const History& history,
                           const std::vector<Row>& finalists);
 
 //! Returns the reason for the end of a search in words.
-std::string in_words(const std::string& reason);
+inline std::string in_words(const std::string& reason) {
+    return reason == "room" ? "the size of its history (stop.generations)"
+                            : reason;
+}
 
 //! The result of a case, as in its history.
 struct CaseResult {

@@ -17,6 +17,7 @@ from ._errors import Error
 Setting = tuple[tuple[str, float], ...]
 """Keys with values that replace the values of the campaign."""
 OWN: Setting = ()
+_TOO_LONG = "it takes too long for --seconds"
 FEWEST = 4
 """The least number of draws for a standard deviation."""
 _FOR_LADDERS = 0.6
@@ -113,7 +114,7 @@ class Survey:
                 ):
                     last = each
                     continue
-                why = "it takes too long for --seconds"
+                why = _TOO_LONG
             except Refused as error:
                 why = str(error)
             self.left_out[words(each)] = why
@@ -245,6 +246,12 @@ def words(setting: Setting) -> str:
 def result(survey: Survey, tolerance: float) -> dict[str, Any]:
     """Returns all measurements; an estimate is [mean, standard error]."""
     ladders = survey.measured()
+    too_few = {
+        words(setting): _TOO_LONG
+        for asked, found in zip(survey.ladders, ladders)
+        for setting in asked
+        if setting not in found
+    }
     rows = [
         survey.row(each, ladders)
         for each in dict.fromkeys(survey.chosen)
@@ -261,5 +268,5 @@ def result(survey: Survey, tolerance: float) -> dict[str, Any]:
         "settings": rows,
         "chosen": met[0] if met else front[-1][2],
         "is_met": bool(met),
-        "left_out": survey.left_out,
+        "left_out": survey.left_out | too_few,
     }

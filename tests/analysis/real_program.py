@@ -81,6 +81,16 @@ def write_campaign(folder: Path, generations: int) -> Path:
     return campaign
 
 
+def run_with(folder: Path, tables: str, verb: str = "run") -> Path:
+    """Returns a finished history of two generations of the tiny campaign with
+    more tables, by `ideotype run` or another verb."""
+    campaign = write_campaign(folder, 2)
+    campaign.write_text(campaign.read_text() + tables)
+    output_of(verb, campaign, "--out", folder)
+    (path,) = (folder / "tiny").glob("*.h5")
+    return path
+
+
 def run_crop(folder: Path, crop: str, free: list[str]) -> Path:
     """Returns a finished history of a crop of campaigns/crops, two generations
     in the stand of the tiny campaign, with the given traits bred."""

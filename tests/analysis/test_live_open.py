@@ -10,7 +10,7 @@ import pytest
 from conftest import WriterProcess
 from live_page import CAMPAIGNS
 from made_obj import MIDRIBS, obj_of
-from real_program import output_of, write_campaign
+from real_program import run_with, write_campaign
 
 from ideotype import Error, Stand
 from ideotype.live.conditions import tables_under
@@ -73,11 +73,8 @@ def test_a_page_begins_with_the_entries_of_the_case(tmp_path: Path) -> None:
 def test_the_best_plant_of_a_sensitivity_study_is_opened(
     tmp_path: Path,
 ) -> None:
-    campaign = write_campaign(tmp_path, 2)
     study = '\n[sensitivity]\nmethod = "morris"\nsamples = 4\n'
-    campaign.write_text(campaign.read_text() + study)
-    output_of("sensitivity", campaign, "--out", tmp_path)
-    (path,) = (tmp_path / "tiny").glob("*.h5")
+    path = run_with(tmp_path, study, "sensitivity")
     assert "the best plant that was bred in" in open_place(str(path)).about
 
 

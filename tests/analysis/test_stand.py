@@ -19,7 +19,7 @@ from zipfile import ZipFile
 import numpy as np
 import pytest
 import xarray
-from real_program import CAMPAIGNS, executable, output_of, write_campaign
+from real_program import CAMPAIGNS, executable, run_with, write_campaign
 
 import ideotype
 from ideotype.live.opened import open_place
@@ -69,11 +69,8 @@ def test_rows_of_a_history_have_the_same_bits(history: Path) -> None:
 def test_rows_with_keys_of_their_own_have_the_same_bits(
     tmp_path: Path,
 ) -> None:
-    campaign = write_campaign(tmp_path, 2)
     keys = '[[search.keys]]\nkey = "spacing.row"\nrange = [0.5, 1.0]\n'
-    campaign.write_text(campaign.read_text() + keys)
-    output_of("run", campaign, "--out", tmp_path)
-    (path,) = (tmp_path / "tiny").glob("*.h5")
+    path = run_with(tmp_path, keys)
     rows = ideotype.open(path)
     own = rows.isel(row=slice(0, rows.sizes["row"] // 2))
     genomes = own.genome.values

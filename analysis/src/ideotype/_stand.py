@@ -134,8 +134,9 @@ class Stand(StandViews):
         genomes: [plants, genes], or [plants, free genes] with the other genes
             of the baseline; one plant may be [genes]. Numbers have the units
             of `genes`. Rows of a history whose search varied keys of its
-            campaign end with their numbers. Numbers beyond their bounds are evaluated unchanged; a
-            measure that a plant cannot have is moved to its limit.
+            campaign end with their numbers. Numbers beyond their bounds are
+            evaluated unchanged; a measure that a plant cannot have is moved to
+            its limit.
         quantities: names of `quantities`; all if not given.
         tolerance: relative standard error of the leaves' light, at most 0.05,
             with as few paths as needed; by default the campaign's accuracy.

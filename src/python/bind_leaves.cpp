@@ -13,9 +13,10 @@ struct GrowingCrop {
     explicit GrowingCrop(const std::string& path) : crop(read_crop(path)) {
         if (!crop.growth)
             throw Error(path +
-                        ": this crop has no [growth] (how its plants grow and "
-                        "age); add the table, which describes a hybrid of "
-                        "maize if it is empty");
+                        ": this is no crop file with [growth] (how plants grow "
+                        "and age); give such a file, for example "
+                        "crops/maize_hybrid.toml, or add the table, which "
+                        "describes a hybrid of maize if it is empty");
         leaves = leaf_dates(*crop.growth);
     }
 

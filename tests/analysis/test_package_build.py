@@ -7,6 +7,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+import ideotype
+
 PROJECT = Path(__file__).parents[2]
 
 
@@ -24,3 +26,8 @@ def test_the_package_needs_no_library_of_the_program(tmp_path: Path) -> None:
         text=True,
     )
     assert done.returncode == 0, done.stderr
+
+
+def test_the_package_tells_its_version() -> None:
+    told = (PROJECT / "CMakeLists.txt").read_text()
+    assert f"set(IDEOTYPE_VERSION {ideotype.__version__})" in told

@@ -52,6 +52,8 @@ _PLACES = {
 
 
 def __getattr__(name: str) -> Any:
+    if name == "__version__":
+        return import_module("importlib.metadata").version(__name__)
     if name not in _PLACES:
         raise AttributeError(f"module 'ideotype' has no attribute '{name}'")
     module, own = _PLACES[name]

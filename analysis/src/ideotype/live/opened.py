@@ -202,6 +202,8 @@ def _of_history(path: Path) -> Opened:
     genome = best.row.genome[0]
     stand = Stand.from_history(path, genome, same_isa=False)
     told = f"It is the best plant that was bred in {path.name}."
+    if atlas and stand._case.key_count:
+        told += " The map shows other plants under the keys of this one."
     return _opened(name, told, stand, genome, atlas)
 
 

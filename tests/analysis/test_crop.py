@@ -171,7 +171,9 @@ def test_impossible_numbers_are_errors(tmp_path: Path) -> None:
     with pytest.raises(ideotype.Error, match="give a date such as"):
         crop.season("2011-02-30", np.full(24, 20.0), 7.5)
     for other in "crops/maize.toml", "quickstart.toml":
-        with pytest.raises(ideotype.Error, match=r"no crop file with \[growth"):
+        with pytest.raises(
+            ideotype.Error, match=r"no crop file with \[growth"
+        ):
             ideotype.Crop.from_file(ROOT / "campaigns" / other)
     wrong = tmp_path / "wrong.toml"
     text = HYBRID.read_text()

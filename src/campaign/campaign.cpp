@@ -45,7 +45,6 @@ int usual_population_of(const Campaign& campaign) {
                             most + campaign.varied.keys.size());
 }
 
-//! Returns the bounds of the numbers of a crop's traits.
 std::vector<Range> all_bounds(const Draft& draft, const Crop& crop) {
     const std::vector<double> baseline = baseline_numbers(crop);
     const std::vector<TraitNumber> numbers = trait_numbers(crop);
@@ -55,7 +54,6 @@ std::vector<Range> all_bounds(const Draft& draft, const Crop& crop) {
     return bounds;
 }
 
-//! Makes a component from its draft.
 ComponentEntry to_neighbour(const Draft& draft, bool assimilates) {
     const Campaign& own = draft.campaign;
     ComponentEntry component;

@@ -35,8 +35,7 @@ struct KeyFactor {
     std::string key;  //!< key such as "optics.soil_albedo"
     Range range;
     std::string unit{};  //!< unit; "1": none
-    //! Value in the campaign; without one, the middle of the range.
-    double value = 0;
+    double value = 0;    //!< value in the campaign, or the middle of the range
 };
 
 //! The genes and keys in which candidates differ.
@@ -71,17 +70,15 @@ enum class Across { mean, worst };
 struct AccuracyKey {
     std::string path;
     double value = 0;
-    //! Values for `fidelity`, the most accurate last.
-    std::vector<double> values;
+    std::vector<double> values;  //!< values for `fidelity`, most accurate last
 };
 
 //! A whole study as written in a TOML file: immutable once read. Every key,
 //! with its unit, range and default, is listed in docs/campaign_files.md.
 struct Campaign {
-    std::string source;  //!< text of the campaign file as read
-    //! The complete campaign in canonical form, with the plant inlined.
-    std::string resolved;
-    std::string sha256;  //!< SHA-256 of the resolved text
+    std::string source;    //!< text of the campaign file as read
+    std::string resolved;  //!< campaign in canonical form, the plant inlined
+    std::string sha256;    //!< SHA-256 of the resolved text
     std::vector<AccuracyKey> accuracy;
     std::vector<Problem> warnings;  //!< possible faults of the campaign
     //! Numbers of the baseline outside the bounds in which breeding would keep
@@ -121,8 +118,7 @@ struct Campaign {
     std::vector<PanelEntry> panels;
     std::vector<ObjectEntry> objects;
     SkyModel sky_model = SkyModel::uniform;  //!< sky model of diffuse light
-    //! Number of dates of a climate whose suns stand for all; else 0.
-    int sun_dates = 3;
+    int sun_dates = 3;  //!< dates of a climate whose suns stand for all; else 0
     int stages = 10;    //!< stages of canopies that grow
     Accuracy sampling;  //!< accuracy of evaluations in the search
     //! Names of objectives, in this order.
@@ -130,9 +126,8 @@ struct Campaign {
     //! Weight of each component in the objectives, the bred component first.
     //! Empty: objectives are those of all plants together.
     std::vector<double> weights;
-    //! Yield of each component when it stands alone, in the unit of the
-    //! objective, which is then the land equivalent ratio, and the standard
-    //! error of each yield. Empty: the objective is no land equivalent ratio.
+    //! Yield of each component alone, in the unit of the objective, and its
+    //! standard error. Empty: the objective is no land equivalent ratio.
     std::vector<double> sole, sole_errors;
     //! Axes whose entries are scenarios of one case, by table name.
     std::vector<std::string> over;
@@ -141,9 +136,8 @@ struct Campaign {
     Feasibility feasibility;
     SearchSettings search;
     Variation varied;  //!< only traits, unless in a study
-    //! Whether each row has light of its own, in a field that all rows share
-    //! or in several fields of its own; otherwise rows of a generation share
-    //! light and fields.
+    //! Whether each row has light of its own, in a shared field or in fields of
+    //! its own; otherwise rows of a generation share light and fields.
     bool has_light_by_row = false;
     //! The draft whose keys at_keys() varies, if any keys are varied.
     std::shared_ptr<const Draft> draft;
@@ -191,8 +185,7 @@ bool asks_for_assimilation(const Campaign& campaign);
 Campaign read_campaign(const std::string& path,
                        const std::vector<std::string>& settings = {});
 
-//! Reads and checks the text of a campaign file; paths in the text are relative
-//! to the given path.
+//! Reads and checks a campaign's text, in which paths are relative to `path`.
 Campaign read_campaign_text(const std::string& text, const std::string& path,
                             const std::vector<std::string>& settings = {});
 

@@ -13,7 +13,6 @@ namespace ideotype {
 
 namespace {
 
-//! Adds a scenario to the case that it belongs to.
 void add_scenario(const Campaign& campaign, const Case& scenario,
                   std::vector<Case>& all) {
     Case one = scenario;

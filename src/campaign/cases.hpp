@@ -49,11 +49,9 @@ struct Case {
     //! of the case; the case's own site, day and spacing are those of the first
     //! scenario. Empty: the case is its only scenario.
     std::vector<Case> scenarios{};
-    //! The case at each stage, if plants grow; scenarios have stages of their
-    //! own.
+    //! The case at each stage, if plants grow; scenarios have their own stages.
     std::vector<Case> stages{};
-    //! Stage of the case, if the case is at one stage.
-    std::optional<Stage> stage{};
+    std::optional<Stage> stage{};  //!< stage, if the case is at one
 };
 
 //! Returns the rows of the field, from 0, in which plants are bred.
@@ -71,14 +69,12 @@ std::vector<Case> scenarios(const Case& chosen);
 //! Returns each scenario of a case at each of its stages.
 std::vector<Case> evaluated_cases(const Case& chosen);
 
-//! Returns the light of a case or its first scenario, on clear days or by
-//! weather.
+//! Returns the light of clear days or weather for a case or its first scenario.
 LightSeries light_of(const Campaign& campaign, const Case& chosen);
 
-//! Returns all cases in their order: sites, then days or climates, spacings,
-//! trait sets, and replicates fastest. An axis whose entries are scenarios has
-//! a single entry "all". A new entry of an axis does not change the name or
-//! seed of any other case.
+//! Returns all cases in order: sites, days or climates, spacings, trait sets,
+//! and replicates fastest. An axis whose entries are scenarios has one entry
+//! "all". A new entry of an axis changes the name or seed of no other case.
 std::vector<Case> cases(const Campaign& campaign);
 
 //! Returns the case of this index.
@@ -142,8 +138,7 @@ void add_stages(const Campaign& campaign, Case& one);
 //! Returns the stage of plants at noon of a date, or at a thermal time of the
 //! campaign's crop [deg C d]. The stage stands for the hours of the day.
 //! @param one a case without scenarios, or a single scenario of a case
-//! @throws Error of wrong usage if plants do not grow or it is not their
-//! season.
+//! @throws Error of wrong usage if plants do not grow or are out of season.
 Stage stage_on(const Campaign& campaign, const Case& one,
                const std::variant<Date, double>& when);
 
@@ -152,8 +147,7 @@ Stage stage_on(const Campaign& campaign, const Case& one,
 LightSeries at_stage(const Campaign& campaign, const Case& chosen,
                      LightSeries series);
 
-//! Returns the growth of a component, number 0 being the campaign's crop; null
-//! if the component does not grow.
+//! Returns a component's growth (0: the campaign's crop); null if it has none.
 const Growth* growth_of(const Campaign& campaign, std::size_t component);
 
 //! The thermal time of a stage [deg C d], and roughly the part of light that

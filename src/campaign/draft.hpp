@@ -10,8 +10,7 @@
 
 namespace ideotype {
 
-//! One trait in the form of a crop file: the trait acts on the measures of one
-//! of these lists.
+//! One trait of a crop file, which acts on the measures of one of these lists.
 struct TraitEntry {
     Trait trait;
     std::vector<std::string> sets, scales, shifts;
@@ -22,9 +21,8 @@ struct BoundsEntry {
     std::string rule;
     std::string trait;
     Range range;
-    double change = 0;  //!< relative to the baseline; 0: any
-    //! Whether campaigns that choose only the rule breed the trait.
-    bool is_bred = false;
+    double change = 0;     //!< relative to the baseline; 0: any
+    bool is_bred = false;  //!< whether campaigns with only the rule breed it
 };
 
 //! A campaign while it is read: defaults first, then values of the file.
@@ -35,8 +33,7 @@ struct Draft {
     Campaign campaign;
     std::vector<TraitEntry> traits;
     std::vector<BoundsEntry> bounds;  //!< bounds of all rules
-    //! The choice of bounds: a rule, "traits" for the ranges of the traits, or,
-    //! if empty, own_bounds.
+    //! Rule of bounds; "traits": ranges of the traits; empty: own_bounds.
     std::string rule = "traits";
     std::vector<Range> own_bounds;    //!< own bounds of each trait
     std::vector<std::string> organs;  //!< present organs besides leaves
@@ -79,8 +76,7 @@ bool is_bred(const Draft& draft, const Trait& trait, const std::string& rule);
 //! Returns the measures that a trait acts on: the list that is not empty.
 const std::vector<std::string>& measures_of(const TraitEntry& entry);
 
-//! Returns a trait with the measures that it acts on, from the list that is not
-//! empty, and with the effect that belongs to the list.
+//! Returns a trait with the measures and effect of the list that is not empty.
 Trait complete(const TraitEntry& entry);
 
 //! Returns whether plants grow in a climate of the campaign.

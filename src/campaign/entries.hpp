@@ -68,8 +68,7 @@ struct Climate {
     ColumnMap columns;
     std::optional<double> wind_height;  //!< height above the ground [m]
     std::optional<double> co2;          //!< CO2 of the air [umol mol-1]
-    //! The day on which growing plants emerge; year 0: plants do not grow.
-    Date emergence{0, 1, 1};
+    Date emergence{0, 1, 1};            //!< day; year 0: plants do not grow
 
     bool grows() const { return emergence.year > 0; }
 };
@@ -98,8 +97,7 @@ struct Standing {
     int plants = 0;                  //!< plants per row; 0: as in the field
     int later = 0;                   //!< delay of emergence after the crop [d]
     std::optional<double> jitter{};  //!< jitter instead of the field's [deg]
-    //! Variation of the plants instead of that of the field.
-    std::optional<PlantVariation> variation{};
+    std::optional<PlantVariation> variation{};  //!< variation of its own
 };
 
 //! A kind of plant that stands in the field beside that of the campaign's crop.

@@ -10,7 +10,6 @@ namespace ideotype {
 
 namespace {
 
-//! Appends the genes of a crop.
 //! @param prefix prefix of the genes' names, which tells the component
 void append_genes(GeneSpace& genes, const Crop& crop,
                   const std::vector<Range>& bounds, const TraitSet& free,

@@ -11,7 +11,6 @@ namespace ideotype {
 
 namespace {
 
-//! Returns the objective of this name, with its component if it names one.
 ObjectiveEntry to_objective(const std::string& name, Sense sense,
                             const std::vector<std::string>& components) {
     const std::size_t dot = name.find('.');

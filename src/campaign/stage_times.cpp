@@ -59,9 +59,8 @@ class Shapes {
     double sheath_, index_ = 0;
 };
 
-//! Chooses some points, with the first and the last among them, so that
-//! straight lines between chosen points are nearest to all values (dynamic
-//! programming).
+//! Chooses points, with the first and the last, so that straight lines between
+//! them are nearest to all values (dynamic programming).
 std::vector<std::size_t> best_knots(const std::vector<Shape>& values,
                                     std::size_t count) {
     // Heights and angles affect carbon less than leaf area does.

@@ -33,9 +33,8 @@ std::vector<double> thermal_times(const Growth& growth, const Date& emergence,
 
 //! A season of a crop: its hours from emergence to the day of maturity.
 struct Season {
-    //! First step, and the step after the last.
-    std::size_t begin = 0, end = 0;
-    std::vector<double> times;  //!< thermal times of all steps
+    std::size_t begin = 0, end = 0;  //!< first step, and step after the last
+    std::vector<double> times;       //!< thermal times of all steps
 };
 
 Season season_of(const Campaign& campaign, const Case& chosen,
@@ -76,7 +75,6 @@ std::vector<std::vector<double>> all_ages(const Campaign& campaign,
     return ages;
 }
 
-//! Returns the thermal times of all components in a step.
 //! @param of_crop thermal time of the campaign's crop
 std::vector<double> ages_at(const std::vector<std::vector<double>>& ages,
                             std::size_t step, double of_crop) {
@@ -85,7 +83,6 @@ std::vector<double> ages_at(const std::vector<std::vector<double>>& ages,
     return all;
 }
 
-//! Returns the thermal times of all components before emergence.
 std::vector<double> ages_before(const Campaign& campaign) {
     return std::vector<double>(1 + campaign.components.size(), -1);
 }

@@ -141,7 +141,6 @@ class Assimilation {
             if (light_.beam_of[i] < 0 && light_.sky_of[i] < 0) take_steps(i, 0);
     }
 
-    //! Finds how each leaf responds to light in a step.
     void respond(const TimeStep& step, StepLight& light) {
         const std::vector<PairLight::Bin>& bins = light.pair.bins();
         light.responses.clear();

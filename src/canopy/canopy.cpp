@@ -13,7 +13,6 @@ namespace ideotype {
 
 namespace {
 
-//! Returns a scene in which each face is a group of its own.
 Scene with_a_group_per_face(Scene scene) {
     const auto split = [](Mesh& mesh) {
         std::vector<Group> groups;
@@ -47,7 +46,6 @@ std::vector<double> leaf_area_of_lines(const Scene& scene, std::size_t groups) {
     return index;
 }
 
-//! Evaluates a request field by field.
 //! @param scene scene of the request, perhaps with other groups
 CanopyReport evaluate(const CanopyRequest& request, const Scene& scene,
                       const Device& device, const Clock& clock) {

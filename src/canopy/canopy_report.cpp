@@ -30,7 +30,6 @@ PlantForm form_of(const Plant& plant, const Tessellation& tessellation) {
     return form;
 }
 
-//! Makes the report of an evaluation from the results in its fields.
 class Reporter {
   public:
     //! Keeps references to its arguments.

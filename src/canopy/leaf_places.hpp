@@ -27,8 +27,7 @@ struct LeafPlaces {
     std::vector<std::uint32_t> row;    //!< row by place; 0 if not told apart
     std::vector<double> height;        //!< height by place [m]
     std::vector<double> width;         //!< width by place [m], if pieces tell
-    //! Absorptance by place, of the face that absorbs more.
-    std::vector<double> absorptance;
+    std::vector<double> absorptance;   //!< larger of both faces, by place
 };
 
 //! Diffuse light of one source [J m-2 of ground].
@@ -43,8 +42,7 @@ struct DiffuseLight {
     std::vector<double> sum;  //!< sum over randomisations, by piece
 };
 
-//! The diffuse light that is expected at each place, with which simulated light
-//! is compared.
+//! The diffuse light expected at each place, to compare with simulated light.
 class ExpectedLight {
   public:
     //! Finds the expected light of a place as a mean over the place and as many

@@ -119,7 +119,6 @@ std::uint32_t step_of(double cosine) {
 
 }  // namespace
 
-//! Sorts hits into bins.
 void PairLight::sort_hits() {
     std::vector<std::size_t> end(places_.count() + 1);
     for (const Hit& hit : hits_) ++end[places_.of[hit.piece] + 1];

@@ -8,9 +8,8 @@
 namespace ideotype {
 
 //! The terms of a function of diffuse light, expanded to second order about the
-//! expected light: differences in the light of a sun and of a sky from the
-//! expected light, and products of differences, summed over pieces or hits; or
-//! the weights of these terms.
+//! expected light: differences of the light of a sun and a sky, and their
+//! products, summed over pieces or hits; or the weights of these terms.
 struct Moments {
     double one = 0, sun = 0, sky = 0, sun2 = 0, sun_sky = 0, sky2 = 0;
 
@@ -95,8 +94,7 @@ class PairLight {
     };
 
     //! Returns the product of the means of x and y without bias, from the sums
-    //! of x, y and x y. Sums of a single randomisation are multiplied as they
-    //! are.
+    //! of x, y and x y; from one randomisation, the product of the sums.
     double product(double x, double y, double sum) const {
         return n_ > 1 ? (x * y - sum) / (n_ * (n_ - 1)) : x * y;
     }

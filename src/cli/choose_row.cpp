@@ -13,7 +13,6 @@ namespace ideotype {
 
 namespace {
 
-//! Returns the case of a campaign that a history belongs to.
 Case case_of(const History& history, const Campaign& campaign) {
     const std::string& name = history.header().text.at("case");
     for (const Case& c : cases(campaign))

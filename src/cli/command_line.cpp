@@ -33,8 +33,7 @@ void check_verb_name(const CLI::App& app, const std::string& word) {
                       did_you_mean(word, verbs));
 }
 
-//! Returns the error for words that a verb does not know. It tells the first
-//! one that looks like an option, or else the first of all.
+//! Tells the first unknown word that looks like an option, or else the first.
 Error unknown_word(const CLI::App& verb) {
     const std::vector<std::string> words = verb.remaining();
     const auto found = std::ranges::find_if(words, [](const std::string& each) {

@@ -15,7 +15,6 @@ namespace ideotype {
 
 namespace {
 
-//! Declares `--set KEY=VALUE`, any number of times.
 void add_settings(CLI::App& verb, std::vector<std::string>& settings) {
     verb.add_option("--set", settings,
                     "a key of the campaign and its value, in the place of what "
@@ -26,7 +25,6 @@ void add_settings(CLI::App& verb, std::vector<std::string>& settings) {
         ->allow_extra_args(false);
 }
 
-//! Declares a campaign file and the settings that replace its values.
 void add_campaign(CLI::App& verb, std::string& path,
                   std::vector<std::string>& settings) {
     verb.add_option("campaign", path, "campaign file (TOML)")->required();

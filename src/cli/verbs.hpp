@@ -54,9 +54,8 @@ struct RowChoice {
 //! `evaluate CAMPAIGN`: evaluates the baseline. `evaluate FILE --generation G
 //! --slot S`: recomputes a row.
 struct EvaluateOptions {
-    std::string path;  //!< a campaign or a history
-    std::vector<std::string>
-        settings;  //!< settings of a campaign, "table.key=value"
+    std::string path;                   //!< a campaign or a history
+    std::vector<std::string> settings;  //!< for a campaign, "table.key=value"
     int case_index = 0;
     RowChoice row;
     bool is_json = false, is_all = false;
@@ -71,8 +70,7 @@ struct NewOptions {
     std::string latitude, longitude, utc_offset;  //!< in [deg], [deg] and [h]
     std::string date;
     std::string row, plant_spacing;  //!< distances [m]
-    //! The name of a known crop, a crop file, or measured leaves.
-    std::string plant;
+    std::string plant;  //!< known crop, crop file, or measured leaves
     std::string objective;
 };
 ExitCode write_new_campaign(const NewOptions& options);
@@ -121,8 +119,7 @@ ExitCode report_error(const std::exception& error, const Log& log);
 void declare_verbs(CLI::App& app, const std::vector<std::string>& words,
                    std::function<int()>& action);
 
-//! Runs a campaign; collective over the ranks that a launcher has started, if
-//! any.
+//! Runs a campaign; collective over the ranks that a launcher has started.
 ExitCode start_run(const RunOptions& options);
 
 //! Adds the verbs of the Python package to the help of the program.
@@ -146,8 +143,7 @@ extern const char* const campaign_form;
 //! line the name, the function that answers, and what the verb does.
 extern const char* const python_verbs_text;
 
-//! Parses the command line, runs the verb, reports errors, returns the exit
-//! code.
+//! Parses the words, runs the verb, reports errors and returns the exit code.
 int run_command_line(int argc, char** argv);
 
 }  // namespace ideotype

@@ -21,7 +21,6 @@ double mean_day(const LightSeries& series, double Irradiance::*component) {
     return sum / series.days;
 }
 
-//! Returns the number of steps of a span.
 int step_count(const DaySpan& span) {
     const double steps = (span.end - span.start) * 60 / span.step_minutes;
     const double whole = std::round(steps);
@@ -73,8 +72,7 @@ class Elevation {
 };
 
 //! The largest distance of the highest sun from mean noon: the equation of time
-//! is below 17 minutes, and at high latitudes the changing declination adds a
-//! little.
+//! is below 17 minutes, to which declination adds a little at high latitudes.
 constexpr double largest_shift = 1;
 
 }  // namespace

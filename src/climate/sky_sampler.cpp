@@ -87,8 +87,7 @@ class PiecewiseDensity {
     //! Returns the integral over [0, 1].
     double total() const { return integrals_.back(); }
 
-    //! Returns the place where the integral from 0 reaches a share of the
-    //! total.
+    //! Returns where the integral from 0 reaches a share of the total.
     double quantile(double share) const {
         const double target = share * total();
         const auto found =
@@ -215,8 +214,7 @@ class SkySampler::ClearSky {
 
         double irradiance() const { return 2 * end_ * half_.total(); }
 
-        //! Returns the position angle that splits off a share of half the
-        //! circle.
+        //! Returns the angle that splits off a share of half the circle.
         double quantile(double share) const {
             return position(half_.quantile(share));
         }

@@ -53,8 +53,7 @@ void check_clock(const std::vector<WeatherStep>& series,
         const double r = at(quarters);
         if (r > best) best = r, shift = quarters;
     };
-    // Whole hours are tried first, then quarters of an hour around the best
-    // one.
+    // Whole hours are tried first, then quarters of hours around the best.
     for (int hours = -11; hours <= 12; ++hours) try_it(4 * hours);
     const int coarse = shift;
     for (int quarters = -3; quarters <= 3; ++quarters)

@@ -59,7 +59,6 @@ std::vector<WeatherStep> all_steps(const WeatherTable& table,
     return series;
 }
 
-//! Fills unknown values between two known ones.
 void interpolate(std::vector<WeatherStep>& series,
                  std::optional<double> WeatherValues::*member,
                  const std::string& name, seconds step, Findings& findings) {

@@ -22,8 +22,7 @@ bool has(const std::vector<CsvField>& header, std::string_view name) {
                        [&](const CsvField& each) { return each.text == name; });
 }
 
-//! Returns the columns that `ideotype weather` writes, as far as they are
-//! present.
+//! Returns the columns that `ideotype weather` writes, as far as present.
 ColumnMap native_columns(ColumnMap columns,
                          const std::vector<CsvField>& header) {
     columns.time = {"time"};
@@ -43,7 +42,6 @@ ColumnMap native_columns(ColumnMap columns,
     return columns;
 }
 
-//! Returns advice on how to convert a file of another format.
 std::string way_to_convert(const WeatherRequest& request) {
     const std::string& file = request.file;
     std::string command = fmt::format(
@@ -60,8 +58,7 @@ std::string way_to_convert(const WeatherRequest& request) {
            command;
 }
 
-//! Takes the names of the columns from the first line that has the column of
-//! time.
+//! Takes the columns' names from the first line that has the column of time.
 WeatherTable read_head(const std::vector<std::string_view>& lines,
                        const WeatherRequest& request, Findings& findings) {
     WeatherTable table{request.columns, {}};
@@ -144,8 +141,7 @@ void find_step(WeatherTable& table, Findings& findings) {
         row.middle += stamp == Stamp::beginning ? half : -half;
 }
 
-//! Chooses the site's clock if dates of the file's clock would change by
-//! daylight.
+//! Chooses the site's clock if the file's date would change by daylight.
 void choose_clock(WeatherTable& table, Site site) {
     const double shift = site.utc_offset - table.utc_offset;
     std::swap(site.utc_offset, table.utc_offset);

@@ -117,16 +117,15 @@ class Findings {
 
 //! The values of a row in the program's units; nothing for an unknown value.
 struct WeatherValues {
-    std::optional<double> global;  //!< all solar radiation [W m-2]
-    std::optional<double>
-        beam_normal;  //!< beam on a plane that faces the sun [W m-2]
-    std::optional<double> diffuse;           //!< diffuse light [W m-2]
+    std::optional<double> global;       //!< all solar radiation [W m-2]
+    std::optional<double> beam_normal;  //!< on a plane facing the sun [W m-2]
+    std::optional<double> diffuse;      //!< diffuse light [W m-2]
     std::optional<double> diffuse_fraction;  //!< part of global light, 0 to 1
     std::optional<double> ppfd;         //!< photons as solar radiation [W m-2]
-    std::optional<double> temperature;  //!< of the air [deg C]
+    std::optional<double> temperature;  //!< air temperature [deg C]
     std::optional<double> humidity;     //!< relative humidity, 0 to 1
     std::optional<double> wind;         //!< speed [m s-1]
-    std::optional<double> pressure;     //!< of the air [kPa]
+    std::optional<double> pressure;     //!< air pressure [kPa]
     std::optional<double> longwave;     //!< radiation of the sky [W m-2]
 
     //! Returns whether the light on the ground follows from the values.
@@ -152,8 +151,7 @@ struct WeatherTable {
     std::chrono::seconds step{3600};
     //! True if the global light, or else the beam, is given in photons.
     bool counts_photons = false;
-    //! The ends of the period: its first and last midnight; by default those of
-    //! the rows.
+    //! First and last midnight of the period; by default those of the rows.
     ClockTime begin{}, end{};
 
     //! Returns the index of the column with a name; adds a problem unless there

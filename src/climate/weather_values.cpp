@@ -12,7 +12,6 @@ namespace ideotype {
 
 namespace {
 
-//! The quantity that a column has.
 enum class Kind { light, fraction, temperature, speed, pressure };
 
 //! The part of an energy or of photons that a unit counts.
@@ -76,8 +75,7 @@ std::string plain(std::string_view unit) {
     return text;
 }
 
-//! The index of a column, the conversion of its numbers, and their credible
-//! range.
+//! The index of a column, and the conversion and credible range of its numbers.
 struct Source {
     std::size_t index = 0;
     Scale scale;

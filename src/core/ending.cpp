@@ -43,8 +43,7 @@ void tell_of_segmentation_fault(int /*signal*/) {
     tell("segmentation fault");
 }
 
-// Handles segmentation faults, unless a sanitizer does, whose message says
-// more.
+// Handles segmentation faults, unless a sanitizer does, which says more.
 void watch_for_segmentation_fault() {
     struct sigaction action {};
     sigaction(SIGSEGV, nullptr, &action);

@@ -108,8 +108,7 @@ std::string nearest_name(const std::string& word,
     // A suggestion that shares less than half of the letters only confuses.
     std::size_t least = word.size() / 2 + 1;
     for (const std::string& candidate : candidates) {
-        // A much longer word is too far from the candidate, and may have
-        // megabytes.
+        // A much longer word is too far away, and may have megabytes.
         if (word.size() >= candidate.size() + least) continue;
         const std::size_t distance = edit_distance(word, candidate);
         if (distance < least) {

@@ -13,7 +13,6 @@ namespace ideotype {
 
 namespace {
 
-//! Returns the slope at an inner value from the slopes on both sides.
 double inner_slope(double left, double right) {
     return left * right > 0 ? 2 * left * right / (left + right) : 0;
 }
@@ -53,7 +52,6 @@ void act(TraitEffect effect, double number, const MeasureInfo& measure,
         value = std::clamp(value, measure.limits.lower, measure.limits.upper);
 }
 
-//! Returns a trait's number for each leaf of a plant.
 double number_at(const Trait& trait, const std::vector<double>& numbers,
                  std::size_t leaf, std::size_t leaves) {
     switch (trait.numbers) {

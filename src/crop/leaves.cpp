@@ -43,8 +43,7 @@ int green_cells(const Leaf& leaf, int along) {
         along - 1);
 }
 
-//! Adds a leaflet with the length and width of a leaf, or a part of this
-//! leaflet.
+//! Adds a leaflet, or a part of it, with the length and width of a leaf.
 //! @param base base of the leaflet, out from the axis of the stalk [m]
 //! @param aside azimuth of the leaflet from that of the leaf [deg]
 void add_leaflet(Mesh& mesh, std::uint32_t group, const Leaf& leaf,

@@ -151,8 +151,7 @@ class ObjBuilder {
         name_ = name.empty() ? "unnamed" : std::move(name);
     }
 
-    //! Returns the index of the current group, which is made for its first
-    //! face.
+    //! Returns the index of the current group, made for its first face.
     std::uint32_t group() {
         std::vector<Group>& groups = result_.mesh.groups;
         const auto [found, is_new] = index_of_.try_emplace(

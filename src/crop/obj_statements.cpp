@@ -74,7 +74,6 @@ class Lines {
     int next_number_ = 1;
 };
 
-//! A word of a line and the column where it begins.
 struct Word {
     std::string_view text;
     int column = 1;

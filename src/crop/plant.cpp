@@ -15,7 +15,6 @@ namespace ideotype {
 
 namespace {
 
-//! A truncated circular cone.
 struct Frustum {
     glm::dvec3 base, top;                     //!< ends of the axis [m]
     double base_radius, top_radius;           //!< radii of both ends [m]

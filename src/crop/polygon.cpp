@@ -133,8 +133,7 @@ class EarClipping {
         const std::size_t c = left_[after(at)];
         if (!(outline_.turn(a, b, c) >= 0)) return false;
         looked_at_ += left_.size();
-        // Outlines with holes pass some points twice; repeated points do not
-        // count.
+        // Outlines with holes pass some points twice; repeats do not count.
         return std::none_of(left_.begin(), left_.end(), [&](std::size_t p) {
             return !outline_.is_same_place(p, a) &&
                    !outline_.is_same_place(p, b) &&

@@ -34,8 +34,6 @@ void add(Sha256& sum, const std::string& name, const std::vector<char>& bytes) {
 //! The datasets of a table, in the order of their names, without its scales.
 class HashedTable {
   public:
-    //! Opens the datasets.
-    //! @param mapping mapping of the file, if there is one
     HashedTable(hid_t file, const std::string& name,
                 const std::vector<std::string>& left_out,
                 const Mapping* mapping = nullptr) {

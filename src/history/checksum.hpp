@@ -23,8 +23,7 @@ std::string header_checksum(hid_t file);
 //! generation takes longest, because all datasets are opened for it.
 class GenerationChecksums {
   public:
-    //! Opens the datasets of a history. File and mapping must outlive this
-    //! object.
+    //! Opens the datasets; file and mapping must outlive this object.
     //! @param mapping mapping of the file; null: HDF5 reads the file
     GenerationChecksums(hid_t file, const Mapping* mapping);
     ~GenerationChecksums();

@@ -66,8 +66,7 @@ class Columns {
 
     hsize_t rows() const { return status_.rows(); }
 
-    //! Limits all later reads to the file before a position; numbers beyond it
-    //! are read as NaN.
+    //! Lets all later reads see numbers beyond a position in the file as NaN.
     void cut(haddr_t end);
 
     //! Returns the number of leading rows with intact candidate, objectives and
@@ -84,20 +83,16 @@ class Columns {
     //! Returns the candidates of rows that are not empty.
     std::vector<Candidate> candidates(hsize_t first, hsize_t count) const;
 
-    //! Returns rows, with NaN in place of all numbers that the status does not
-    //! confirm.
+    //! Returns rows, with NaN for all numbers that the status does not confirm.
     std::vector<Row> read(hsize_t first, hsize_t count) const;
 
-    //! Returns the columns that selection needs, of rows that all have an
-    //! outcome.
+    //! Returns the columns that selection needs; all rows must have an outcome.
     Population population(hsize_t first, hsize_t count) const;
 
-    //! Writes candidates without their status, and clears the outcomes of their
-    //! rows.
+    //! Writes candidates without their status, and clears the rows' outcomes.
     void write(hsize_t first, const std::vector<Candidate>& candidates);
 
-    //! Writes the outcomes of some rows without their status. All numbers of
-    //! failed outcomes are stored as NaN.
+    //! Writes outcomes without their status; numbers of failed ones become NaN.
     void write_outcomes(hsize_t first, const std::vector<Row>& rows);
 
     void set_statuses(hsize_t first, const std::vector<Status>& statuses);
@@ -114,8 +109,7 @@ class Columns {
     Dataset origin_;
     Dataset parents_;
     std::vector<Dataset> numbers_;  //!< numbers of outcomes, see number_forms()
-    std::vector<hsize_t>
-        intact_;  //!< number of leading intact rows of each dataset
+    std::vector<hsize_t> intact_;   //!< leading intact rows of each dataset
     hsize_t intact_rows_;
     hsize_t whole_rows_;
     Dataset attempt_;

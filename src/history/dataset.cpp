@@ -59,8 +59,7 @@ std::unique_ptr<Mapping> Mapping::of(hid_t file) {
     void* begin =
         mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_SHARED, descriptor, 0);
     if (begin == MAP_FAILED) return nullptr;
-    std::signal(SIGBUS,
-                end_without_file);  // before this, MPI has its own handler
+    std::signal(SIGBUS, end_without_file);  // replaces a handler of MPI
     return std::unique_ptr<Mapping>(
         new Mapping(descriptor, static_cast<char*>(begin), size));
 }

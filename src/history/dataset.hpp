@@ -119,8 +119,7 @@ class Dataset {
     void fetch(hid_t type, hsize_t first, void* values,
                std::size_t count) const;
 
-    //! Returns the address of a row in memory. @throws Hdf5Error if it does not
-    //! exist.
+    //! @throws Hdf5Error if the row does not exist.
     char* at(hsize_t first, std::size_t values) const;
 
     std::string name_;

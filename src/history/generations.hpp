@@ -30,8 +30,7 @@ class Generations {
         return static_cast<std::uint32_t>(committed_.rows());
     }
 
-    //! Returns the number of complete generations; their flags are the leading
-    //! ones.
+    //! Returns the number of complete generations, whose flags come first.
     std::uint32_t committed() const;
 
     //! Returns the rows of a generation; none before it is proposed.
@@ -55,10 +54,8 @@ class Generations {
     Dataset first_row_;
     Dataset count_;
     Dataset best_row_;
-    //! Datasets of number_columns, in their order.
-    std::vector<Dataset> numbers_;
-    std::vector<Dataset>
-        counts_;  //!< datasets of count_columns, in their order
+    std::vector<Dataset> numbers_;  //!< datasets of number_columns, in order
+    std::vector<Dataset> counts_;   //!< datasets of count_columns, in order
     Dataset checksum_;
 };
 

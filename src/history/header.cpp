@@ -114,7 +114,6 @@ void create_campaign_text(hid_t group, const std::string& name,
     Dataset(group, name).write_text(0, text);
 }
 
-//! Reads root attributes: texts, numbers and sizes.
 void read_attributes(hid_t file, HistoryHeader& header) {
     for (const std::string& name : attributes_of(file)) {
         const H5T_class_t kind = H5Tget_class(Attribute(file, name).type);

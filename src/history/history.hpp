@@ -126,8 +126,7 @@ class History {
 
     const HistoryHeader& header() const;
 
-    //! Returns the number of bytes lost at the end of the file; 0 unless
-    //! salvaged.
+    //! Returns the bytes lost at the end of the file; 0 unless salvaged.
     std::uint64_t missing_bytes() const;
 
     //! Returns the number of complete generations that are intact, and so have
@@ -140,8 +139,7 @@ class History {
     //! Returns the last start of the program, or nothing for a new file.
     std::optional<SessionRecord> last_session() const;
 
-    //! Returns the number of recorded evaluations, finalists and incomplete
-    //! generations included.
+    //! Counts stored evaluations, also of finalists and incomplete generations.
     std::uint64_t evaluated() const;
 
     //! Returns the next generation to breed or complete: 0 for a new file.
@@ -167,16 +165,13 @@ class History {
     //! Returns one row, evaluated or not.
     Row row(std::uint32_t generation, std::uint32_t slot) const;
 
-    //! Returns the rows of a complete generation, with NaN for all numbers that
-    //! a truncated file has lost.
+    //! Returns the rows of a complete generation, with NaN for lost numbers.
     std::vector<Row> rows(std::uint32_t generation) const;
 
-    //! Returns the number of slots of a proposed generation; 0 before it is
-    //! proposed.
+    //! Returns the number of slots of a generation; 0 before it is proposed.
     std::uint32_t size(std::uint32_t generation) const;
 
-    //! Returns the columns that selection needs, of all rows of a complete
-    //! generation.
+    //! Returns the columns of a complete generation that selection needs.
     Population generation(std::uint32_t generation) const;
 
     //! Marks a generation complete. The mark is in the file at once, and on the
@@ -208,8 +203,7 @@ class History {
     //! Marks the case finished with a reason such as "generations".
     void finish(const std::string& reason);
 
-    //! Closes the file of a writer, after which no other function may be
-    //! called.
+    //! Closes a writer's file, after which no other function may be called.
     //! @throws Error if the last data cannot be written; rows are safe then.
     void close();
 

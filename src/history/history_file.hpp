@@ -41,8 +41,7 @@ struct History::File {
     //! Error if there can be no such generation.
     Span span(std::uint32_t generation) const;
 
-    //! Returns the row of a slot in /evaluations. @throws Error if the slot
-    //! does not exist.
+    //! Returns a row of /evaluations. @throws Error if the slot does not exist.
     hsize_t row(std::uint32_t generation, std::uint32_t slot) const;
 
     [[noreturn]] void fail(const std::string& what,
@@ -76,8 +75,7 @@ struct History::File {
         is_broken = false;
     }
 
-    //! Requires that genomes have the genes of this history. @throws Error if
-    //! the genes differ.
+    //! @throws Error if genomes do not have the genes of this history.
     void require_genes(const std::vector<Candidate>& candidates) const;
 
     //! Stores candidates, or verifies those of an interrupted session and

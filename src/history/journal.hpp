@@ -38,8 +38,7 @@ class Journal {
     Dataset finished_;
     Dataset reason_;
     Dataset wall_time_;
-    //! Datasets of session_columns, in their order.
-    std::vector<Dataset> sessions_;
+    std::vector<Dataset> sessions_;  //!< datasets of session_columns, in order
     Dataset ranks_;
     Dataset messages_;
     hsize_t sessions_used_ = 0;

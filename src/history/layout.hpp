@@ -9,8 +9,7 @@
 
 namespace ideotype {
 
-//! Returns the type of texts of exactly this many bytes, UTF-8, padded with
-//! NUL.
+//! Returns the type of UTF-8 texts of this many bytes, padded with NUL.
 Handle string_type(std::size_t size);
 
 //! The following functions return the types of Status, Origin and yes/no, which
@@ -63,12 +62,10 @@ enum class Room {
 struct DatasetForm {
     std::string name;
     hid_t type = -1;
-    //! The names of axes in the group of the dataset; none for a scalar.
-    std::vector<std::string> axes{};
-    std::string unit = "1";  //!< unit; "" for texts
+    std::vector<std::string> axes{};  //!< names in the group; none: a scalar
+    std::string unit = "1";           //!< unit; "" for texts
     std::string meaning{};
-    //! The value of unwritten numbers, in the type's native form; null for
-    //! zeros.
+    //! The value of unwritten numbers in the type's native form; null: zeros.
     const void* empty = nullptr;
     Room room = Room::at_once;
 };

@@ -15,8 +15,7 @@ namespace ideotype {
 History History::create(const std::string& path, const HistoryHeader& header) {
     FileLock lock = FileLock::of_new(path);
     if (history_exists(path)) {
-        const FileLock held(
-            path);  // fails if another program has just begun it
+        const FileLock held(path);  // fails if another program has begun it
         throw Error(
             path +
                 ": this history exists already; add --resume to go on with it",

@@ -28,7 +28,6 @@ Resolution resolution_of(const std::vector<Tally>& tallies) {
     return all;
 }
 
-//! Returns the estimate of a figure that is a function of a tally.
 Estimate over(const std::vector<Tally>& tallies, const auto& figure) {
     return estimate(mapped(tallies, figure));
 }
@@ -60,7 +59,6 @@ Estimate weighted(const std::vector<Tally>& tallies,
     return at_least(found, step / count(tallies));
 }
 
-//! Returns a budget that is a weighted sum over sources, part by part.
 BudgetEstimate weighted_budget(const std::vector<Tally>& tallies,
                                const Resolution& resolution,
                                const std::vector<Source>& sources,
@@ -117,7 +115,6 @@ struct Part {
 };
 
 //! Returns the light of Tally::parts.
-//! @param hours light of each hour
 std::vector<PartLight> light_of_parts(const std::vector<Tally>& tallies,
                                       const Resolution& resolution,
                                       const std::vector<Part>& hours) {

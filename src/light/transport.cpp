@@ -34,9 +34,8 @@ struct SourceRun {
     const Launcher& launcher;
     const Randomness& randomness;
 
-    //! Finds first hits and calls `use` for each randomisation.
-    //! @param all number of randomisations; hits are found from `first` up to
-    //! `last`
+    //! Calls `use` for each randomisation from `first` up to `last`.
+    //! @param all number of randomisations
     void find(std::uint32_t first_hits, int all, std::size_t first,
               std::size_t last, const Use& use) const {
         if (is_drawn(scene, source, first_hits, all))
@@ -61,8 +60,7 @@ struct SourceRun {
         return numbers.next();
     }
 
-    //! Draws the beam, for a number of randomisations at a time that limits
-    //! memory.
+    //! Draws the beam for few randomisations at a time, to limit memory.
     void draw(std::uint32_t first_hits, int all, std::size_t first,
               std::size_t last, const Use& use) const {
         const glm::dvec3 direction = not_level(*source.direction);
@@ -123,11 +121,10 @@ struct BandRun {
     std::uint32_t first_net;
     Tracer tracer;
     bool has_leaf_light;
-    std::vector<double> of_hit,
-        of_path;  //!< energies of hits and paths by source [J m-2]
-    std::vector<double> scale;  //!< energy over that of first hits
-    double from_soil = 1;       //!< scale for light that soil sends into a plot
-    double most_paths = 0;      //!< most paths of a randomisation
+    std::vector<double> of_hit, of_path;  //!< energies by source [J m-2]
+    std::vector<double> scale;            //!< energy over that of first hits
+    double from_soil = 1;   //!< scale for light that soil sends into a plot
+    double most_paths = 0;  //!< most paths of a randomisation
     LeafSums leaf_sums{};
 };
 

@@ -133,7 +133,6 @@ Dispatcher::Assignment Dispatcher::take(int worker, const Outcome& outcome) {
     return given;
 }
 
-//! Returns a worker that has just become late, if there is one.
 std::optional<int> Dispatcher::next_late() {
     const auto first = deadlines_.begin();
     if (first == deadlines_.end() || now() <= first->first) return {};

@@ -45,8 +45,7 @@ struct AnswerRules {
     //! The number of late attempts after which an evaluation has failed, unless
     //! no worker is left.
     int attempts = 3;
-    //! The time of a final evaluation over that of a usual one.
-    double final_effort = 1;
+    double final_effort = 1;  //!< time of a final over a usual evaluation
     //! The time within which a stop request, a passed deadline or new work of a
     //! source is noticed while evaluations are in flight [s].
     double attention = 0.25;
@@ -65,12 +64,10 @@ class Director {
     //! idle; returns false if there is none.
     virtual bool start_next() = 0;
 
-    //! Is called when a worker did not answer in time; `what` is a message for
-    //! the user.
+    //! Is told that a worker did not answer in time; `what` is for the user.
     virtual void on_silence(const Task& task, const std::string& what) = 0;
 
-    //! Is called once when a stop is requested, with the number of evaluations
-    //! in flight.
+    //! Is told once of a stop request, and how many evaluations are in flight.
     virtual void on_stop(int in_flight) = 0;
 };
 
@@ -117,7 +114,6 @@ class Dispatcher {
 
   private:
     friend Batch;
-    //! The work that was given to a worker, with its times.
     struct Assignment;
     //! Orders batches: lowest generation first, then lowest case, then oldest.
     using Precedence = std::tuple<std::uint32_t, std::uint32_t, std::uint64_t>;
@@ -126,7 +122,6 @@ class Dispatcher {
     void close(Batch& batch);
     void remove(Batch& batch);
     bool fetch(Batch& batch);
-    //! Returns the number of workers that may still answer in time.
     int busy_in_time() const { return static_cast<int>(deadlines_.size()); }
     bool has_late() const;
     double now();
@@ -135,7 +130,6 @@ class Dispatcher {
     std::optional<int> next_late();
     bool hand_out();
     void resume_complete();
-    //! Returns whether no more work is to be handed out.
     bool is_ending() const { return stop_.requested() || !obstacle_.empty(); }
     void note_obstacle(int worker, const Task& task, const std::string& reason);
     void release_all();
@@ -150,18 +144,15 @@ class Dispatcher {
     AnswerRules rules_;
     const RankClock& clock_;
     std::vector<std::optional<Assignment>> given_;  //!< assignments by worker
-    // The idle workers. Loops never run over all workers, since there may be
-    // thousands.
+    // The idle workers; no loop runs over all workers, which may be thousands.
     std::set<int> idle_;
-    //! The times at which workers that are in time become late, in the time of
-    //! now() [s].
+    //! The times of now() at which workers that are in time become late [s].
     std::set<std::pair<double, int>> deadlines_;
     std::map<Precedence, Batch*> open_;
     std::map<std::uint64_t, Batch*> by_number_;  //!< open batches by number
     std::vector<Batch*> complete_;  //!< batches to be resumed, in this order
     std::uint64_t batches_ = 0;     //!< number of batches so far
-    //! The longest time that an evaluation of usual effort took [s]; late ones
-    //! do not count.
+    //! The longest time of an evaluation of usual effort, late ones apart [s].
     double longest_ = 0;
     double looked_;         //!< clock time at which now() was called last [s]
     double running_ = 0;    //!< result of now() at that time [s]
@@ -202,12 +193,9 @@ class [[nodiscard]] Batch {
     Record record_;
     std::uint64_t number_;
     std::uint64_t fetched_ = 0;
-    std::map<std::uint64_t, Work>
-        unanswered_;  //!< unanswered work with its latest attempt
-    std::vector<std::uint64_t>
-        waiting_;  //!< work that waits for a worker; may be answered
-    //! The precedence of the work that was fetched last.
-    Dispatcher::Precedence precedence_;
+    std::map<std::uint64_t, Work> unanswered_;  //!< work with latest attempt
+    std::vector<std::uint64_t> waiting_;        //!< unassigned; may be answered
+    Dispatcher::Precedence precedence_;  //!< precedence of work fetched last
     std::coroutine_handle<> awaiting_;
     std::exception_ptr failure_;
 };

@@ -40,7 +40,6 @@ struct ReplyHeader {
 };
 static_assert(std::is_trivially_copyable_v<ReplyHeader>);
 
-//! Returns a header followed by numbers.
 template <class Header>
 Bytes encoded(const Header& header, std::span<const double> numbers) {
     Bytes bytes(sizeof(Header) + numbers.size_bytes());
@@ -63,7 +62,6 @@ Header read_header(std::span<const std::byte> bytes, Mark mark,
     return header;
 }
 
-//! Returns the numbers that follow a header.
 template <class Header>
 std::vector<double> numbers_after(std::span<const std::byte> bytes,
                                   std::size_t count, const char* kind) {

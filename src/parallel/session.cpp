@@ -22,10 +22,8 @@
 
 namespace ideotype {
 
-//! The ranks of a session as MPI's communicator.
 struct Session::Ranks {
     MPI_Comm communicator;
-    //! The action at the end of the session.
     enum class End { finalize, free } end;
 };
 

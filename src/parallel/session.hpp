@@ -61,8 +61,7 @@ class Session {
     Session(const RankClock& clock, std::nullptr_t);
 
     const RankClock& clock_;
-    std::unique_ptr<const Ranks>
-        ranks_;  //!< ranks; null for a session without MPI
+    std::unique_ptr<const Ranks> ranks_;  //!< null for a session without MPI
 };
 
 }  // namespace ideotype

@@ -59,8 +59,7 @@ void serve_alone(const Session& session, Evaluator& evaluator) {
                                                        session.clock())}));
 }
 
-//! Serves with threads that evaluate, while the calling thread handles
-//! messages.
+//! Serves with threads, while the calling thread handles messages.
 void serve_by_threads(const Session& session, const Evaluators& evaluators) {
     Mailbox mailbox(session);
     const auto threads = make_thread_workers(session, evaluators);

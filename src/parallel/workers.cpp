@@ -203,8 +203,7 @@ class RankWorkers : public Workers {
     const Evaluators evaluators_;
     std::unique_ptr<Workers> own_;  //!< threads of this rank, if any
     Mailbox mailbox_;
-    //! The tasks under way at workers of other ranks.
-    std::vector<std::optional<Task>> given_;
+    std::vector<std::optional<Task>> given_;  //!< tasks of other ranks' workers
 };
 
 }  // namespace

@@ -24,7 +24,6 @@ double respiration_of(const FarquharLeaf& leaf, double temperature) {
     return dark_respiration(leaf, temperature);
 }
 
-//! Returns the response in some air.
 Hyperbola response_in(const HyperbolaLeaf& leaf, const Air& air) {
     return hyperbola_at(leaf, air.temperature);
 }

@@ -11,8 +11,7 @@
 
 namespace ideotype {
 
-//! The lowest temperature of leaves [deg C], above the pole of
-//! saturated_vapour().
+//! Lowest temperature of leaves [deg C], above the pole of saturated_vapour().
 inline constexpr double coldest = -200;
 inline constexpr double vapour_over_heat = 1.09;
 

@@ -191,7 +191,6 @@ class Sweeps {
                                     saturated_);
     }
 
-    //! Returns whether there is one balance.
     bool has_one_balance() const {
         return t_ < warmest_of_one_balance &&
                (stomata_.model == Stomata::Model::medlyn ||

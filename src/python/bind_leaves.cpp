@@ -8,7 +8,6 @@ namespace ideotype::python {
 
 namespace {
 
-//! A crop whose plants grow, and the dates of its leaves.
 struct GrowingCrop {
     explicit GrowingCrop(const std::string& path) : crop(read_crop(path)) {
         if (!crop.growth)

@@ -106,7 +106,6 @@ nb::dict to_dict(const CanopyReport& canopy, bool is_day,
     return dict;
 }
 
-//! Returns the light of all bands and components of a scene.
 nb::dict to_scene_dict(const CanopyReport& canopy) {
     nb::dict dict;
     nb::list bands;

@@ -233,8 +233,7 @@ CaseStand::CaseStand(Campaign campaign, const Case& chosen,
       chosen_(chosen),
       stand_(campaign_, chosen_),
       devices_(isa.empty() ? Device::supported_isas().back() : isa) {
-    devices_.with([](const Device&) {
-    });  // checks that the processor has the instruction set
+    devices_.with([](const Device&) {});  // checks the instruction set
     stand_.prepare();
 }
 

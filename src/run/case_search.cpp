@@ -161,7 +161,6 @@ void CaseSearch::add(const std::vector<Candidate>& candidates) {
     }
 }
 
-//! Notes a stored outcome.
 void CaseSearch::keep(std::uint32_t generation, std::uint32_t slot,
                       const Outcome& outcome) {
     Individual& row = open_[generation - first_open()].rows[slot];
@@ -173,7 +172,6 @@ void CaseSearch::keep(std::uint32_t generation, std::uint32_t slot,
     copy(generation, slot);
 }
 
-//! Returns the quantities along the axes of an atlas.
 std::vector<double> CaseSearch::features_of(const Outcome& outcome) const {
     std::vector<double> features;
     if (outcome.status == Status::done)

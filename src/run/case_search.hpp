@@ -22,8 +22,7 @@ class CaseSearch {
     //! Learns the complete generations of the history.
     CaseSearch(const Evolution& evolution, History& history);
 
-    //! Returns the next row to evaluate, if one can be proposed now; learns
-    //! first.
+    //! Learns, then returns the next row to evaluate if one can be proposed.
     std::optional<Work> next();
 
     //! Commits complete generations, then keeps an outcome.
@@ -62,8 +61,6 @@ class CaseSearch {
     void extend();
     void propose();
     bool is_over(std::uint32_t generation) const;
-    //! Returns whether a generation has begun and has rows that are not
-    //! proposed.
     bool is_proposing() const {
         return !open_.empty() && open_.back().rows.size() < open_.back().size;
     }
@@ -86,12 +83,10 @@ class CaseSearch {
     SearchSpace space_;
     Summarizer summarized_;
     double spent_before_;
-    Progress progress_;  //!< complete generations
-    std::vector<Complete>
-        complete_;           //!< complete generations that are not committed
+    Progress progress_;               //!< complete generations
+    std::vector<Complete> complete_;  //!< generations that are not committed
     std::deque<Open> open_;  //!< open generations; the first is learnt now
-    //! Number of rows that the optimizer has learnt.
-    std::uint64_t known_rows_ = 0;
+    std::uint64_t known_rows_ = 0;  //!< rows that the optimizer has learnt
     std::deque<Work> waiting_;  //!< work that is proposed but not handed out
     std::optional<std::string> reason_;
     std::uint64_t reason_row_ = 0;  //!< row after those that gave the reason

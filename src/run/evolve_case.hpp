@@ -44,12 +44,10 @@ SearchSpace search_space(const Campaign& campaign, const Case& chosen);
 struct Evolution {
     const Campaign& campaign;
     const Case& chosen;
-    //! The optimizer, which has learnt no generation yet.
-    Optimizer& optimizer;
+    Optimizer& optimizer;  //!< optimizer that has learnt nothing yet
     Dispatcher& dispatcher;
     Watcher& watcher;
-    //! A function that returns the seconds since this session began the case.
-    std::function<double()> elapsed;
+    std::function<double()> elapsed;  //!< time of the case in this session [s]
 };
 
 //! Evolves a case, as the loop of a master, from the state of its history until

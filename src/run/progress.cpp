@@ -52,8 +52,7 @@ std::string format_duration(double seconds) {
 
 std::string line_with_bar(double done, const std::vector<std::string>& parts,
                           std::size_t width) {
-    constexpr std::size_t least = 12,
-                          most = 42;  // columns of the bar, with brackets
+    constexpr std::size_t least = 12, most = 42;  // bar with brackets [columns]
     std::string words;
     for (const std::string& part : parts)
         if (words.empty() || words.size() + part.size() + least + 2 <= width)
@@ -70,7 +69,6 @@ std::string utc_now() {
                        fmt::gmtime(std::time(nullptr)));
 }
 
-//! The watcher of one case.
 class ProgressLog::CaseWatcher : public Watcher {
   public:
     CaseWatcher(ProgressLog& log, int index)
@@ -181,7 +179,6 @@ void ProgressLog::print_result(const std::string& text) {
     is_live_ = false;
 }
 
-//! Returns the rate of this session.
 double ProgressLog::evaluations_per_second() const {
     return evaluations_ / std::max(now() - started_, 1e-3);
 }

@@ -54,8 +54,7 @@ class ProgressLog {
         std::optional<Estimate> best, hypervolume;
     };
 
-    //! Returns the evaluations of a case from a generation on, if no rule ends
-    //! it.
+    //! Counts a case's evaluations from a generation on, if no rule ends it.
     long long all_after(std::uint32_t generation) const {
         return (campaign_.stop.generations -
                 static_cast<long long>(generation)) *
@@ -74,12 +73,11 @@ class ProgressLog {
     bool is_live_ = false;  //!< tells whether the live line is shown
     double started_;
     double shown_ = 0;
-    int evaluations_ = 0;             //!< evaluations of this session
-    int cases_;                       //!< cases of this session
-    int ended_ = 0;                   //!< number of ended cases
-    std::map<int, Entry> in_flight_;  //!< cases by index
-    std::map<int, long long>
-        to_evaluate_;  //!< most evaluations left, by index of the case
+    int evaluations_ = 0;                   //!< evaluations of this session
+    int cases_;                             //!< cases of this session
+    int ended_ = 0;                         //!< number of ended cases
+    std::map<int, Entry> in_flight_;        //!< cases by index
+    std::map<int, long long> to_evaluate_;  //!< most evaluations left, by case
 };
 
 //! Returns words on the certainty of a best plant's figure: without another

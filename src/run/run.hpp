@@ -37,8 +37,7 @@ AnswerRules answer_rules(const Campaign& campaign);
 
 //! `run CAMPAIGN`: evolves one case, or all of them in one job.
 struct RunOptions {
-    //! The function that reads the campaign, as a search or for other
-    //! evaluations.
+    //! Reads the campaign, as a search or for other evaluations.
     Campaign (*read)(const std::string& path,
                      const std::vector<std::string>& settings) = read_campaign;
     std::string campaign_path;

@@ -97,7 +97,6 @@ std::string atlas_of(const History& history, const std::vector<Row>& leaders) {
         leaders.size() - 1, confirmed);
 }
 
-//! Adds the results of the finalists.
 void add_finalists(const History& history, CaseResult& result) {
     const auto& objectives = history.header().schema.objectives;
     const std::vector<Row> finalists = history.finalists();

@@ -14,7 +14,6 @@ namespace ideotype {
 
 namespace {
 
-//! A plant of the atlas and the results of its evaluations.
 struct Leader {
     Individual individual;
     std::int64_t row = no_parent;  //!< row of its last evaluation

@@ -14,7 +14,6 @@ namespace ideotype {
 
 namespace {
 
-//! Returns the best of some randomly chosen contestants.
 template <class Beats>
 std::uint32_t tournament(RandomStream& stream, std::size_t size,
                          const GaSettings& settings, Beats beats) {
@@ -137,9 +136,8 @@ class GeneticAlgorithm : public GenerationalOptimizer {
     Population parents_;               //!< individuals that may have children
     std::vector<std::int64_t> rows_;   //!< rows of the parents
     std::vector<std::size_t> places_;  //!< places of the parents, see places()
-    //! The parents that the next generation repeats.
-    std::vector<Candidate> elites_;
-    std::optional<Couple> couple_;  //!< couple that was used last
+    std::vector<Candidate> elites_;    //!< parents that are repeated
+    std::optional<Couple> couple_;     //!< couple that was used last
 };
 
 }  // namespace

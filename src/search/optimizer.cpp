@@ -80,8 +80,7 @@ class RandomSearch : public Optimizer {
     std::size_t population_;
     SearchSpace space_;
     std::uint64_t seed_;
-    //! Points in the space of free genes.
-    std::optional<SobolSequence> sequence_;
+    std::optional<SobolSequence> sequence_;  //!< points of free genes
     Population best_;  //!< best rows, as many as may be asked for
 };
 
@@ -208,8 +207,7 @@ class Streams : public Optimizer {
 
     std::vector<Sense> senses_;
     std::vector<Stream> streams_;
-    //! The number of rows up to the end of each generation.
-    std::vector<std::uint64_t> ends_;
+    std::vector<std::uint64_t> ends_;  //!< rows up to each generation's end
     std::uint64_t rows_ = 0;
     Population learnt_;  //!< learnt rows of the current generation
 };

@@ -36,8 +36,7 @@ class Optimizer {
     //! proposed; impossibly large while it is unknown.
     virtual std::uint64_t needs(std::uint32_t generation) const = 0;
 
-    //! Returns the candidate of a slot. Candidates are proposed in the order of
-    //! rows.
+    //! Returns the candidate of a slot; calls must follow the order of rows.
     virtual Candidate propose(std::uint32_t generation, std::uint32_t slot) = 0;
 
     //! Takes the next evaluated row.
@@ -51,12 +50,10 @@ class Optimizer {
 //! Proposes a generation at a time, from all earlier ones.
 class GenerationalOptimizer : public Optimizer {
   public:
-    //! Returns the number of candidates of the next generation. Generations may
-    //! differ in size.
+    //! Returns the number of candidates of the next generation, which may vary.
     virtual std::size_t next_size() const = 0;
 
-    //! Returns a candidate of the next generation, which does not change until
-    //! tell().
+    //! Returns a candidate of the next generation, constant until tell().
     virtual Candidate candidate(std::uint32_t slot) = 0;
 
     //! Returns all candidates of the next generation, by slot.

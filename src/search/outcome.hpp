@@ -20,11 +20,9 @@ struct Task {
     std::uint32_t generation = 0;
     std::uint32_t slot = 0;
     std::uint32_t attempt = 1;
-    //! Tells final evaluations, which have new random numbers and higher
-    //! accuracy.
+    //! Tells final evaluations, with new random numbers and higher accuracy.
     bool is_final = false;
-    //! The seed that replaces the campaign's seed.
-    std::optional<std::uint64_t> seed{};
+    std::optional<std::uint64_t> seed{};  //!< replaces the campaign's seed
     //! The relative standard error of the leaves' light, at most 0.05, reached
     //! with as few paths as possible.
     std::optional<double> tolerance{};
@@ -58,8 +56,7 @@ struct Objective {
 //! The form of the outcomes of all rows of a table.
 struct OutcomeSchema {
     std::vector<Objective> objectives;
-    //! The number of independent randomisations, whose means are the
-    //! objectives.
+    //! The number of independent randomisations; objectives are their means.
     std::size_t randomisations = 2;
     QuantitySet measured;
 };
@@ -72,14 +69,12 @@ struct Outcome {
     //! randomisations of plants that share their random numbers tell the error
     //! of a difference.
     std::vector<double> randomisations;
-    //! The amount by which constraints are not met, relative to their limits; 0
-    //! if all are.
+    //! The violation of constraints relative to their limits; 0 if all are met.
     double violation = 0;
-    std::vector<Estimate>
-        quantities;            //!< quantities in the order of the schema
-    double seconds = 0;        //!< wall time on the worker [s]
-    std::string message;       //!< the reason of a failure
-    std::uint32_t worker = 0;  //!< number of the worker that evaluated
+    std::vector<Estimate> quantities;  //!< in the order of the schema
+    double seconds = 0;                //!< wall time on the worker [s]
+    std::string message;               //!< the reason of a failure
+    std::uint32_t worker = 0;          //!< number of the worker that evaluated
 
     //! Calls an action with each number of the outcome, in a fixed order.
     template <class Action>
@@ -110,8 +105,7 @@ Outcome failed_outcome(const OutcomeSchema& schema, std::string reason);
 //! failed outcome with a reason that names the quantity.
 Outcome checked_outcome(const OutcomeSchema& schema, Outcome outcome);
 
-//! Returns a quantity that is a single number; nothing if there is no such
-//! quantity.
+//! Returns a quantity that is a single number, or nothing if it is missing.
 std::optional<Estimate> find(const OutcomeSchema& schema,
                              const Outcome& outcome, const std::string& name);
 

@@ -11,8 +11,7 @@
 
 namespace ideotype {
 
-//! A plant as numbers, one for each gene of a GeneSpace, in the unit of the
-//! gene.
+//! A plant as numbers, one for each gene of a GeneSpace, in the gene's unit.
 using Genome = std::vector<double>;
 
 //! A number of a plant that may be bred, and the values that it may have.
@@ -32,8 +31,7 @@ using GeneSpace = std::vector<Gene>;
 //! Returns the number of free genes.
 std::size_t count_free(const GeneSpace& genes);
 
-//! Returns the value in [lower, upper) at the point of the circle of a circular
-//! gene's value.
+//! Returns a circular gene's value at the same point within [lower, upper).
 double wrapped(const Gene& gene, double value);
 
 //! Returns the nearest value that a gene may have or, for a circular gene, the
@@ -44,8 +42,7 @@ double within(const Gene& gene, double value);
 //! circular gene.
 double difference(const Gene& gene, double a, double b);
 
-//! The number that stands for no parent: the individual is of the first
-//! generation.
+//! The number that stands for no parent, in the first generation.
 inline constexpr std::int64_t no_parent = -1;
 
 //! The way in which a genome was made. The numbers are part of the file format.
@@ -76,8 +73,7 @@ struct Individual {
     Candidate candidate;
     Status status = Status::failed;
     std::vector<Estimate> objectives;  //!< objectives, which may be negative
-    //! The violation of constraints; 0 if all are met.
-    double violation = 0;
+    double violation = 0;  //!< violation of constraints; 0 if all are met
     //! Each objective by randomisation [objective, randomisation], if known.
     std::vector<double> randomisations{};
     std::vector<double> features{};  //!< features by axis of an atlas

@@ -47,8 +47,7 @@ class SensitivityDesign : public Optimizer {
     Genome row(std::uint32_t sample, std::size_t place) const;
 
     std::size_t size(std::uint32_t generation) const override;
-    //! Returns few enough rows that no worker waits: a thousand may be under
-    //! way.
+    //! Returns so few rows that no worker waits: a thousand may be under way.
     std::uint64_t needs(std::uint32_t generation) const override;
     Candidate propose(std::uint32_t generation, std::uint32_t slot) override;
     void learn(Individual) override {}

@@ -27,8 +27,7 @@ struct GaSettings {
     double crossover_probability = 0.9;  //!< probability per couple
     //! The distribution index of simulated binary crossover.
     double crossover_index = 15;
-    //! The expected number of mutated genes per child.
-    double mutations_per_child = 1;
+    double mutations_per_child = 1;  //!< expected mutated genes per child
     double mutation_index = 20;  //!< distribution index of polynomial mutation
 };
 
@@ -65,13 +64,10 @@ std::size_t count_cells(const std::vector<AtlasAxis>& axes);
 struct SearchSettings {
     OptimizerKind optimizer = OptimizerKind::ga;
     int population = 100;  //!< candidates that a generation usually has
-    //! The number of independent searches, whose generations take turns.
-    int streams = 1;
+    int streams = 1;  //!< independent searches, whose generations take turns
     GaSettings ga;
-    //! The genome at which CMA-ES begins; empty for the baseline.
-    std::vector<double> start;
-    //! The standard deviation of CMA-ES at the beginning, relative to the range
-    //! of a gene.
+    std::vector<double> start;  //!< first genome of CMA-ES; empty: baseline
+    //! The first standard deviation of CMA-ES relative to the range of a gene.
     double step = 0.2;
     std::vector<AtlasAxis> axes{};  //!< axes of an atlas
     //! The sensitivity study that proposes the rows in place of an optimizer.

@@ -9,15 +9,13 @@
 
 namespace ideotype {
 
-//! The rules that tell when a case has evolved enough. Zero switches a rule
-//! off.
+//! The rules by which a case has evolved enough; zero switches a rule off.
 struct StopRules {
     int generations = 200;
     int no_gain = 0;            //!< generations without a significant gain
     long long evaluations = 0;  //!< number of evaluated rows
     double wall_time = 0;       //!< wall time over all sessions [s]
-    //! The fraction of failures in a generation that ends the case with an
-    //! error.
+    //! The fraction of failures in a generation that ends the case in error.
     double failed_fraction = 0.5;
 };
 

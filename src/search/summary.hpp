@@ -59,11 +59,10 @@ Estimate hypervolume(const Population& population,
 std::vector<double> worst_of(const Population& population,
                              const std::vector<Sense>& senses);
 
-//! Summarizes the generations of a casein order, with the hypervolume of all
+//! Summarizes the generations of a case in order, with the hypervolume of all
 //! rows so far for several objectives.
 class Summarizer {
   public:
-    //! Makes a summarizer without rows.
     //! @param reference point of the hypervolume; if empty, worst_of() the
     //! first generation that did not fail entirely
     Summarizer(GeneSpace genes, std::vector<Sense> senses,

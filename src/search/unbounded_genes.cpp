@@ -11,8 +11,7 @@ namespace ideotype {
 
 namespace {
 
-constexpr double margin =
-    0.05;  //!< width beside a bound, relative to the range
+constexpr double margin = 0.05;  //!< width beside a bound, over the range
 
 //! Returns the share of the range at a coordinate. It is linear but for
 //! parabolas beside the bounds, which join with equal slope.

@@ -41,11 +41,9 @@ class OverStages {
     };
 
     static Weights weights_of(const std::string& name, const std::string& unit);
-    //! Returns the weight of each stage.
     std::vector<double> weights(Weights kind,
                                 std::span<const Outcome> each) const;
 
-    //! A quantity combined over stages.
     struct Summed {
         Weights kind;
         std::size_t size;
@@ -58,7 +56,6 @@ class OverStages {
     //! each stage.
     void add(const Quantity& quantity, const std::vector<QuantitySet>& sets);
 
-    //! A quantity that is reported for each stage.
     struct ByStage {
         std::vector<std::size_t> begins;
         bool is_amount;
@@ -99,17 +96,15 @@ class AcrossScenarios {
     //! A quantity averaged over scenarios.
     struct Shared {
         std::size_t size;
-        //! Place in each scenario's quantities.
-        std::vector<std::size_t> begins;
+        std::vector<std::size_t> begins;  //!< place in quantities, by scenario
     };
 
     void combine_objective(const std::vector<Outcome>& each,
                            std::size_t objective, Outcome& all) const;
 
     Across across_;
-    std::vector<std::size_t> stages_;  //!< stages of each scenario
-    //! Stages by scenario, if plants grow.
-    std::vector<OverStages> over_stages_;
+    std::vector<std::size_t> stages_;      //!< stages of each scenario
+    std::vector<OverStages> over_stages_;  //!< by scenario, if plants grow
     std::vector<ObjectiveEntry> objectives_;
     QuantitySet measured_;
     std::vector<Shared> shared_;

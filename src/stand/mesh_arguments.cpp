@@ -24,7 +24,6 @@ FieldForm& field_of(MeshOptions& options) {
     return *options.field;
 }
 
-//! Declares an option whose values are the given words.
 template <class Value, class Target>
 CLI::Option* add_choice(CLI::App& verb, const std::string& name, Target& target,
                         const std::map<std::string, Value>& choices,
@@ -119,7 +118,6 @@ void add_ground(CLI::App& verb, MeshOptions& options) {
         ->needs(field);
 }
 
-//! Adds options for the reflectance and transmittance of a material.
 void add_surface(CLI::App& verb, const std::string& material,
                  Lambertian& surface, const std::string& meaning,
                  CLI::Option* scene) {

@@ -38,12 +38,11 @@ struct MeshOptions {
     //! Light on level ground above the canopy [umol m-2 s-1]; if given, all
     //! light is in this unit.
     std::optional<double> beam_ppfd, sky_ppfd;
-    std::string climate;  //!< file of a season's light; "": none
-    //! File with the table [photosynthesis]; "": none.
-    std::string photosynthesis;
-    std::string scene;        //!< file of materials and components; "": none
-    bool is_exact = false;    //!< slow assimilation without bias
-    bool is_by_face = false;  //!< whether to report light on each face
+    std::string climate;         //!< file of a season's light; "": none
+    std::string photosynthesis;  //!< file with [photosynthesis]; "": none
+    std::string scene;           //!< file of materials and components; "": none
+    bool is_exact = false;       //!< slow assimilation without bias
+    bool is_by_face = false;     //!< whether to report light on each face
 
     PlantOptics optics = usual_optics[0];
     double soil_albedo = usual_soil_albedo[0];

@@ -174,7 +174,6 @@ class SceneBuilder {
     std::vector<std::size_t> component_;  //!< component of each group
 };
 
-//! Returns the light of the band that a scene file names.
 SeriesIllumination light_in(const std::string& band, SeriesIllumination light,
                             const MeshOptions& options) {
     if (!has_day(options) || band == "par") return light;

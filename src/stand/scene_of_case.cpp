@@ -16,7 +16,6 @@ Layers canopy_layers(const Campaign& campaign) {
 
 namespace {
 
-//! Returns the place of a component's first material among those of the scene.
 std::uint32_t first_material(std::size_t component) {
     return static_cast<std::uint32_t>(plant_materials * component);
 }

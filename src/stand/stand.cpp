@@ -75,7 +75,6 @@ OutcomeSchema outcome_schema(const Campaign& campaign, const Case& chosen,
 
 namespace {
 
-//! Returns the leaf area index that constraints limit.
 double constrained_lai(const Campaign& campaign, const Plant& plant,
                        const CanopyReport& report) {
     const ComponentReport& bred = report.components.front();

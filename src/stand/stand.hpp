@@ -124,7 +124,6 @@ class Stand {
                                                 const Device& device);
 
   private:
-    //! Evaluates each scenario and stage.
     template <class Take>
     void evaluate_each(const Plants& plants, const Sampling& sampling,
                        const Device& device, Take take);

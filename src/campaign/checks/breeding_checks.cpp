@@ -37,7 +37,6 @@ std::vector<BredCrop> bred_crops(Draft& draft, const Problems& problems) {
     return all;
 }
 
-//! @param problems problems of the constraints
 void check_constraints(const Draft& draft, const Problems& problems) {
     const Constraints& constraints = draft.campaign.constraints;
     if (problems.usable({"lai"}) && constraints.lai.upper <= 0)
@@ -64,7 +63,6 @@ void check_constraints(const Draft& draft, const Problems& problems) {
     }
 }
 
-//! Returns a trait set that breeds a trait, or nullptr.
 const Named<TraitSet>* breeder(const Campaign& campaign,
                                const std::string& trait) {
     if (!campaign.varied.has_traits) return nullptr;

@@ -10,7 +10,6 @@ namespace ideotype {
 
 namespace {
 
-//! Reports a component that has the name of another component.
 void check_name(const Draft& component, std::map<std::string, int>& names,
                 const Problems& problems) {
     const std::string& name = component.campaign.name;
@@ -21,7 +20,6 @@ void check_name(const Draft& component, std::map<std::string, int>& names,
                      name);
 }
 
-//! Reports rows that a component can't have.
 //! @param taken whether each row of the field has a component already
 void check_rows(const Draft& component, std::vector<bool>& taken,
                 const Problems& problems) {

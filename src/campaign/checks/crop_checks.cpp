@@ -43,7 +43,6 @@ void check_leaves(const Plant& plant, const Problems& problems) {
     }
 }
 
-//! @param problems problems of the blade
 void check_blade(const Blade& blade, const Problems& problems) {
     constexpr double least = 1e-6;  // smaller maxima cannot be scaled
     if (problems.usable({"width_controls"}) &&
@@ -81,7 +80,6 @@ void check_organs(const Plant& plant, const Problems& problems) {
 }
 
 //! Reports growth whose dates contradict each other or the plant.
-//! @param problems problems of the growth
 void check_growth(const Draft& draft, const Problems& problems) {
     const Growth& growth = draft.growth;
     const auto leaves =

@@ -16,9 +16,8 @@ namespace {
 
 //! A period of the cell, as a number of equal steps.
 struct Period {
-    //! Keys such as "field.rows", "spacing.row".
-    std::string count_key, step_key;
-    double step = 0;  //!< length of a step [m]
+    std::string count_key, step_key;  //!< keys like "field.rows", "spacing.row"
+    double step = 0;                  //!< length of a step [m]
     int count = 0;
     int least = 1;  //!< number that must divide the count
 
@@ -63,7 +62,6 @@ void check_period(const std::string& key, double value, double own,
                      period.step, whole, remedy(key, part, own, period));
 }
 
-//! @param problems problems of the rows
 void check_rows(const PanelRows& rows, const FieldForm& field,
                 const Spacing& spacing, const Problems& problems) {
     Period across{"field.rows", "spacing.row", spacing.row, field.rows,

@@ -14,7 +14,6 @@ namespace ideotype {
 
 namespace {
 
-//! @param problems problems of the site
 void check_site(const Site& site, const Problems& problems) {
     if (!problems.usable({"longitude", "utc_offset"})) return;
     // Real clocks differ from the sun by at most four hours, summer time
@@ -35,7 +34,6 @@ void check_site(const Site& site, const Problems& problems) {
                       what + "; check both, few places have such a clock");
 }
 
-//! @param problems problems of the day
 void check_day(const DaySpan& day, const Problems& problems) {
     if (!problems.usable({"start", "end"})) return;
     if (day.end <= day.start)
@@ -69,8 +67,6 @@ void check_day(const DaySpan& day, const Problems& problems) {
                  day.step_minutes, span, step(fewer + 1, 1), step(fewer, -1));
 }
 
-//! @param of_site problems of the site
-//! @param of_day problems of the day
 void check_light(const Site& site, const Named<DaySpan>& day,
                  const Problems& of_site, const Problems& of_day) {
     const DaySpan& span = day.value;

@@ -11,10 +11,8 @@ namespace ideotype {
 
 namespace {
 
-//! Checks one trait of a crop file against the measures of its plant.
 class TraitCheck {
   public:
-    //! @param problems problems of the trait
     TraitCheck(const TraitEntry& entry, Plant& plant, const Problems& problems)
         : entry_(entry),
           trait_(complete(entry)),

@@ -16,7 +16,6 @@ namespace {
 
 //! Reports problems of a climate that prevent reading its weather; returns
 //! whether there are none.
-//! @param problems problems of the climate
 bool check_climate(const Climate& climate, const Problems& problems) {
     const auto& [from, to] = climate.period;
     const ColumnMap& columns = climate.columns;
@@ -85,7 +84,6 @@ SiteWeather to_site_weather(const LightSeries& series,
 }
 
 //! Reports impossible values in the weather that a campaign contains.
-//! @param problems problems of the weather
 void check_weather(const SiteWeather& weather, const Problems& problems) {
     const auto& hours = weather.hours;
     const auto check = [&](const std::string& name,

@@ -26,8 +26,7 @@ std::optional<std::string> text_of(const std::string& file,
 //! Returns the names of the crops in campaigns/crops, known to the program.
 std::vector<std::string> known_crop_names();
 
-//! Returns the text of the crop file of a known crop; nothing if there is no
-//! crop of this name.
+//! Returns the text of the crop file of a known crop; nothing for other names.
 std::optional<std::string> known_crop(const std::string& name);
 
 }  // namespace ideotype

@@ -60,7 +60,6 @@ class SceneReader {
         problems_.add(where, what);
     }
 
-    //! Returns the tables [[name]] of the file.
     std::vector<const toml::table*> entries(const toml::table& top,
                                             const std::string& name) {
         std::vector<const toml::table*> all;

@@ -26,8 +26,7 @@ struct MeshScene {
     };
 
     std::string file;
-    //! Bands of the file, "par" first if present.
-    std::vector<std::string> bands;
+    std::vector<std::string> bands;   //!< bands, "par" first if present
     std::vector<double> soil_albedo;  //!< albedo in each band
     std::vector<Matter> materials;
     std::vector<Kind> components;

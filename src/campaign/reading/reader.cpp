@@ -124,7 +124,6 @@ class DraftReader : CropReader {
         draft_.organs = organ_names(plant);
     }
 
-    //! Reads how the plants of a component differ from each other.
     void read_variation(const toml::node& node) {
         const Section section = variation_section(
             draft_.campaign.field.variation, "component.variation");

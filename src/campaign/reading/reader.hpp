@@ -56,8 +56,7 @@ class CropReader {
     void read_crop_of_table(const std::string& file, const Location& named_at);
     void read_crop(const std::string& text, const std::string& file);
 
-    //! Tables that each name the next as crop.
-    std::vector<std::string> tables_above_;
+    std::vector<std::string> tables_above_;  //!< each names the next as crop
 };
 
 //! Reads the text of a campaign, and the crop file that it names, into a draft,
@@ -67,9 +66,8 @@ void read_draft(const std::string& text, const std::string& file,
                 PlantSource source, const std::vector<std::string>& settings,
                 Draft& draft, const Problems& problems);
 
-//! Reads the text of a crop file, or of a table of measured leaves, into a
-//! draft and leaves all else in the draft as it is. Returns false if the text
-//! is neither.
+//! Reads the text of a crop file or a table of measured leaves into a draft,
+//! all else of which stays. Returns false if the text is neither.
 //! @param other plant with the measures that a table without crop lacks
 bool read_crop_draft(const std::string& text, const std::string& file,
                      const Plant* other, Draft& draft,

@@ -66,7 +66,6 @@ const std::vector<GoneKey> gone_keys{
     {"stop", "stagnation", "stop.no_gain"},
     {"stop", "target", "stop.evaluations"}};
 
-//! A key's or table's name in earlier versions, and the present name.
 struct FormerName {
     std::string section, was, is;
 };

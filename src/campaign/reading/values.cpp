@@ -15,11 +15,12 @@ namespace ideotype {
 
 namespace {
 
-//! Reads a node into the value that a target points at.
+//! Reads a node into the value that a target points at. A function that returns
+//! nothing has reported a fault.
 struct Reader : ValueFaults {
     const toml::node& node;
 
-    //! Returns a number of either TOML type in the range, or reports a fault.
+    //! Returns a number of either TOML type in the range.
     std::optional<double> number(const toml::node& found) const {
         double plain = 0;
         if (const auto* integer = found.as_integer())
@@ -34,7 +35,6 @@ struct Reader : ValueFaults {
         return value;
     }
 
-    //! Returns the texts of an array, or reports a fault.
     std::optional<std::vector<std::string>> texts(std::size_t count) const {
         const toml::array* array = node.as_array();
         if (!array || array->size() != count)
@@ -48,7 +48,6 @@ struct Reader : ValueFaults {
         return values;
     }
 
-    //! Returns the numbers of an array, or reports a fault.
     std::optional<std::vector<double>> numbers(std::size_t count) const {
         const toml::array* array = node.as_array();
         if (!array && count == any_count && node.is_number()) {
@@ -70,7 +69,6 @@ struct Reader : ValueFaults {
 
     void operator()(std::monostate) const {}
 
-    //! Returns a text that is one of the choices, or reports a fault.
     std::optional<std::string> one_of_choices() const {
         const auto text = node.value<std::string>();
         if (!text) return fail_type(node), std::nullopt;
@@ -163,7 +161,6 @@ struct Reader : ValueFaults {
         *value = *found;
     }
 
-    //! Returns a date in the range, or reports a fault.
     std::optional<Date> date(const toml::node& from) const {
         const toml::value<toml::date>* found = from.as_date();
         if (!found) return fail_type(from), std::nullopt;

@@ -35,9 +35,8 @@ struct ValueFaults {
     bool is_mistaken(double value) const;
 };
 
-//! Reads one value to the place to which its key is bound, and checks the
-//! value's type and range. section names the key in messages. The problems must
-//! know the place of the value.
+//! Reads one value to the place of its key and checks its type and range.
+//! section names the key in messages. The problems must know the value's place.
 void read_value(const toml::node& node, const std::string& section,
                 const Key& key, const Problems& problems);
 

@@ -125,7 +125,6 @@ void check_key(const std::string& table, KeyFactor& factor,
     factor.value = numbers.empty() ? (lower + upper) / 2 : numbers.front();
 }
 
-//! Checks the entries of [[TABLE.keys]].
 void check_keys(const std::string& table, std::vector<KeyFactor>& factors,
                 Draft& draft, const Problems& problems) {
     std::set<std::string> seen;

@@ -73,7 +73,6 @@ bool has(const Model& model, Numbers numbers) {
     return is_there;
 }
 
-//! Returns the names of the models that have some numbers.
 std::vector<std::string> models_with(Numbers numbers) {
     std::vector<std::string> names;
     for (const Model& model : models)

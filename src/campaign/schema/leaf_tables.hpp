@@ -17,8 +17,7 @@ struct Section;
 enum class LeafModel { hyperbola, collatz, farquhar };
 
 //! The table [photosynthesis] as it is written. A list has one number for all
-//! leaves, or one for each leaf, the lowest first; an empty list stands for the
-//! model's default.
+//! leaves, or one for each, the lowest first; empty: the model's default.
 struct PhotosynthesisTable {
     LeafModel model = LeafModel::hyperbola;
     std::vector<double> theta, rd;             //!< numbers of all models

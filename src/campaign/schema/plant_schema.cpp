@@ -6,7 +6,6 @@ namespace ideotype {
 
 namespace {
 
-//! Adds the measures of a part of a plant.
 template <class Part>
 void add_measures(Section& section, const auto& measures, Part& part) {
     for (const Measure<Part>& each : measures) {

@@ -10,7 +10,6 @@ namespace ideotype {
 
 namespace {
 
-//! Returns the tables [[TABLE.keys]] with the varied keys.
 Table keys_table(const std::string& table, std::vector<KeyFactor>& factors) {
     const auto section_of = [=](KeyFactor& factor) {
         Section section(table + ".keys",

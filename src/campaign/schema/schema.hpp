@@ -76,8 +76,7 @@ struct Key {
     Key& optional_list();
     //! Writes the key in resolved campaigns only if a condition holds.
     Key& written_if(bool is_so) { return is_written = is_so, *this; }
-    //! Marks the key as one that trades speed for accuracy, if a condition
-    //! holds.
+    //! Marks a key that trades speed for accuracy, if a condition holds.
     //! @param values values that `fidelity` tries, the most accurate last
     Key& trades(const std::vector<double>& values, bool is_so = true);
 
@@ -97,11 +96,9 @@ struct Key {
     bool is_any_text = false;  //!< whether texts other than names fit
     bool is_written = true;    //!< whether resolved campaigns have the key
     std::size_t count = 0;     //!< length of a list; 0: any
-    //! Units in which a number above the range may have been given.
-    std::vector<MistakenUnit> mistaken{};
-    std::vector<double> accuracy{};  //!< values for `fidelity`
-    //! Name of a key of the same table that makes this key optional.
-    std::string unless{};
+    std::vector<MistakenUnit> mistaken{};  //!< units of numbers above the range
+    std::vector<double> accuracy{};        //!< values for `fidelity`
+    std::string unless{};  //!< key of the table that makes this optional
 };
 
 //! The keys of one table.
@@ -143,8 +140,7 @@ struct Table {
     bool is_default = false;        //!< whether the table may be left out
     bool is_optional = false;       //!< whether a list may be empty
     std::size_t most = 1000;        //!< largest number of entries
-    //! Whether its keys have the paths of a list's first entry, as "site[0]".
-    bool is_first_of_list = false;
+    bool is_first_of_list = false;  //!< whether keys have paths as "site[0]"
 };
 
 //! Returns a table that is written once.
@@ -165,8 +161,7 @@ Table list_of_tables(const std::string& name, const auto& section_of,
 //! Returns the keys before the first table.
 Section top_section(Campaign& campaign);
 
-//! Returns [site] and [climate] of a file without other tables, in which names
-//! may be left out.
+//! Returns [site] and [climate] of a file of only these; names may be left out.
 std::vector<Table> climate_file_tables(Campaign& campaign);
 
 //! Returns all tables of a campaign in the order of its resolved text.
@@ -181,8 +176,7 @@ std::vector<std::string> all_organs(const Plant& plant);
 //! Returns all tables of a crop file.
 std::vector<Table> plant_tables(Draft& draft);
 
-//! Returns the tables that both crop files and campaigns have, which precede
-//! the other tables of a crop file.
+//! Returns the tables of both crop files and campaigns, first in a crop file.
 std::vector<Table> crop_defaults(Draft& draft);
 
 //! Returns the keys before the first table of a file of measured lines.
@@ -211,8 +205,7 @@ Table feasibility_table(Draft& draft);
 std::vector<Table> object_tables(Campaign& campaign);
 //! Returns the tables [light] and [objective].
 std::vector<Table> measured_tables(Draft& draft);
-//! Returns the table of constraints, with a table inside for each constrained
-//! trait.
+//! Returns the table of constraints, with a table in it for each limited trait.
 Table constraints_table(Constraints& constraints);
 //! Returns the tables of searches and studies, with tables inside for each
 //! varied key, and the tables for the end and the work of a run.

@@ -94,7 +94,6 @@ std::vector<Table> climate_file_tables(Campaign& campaign) {
 
 namespace {
 
-//! Adds the optics of a surface in each waveband.
 void add_optics(Section& section, ByBand<Lambertian>& optics) {
     for (std::size_t b = 0; b < wavebands.size(); ++b) {
         const std::string& prefix = wavebands[b].prefix;

@@ -10,7 +10,6 @@ namespace ideotype {
 
 namespace {
 
-//! Returns a text as a TOML string.
 std::string quoted(const std::string& text) {
     std::string escaped;
     for (const char c : text) {
@@ -92,8 +91,7 @@ struct Writer {
     }
 };
 
-//! Returns whether a key may be left out, because it has no value or has a form
-//! of its own.
+//! Returns whether a key may be left out: it has no value or a form of its own.
 bool is_empty(const Key& key) {
     if (!key.is_written) return true;
     return std::visit(
@@ -113,7 +111,6 @@ bool is_empty(const Key& key) {
         key.value);
 }
 
-//! Appends the keys of a section.
 void append_keys(std::string& text, const Section& section) {
     for (const Key& key : section.keys)
         if (!is_empty(key))
@@ -145,7 +142,6 @@ void append_crop(std::string& text, const std::string& prefix, Draft& draft) {
         append_table(text, prefix, table);
 }
 
-//! Appends the components beside the crop, each with its own tables.
 void append_components(std::string& text, const Table& components,
                        Draft& draft) {
     for (std::size_t i = 0; i < draft.components.size(); ++i) {

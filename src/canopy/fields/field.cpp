@@ -21,7 +21,6 @@ RandomStream stream_of(const Randomness& randomness, Purpose purpose,
             randomness.first_randomisation + component * apart};
 }
 
-//! Puts a list into a random order.
 template <class Item>
 void shuffle(std::vector<Item>& items, RandomStream& stream) {
     IDEOTYPE_EXPECT(!items.empty());
@@ -159,7 +158,6 @@ std::vector<Mesh> draw_plants(const Component& component, const Mesh& line,
     return plants;
 }
 
-//! Adds a turned plant to a field.
 //! @param first_group first group of the plant's component
 void add_plant(Field& field, const Mesh& plant, const Place& place, double turn,
                std::uint32_t first_group, std::uint32_t number) {

@@ -83,10 +83,9 @@ struct FieldLight {
     //! [J m-2 of ground; band, randomisation, row].
     std::vector<std::vector<std::vector<double>>> rows;
     FluxTallies fluxes;  //!< tallies of fluxes, if leaves assimilate
-    //! Leaf area index by layer [m2 m-2].
-    std::vector<double> leaf_area_of_layers;
-    SunlitFractions sunlit;      //!< estimates by points of leaves
-    SunlitFractions hit_by_sun;  //!< estimates by first hits
+    std::vector<double> leaf_area_of_layers;  //!< index by layer [m2 m-2]
+    SunlitFractions sunlit;                   //!< estimates by points of leaves
+    SunlitFractions hit_by_sun;               //!< estimates by first hits
     std::vector<LightClasses> light_classes;
     std::vector<PlantArea> areas;         //!< areas of components [m2 m-2]
     std::vector<LeafArea> leaf_area;      //!< index by randomisation

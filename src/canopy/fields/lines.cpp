@@ -22,7 +22,6 @@ bool are_drawn(const Scene& scene) {
         [](const Component& each) { return each.plant || each.jitter > 0; });
 }
 
-//! Returns how one plant of a component is cut.
 Pieces pieces_of_line(const Component& component,
                       const CanopyRequest& request) {
     const std::size_t per_blade = request.details.pieces;

@@ -20,7 +20,6 @@ class Divider {
   public:
     explicit Divider(Mesh& mesh) : mesh_(mesh) {}
 
-    //! Adds a face to the mesh, divided a number of times.
     void add(const Face& face, std::size_t times) {
         if (times == 0) {
             mesh_.faces.push_back(face);

@@ -17,8 +17,7 @@ namespace ideotype {
 
 namespace {
 
-//! The width of a blade as a function of the distance from one of its ends,
-//! along its edges.
+//! The width of a blade by the distance from one of its ends along its edges.
 class WidthProfile {
   public:
     WidthProfile(const Mesh& mesh, const Faces& blade,

@@ -47,7 +47,6 @@ Randomised over_bands(const CanopyReport& report, const Names& names,
     return scaled(known_to(least, std::move(sums)), 1 / joule_per_megajoule);
 }
 
-//! Returns the light that leaves of each component absorb in some bands.
 std::vector<Randomised> absorbed_by_component(const CanopyReport& report,
                                               const Names& names) {
     std::vector<Randomised> parts;
@@ -97,7 +96,6 @@ TakeNumbers by_component_and_band(const Take& take) {
     };
 }
 
-//! Declares a part of the incident light of each band.
 Declaration fraction_by_band(const char* name, const char* description,
                              Estimate BudgetEstimate::*part) {
     return {{name, "1", description, {"band"}},
@@ -110,7 +108,6 @@ Declaration fraction_by_band(const char* name, const char* description,
             has_bands};
 }
 
-//! Returns the gross assimilation of each component, lowered by a loss.
 std::vector<Randomised> assimilation_by_component(const CanopyReport& report,
                                                   Loss loss) {
     const AssimilationReport& all = *report.assimilation;
@@ -128,12 +125,11 @@ std::vector<Randomised> assimilation_by_component(const CanopyReport& report,
     return parts;
 }
 
-//! Returns how much more the mean plant of the first component has than that of
-//! the second, relative to the second: net assimilation, or light where leaves
-//! do not assimilate. A plant in deep shade may lose more than it gains: the
-//! difference is relative to the absolute value, so that more is a gain
-//! whatever the sign. The values are pseudo-values of a jackknife; 0 if the
-//! second plant has nothing.
+//! Returns how much more net assimilation, or light where leaves do not
+//! assimilate, the mean plant of the first component has than that of the
+//! second, relative to the second's absolute value, so that more is a gain even
+//! where a plant in deep shade loses. The values are pseudo-values of a
+//! jackknife; 0 if the second has nothing.
 Randomised invasion(const CanopyReport& report) {
     const std::vector<Randomised> parts = measure_parts(
         report.assimilation ? "net_assimilation" : "absorbed_par", report);
@@ -159,7 +155,6 @@ bool are_two(const Scope& scope) {
     return scope.components == 2;
 }
 
-//! Declares the gross assimilation of each component, lowered by a loss.
 Declaration assimilation(const char* name, const char* description, Loss loss) {
     return {{name, rate, description, {"component"}},
             [loss](const CanopyReport& report) {

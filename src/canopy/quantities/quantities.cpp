@@ -42,7 +42,6 @@ std::vector<const Declaration*> declared(const Scope& scope) {
 
 namespace {
 
-//! A canopy that has every quantity.
 const Scope everything = [] {
     Scope all{2, {}, true, true, true, true, true, true, true, true};
     for (const Waveband& each : wavebands) all.bands.push_back(each.name);

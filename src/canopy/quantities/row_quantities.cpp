@@ -74,7 +74,6 @@ Rows on_own_strip(const CanopyReport& report, Rows rows) {
 //! axis or once.
 using Take = std::function<std::vector<Rows>(const CanopyReport&)>;
 
-//! Returns numbers of places and bands, places first.
 Rows places_first(const std::vector<Rows>& bands) {
     Rows all;
     for (std::size_t place = 0; place < bands.front().size(); ++place)

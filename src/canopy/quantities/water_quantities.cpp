@@ -17,7 +17,6 @@ bool exchange_water(const Scope& scope) {
     return scope.has_water && scope.components > 1;
 }
 
-//! Returns a flux and its value in each randomisation.
 Randomised flux(const FluxReport& report, double factor = 1) {
     return scaled(
         Randomised{report.sum, mapped(report.tallies, &FluxTally::sum)},

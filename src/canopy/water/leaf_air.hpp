@@ -98,13 +98,11 @@ class LeafAir {
     }
 
     //! Returns the canopy air that follows if leaves lose this heat and water
-    //! [W m-2, mmol m-2 s-1]; the air above if canopy air has no state of its
-    //! own.
+    //! [W m-2, mmol m-2 s-1]; the air above if canopy air has no own state.
     //! @param group group of some of the leaves
     CanopyAir driven_by(std::uint32_t group, double heat, double water) const;
 
-    //! Returns the surroundings of a point of leaves that have a temperature of
-    //! their own.
+    //! Returns the surroundings of a point of leaves, if warms().
     LeafSurroundings around(const Point& point) const;
 
     //! Solves the energy balance of a point.
@@ -160,10 +158,8 @@ class LeafAir {
     std::vector<Mean> means_;           //!< leaves by class
     int beam_ = -1, sky_ = -1;
     Sky light_;
-    //! Resistance between canopy and air above [s m-1].
-    double resistance_ = 0;
-    //! Leaves by group, if they assimilate.
-    std::vector<std::optional<Leaf>> leaf_;
+    double resistance_ = 0;  //!< resistance to the air above [s m-1]
+    std::vector<std::optional<Leaf>> leaf_;  //!< leaf by group, if assimilating
 };
 
 }  // namespace ideotype

@@ -94,8 +94,7 @@ void LeafLines::draw(Class& leaves) {
     }
 }
 
-//! Draws the lines of a class, and returns what follows from it of the canopy
-//! air.
+//! Draws the lines of a class, and returns the canopy air that they drive.
 CanopyAir LeafLines::driven_by(std::uint32_t c) {
     Class& leaves = classes_[c];
     draw(leaves);

@@ -9,8 +9,7 @@ namespace ideotype {
 
 namespace {
 
-//! Light that is added to weights, because points in the dark exchange water,
-//! too [umol m-2 s-1].
+//! Light added to weights, as points in the dark exchange water [umol m-2 s-1].
 constexpr double dark = 100;
 
 }  // namespace
@@ -145,7 +144,6 @@ void WaterFluxes::find_lines(const StepLight* light) {
     lines_->settle(light ? light->responses : std::vector<LeafResponse>{});
 }
 
-//! Adds fluxes of a step by lines.
 void WaterFluxes::add_lines(std::size_t step, const StepLight* light) {
     for (std::size_t k = 0; k < leaf_fluxes; ++k) {
         const auto flux = static_cast<LeafFlux>(k);
@@ -195,10 +193,9 @@ void WaterFluxes::add_hot(std::size_t step, const StepLight* light) {
     fluxes_[k].steps[step] = all;
 }
 
-//! Draws points of a step at equal distances along the leaves, first in the
-//! shade and then in the sun. The first point is random in each randomisation
-//! and moves from step to step by the golden ratio, so that draws of all steps
-//! are even.
+//! Draws points of a step at equal distances along the leaves, shade before
+//! sun. The first is random in each randomisation and moves from step to step
+//! by the golden ratio, so that draws of all steps are even.
 void WaterFluxes::draw(std::size_t step, const StepLight* light) {
     constexpr double golden_ratio = 0.6180339887498949;
     const double all = chances_.empty() ? 0 : chances_.back();

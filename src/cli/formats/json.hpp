@@ -12,8 +12,7 @@ namespace ideotype {
 //! Keys stay in the order in which they are written.
 using Json = nlohmann::ordered_json;
 
-//! {"mean": x, "standard_error": s}; null for a standard error that is
-//! unknown.
+//! Returns {"mean": x, "standard_error": s}; an unknown s is null.
 inline Json to_json(Estimate x) {
     return {{"mean", x.mean}, {"standard_error", x.standard_error}};
 }
@@ -27,8 +26,7 @@ inline std::string to_text(const Json& json) {
 //! object what is in it, and a list of objects as a table.
 void print_outline(const Json& json, std::size_t indent = 0);
 
-//! Prints a list of objects as a table: members that are no objects, those of
-//! one name below each other.
+//! Prints objects as a table, whose columns are members that are no objects.
 void print_table(const Json& rows, std::size_t indent);
 
 //! Text without spaces and ends of lines.

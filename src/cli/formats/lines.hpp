@@ -25,8 +25,7 @@ class LineReader {
     //! @param file descriptor that others keep open
     explicit LineReader(int file) : file_(file) {}
 
-    //! Returns the next line; waits for it no longer than this time [s], nor
-    //! longer than to a signal. None if there is none by then, or at the end.
+    //! Returns the next line; nothing at the end, after a time [s] or a signal.
     //! @throws Error if it cannot be read.
     std::optional<Line> next(double seconds);
 

@@ -19,7 +19,6 @@ std::size_t corners_of(const std::array<std::uint32_t, 4>& face) {
     return face[2] == face[3] ? 3 : 4;
 }
 
-//! Writes an array of a VTK file; `print` writes its values.
 template <class Print>
 void write_array(OutputFile& out, const std::string& type,
                  const std::string& name, const std::string& more,

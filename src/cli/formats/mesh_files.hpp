@@ -13,8 +13,7 @@ namespace ideotype {
 struct Shape {
     std::vector<std::string> about;  //!< lines for readers of the file
     Mesh mesh;
-    std::vector<std::uint32_t>
-        face_plant;  //!< plant of each face; empty for a single plant
+    std::vector<std::uint32_t> face_plant;  //!< empty for a single plant
     //! The ground area of the shape [m2]. Absorbed light times area, summed
     //! over all faces, over this area is the light that plants absorb per
     //! ground area.

@@ -23,7 +23,6 @@ namespace ideotype {
 
 namespace {
 
-//! The numbers of workers for which the cost is printed.
 constexpr std::array<int, 4> shown_workers{1, 2, 16, 128};
 
 std::string clock(std::optional<double> hour) {

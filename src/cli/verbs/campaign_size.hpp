@@ -32,12 +32,10 @@ struct CampaignCost {
     //! Returns the cost of one case on one core as a line without line break.
     std::string text() const;
 
-    //! Returns a table of the times of one case and of all by the number of
-    //! workers.
+    //! Returns a table of the times of one and all cases by number of workers.
     std::string table(std::size_t cases) const;
 
-    //! The times of a usual and of a final evaluation on one core of this
-    //! machine [s].
+    //! The times of a usual and a final evaluation on one core here [s].
     double usual = 0, final = 0;
     int population, generations, finalists;
 };
@@ -68,10 +66,9 @@ class Extent {
 
 //! The ranges over the stands of all cases and their scenarios.
 struct Stands {
-    Extent period_x, period_y;  //!< periods of the cell [m]
-    Extent lai;                 //!< LAI of the baseline with other components
-    Extent steps, par,
-        diffuse;  //!< number of steps; PAR [J m-2 day-1], diffuse part
+    Extent period_x, period_y;   //!< periods of the cell [m]
+    Extent lai;                  //!< LAI of the baseline with other components
+    Extent steps, par, diffuse;  //!< number; PAR [J m-2 day-1], diffuse part
     //! A row for each site and day or climate: sun and light.
     std::vector<Json> sky;
 };
@@ -80,8 +77,7 @@ struct Stands {
 //! @param leaf_area mean over all components per place of the field [m2]
 Stands stands_of(const Campaign& campaign, double leaf_area);
 
-//! Returns the leaf area of the baseline at each stage of a season, if plants
-//! grow.
+//! Returns the leaf area of the baseline at each stage, if plants grow.
 Json season_of(const Campaign& campaign, const Case& chosen);
 
 //! Returns a line that tells the objectives.

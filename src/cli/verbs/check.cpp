@@ -22,7 +22,6 @@ namespace ideotype {
 
 namespace {
 
-//! Returns the names of the scenarios of a case that has several.
 std::vector<std::string> scenario_names(const Campaign& campaign,
                                         const Case& chosen) {
     if (chosen.scenarios.empty()) return {};
@@ -31,7 +30,6 @@ std::vector<std::string> scenario_names(const Campaign& campaign,
         across.measured().axis("scenario").coordinates);
 }
 
-//! Returns a line that names the scenarios, if there are several.
 std::string scenario_text(const Campaign& campaign, const Case& chosen) {
     const std::vector<std::string> names = scenario_names(campaign, chosen);
     if (names.empty()) return "";

@@ -18,8 +18,7 @@ namespace ideotype {
 
 namespace {
 
-//! Returns the objectives with name, number and unit. The error of a land
-//! equivalent ratio contains the errors of sole crops.
+//! Includes errors of sole crops in the error of a land equivalent ratio.
 std::vector<Measured> objectives_of(const CanopyReport& report,
                                     const Campaign& campaign) {
     std::vector<Measured> all;
@@ -89,7 +88,6 @@ Json to_json(const Study& study) {
     return json;
 }
 
-//! Evaluates plants in each scenario of a case.
 std::vector<Study> studies(const Task& task, const Campaign& campaign,
                            const Case& chosen, const Plants& plants,
                            const std::string& isa) {

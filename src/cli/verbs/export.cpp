@@ -21,7 +21,6 @@ namespace ideotype {
 
 namespace {
 
-//! Returns the measures that are columns in a table of these leaves.
 std::vector<Measure<Leaf>> written_measures(const std::vector<Leaf>& leaves) {
     const auto usual = leaf_measures.begin() + usual_leaf_measures;
     std::vector<Measure<Leaf>> written(leaf_measures.begin(), usual);
@@ -34,7 +33,6 @@ std::vector<Measure<Leaf>> written_measures(const std::vector<Leaf>& leaves) {
     return written;
 }
 
-//! Writes the measures of each leaf.
 void write_csv(const std::string& path, const Plant& plant) {
     const std::vector<Measure<Leaf>> measures = written_measures(plant.leaves);
     OutputFile out(path);
@@ -51,8 +49,7 @@ void write_csv(const std::string& path, const Plant& plant) {
     out.finish();
 }
 
-//! Writes a crop file. The plant has the name of the file as far as names allow
-//! it.
+//! Gives the plant the name of the file as far as names allow it.
 void write_crop_file(const std::string& path, const std::string& title,
                      const Campaign& campaign, Plant plant,
                      std::size_t component) {
@@ -119,7 +116,6 @@ void stand_still(Shape& shape, std::vector<Estimate>& light,
     thin(light);
 }
 
-//! Writes the surfaces of a plant or its field, with or without light.
 void write_shape(const ExportOptions& options, const ChosenRow& row,
                  const std::string& title, bool is_lit, const Plants& grown,
                  std::size_t component) {
@@ -183,7 +179,6 @@ Case as_it_stood(const Campaign& campaign, const Case& chosen,
     return one;
 }
 
-//! Returns the place of a component that an option names.
 std::size_t chosen_component(const Campaign& campaign,
                              const std::string& name) {
     const std::vector<std::string> names = component_names(campaign);

@@ -28,7 +28,6 @@ std::string suffix(const std::string& unit) {
     return text;
 }
 
-//! A column of single numbers.
 struct Column {
     std::string name, unit;
     Certainty certainty;

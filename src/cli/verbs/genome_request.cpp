@@ -25,7 +25,6 @@ std::string unknown(const std::string& what, const std::string& word,
                        did_you_mean(word, names));
 }
 
-//! Returns the beginning of a JSON value as text, for messages.
 std::string beginning(const Json& json) {
     constexpr std::size_t enough = 60;
     const std::string text = to_line(json);
@@ -92,8 +91,7 @@ std::vector<std::string> read_quantities(const Json& json,
 
 //! Returns numbers along axes as arrays of arrays; without axes, the number
 //! itself.
-//! @param next the first of the numbers; after the call, the one behind the
-//! last
+//! @param next first number; after the call, the one behind the last
 template <class Number>
 Json along(const std::vector<std::size_t>& sizes, std::size_t axis,
            std::vector<Estimate>::const_iterator& next, Number number) {

@@ -30,8 +30,7 @@ struct GenomeRequest {
     std::uint64_t line = 0;  //!< line of the request, from 1
     Genome genome;           //!< values of all genes
     Task task{};
-    std::vector<std::string>
-        quantities{};  //!< quantities to tell besides the objectives
+    std::vector<std::string> quantities{};  //!< told besides the objectives
 };
 
 //! Returns the first line of the output: genes, objectives and quantities.

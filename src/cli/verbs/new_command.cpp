@@ -31,9 +31,8 @@ namespace fs = std::filesystem;
 //! A question whose answer becomes the value of a key of the new campaign.
 struct Question {
     const char *option, *section, *key, *text;
-    std::string NewOptions::*
-        answer;  //!< option with the answer; "" if it is not given
-    const char* initial = "";  //!< initial answer; "" if there is none
+    std::string NewOptions::*answer;  //!< "" if it is not given
+    const char* initial = "";         //!< initial answer; "" if there is none
 };
 
 constexpr Question questions[] = {

@@ -62,14 +62,12 @@ std::string way_on_with(const History& history) {
     return way_on(last->command, last->ranks);
 }
 
-//! The printed state of a case; some members may be unknown.
 struct CaseStatus {
     std::string path, case_name, state;
     std::uint64_t missing_bytes = 0;
     CaseResult result;
     std::optional<double> rate, left;  //!< rate [evaluations/s], time left [s]
     std::string way_on;                //!< command to resume a stopped case
-    //! Tells whether a gain comes from a single seed.
     bool has_one_seed = false;
 };
 
@@ -125,7 +123,6 @@ std::string to_text(const CaseStatus& report) {
     return line;
 }
 
-//! Returns a value, or null if there is none.
 Json optional_json(const auto& value) {
     return value ? Json(*value) : Json();
 }
@@ -187,8 +184,7 @@ void print_overview(const std::vector<CaseStatus>& reports,
 ExitCode status(const StatusOptions& options) {
     ExitCode worst = ExitCode::ok;
     std::vector<CaseStatus> reports;
-    std::vector<std::string>
-        commands;  // commands; cases of one job share one command
+    std::vector<std::string> commands;  // one for all cases of a job
     Json json{{"histories", Json::array()}, {"unreadable", Json::array()}};
     const std::vector<std::string> paths = histories_in(options.paths);
     for (const std::string& path : paths) try {

@@ -55,7 +55,6 @@ void place_objects(hid_t access) {
             "place the descriptions");
 }
 
-// Creates a history without rows, in memory.
 Handle create_in_memory(const HistoryHeader& header) {
     initialize_hdf5();
     const std::string action = "create a file in memory";
@@ -81,8 +80,7 @@ std::uint64_t bytes_with(HistoryHeader header, int generations) {
         checked(H5Fget_file_image(file, nullptr, 0), action));
 }
 
-//! Waits until the disk has an open file. Returns 0, or the number of the
-//! error.
+//! Waits until the disk has an open file; returns 0 or an error number.
 int wait_for_disk(int descriptor) {
     while (fsync(descriptor) != 0)
         if (errno != EINTR) return errno;

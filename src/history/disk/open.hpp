@@ -70,8 +70,7 @@ void reserve_space(hid_t file, const std::string& path,
 void require_room(const std::string& path, std::uint64_t bytes,
                   const std::string& advice);
 
-//! Returns whether the file has all the room that it will ever need, without
-//! holes.
+//! Returns whether the file has no holes and all room that it will ever need.
 bool has_all_room(hid_t file);
 
 //! Returns "12.3 MiB are needed and 0.5 MiB are free", or nothing if the file

@@ -22,7 +22,6 @@ struct Measure {
     double squared(const glm::dvec2& step) const { return product(step, step); }
 };
 
-//! Returns the measure for light that travels in a direction.
 Measure measure(const glm::dvec3& direction) {
     const double level = std::hypot(direction.x, direction.y);
     if (!(level > 0)) return {1, 0, 1};

@@ -19,11 +19,9 @@ namespace ideotype {
 struct BeamLattice {
     std::int64_t pixels = 1;
     int fine = 1, generator = 1;
-    glm::dvec2 step_one{0};  //!< step from each pixel to the next [m]
-    glm::dvec2 step_u{0},
-        step_v{0};  //!< shortest steps, v to the left of u [m]
-    //! The numbers of the pixels to which the shortest steps lead.
-    std::int64_t number_u = 0, number_v = 0;
+    glm::dvec2 step_one{0};           //!< step from each pixel to the next [m]
+    glm::dvec2 step_u{0}, step_v{0};  //!< shortest, v to the left of u [m]
+    std::int64_t number_u = 0, number_v = 0;  //!< pixels at step_u and step_v
 
     std::int64_t points() const { return pixels * fine; }
 };

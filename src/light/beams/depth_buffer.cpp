@@ -22,7 +22,6 @@ namespace ideotype {
 
 namespace {
 
-//! The number of triangles that are set up together.
 constexpr std::size_t batch = 64;
 
 //! A vertex on the ground, in pixels, and its height [m].
@@ -111,7 +110,6 @@ struct alignas(32) Lanes {
     DepthBuffer::Floats edge0, edge1, edge2, height;
 };
 
-//! The storage of pixels.
 struct Target {
     const BeamLattice& lattice;
     const std::vector<DepthBuffer::Places>& places;

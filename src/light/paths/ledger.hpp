@@ -26,11 +26,10 @@ class SparseSums {
 
   private:
     std::vector<double> sums_;
-    //! The places that have a sum, in order of arrival.
-    std::vector<std::uint32_t> places_;
+    std::vector<std::uint32_t> places_;  //!< places with a sum, by arrival
 };
 
-//! The sums of the light of leaves in one randomisationby place.
+//! The sums of the light of leaves in one randomisation by place.
 struct LeafSums {
     SparseSums beam;
     std::vector<SparseSums> diffuse;  //!< sums by source
@@ -67,7 +66,6 @@ struct Counted {
 //! are summed in two steps to limit their rounding errors.
 class Ledger {
   public:
-    //! Makes a ledger that counts in a tally.
     //! @param counted,tally,leaf_sums objects that must outlive the ledger
     Ledger(const Counted& counted, std::uint32_t source, bool is_beam,
            Tally& tally, LeafSums& leaf_sums);

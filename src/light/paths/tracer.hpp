@@ -34,8 +34,7 @@ struct Arrival {
 //! Follows light of one band from the first hits on.
 class Tracer {
   public:
-    //! Makes a tracer from the arguments, which it keeps.
-    //! @param counted object that must outlive the tracer
+    //! Makes a tracer that keeps its arguments; `counted` must outlive it.
     Tracer(const Counted& counted, const Optics& optics,
            const std::vector<Source>& sources);
 
@@ -60,16 +59,14 @@ class Tracer {
                 std::uint32_t net, Tally& tally, LeafSums& leaf_sums) const;
 
   private:
-    //! Returns the optics of the face that light meets: soil is a surface too,
-    //! and the sky is a black surface.
+    //! Returns the optics of a face; soil and the black sky are surfaces too.
     const Lambertian& surface(std::uint32_t group, bool is_adaxial) const {
         const std::size_t others = ~group;
         return (others < 2 ? surfaces_[others] : surfaces_[2 + group])
             .face(is_adaxial);
     }
 
-    //! Follows a path to the next surface, which keeps some or all of the
-    //! energy.
+    //! Follows a path to the next surface, which keeps some or all energy.
     void go_on(ScatteredPath& path, PathSampler& numbers, Ledger& ledger) const;
 
     const Counted& counted_;

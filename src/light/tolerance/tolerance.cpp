@@ -41,8 +41,7 @@ constexpr ByOrigin<double> worth_to_leaves{1.2, 2, 2};
 //! Finds the workload that a tolerance asks for in one band.
 class Search {
   public:
-    //! Prepares a search in one band. The search keeps references to its
-    //! arguments.
+    //! Makes a search that keeps references to its arguments.
     //! @param has_pieces whether the light of pieces of leaves is needed
     Search(const Subject& subject, bool has_pieces, const Accuracy& accuracy,
            const Randomness& randomness)
@@ -147,7 +146,6 @@ class Search {
         return most_amounts;
     }
 
-    //! Simulates a trial and keeps its findings.
     void try_out(const Workload& work, bool is_drawn) {
         Randomness numbers = randomness_;
         numbers.first_randomisation += ++trial_ * first_of_trials;
@@ -211,8 +209,7 @@ class Demands {
     }
 
   private:
-    //! Returns whether a band is bounded. If none is, the first one counts as
-    //! bounded.
+    //! Returns true also for the first band if no band is bounded.
     bool is_bounded(std::size_t b) const {
         const std::span<const Band> bands = subject_.bands;
         return bands[b].is_bounded ||

@@ -8,11 +8,10 @@ namespace ideotype {
 
 //! The findings of a trial.
 struct Findings {
-    ByOrigin<Law> laws{};  //!< laws by which variances fall
-    //! Rays per unit of the amount of scattered light.
-    double rays_per_unit = 0;
-    double mean = 0;        //!< light of leaves from all suns
-    double first_hits = 0;  //!< first hits of leaves
+    ByOrigin<Law> laws{};      //!< laws by which variances fall
+    double rays_per_unit = 0;  //!< rays per unit of scattered light's amount
+    double mean = 0;           //!< light of leaves from all suns
+    double first_hits = 0;     //!< first hits of leaves
     bool is_open = false;  //!< tells whether the leaves' light depends on paths
     bool is_whole = true;  //!< tells whether the trial had all suns
 };

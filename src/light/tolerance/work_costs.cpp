@@ -18,11 +18,10 @@ constexpr double even_for_lattices = 30;
 //! With fewer hits, products of light would scatter more than the light itself.
 constexpr double hits_of_piece = 1.5;
 
-//! Returns the factor by which errors of trials are multiplied. A trial that
-//! underestimates the error leads to too few paths. The expected error stays
-//! within the tolerance if all estimates are multiplied by the mean of sqrt(v /
-//! X), X from a chi-square distribution with v degrees of freedom: slightly
-//! above 1 + 3 / (4 v).
+//! Returns the factor by which errors of trials are multiplied, since a trial
+//! that underestimates the error leads to too few paths. The mean of sqrt(v /
+//! X), X from a chi-square distribution with v degrees of freedom, keeps the
+//! expected error within the tolerance: slightly above 1 + 3 / (4 v).
 double caution(int randomisations) {
     IDEOTYPE_EXPECT(randomisations > 1);
     return 1 + 0.8 / (randomisations - 1);

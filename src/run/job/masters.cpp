@@ -14,7 +14,6 @@ int part_of_case(int index, int cases, int parts) {
     return static_cast<int>(static_cast<long long>(index) * parts / cases);
 }
 
-//! The number of plants under way for each worker.
 constexpr int plants_of_worker = 4;
 
 }  // namespace

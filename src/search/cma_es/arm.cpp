@@ -20,7 +20,6 @@ VectorXd to_vector(const std::vector<double>& x) {
                                       static_cast<Eigen::Index>(x.size()));
 }
 
-//! Returns independent standard normal numbers.
 VectorXd standard_normal(RandomStream stream, std::size_t size) {
     VectorXd x(static_cast<Eigen::Index>(size));
     for (Eigen::Index i = 0; i < x.size(); i += 2) {

@@ -19,8 +19,7 @@ class Arm {
 
     std::size_t population() const { return population_; }
     const DdCma& distribution() const { return distribution_; }
-    //! Returns the mean over the better half of each generation, see
-    //! better_half().
+    //! Returns the mean of each generation's better half, see better_half().
     const std::vector<double>& course() const { return course_; }
 
     //! Returns the point of one of the arm's plants in a generation, where
@@ -31,8 +30,7 @@ class Arm {
     //! Doubles the number of the arm's plants, and begins its course anew.
     void grow();
 
-    //! Learns from the rows of the arm's plants; the arguments are as in
-    //! point().
+    //! Learns from the rows of the arm's plants; arguments are as in point().
     void learn(const Population& rows, const std::vector<Sense>& senses,
                std::uint64_t seed, std::uint32_t generation,
                std::uint32_t slot);
@@ -47,8 +45,7 @@ class Arm {
   private:
     std::size_t population_;
     DdCma distribution_;
-    //! The points of the next generation that have been drawn.
-    std::vector<Eigen::VectorXd> points_;
+    std::vector<Eigen::VectorXd> points_;  //!< drawn for the next generation
     std::vector<double> course_;
 };
 

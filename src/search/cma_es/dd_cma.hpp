@@ -29,8 +29,7 @@ class DdCma {
     //! Sets the number of points in the next generations, >= 4.
     void set_population(std::size_t population);
 
-    //! Learns from the points of a generation [n, population], best point
-    //! first.
+    //! Learns from the points of a generation [n, population], best first.
     void update(const Eigen::MatrixXd& ranked);
 
     const Eigen::VectorXd& mean() const { return mean_; }
@@ -70,8 +69,7 @@ class DdCma {
     Eigen::VectorXd scales_;
     Eigen::MatrixXd correlation_;
     Path step_path_, path_of_correlation_, path_of_scales_;
-    Eigen::MatrixXd root_,
-        inverse_root_;  //!< symmetric roots of the correlation
+    Eigen::MatrixXd root_, inverse_root_;  //!< symmetric roots of C
     double correlation_condition_ = 1;
 };
 

@@ -59,6 +59,12 @@ for words in --version --help "run campaigns/full.toml --out full" \
 done
 expect 0 "$ideotype" status full
 says "finished by generations"
+
+# No history takes the place of a standard file that is closed.
+write_campaign closed 6 2
+"$ideotype" run campaigns/closed.toml --out closed --quiet <&- >&- 2>&- || true
+expect 0 "$ideotype" run campaigns/closed.toml --out closed --resume
+expect 0 "$ideotype" verify "$(history_of closed closed)"
 expect 0 "$ideotype" run campaigns/disk.toml --out exported \
     --set stop.generations=60
 mkdir exports

@@ -148,23 +148,34 @@ void check_again(Draft& draft) {
     problems.throw_if_any();
 }
 
-//! Reports ends of ranges that contradict other keys of the campaign.
-void try_ends(Draft& draft, const Problems& problems) {
+//! Reports ranges of keys whose ends, or a point between them, contradict other
+//! keys of the campaign, and notes those in which a search cannot begin.
+void try_ranges(Draft& draft, const Problems& problems) {
+    constexpr double inner = 0.382;
     const std::string table = draft.is_study ? "sensitivity" : "search";
     const std::vector<KeyFactor>& factors = draft.factors();
-    for (std::size_t i = 0; i < factors.size(); ++i)
-        for (const double end :
-             {factors[i].range.lower, factors[i].range.upper})
-            try {
+    for (std::size_t i = 0; i < factors.size(); ++i) {
+        const auto& [key, range, unit, value] = factors[i];
+        const Problems own = problems.in(table).in("keys", i);
+        if (!draft.is_study && (value < range.lower || value > range.upper))
+            draft.campaign.outside_bounds.push_back(
+                {own.where("range"),
+                 fmt::format("search.keys: {} is {} in this campaign (outside "
+                             "the range {} .. {}, but a search begins there); "
+                             "widen the range, or give the key another value",
+                             key, value, range.lower, range.upper)});
+        for (const double part : {0.0, 1.0, inner}) try {
                 Draft varied = draft;
-                set_key(varied, factors[i], end);
+                const double at = std::lerp(range.lower, range.upper, part);
+                set_key(varied, factors[i], at);
                 check_again(varied);
             } catch (const InputError& error) {
-                problems.in(table).in("keys", i).add(
-                    "range", "{0}.keys: if {2} is {1}, then {3}", table, end,
-                    factors[i].key, error.problems().front().what);
+                own.add("range", "{0}.keys: if {2} is {1}, then {3}", table,
+                        std::lerp(range.lower, range.upper, part), key,
+                        error.problems().front().what);
                 break;
             }
+    }
 }
 
 Campaign parse(const std::string& text, const std::string& file,
@@ -178,7 +189,7 @@ Campaign parse(const std::string& text, const std::string& file,
     read_weathers(file, source, draft, problems);
     read_objects(file, draft, problems);
     check_draft(draft, problems);
-    if (problems.empty()) try_ends(draft, problems);
+    if (problems.empty()) try_ranges(draft, problems);
     problems.throw_if_any();
     Campaign campaign = complete(draft, text, problems);
     if (!campaign.varied.keys.empty())

@@ -74,7 +74,12 @@ ChosenRow choose_row(const std::string& path, const RowChoice& choice) {
     result.chosen = case_of(history, result.campaign);
     result.task.case_index = static_cast<std::uint32_t>(result.chosen.index);
     result.row = row_of(history, choice, result.task);
-    result.campaign = at_keys(result.campaign, result.row.candidate.genome);
+    const std::vector<KeyFactor> keys = result.campaign.varied.keys;
+    Genome& genome = result.row.candidate.genome;
+    for (std::size_t i = 0; i < keys.size(); ++i)
+        result.keys.push_back(fmt::format(
+            "{}={}", keys[i].key, genome[genome.size() - keys.size() + i]));
+    result.campaign = at_keys(result.campaign, genome);
     result.chosen = case_of(history, result.campaign);
     result.schema =
         result.task.is_final ? header.final_schema() : header.schema;

@@ -14,6 +14,8 @@ struct ChosenRow {
     Case chosen;
     Task task;
     Row row;
+    //! Settings of the keys that were bred beside the plant, as words of --set.
+    std::vector<std::string> keys;
     OutcomeSchema schema;  //!< schema of the row
     std::string isa;       //!< instruction set
 };

@@ -92,6 +92,15 @@ def test_rows_with_keys_of_their_own_have_the_same_bits(
     assert best is not None
     found = open_place(str(path))
     assert found.conditions.row == pytest.approx(best.row.genome[0, -1])
+    done = subprocess.run(
+        [executable(), "export", path, "--best", "--to", tmp_path / "b.toml"],
+        check=True,
+        capture_output=True,
+        text=True,
+    )
+    setting = f"spacing.row={float(best.row.genome[0, -1])!r}"
+    assert f"evaluate it with --set {setting}" in done.stderr
+    assert setting in (tmp_path / "b.toml").read_text().splitlines()[0]
 
 
 def test_one_plant_has_the_bits_of_the_command_line(

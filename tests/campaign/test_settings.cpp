@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "sample_campaign.hpp"
@@ -232,6 +233,28 @@ TEST(Settings, EndsOfRangesFitTheRestOfTheCampaign) {
             std::string::npos)
             << error.what();
     }
+}
+
+TEST(Settings, KeysVaryWhereTheCampaignHoldsAndBeginWithin) {
+    const std::string panel = "panel=[{height=4, width=1, azimuth=180}]";
+    const auto told = [&](const std::string& key, const std::string& range) {
+        try {
+            const Campaign read =
+                read_campaign(ames, {panel, "search.keys=[{key=\"" + key +
+                                                "\", range=" + range + "}]"});
+            require_breedable(read);
+        } catch (const InputError& error) {
+            return error.problems().front().what;
+        }
+        return std::string();
+    };
+    EXPECT_EQ(told("optics.soil_albedo", "[0, 0.3]"), "");
+    EXPECT_THAT(told("optics.soil_albedo", "[0.2, 0.3]"),
+                testing::HasSubstr("is 0.1 in this campaign (outside"));
+    EXPECT_THAT(told("spacing.density", "[4, 10]"),
+                testing::HasSubstr("did you mean \"spacing.plant\"?"));
+    EXPECT_THAT(told("panel.azimuth", "[0, 360]"),
+                testing::HasSubstr("if panel.azimuth is 137.52, then"));
 }
 
 }  // namespace

@@ -62,7 +62,8 @@ std::string advice(const std::string& name, const std::vector<NamedKey>& keys) {
     for (const NamedKey& each : keys)
         if (each.is_there && each.tables == 1 && numbers_of(each.key))
             known.push_back(each.name);
-    const std::string nearest = nearest_name(name, known);
+    const std::string nearest =
+        name == "spacing.density" ? "spacing.plant" : nearest_name(name, known);
     return nearest.empty() ? "name a number of field, spacing, panel, optics, "
                              "photosynthesis or plant.baseline"
                            : "did you mean \"" + nearest + "\"?";
@@ -70,6 +71,8 @@ std::string advice(const std::string& name, const std::vector<NamedKey>& keys) {
 
 //! Returns the reason why a key cannot be varied, or "".
 std::string fault(const NamedKey& found) {
+    if (found.name == "spacing.density")
+        return "(which is told by the distance between plants)";
     if (!found.is_there)
         return fmt::format("(this campaign has no [{}])", found.section);
     if (found.tables > 1)

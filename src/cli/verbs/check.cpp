@@ -114,7 +114,7 @@ Findings look_at(const Campaign& campaign) {
     const Mesh plant =
         build_plant(campaign.crop.baseline, campaign.tessellation);
     const Field field = draw_field(scene, randomness_of({}, campaign, first));
-    const GeneSpace genes = gene_space(campaign, first);
+    const GeneSpace genes = search_genes(campaign, first);
     Findings found{plant,
                    scene.light().series,
                    field,
@@ -219,6 +219,9 @@ void print(const CheckOptions& options, const Campaign& campaign,
             "limits: all that is bred must first leave that behind\n",
             found.excess);
     fmt::print("genes     {} of {} free\n", found.free_genes, found.genes);
+    for (const KeyFactor& each : campaign.varied.keys)
+        fmt::print("          {} {} .. {} is one of them\n", each.key,
+                   each.range.lower, each.range.upper);
     fmt::print("cost      {} per case{}\n", found.cost.text(),
                all.size() == 1 ? "" : " (measured on the first)");
     fmt::print("{}", found.cost.table(all.size()));

@@ -191,7 +191,7 @@ std::string name_of(const Task& task) {
 
 //! Recomputes a row and compares every bit with the history.
 ExitCode repeat_row(const ChosenRow& which, const EvaluateOptions& options) {
-    const auto& [campaign, chosen, task, row, schema, isa] = which;
+    const auto& [campaign, chosen, task, row, keys, schema, isa] = which;
     const Plants plants = grow(campaign, row.candidate.genome);
     const std::vector<Study> all = studies(task, campaign, chosen, plants, isa);
     const Outcome again = outcome_of(campaign, chosen, plants.front(), all);

@@ -195,13 +195,14 @@ std::size_t chosen_component(const Campaign& campaign,
 ExitCode export_plant(const ExportOptions& options) {
     if (options.is_generations) return export_generations(options);
     ChosenRow row = choose_row(options.path, options.row);
-    const auto& [campaign, chosen, task, found, schema, isa] = row;
+    const auto& [campaign, chosen, task, found, keys, schema, isa] = row;
     const std::size_t component = chosen_component(campaign, options.component);
     const Plants plants = grow(campaign, found.candidate.genome);
     std::string title = fmt::format(
         "ideotype {} {} slot {}", chosen.name,
         task.is_final ? "final" : fmt::format("generation {}", task.generation),
         task.slot);
+    if (!keys.empty()) title += fmt::format(", {}", fmt::join(keys, ", "));
     const auto extension = std::filesystem::path(options.to).extension();
     if (extension != ".csv" && extension != ".obj" && extension != ".vtp" &&
         extension != ".toml")
@@ -221,6 +222,12 @@ ExitCode export_plant(const ExportOptions& options) {
                              row.chosen.stage->at);
     }
     require_new(options.to);
+    if (!keys.empty() && (extension == ".csv" || extension == ".toml"))
+        fmt::print(stderr,
+                   "ideotype: warning: {}: this plant was bred for keys of its "
+                   "own, which the file of a plant cannot set; evaluate it "
+                   "with --set {}\n",
+                   options.to, fmt::join(keys, " --set "));
     if (extension == ".csv")
         write_csv(options.to, plants[component]);
     else if (extension == ".toml")

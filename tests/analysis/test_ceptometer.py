@@ -85,6 +85,7 @@ def test_means_over_rows_and_day(
         ("height_m,fraction\n1,x\n", "a number cannot be read"),
         ("height_m,fraction\n1,5\n", "row 1 of the table"),
         ("height_m,hour,fraction\n1,3:00,0.5\n", "not in the day"),
+        ("", "bad.csv:1: this file is empty; begin with a line of"),
     ),
 )
 def test_bad_tables_are_refused(

@@ -199,13 +199,25 @@ def test_several_cases_are_lines_of_one_screen(
 
 
 @pytest.mark.parametrize(
-    "words", [(), ("--seed", "-1"), ("--tolerance", "2"), ("--threads", "0")]
+    "words",
+    [
+        (),
+        ("--seed", "-1"),
+        ("--seed", "1e3"),
+        ("--tolerance", "2"),
+        ("--threads", "0"),
+    ],
 )
-def test_wrong_use_is_refused(words: Sequence[str], under: Path) -> None:
+def test_wrong_use_is_refused(
+    words: Sequence[str], under: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     given = [str(MAIZE), *words, *(("--under", str(under)) if words else ())]
     with pytest.raises(SystemExit) as ended:
         compare.main(given)
     assert ended.value.code == 2
+    told = capsys.readouterr().err
+    if words:
+        assert f"{words[1]} (expected: " in told
 
 
 def test_a_wrong_table_is_told(

@@ -217,6 +217,9 @@ def test_what_is_wrong_is_told_once(
     campaign = of_a_day(tmp_path)
     assert fidelity.main([str(campaign), "--set", "light.path=3"]) == 3
     assert "light.path" in capsys.readouterr().err
+    with pytest.raises(SystemExit):
+        fidelity.main([str(campaign), "--seconds", "-1"])
+    assert "-1 (expected: 1 .. 1e+06)" in capsys.readouterr().err
     monkeypatch.setenv("IDEOTYPE_EXECUTABLE", "nowhere")
     monkeypatch.setenv("PATH", str(tmp_path))
     assert fidelity.main([str(campaign)]) == 1

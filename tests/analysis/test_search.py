@@ -55,6 +55,11 @@ def test_points_that_fail_are_avoided() -> None:
     "options, told",
     [
         ({"upper": [1, -6]}, "each lower bound"),
+        ({"upper": [1]}, "lists of the same length"),
+        ({"maximise": []}, "one truth value is needed"),
+        ({"maximise": True}, "one truth value is needed"),
+        ({"population": 0}, "population is 0; use a whole number from 2 on"),
+        ({"seed": 1.5}, "seed is 1.5; use a whole number"),
         ({"start": [0]}, "2 numbers are needed"),
         ({"traits": ["a"]}, "2 names are needed"),
         ({"optimizer": "best"}, 'no optimizer "best"; use one of auto'),

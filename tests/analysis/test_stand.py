@@ -295,6 +295,7 @@ def test_all_problems_of_a_campaign_come_at_once(tmp_path: Path) -> None:
     [
         (np.zeros(3), r"give \[plants, \d+\] for all genes"),
         (np.zeros((2, 2, 2)), "genomes are an array of"),
+        (np.zeros((0, 40)), "of one plant or more"),
         ("nan", r"genomes\[0, 4\] is nan"),
     ],
 )
@@ -315,6 +316,13 @@ def test_impossible_requests_are_errors(stand: ideotype.Stand) -> None:
         stand.evaluate(stand.baseline, ["absorbed_parr"])
     with pytest.raises(ideotype.Error, match="tolerance is 0.3"):
         stand.evaluate(stand.baseline, tolerance=0.3)
+    for name in "seed", "generation", "threads":
+        with pytest.raises(
+            ideotype.Error, match=f"{name} is 1.5; use a whole"
+        ):
+            stand.evaluate(stand.baseline, **{name: 1.5})
+    with pytest.raises(ideotype.Error, match="threads is 0; use a whole"):
+        stand.evaluate(stand.baseline, threads=0)
     with pytest.raises(ideotype.Error, match="cannot read"):
         ideotype.Stand.from_campaign("gone.toml")
     with pytest.raises(ideotype.Error, match="no case 99"):

@@ -77,7 +77,9 @@ TEST(BrokenCampaign, MissingFileIsNotAnInputError) {
         FAIL();
     } catch (const Error& error) {
         EXPECT_EQ(error.exit_code(), ExitCode::runtime);
-        EXPECT_STREQ(error.what(), "cannot read no/such/campaign.toml");
+        EXPECT_STREQ(
+            error.what(),
+            "cannot read no/such/campaign.toml; name a file that can be read");
     }
 }
 

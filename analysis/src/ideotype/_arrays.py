@@ -1,14 +1,18 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Checks arrays that users give."""
+"""Checks arrays and tables that users give."""
 
 from __future__ import annotations
 
-from typing import Any, TypeVar
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._errors import Error
+
+if TYPE_CHECKING:
+    import pandas
 
 _Given = TypeVar("_Given")
 
@@ -46,3 +50,21 @@ def _is_masked(given: Any) -> bool:
     if isinstance(given, list | tuple):
         return any(map(_is_masked, given))
     return isinstance(given, np.ma.MaskedArray)
+
+
+def read_columns(path: Path) -> pandas.DataFrame:
+    """Reads a CSV file, whose column names are then in lower case.
+
+    Raises Error if the file cannot be read."""
+    import pandas
+
+    try:
+        table = pandas.read_csv(path, comment="#", skipinitialspace=True)
+    except pandas.errors.EmptyDataError:
+        raise Error(
+            f"{path}:1: this file is empty; begin with a line of column names"
+        ) from None
+    except (OSError, ValueError) as error:
+        raise Error(f"{path}: {error}") from None
+    table.columns = table.columns.str.strip().str.lower()
+    return table

@@ -35,12 +35,21 @@ def dataset_of(
         if not is_exact:
             error = {"units": unit, "long_name": "standard error"}
             arrays[f"{name}_standard_error"] = (dims, whole[..., 1], error)
-    arrays["violation"] = ("plant", np.array([each[4] for each in found]))
-    arrays["message"] = ("plant", np.array(messages, dtype=object))
-    names = [each[0] for each in case.objectives]
+    arrays["violation"] = (
+        "plant",
+        np.array([each[4] for each in found]),
+        {"units": "1", "long_name": "violation of the constraints, 0: none"},
+    )
+    arrays["message"] = (
+        "plant",
+        np.array(messages, dtype=object),
+        {"long_name": "reason why the evaluation failed"},
+    )
+    names, units, _ = zip(*case.objectives)
     arrays["objective_by_randomisation"] = (
         ("plant", "objective", "randomisation"),
         np.array([each[3] for each in found]),
+        {"units": ", ".join(dict.fromkeys(units)), "long_name": "objective"},
     )
     used = {axis for dims, *_ in arrays.values() for axis in dims}
     labels = {
@@ -50,6 +59,6 @@ def dataset_of(
     }
     return xarray.Dataset(
         arrays,
-        {**labels, "objective": names},
+        {**labels, "objective": list(names)},
         {"case": case.name, "isa": case.isa},
     )

@@ -5,6 +5,7 @@ values."""
 from __future__ import annotations
 
 from collections.abc import Sequence
+from numbers import Integral
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -44,14 +45,33 @@ class Search:
         default each gene by itself. axes: lower bound, upper bound and number
         of cells of each feature of an atlas, which looks for the best point of
         each cell and needs the features of points in tell()."""
-        bounds = np.array([real(lower, "lower"), real(upper, "upper")])
-        if bounds.ndim != 2 or not np.all(bounds[0] < bounds[1]):
+        bounds = [real(lower, "lower"), real(upper, "upper")]
+        if (
+            bounds[0].ndim != 1
+            or bounds[0].shape != bounds[1].shape
+            or not np.all(bounds[0] < bounds[1])
+        ):
             raise Error(
-                "lower and upper: each lower bound must be below its upper "
-                "bound"
+                "lower and upper: two lists of the same length are needed, and "
+                "each lower bound must be below its upper bound"
             )
-        count = bounds.shape[1]
-        middle = bounds.mean(axis=0) if start is None else real(start, "start")
+        for name, number, least in (
+            ("seed", seed, 0),
+            ("population", 2 if population is None else population, 2),
+        ):
+            if not isinstance(number, Integral) or number < least:
+                raise Error(
+                    f"{name} is {number!r}; use a whole number from {least} on"
+                )
+        if isinstance(maximise, bool) or not maximise:
+            raise Error(
+                "maximise: one truth value is needed for each objective, such "
+                "as [True]"
+            )
+        count = len(bounds[0])
+        middle = (
+            np.mean(bounds, axis=0) if start is None else real(start, "start")
+        )
         around = (
             np.zeros(count, bool) if circular is None else np.asarray(circular)
         )

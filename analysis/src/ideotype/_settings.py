@@ -1,9 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Turns settings of a campaign from Python into words of a command line."""
+"""Turns settings of a campaign from Python into words of a command line, and
+words of a command line into numbers."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+import argparse
+import math
+from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
 import numpy as np
@@ -34,3 +37,22 @@ def _toml(value: Any) -> str:
         return f"[{', '.join(map(_toml, unmasked(value, 'a setting')))}]"
     plain = value.item() if isinstance(value, np.generic) else value
     return tomli_w.dumps({"x": plain}).partition("=")[2].strip()
+
+
+def number_within(
+    kind: type[int] | type[float], least: float, most: float
+) -> Callable[[str], Any]:
+    """Returns a function that reads the number of an option in a range."""
+
+    def read(word: str) -> Any:
+        try:
+            value = kind(word)
+        except ValueError:
+            value = math.nan
+        if not least <= value <= most:
+            raise argparse.ArgumentTypeError(
+                f"{word} (expected: {least:g} .. {most:g})"
+            )
+        return value
+
+    return read

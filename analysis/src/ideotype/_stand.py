@@ -6,6 +6,7 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
+from numbers import Integral
 from os import PathLike
 from pathlib import Path
 from typing import Any, Self
@@ -157,11 +158,16 @@ class Stand(StandViews):
         Raises Error if a name or number is impossible."""
         plants = self._plants(genomes)
         wanted = self._wanted(quantities)
-        for name, number, bits in (
-            ("generation", generation, 32), ("seed", seed or 0, 64),
-        ):  # fmt: skip
-            if not 0 <= number < 2**bits:
-                raise Error(f"{name} is {number}; use 0 to {2**bits - 1}")
+        for name, number, least, most in (
+            ("generation", generation, 0, 2**32 - 1),
+            ("seed", 0 if seed is None else seed, 0, 2**64 - 1),
+            ("threads", 1 if threads is None else threads, 1, 4096),
+        ):
+            if not isinstance(number, Integral) or not least <= number <= most:
+                raise Error(
+                    f"{name} is {number!r}; use a whole number from {least} to "
+                    f"{most}"
+                )
 
         def one(genome: NDArray[np.float64]) -> tuple[Any, ...]:
             return self._case.evaluate(

@@ -135,11 +135,12 @@ class StandCase:
         given = np.atleast_2d(real(genomes, "genomes"))
         free = self.free
         sizes = free.size, free.size + self._case.key_count, free.sum()
-        if given.ndim != 2 or given.shape[1] not in sizes:
+        if given.ndim != 2 or given.shape[1] not in sizes or not len(given):
             raise Error(
                 f"genomes are an array of {np.shape(genomes)}; give "
                 f"[plants, {free.size}] for all genes or "
-                f"[plants, {free.sum()}] for those that are free"
+                f"[plants, {free.sum()}] for those that are free, of one plant "
+                "or more"
             )
         bad = np.argwhere(~np.isfinite(given))
         if bad.size:

@@ -14,6 +14,7 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
+from ._arrays import read_columns
 from ._errors import Error, printable_lines
 from ._stand import Stand
 
@@ -42,11 +43,7 @@ def read_table(path: Path) -> pd.DataFrame:
     the fraction of the light above the canopy.
 
     Raises Error with the line that cannot be read."""
-    try:
-        table = pd.read_csv(path, comment="#", skipinitialspace=True)
-    except (OSError, ValueError) as error:
-        raise Error(f"{path}: {error}") from None
-    table.columns = table.columns.str.strip().str.lower()
+    table = read_columns(path)
     found = pd.DataFrame(index=table.index)
     try:
         height = _column(table, "height")

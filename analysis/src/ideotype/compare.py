@@ -15,6 +15,7 @@ import ideotype._core as _core
 
 from ._errors import Error, InputError, printable_lines
 from ._progress import Progress
+from ._settings import number_within
 from ._views.compared import Comparison, Plant, Quantity, compare_plants
 from ._views.compared_text import page_of
 from .analysis.reading.file import HistoryError
@@ -185,16 +186,16 @@ def _parser() -> argparse.ArgumentParser:
         help="replaces a key of the campaign",
     )  # fmt: skip
     add(
-        "--seed", type=_seed, metavar="N",
+        "--seed", type=number_within(int, 0, 2**63 - 1), metavar="N",
         help="of all random numbers, in the place of the campaign's",
     )  # fmt: skip
     add(
-        "--tolerance", type=_tolerance, metavar="X",
+        "--tolerance", type=number_within(float, 1e-5, 0.05), metavar="X",
         help="relative standard error of the light that leaves absorb, in the "
         "place of the campaign's [final]",
     )  # fmt: skip
     add(
-        "--threads", type=_threads, metavar="N",
+        "--threads", type=number_within(int, 1, 4096), metavar="N",
         default=len(os.sched_getaffinity(0)),
         help="threads that evaluate (default: one per core)",
     )  # fmt: skip
@@ -206,26 +207,6 @@ def _parser() -> argparse.ArgumentParser:
     )  # fmt: skip
     add("--json", action="store_true", help="print JSON instead of text")
     return parser
-
-
-def _seed(word: str) -> int:
-    return _within(int(word), 0, 2**63 - 1)
-
-
-def _threads(word: str) -> int:
-    return _within(int(word), 1, 4096)
-
-
-def _tolerance(word: str) -> float:
-    return _within(float(word), 1e-5, 0.05)
-
-
-def _within(value: Any, least: float, most: float) -> Any:
-    if not least <= value <= most:
-        raise argparse.ArgumentTypeError(
-            f"{value} (expected: {least:g} .. {most:g})"
-        )
-    return value
 
 
 if __name__ == "__main__":

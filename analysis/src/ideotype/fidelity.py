@@ -20,6 +20,7 @@ import tomli_w
 
 from .__main__ import compiled_program
 from ._errors import Error, printable_lines
+from ._settings import number_within
 from ._survey import FEWEST, OWN, Draw, Refused, Setting, Survey, result, words
 
 
@@ -178,8 +179,14 @@ def main(arguments: Sequence[str] | None = None) -> int:
     add("campaign", type=Path, metavar="CAMPAIGN", help="a TOML file")
     add("--set", action="append", default=[], metavar="KEY=VALUE")
     add("--case", type=int, default=0, metavar="N", help="of `check --cases`")
-    add("--tolerance", type=float, default=0.008, help="relative error wanted")
-    add("--seconds", type=float, default=60, help="to measure (default: 60)")
+    add(
+        "--tolerance", type=number_within(float, 1e-5, 1), default=0.008,
+        help="relative error wanted",
+    )  # fmt: skip
+    add(
+        "--seconds", type=number_within(float, 1, 1e6), default=60,
+        help="to measure (default: 60)",
+    )  # fmt: skip
     add("--json", type=Path, metavar="FILE", help="gets all figures")
     add("--figure", type=Path, metavar="FILE", help="PNG, PDF or SVG to draw")
     options = parser.parse_args(arguments)

@@ -18,17 +18,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-//! Returns another file of the same folder with the nearest name, or "".
-std::string nearest_file(const fs::path& missing) {
+//! Returns what to do about a missing file: name another file of its folder
+//! with a similar name, or else the given words.
+std::string remedy_for(const fs::path& missing, const std::string& otherwise) {
     std::vector<std::string> names;
     std::error_code none;
     for (const auto& entry :
-         fs::directory_iterator(missing.parent_path(), none))
+         fs::directory_iterator(fs::absolute(missing).parent_path(), none))
         if (entry.path().extension() == ".toml")
             names.push_back(entry.path().stem().string());
     // Folders have no defined order, but advice must.
     std::sort(names.begin(), names.end());
-    return nearest_name(missing.stem().string(), names);
+    const std::string near = nearest_name(missing.stem().string(), names);
+    return near.empty() ? otherwise : "did you mean '" + near + ".toml'?";
 }
 
 //! Reads the text of a file that has the given tables and no others.
@@ -58,7 +60,9 @@ std::string path_from(const std::string& file, const std::string& path) {
 
 std::string read_text(const std::string& path) {
     FileText file = read_file(path, most_input_bytes);
-    if (!file.is_there) throw Error(file.refusal(path));
+    if (!file.is_there)
+        throw Error(file.refusal(path) + "; " +
+                    remedy_for(path, "name a file that can be read"));
     return std::move(file.text);
 }
 
@@ -68,10 +72,8 @@ std::optional<std::string> text_of(const std::string& file,
                                    const Problems& problems) {
     FileText read = read_file(file, most_input_bytes);
     if (read.is_there) return std::move(read.text);
-    const std::string near = nearest_file(file);
     problems.add(named_at, "{} (named by {}); {}", read.refusal(file), named_by,
-                 near.empty() ? "give a path relative to this file"
-                              : "did you mean '" + near + ".toml'?");
+                 remedy_for(file, "give a path relative to this file"));
     return std::nullopt;
 }
 

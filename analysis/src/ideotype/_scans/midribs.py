@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
+from .._arrays import read_columns
 from .._errors import Error
 from .blades import UNITS, Blade, Floats, metres, parts
 
@@ -23,19 +24,10 @@ def _column(
     return None
 
 
-def _table(path: Path) -> pd.DataFrame:
-    try:
-        table = pd.read_csv(path, comment="#", skipinitialspace=True)
-    except (OSError, ValueError) as error:
-        raise Error(f"{path}: {error}") from None
-    table.columns = table.columns.str.strip().str.lower()
-    return table
-
-
 def read_midribs(
     path: Path, plant: str | None, leaves: Path | None, unit: str
 ) -> list[Blade]:
-    table = _table(path)
+    table = read_columns(path)
     if "plant" in table:
         names = list(dict.fromkeys(table["plant"].astype(str)))
         if plant is None and len(names) == 1:
@@ -145,7 +137,7 @@ def _measures(path: Path, plant: str | None) -> dict[int, dict[str, float]]:
     """Returns lengths, widths and heights [m] and azimuths [deg] by rank, from
     a table as docs/plant.md describes it, which may have a column of
     plants."""
-    table = _table(path)
+    table = read_columns(path)
     if "plant" in table:
         table = table[table["plant"].astype(str) == plant]
     rank = (

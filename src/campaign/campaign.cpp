@@ -164,17 +164,18 @@ void try_ranges(Draft& draft, const Problems& problems) {
                              "the range {} .. {}, but a search begins there); "
                              "widen the range, or give the key another value",
                              key, value, range.lower, range.upper)});
-        for (const double part : {0.0, 1.0, inner}) try {
-                Draft varied = draft;
-                const double at = std::lerp(range.lower, range.upper, part);
-                set_key(varied, factors[i], at);
+        for (const double part : {0.0, 1.0, inner}) {
+            const double at = std::lerp(range.lower, range.upper, part);
+            Draft varied = draft;
+            set_key(varied, factors[i], at);
+            try {
                 check_again(varied);
             } catch (const InputError& error) {
-                own.add("range", "{0}.keys: if {2} is {1}, then {3}", table,
-                        std::lerp(range.lower, range.upper, part), key,
-                        error.problems().front().what);
+                own.add("range", "{}.keys: if {} is {}, then {}", table, key,
+                        at, error.problems().front().what);
                 break;
             }
+        }
     }
 }
 

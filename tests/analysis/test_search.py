@@ -58,7 +58,10 @@ def test_points_that_fail_are_avoided() -> None:
         ({"upper": [1]}, "lists of the same length"),
         ({"maximise": []}, "one truth value is needed"),
         ({"maximise": True}, "one truth value is needed"),
-        ({"population": 0}, "population is 0; use a whole number from 2 on"),
+        (
+            {"population": 0},
+            "population is 0; use a whole number from 2 to 100000",
+        ),
         ({"seed": 1.5}, "seed is 1.5; use a whole number"),
         ({"start": [0]}, "2 numbers are needed"),
         ({"traits": ["a"]}, "2 names are needed"),

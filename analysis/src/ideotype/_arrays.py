@@ -52,6 +52,14 @@ def _is_masked(given: Any) -> bool:
     return isinstance(given, np.ma.MaskedArray)
 
 
+def require_whole(given: object, name: str, least: int, most: int) -> None:
+    """Raises Error unless the argument is a whole number in a range."""
+    if not isinstance(given, (int, np.integer)) or not least <= given <= most:
+        raise Error(
+            f"{name} is {given!r}; use a whole number from {least} to {most}"
+        )
+
+
 def read_columns(path: Path) -> pandas.DataFrame:
     """Reads a CSV file, whose column names are then in lower case.
 

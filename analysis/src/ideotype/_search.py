@@ -5,12 +5,11 @@ values."""
 from __future__ import annotations
 
 from collections.abc import Sequence
-from numbers import Integral
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._arrays import real
+from ._arrays import real, require_whole
 from ._core import make_search
 from ._errors import Error
 
@@ -55,15 +54,10 @@ class Search:
                 "lower and upper: two lists of the same length are needed, and "
                 "each lower bound must be below its upper bound"
             )
-        for name, number, least in (
-            ("seed", seed, 0),
-            ("population", 2 if population is None else population, 2),
-        ):
-            if not isinstance(number, Integral) or number < least:
-                raise Error(
-                    f"{name} is {number!r}; use a whole number from {least} on"
-                )
-        if isinstance(maximise, bool) or not maximise:
+        require_whole(seed, "seed", 0, 2**64 - 1)
+        if population is not None:
+            require_whole(population, "population", 2, 100_000)
+        if np.ndim(maximise) != 1 or len(maximise) == 0:
             raise Error(
                 "maximise: one truth value is needed for each objective, such "
                 "as [True]"

@@ -6,7 +6,6 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from numbers import Integral
 from os import PathLike
 from pathlib import Path
 from typing import Any, Self
@@ -18,8 +17,7 @@ from numpy.typing import ArrayLike, NDArray
 
 import ideotype._core as _core
 
-from ._arrays import real
-from ._errors import Error
+from ._arrays import real, require_whole
 from ._evaluated import dataset_of
 from ._settings import Settings, words_of
 from ._views.stand_views import StandViews, processors
@@ -158,16 +156,11 @@ class Stand(StandViews):
         Raises Error if a name or number is impossible."""
         plants = self._plants(genomes)
         wanted = self._wanted(quantities)
-        for name, number, least, most in (
-            ("generation", generation, 0, 2**32 - 1),
-            ("seed", 0 if seed is None else seed, 0, 2**64 - 1),
-            ("threads", 1 if threads is None else threads, 1, 4096),
-        ):
-            if not isinstance(number, Integral) or not least <= number <= most:
-                raise Error(
-                    f"{name} is {number!r}; use a whole number from {least} to "
-                    f"{most}"
-                )
+        require_whole(generation, "generation", 0, 2**32 - 1)
+        if seed is not None:
+            require_whole(seed, "seed", 0, 2**64 - 1)
+        if threads is not None:
+            require_whole(threads, "threads", 1, 4096)
 
         def one(genome: NDArray[np.float64]) -> tuple[Any, ...]:
             return self._case.evaluate(

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Generations of a history, as they are proposed and committed.
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "ideotype/core/error.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ideotype/core/text.hpp"
 
+#include <algorithm>
 #include <charconv>
 
 #include <fmt/format.h>
@@ -11,8 +12,8 @@ namespace ideotype {
 
 namespace {
 
-bool continues(unsigned char byte) {
-    return (byte & 0xC0U) == 0x80U;
+bool continues(char byte) {
+    return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U;
 }
 
 //! Returns the number of bytes of a text's first character; 0 if the character
@@ -27,7 +28,7 @@ std::size_t size_of_character(std::string_view text) {
     const std::size_t size = byte(0) < 0xE0 ? 2 : byte(0) < 0xF0 ? 3 : 4;
     if (text.size() < size) return 0;
     for (std::size_t i = 1; i < size; ++i)
-        if (!continues(byte(i))) return 0;
+        if (!continues(text[i])) return 0;
     // U+0080 to U+009F are control characters of terminals too.
     return byte(0) == 0xC2 && byte(1) < 0xA0 ? 0 : size;
 }
@@ -61,8 +62,13 @@ CsvField trimmed(std::string_view line, std::size_t begin, std::size_t end) {
 std::string first_bytes(const std::string& text, std::size_t size) {
     if (text.size() <= size) return text;
     std::size_t end = size;
-    while (end > 0 && continues(static_cast<unsigned char>(text[end]))) --end;
+    while (end > 0 && continues(text[end])) --end;
     return text.substr(0, end);
+}
+
+std::size_t columns_of(std::string_view text) {
+    return static_cast<std::size_t>(std::ranges::count_if(
+        text, [](char byte) { return !continues(byte); }));
 }
 
 std::string printable(const std::string& text) {

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "ideotype/canopy/quantities.hpp"
+#include "ideotype/core/text.hpp"
 #include "parallel/rank_clock.hpp"
 #include "summary.hpp"
 
@@ -26,21 +27,21 @@ std::string with_unit(const std::string& number, const std::string& unit) {
 
 std::string format(Estimate x) {
     if (!std::isfinite(x.mean)) return "unknown";
-    const double error = std::abs(x.standard_error);
+    const double error = normal_95 * std::abs(x.standard_error);
     const double mean = std::abs(x.mean);
     if (!std::isfinite(error)) return fmt::format("{:.6g}", x.mean);
-    // Limits below which numbers are rounded zeros, and standard errors none.
+    // Limits below which numbers are rounded zeros, and errors none.
     constexpr double nothing = 1e-12, exact = 1e-9, small = 1e-4;
     if (mean < nothing && error < nothing) return "0";
     if (error <= exact * mean)
         return fmt::format("{:.{}g}", x.mean, mean < small ? 3 : 9);
     const int digits = 1 - static_cast<int>(std::floor(std::log10(error)));
     if (mean < small && error < small)
-        return fmt::format("{:.1e} +- {:.1e}", x.mean, error);
+        return fmt::format("{:.1e} ± {:.1e}", x.mean, error);
     std::string text = fmt::format("{:.{}f}", x.mean, std::max(digits, 0));
     if (text.find_first_of("123456789") == text.npos && text[0] == '-')
         text.erase(0, 1);
-    return fmt::format("{} +- {:.{}f}", text, error, std::max(digits, 0));
+    return fmt::format("{} ± {:.{}f}", text, error, std::max(digits, 0));
 }
 
 std::string format_duration(double seconds) {
@@ -55,10 +56,12 @@ std::string line_with_bar(double done, const std::vector<std::string>& parts,
     constexpr std::size_t least = 12, most = 42;  // bar with brackets [columns]
     std::string words;
     for (const std::string& part : parts)
-        if (words.empty() || words.size() + part.size() + least + 2 <= width)
+        if (words.empty() ||
+            columns_of(words) + columns_of(part) + least + 2 <= width)
             words += (words.empty() ? "" : ", ") + part;
-    if (words.size() + least > width) return words.substr(0, width);
-    const std::size_t bar = std::min(width - words.size(), most) - 3;
+    const std::size_t columns = columns_of(words);
+    if (columns + least > width) return fmt::format("{:.{}}", words, width);
+    const std::size_t bar = std::min(width - columns, most) - 3;
     const auto full = static_cast<std::size_t>(std::clamp(done, 0., 1.) *
                                                static_cast<double>(bar));
     return fmt::format("[{:.<{}}] {}", std::string(full, '#'), bar, words);

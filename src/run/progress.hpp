@@ -85,8 +85,8 @@ class ProgressLog {
 //! @param violation violation of the constraints by the plant
 std::string certainty(bool is_evaluated_again, double violation);
 
-//! Returns "12.345 +- 0.006", with the digits that the standard error allows;
-//! "0" for zero but for rounding.
+//! Returns "12.345 ± 0.012", a number and half of its 95 % confidence interval,
+//! which decides the digits; "0" for zero but for rounding.
 std::string format(Estimate x);
 
 //! Returns a number followed by its unit, which is left out if it is "1".

@@ -128,8 +128,9 @@ ExitCode direct(const RunOptions& options, const Campaign& campaign,
                 "{}\n",
                 campaign.replicates == 1
                     ? one_seed
-                    : fmt::format("+- is the noise of the light; {} "
-                                  "tells how searches differ",
+                    : fmt::format("± is half of a 95 % interval of the "
+                                  "light's noise; {} adds the differences "
+                                  "between searches",
                                   quoted({"ideotype", "summary", folder})));
         fmt::print("next: {}\n", is_study
                                      ? quoted({"ideotype", "indices", path})

@@ -206,10 +206,10 @@ std::string left_to_gain(const History& history, const Campaign& campaign) {
     const Estimate left{stalks.mean + soil.mean,
                         std::hypot(stalks.standard_error, soil.standard_error)};
     const bool is_saturated =
-        left.mean <= part("absorbed_fraction").standard_error;
+        left.mean <= normal_95 * part("absorbed_fraction").standard_error;
     return fmt::format(
         "\nat most {} of the incident light is left to gain{}", format(left),
-        is_saturated ? ", within the standard error: leaves cannot take more, "
+        is_saturated ? ", within the error: leaves cannot take more, "
                        "and what evolved beyond is luck; see [objective] and "
                        "[constraints]"
                      : ", which other organs and soil take");

@@ -12,8 +12,8 @@ namespace ideotype {
 
 //! The warning beside a gain that a single search has found.
 inline constexpr const char* one_seed =
-    "one seed: +- is the noise of the light, and does not tell how searches "
-    "differ (replicates = 3)";
+    "one seed: ± is half of a 95 % interval of the light's noise, without the "
+    "differences between searches (replicates = 3)";
 
 //! The largest number of cases that each get a line on a terminal.
 inline constexpr std::size_t lines_on_screen = 20;

@@ -35,7 +35,7 @@ TOLD = {
     "04_one_plant.py": (r"leaf (\d+) takes", 6, 10),
     "06_density.py": (r"light at (\d+\.\d)", 6, 14),
     "08_row_direction.py": (r"absorb (\d+\.\d+) MJ", 9.5, 11),
-    "09_campaign.sh": (r"= (\d+\.\d+) \+-", 10, 25),
+    "09_campaign.sh": (r"= (\d+\.\d+) ±", 10, 25),
     "10_pycma.py": (r"gain (\d+\.\d) %", 18, 30),
     "11_optuna.py": (r"gain (\d+\.\d) %", 2, 30),
     "12_main_study.ipynb": (r"gain (\d+\.\d) ± 0\.[0-4] %", 20, 30),

@@ -152,7 +152,7 @@ def test_a_search_ends_with_a_gain_that_was_measured_anew(
 
     tried, told = talk_with(day, ask)
     assert tried == sorted(tried) and tried[-1] == told["of"] == 200
-    assert told["is_better"] and told["gain"] > 3 * told["error"] > 0
+    assert told["is_better"] and told["gain"] > 3 * told["standard_error"] > 0
 
 
 def test_a_plant_that_was_saved_is_opened_again(

@@ -113,7 +113,7 @@ told=$(grep -o "2 of 2 generations, best .*" out.log)
 # A log file has the time (UTC); its generations are counted as in the history.
 says "^20[0-9-]*T[0-9:]*Z  ames.*  generation 1, 2 of 2 complete, "
 says "best .* MJ m-2 day-1 (not evaluated again)$"
-says "one seed: +- is the noise of the light, and does not tell how searches differ"
+says "one seed: ± is half of a 95 % interval of the light's noise"
 says "^next: ideotype report results/verbs -o results/verbs/report$"
 # On a terminal one line is written over and over; it must not wrap.
 for columns in 60 80 100 200; do
@@ -129,7 +129,7 @@ history=$(history_of results verbs)
 expect 0 "$ideotype" status "$history"
 says "2 of 2 generations, best .* MJ m-2 day-1 (evaluated again)"
 says "finished by generations, $told$"
-says "^one seed: +- is the noise of the light, and does not tell how searches differ"
+says "^one seed: ± is half of a 95 % interval of the light's noise"
 expect 0 "$ideotype" check campaigns/verbs.toml --left
 [ ! -s out.log ] || fail "a finished case is not left"
 expect 0 "$ideotype" check campaigns/verbs.toml --left --out elsewhere

@@ -14,7 +14,7 @@ grep -Eq "${time}ames.* generation 1, 2 of 2 complete" out.log || fail "$(cat ou
 ! grep -q "worker [0-9]" out.log || fail "tells each evaluation: $(cat out.log)"
 
 told debug --log-level debug
-[ "$(grep -Ec "${time}ames.*  generation [01] slot [0-5]: worker [0-9]+, [0-9.]* s, [0-9.]* \+- " out.log)" = 12 ] ||
+[ "$(grep -Ec "${time}ames.*  generation [01] slot [0-5]: worker [0-9]+, [0-9.]* s, [0-9.]* ± " out.log)" = 12 ] ||
     fail "not each evaluation: $(cat out.log)"
 [ "$(grep -c "  final slot [0-3]: worker [0-9]*, " out.log)" = 4 ] || fail "$(cat out.log)"
 

@@ -12,6 +12,11 @@ TEST(Text, IsCutBetweenCharacters) {
     EXPECT_EQ(first_bytes("K\u00f6ln", 9), "K\u00f6ln");
 }
 
+TEST(Text, ColumnsAreCharactersRatherThanBytes) {
+    EXPECT_EQ(columns_of(""), 0U);
+    EXPECT_EQ(columns_of("1.5 \u00b1 0.1"), 9U);
+}
+
 TEST(Text, ControlsNoTerminal) {
     EXPECT_EQ(printable("a\x1b[1Ab\a\x7f\r\n"),
               "a\\x1b[1Ab\\x07\\x7f\\x0d\\x0a");

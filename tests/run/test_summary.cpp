@@ -58,8 +58,8 @@ class Summary : public testing::Test {
 
 TEST_F(Summary, PutsLeafAreaBesideTheGain) {
     const std::string text = of({10, 0.03}, 2.5, {11, 0.04}, 5);
-    EXPECT_NE(text.find(", gain 1.000 +- 0.050 MJ m-2 day-1 = 10.00 +- "
-                        "0.52 %, with LAI 5.00 instead of 2.50"),
+    EXPECT_NE(text.find(", gain 1.000 ± 0.098 MJ m-2 day-1 = 10.0 ± "
+                        "1.0 %, with LAI 5.00 instead of 2.50"),
               std::string::npos)
         << text;
 }

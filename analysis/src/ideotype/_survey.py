@@ -13,6 +13,7 @@ from statistics import fmean, median, stdev
 from typing import Any, NamedTuple
 
 from ._errors import Error
+from .analysis.reading.estimate import NORMAL
 
 Setting = tuple[tuple[str, float], ...]
 """Keys with values that replace the values of the campaign."""
@@ -47,13 +48,15 @@ class Draw(NamedTuple):
 
 
 class Estimate(NamedTuple):
-    """A number and its standard error."""
+    """A number and its standard error; printed in %, with half of the 95 %
+    confidence interval."""
 
     mean: float
     standard_error: float
 
     def __str__(self) -> str:
-        return f"{100 * self.mean:.2f} ± {100 * self.standard_error:.2f}"
+        half = NORMAL * self.standard_error
+        return f"{100 * self.mean:.2f} ± {100 * half:.2f}"
 
 
 def root_sum(biases: Sequence[Estimate]) -> Estimate:

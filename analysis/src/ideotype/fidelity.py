@@ -150,7 +150,8 @@ def text(found: dict[str, Any], campaign: str) -> str:
     names = ("bias", "noise", "error", "bias of diff.", "noise", "error")
     lines = [
         f"{found['case']}: errors of one evaluation in % of "
-        f"{found['objective']}, milliseconds of it, draws",
+        f"{found['objective']} (± half of a 95 % interval), milliseconds of it, "
+        "draws",
         "".join(f"{each:>14}" for each in names) + f"{'ms':>8}{'draws':>6}",
     ]
     for rows in found["keys"]:

@@ -14,6 +14,10 @@ struct Estimate {
     double standard_error = 0;
 };
 
+//! Half of a 95 % confidence interval of a normal variable over its standard
+//! error.
+inline constexpr double normal_95 = 1.96;
+
 //! Returns the mean of values; NaN if there are none.
 double mean_of(std::span<const double> values);
 

@@ -15,6 +15,10 @@ namespace ideotype {
 //! between two UTF-8 characters.
 std::string first_bytes(const std::string& text, std::size_t size);
 
+//! Returns the number of characters of a UTF-8 text, each of which takes one
+//! column of a terminal.
+std::size_t columns_of(std::string_view text);
+
 //! Returns a text of unknown origin as one harmless line for a terminal:
 //! control characters, and bytes that are not UTF-8, are written as a
 //! backslash, an x and two hexadecimal digits.

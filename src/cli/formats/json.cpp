@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "ideotype/core/text.hpp"
 #include "run/progress.hpp"
 
 namespace ideotype {
@@ -20,6 +21,8 @@ bool is_estimate(const Json& json) {
 bool is_value(const Json& json) {
     return json.is_primitive() || is_estimate(json);
 }
+
+}  // namespace
 
 std::string text_of(const Json& value) {
     if (is_estimate(value)) {
@@ -36,8 +39,6 @@ std::string text_of(const Json& value) {
     return value.is_null() ? "-" : to_line(value);
 }
 
-}  // namespace
-
 void print_table(const Json& rows, std::size_t indent) {
     std::vector<std::string> names;
     for (const Json& row : rows)
@@ -50,8 +51,9 @@ void print_table(const Json& rows, std::size_t indent) {
         std::vector<std::string> cells{name};
         for (const Json& row : rows)
             cells.push_back(text_of(row.value(name, Json())));
-        const std::size_t width =
-            std::ranges::max(cells, {}, &std::string::size).size() + 2;
+        std::size_t width = 0;
+        for (const std::string& cell : cells)
+            width = std::max(width, columns_of(cell) + 2);
         for (std::size_t i = 0; i < lines.size(); ++i)
             lines[i] += fmt::format("{:>{}}", cells[i], width);
     }

@@ -22,6 +22,10 @@ inline std::string to_text(const Json& json) {
     return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 
+//! Returns a number, a text or a list for people in one line; an estimate with
+//! half of its 95 % confidence interval.
+std::string text_of(const Json& value);
+
 //! Prints an object for people: a line for each number, below the name of an
 //! object what is in it, and a list of objects as a table.
 void print_outline(const Json& json, std::size_t indent = 0);

@@ -175,10 +175,7 @@ ExitCode evaluate_baseline(const EvaluateOptions& options) {
     } else {
         print_studies(all, options.is_all);
         for (const auto& [name, estimate] : season.items())
-            fmt::print("season: {} {:.6g} +- {:.2g} {}\n", name,
-                       estimate["mean"].get<double>(),
-                       estimate["standard_error"].get<double>(),
-                       estimate["unit"].get<std::string>());
+            fmt::print("season: {} {}\n", name, text_of(estimate));
     }
     return ExitCode::ok;
 }

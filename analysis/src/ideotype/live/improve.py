@@ -147,7 +147,7 @@ class Improvement:
                 "is_better": bool(is_better),
                 "goal": self._goal,
                 "gain": float(gain),
-                "error": float(error),
+                "standard_error": float(error),
                 "genome": (best if is_better else self._shown.genome).tolist(),
             }
         )

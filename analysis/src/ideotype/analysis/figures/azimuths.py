@@ -121,7 +121,7 @@ def _draw_arcs(axes: Axes, values: NDArray, leaves: NDArray) -> None:
         axes.plot(arc, np.full(len(arc), leaf + 0.3), color=style.ANEW, lw=1.2)
     axes.plot(
         np.deg2rad(mean), leaves + 0.3, "s", color=style.ANEW, markersize=3,
-        label="circular mean ± deviation",
+        label="circular mean and deviation",
     )  # fmt: skip
 
 

@@ -91,7 +91,7 @@ def _draw_seed(axes: Axes, run: Generations) -> None:
     axes.plot(number, mean, color=style.MEAN, label="mean")
     _fill(
         axes, mean - spread, mean + spread, style.MEAN,
-        "mean ± standard deviation",
+        "standard deviation about the mean",
     )  # fmt: skip
 
 

@@ -31,7 +31,7 @@ def draw_fidelity(found: dict[str, Any]) -> Figure:
             axes.errorbar(
                 [1e3 * row["seconds"] for row in rows],
                 [mean for mean, _ in errors],
-                [error for _, error in errors],
+                style.half_width([error for _, error in errors]),
                 color=color,
                 marker=marker,
                 linestyle="",

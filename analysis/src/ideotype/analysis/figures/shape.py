@@ -225,7 +225,7 @@ def _draw_mean(
         reach = np.array([deviation, deviation])
     axes.errorbar(
         mean, y, xerr=reach, color=style.ANEW, marker="|", linestyle="none",
-        label="their mean ± standard deviation",
+        label="their mean and standard deviation",
     )  # fmt: skip
 
 

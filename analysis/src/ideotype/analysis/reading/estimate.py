@@ -52,17 +52,6 @@ class Estimate:
             factor * self.draws,
         )
 
-    def number(self) -> str:
-        """Returns mean and standard error without the unit; the error decides
-        the digits."""
-        if not math.isfinite(self.standard_error):
-            return f"{self.mean:.6g} ± ?"
-        if self.standard_error == 0:
-            return f"{self.mean:.6g}"
-        digits = 1 - math.floor(math.log10(self.standard_error))
-        digits = min(max(digits, 0), 9)
-        return f"{self.mean:.{digits}f} ± {self.standard_error:.{digits}f}"
-
     def interval_text(self) -> str:
         """Returns mean and half of the 95 % interval; an exact number, or a
         number without a known error, has no interval."""
@@ -72,7 +61,7 @@ class Estimate:
         return with_interval(self.mean, half_width, half_width)
 
     def __str__(self) -> str:
-        return f"{self.number()} {self.unit}"
+        return f"{self.interval_text()} {self.unit}"
 
 
 def difference(a: Estimate, b: Estimate) -> Estimate:

@@ -43,6 +43,9 @@ function plainUnit(unit) {
   return [over.join(" ") || "1", ...under].join("/");
 }
 
+// Half of a 95 % confidence interval, which is what "±" means on all pages.
+const halfWidth = (standardError) => 1.96 * (standardError || 0);
+
 // The digits after the point that a number with such an error needs.
 function digitsFor(value, error) {
   if (error > 0) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A small chart of lines with bands of their standard errors.
+// A small chart of lines with bands of their 95 % confidence intervals.
 
 const CHART = { width: 420, height: 230, left: 46, right: 10, top: 8, bottom: 38 };
 

@@ -14,9 +14,10 @@ function kindOf(map, plant) {
 }
 
 function tellPlant(map, plant) {
-  const digits = digitsFor(plant.value, plant.error);
+  const error = halfWidth(plant.standard_error);
+  const digits = digitsFor(plant.value, error);
   return `${kindOf(map, plant)}: ${wordsOf(map.goal.name)} ${plant.value.toFixed(digits)} `
-    + `± ${plant.error.toFixed(digits)} ${plainUnit(map.goal.unit)}, `
+    + `± ${error.toFixed(digits)} ${plainUnit(map.goal.unit)}, `
     + (plant.is_confirmed ? "confirmed" : "not confirmed");
 }
 

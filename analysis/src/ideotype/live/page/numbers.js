@@ -3,12 +3,12 @@
 
 const REACH = [2, 5, 10, 20, 50, 100, 200, 400];
 
-// The difference from the other plant in per cent, with its error.
+// The difference from the other plant in per cent, with half of its interval.
 function percentOf(name, message) {
   const other = message.reference?.[name]?.[0];
-  const [apart, error] = message.differences?.[name] || [];
+  const [apart, standardError] = message.differences?.[name] || [];
   if (!other || apart === null || apart === undefined) return null;
-  return [100 * apart / Math.abs(other), 100 * (error || 0) / Math.abs(other)];
+  return [100 * apart / Math.abs(other), 100 * halfWidth(standardError) / Math.abs(other)];
 }
 
 function differenceBar([value, error], reach) {
@@ -34,10 +34,11 @@ function tellPercent([value, error]) {
   return `${tellSigned(value, digits)}${off} %`;
 }
 
-const isClear = ([value, error]) => Math.abs(value) > 2 * error && value !== 0;
+const isClear = ([value, error]) => Math.abs(value) > error && value !== 0;
 
 function numberRow(quantity, message, reach) {
-  const [value, error] = message.numbers[quantity.name] || [null, null];
+  const [value, standardError] = message.numbers[quantity.name] || [null, null];
+  const error = halfWidth(standardError);
   const isShare = quantity.unit === "1" && /fraction|fapar/.test(quantity.name);
   const factor = isShare ? 100 : 1;
   const unit = isShare ? "%" : plainUnit(quantity.unit);
@@ -99,8 +100,8 @@ function chartOf(id, message, name, { isUpright, xLabel, title }) {
   const top = isUpright ? 2 + Math.max(...[mine, other].map((curve) =>
     curve ? curve.values.findLastIndex((v) => v > 0) : 0)) : undefined;
   const pointsOf = (curve) => curve.at.map((at, i) => (isUpright
-    ? [curve.values[i], 100 * at, curve.errors[i]]
-    : [at, curve.values[i], curve.errors[i]])).slice(0, top);
+    ? [curve.values[i], 100 * at, halfWidth(curve.standard_errors[i])]
+    : [at, curve.values[i], halfWidth(curve.standard_errors[i])])).slice(0, top);
   const unit = plainUnit(mine.unit);
   box.querySelector("figcaption").textContent = title;
   drawChart(byId(id), {

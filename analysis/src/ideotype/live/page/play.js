@@ -28,8 +28,9 @@ function tellGain(message) {
   const name = quantity.label.toLowerCase();
   if (!message.is_better)
     return `No better plant was found for “${name}” in ${message.done} trials; yours is shown again.`;
-  const digits = digitsFor(message.gain, message.error);
-  return `${tellSigned(message.gain, digits)} ± ${message.error.toFixed(digits)} `
+  const error = halfWidth(message.standard_error);
+  const digits = digitsFor(message.gain, error);
+  return `${tellSigned(message.gain, digits)} ± ${error.toFixed(digits)} `
     + `${plainUnit(quantity.unit)} in “${name}”, measured anew after `
     + `${message.done} trials. Undo brings your plant back.`;
 }
@@ -97,7 +98,8 @@ function pictureOf() {
   context.scale(dense, dense);
   context.fillStyle = "#17231d";
   const told = page.hello.quantities.filter((q) => q.is_key).map((q) => {
-    const [value, error] = field.numbers.numbers[q.name];
+    const [value, standardError] = field.numbers.numbers[q.name];
+    const error = halfWidth(standardError);
     return `${q.label} ${tellNumber(value, error)} ${tellError(value, error)} ${plainUnit(q.unit)}`;
   });
   const top = view.clientHeight;

@@ -102,12 +102,12 @@ function showChosen() {
     fact("best", valueOf(each.best, each.unit)), fact("baseline", valueOf(each.baseline, each.unit)),
     fact("time so far", tellDuration(each.wall_time)), fact("left, at most", tellHours(each.core_hours_left)));
   byId("chart-name").textContent = `${each.objective.replace(/_/g, " ")}, by generation`;
-  const [best, errors, mean] = each.convergence;
+  const [best, standardErrors, mean] = each.convergence;
   const line = (values, off, kind) => ({
-    kind, points: values.map((v, i) => [i, v, off?.[i] || 0]),
+    kind, points: values.map((v, i) => [i, v, halfWidth(off?.[i])]),
   });
   drawChart(byId("convergence"), {
-    lines: [line(mean, null, "other"), line(best, errors, "mine")],
+    lines: [line(mean, null, "other"), line(best, standardErrors, "mine")],
     xLabel: "generation", yLabel: plainUnit(each.unit), zero: false, isWhole: true,
     about: `${each.objective} of the best and the mean plant, by generation`,
   });

@@ -134,7 +134,7 @@ _FRONT_FIGURES: dict[str, CaseFigure] = {
         "Does the front still grow?",
         "The hypervolume is the part that the front of each generation "
         "dominates of all that is better than the reference of its seed. "
-        "Bands are standard errors.",
+        "Bands are 95 % confidence intervals.",
     ),
 }
 

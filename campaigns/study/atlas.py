@@ -7,7 +7,7 @@ atlas.py FOLDER [--figure FILE.png] [--generations N] [--rough]
 Runs atlas.toml, a search that keeps the best plant of each kind, and prints
 what the leaders have of the carbon of a clear day, evaluated again with the
 same new random numbers. A kind marked "?" has a leader that was evaluated only
-once in the search. ± is the standard error.
+once in the search. ± is half of a 95 % interval.
 """
 
 from __future__ import annotations

@@ -10,7 +10,7 @@ absorbed PAR, net assimilation of a clear day, and the carbon balance of a
 season. The plants of the stand are those that paper_table.py has bred by `auto`
 in the folder PAPER_TABLE; those of the plot are bred in FOLDER by the genetic
 algorithm, as in the paper. Gains
-and losses are in % with standard errors, over seeds where there are several.
+and losses are in % with 95 % intervals, over seeds where there are several.
 """
 
 from __future__ import annotations

@@ -6,7 +6,7 @@ erect_leaves.py [--under CAMPAIGN] [--densities N...]
 
 Gives the leaves of crops/maize.toml other insertion angles or bends and prints
 how much more CO2 the canopy assimilates (gross, a clear day of CAMPAIGN) at
-some densities in rows of 0.762 m, in %, with standard errors of paired
+some densities in rows of 0.762 m, in %, with 95 % intervals of paired
 differences. The table can be read beside field experiments: Wang and others
 1995 (doi:10.1007/BF02913002) tied leaves up at silking; Winter and Ohlrogge
 1973 (Agronomy Journal 65, 395-397) raised upper leaves from about 45 deg to 10

@@ -13,7 +13,7 @@ else that a breeder can select is free (bounds "breedable", but insertion
 angles up to 50 deg above those of the baseline, without which no top is flat),
 and the plants of a line differ. Evaluates the best of both again with the same
 random numbers and prints how much more carbon the erect top gains [%], with
-its standard error, and the density from which on it pays. Where the sign
+its 95 % interval, and the density from which on it pays. Where the sign
 changes between two densities, both are bred with more seeds. The figure is the
 map.
 
@@ -34,7 +34,14 @@ from pathlib import Path
 from typing import Any
 
 from climates import CLEAR_DAY, bondville, overcast_day, season, site
-from estimates import Estimate, mean_over_seeds, print_table, sign_change, told
+from estimates import (
+    Estimate,
+    half_interval,
+    mean_over_seeds,
+    print_table,
+    sign_change,
+    told,
+)
 from shared import (
     MAIZE,
     PLANT_AREA,
@@ -227,7 +234,7 @@ def draw(results: dict[Condition, list[Estimate]], path: Path) -> None:
             axis.errorbar(
                 [x.density for x in at],
                 [mean for mean, _ in found],
-                [error for _, error in found],
+                [half_interval(error) for _, error in found],
                 marker="o",
                 label=f"{latitude:g} deg north",
             )

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Estimates of the study, means with standard errors: gains of plants under the
-same random numbers, intervals over seeds, and tables that tell them."""
+same random numbers, intervals over seeds, and tables that print them. Printed ±
+is half of a 95 % interval."""
 
 from __future__ import annotations
 
@@ -11,8 +12,8 @@ from statistics import fmean, stdev
 import numpy as np
 
 from ideotype.analysis.interval import interval
+from ideotype.analysis.reading.estimate import NORMAL, relative_gain
 from ideotype.analysis.reading.estimate import Estimate as Figure
-from ideotype.analysis.reading.estimate import relative_gain
 
 Estimate = tuple[float, float]
 """A mean and its standard error."""
@@ -67,11 +68,17 @@ def mean_over_seeds(values: Sequence[Estimate]) -> Estimate:
     return fmean(means), error
 
 
+def half_interval(error: float) -> float:
+    """Returns half of the 95 % interval of a number with this standard
+    error."""
+    return NORMAL * error
+
+
 def told(value: Estimate, digits: int = 1, sign: str = "") -> str:
-    """Returns mean and standard error as text, with the sign "+" before
-    gains."""
+    """Returns mean and half of the 95 % interval as text, with the sign "+"
+    before gains."""
     mean, error = value
-    return f"{mean:{sign}.{digits}f} ± {error:.{digits}f}"
+    return f"{mean:{sign}.{digits}f} ± {half_interval(error):.{digits}f}"
 
 
 def interval_of(values: Sequence[Estimate]) -> str:

@@ -9,7 +9,7 @@ between plants, where plants differ as those of fields do, for the light and
 the net assimilation of a clear day and for the carbon of a season. Plants may
 have any distance from 281 inbred lines (lines/maize_panel.toml), or at most 3
 standard deviations, where a typical line has 2.6. Prints baseline, bred plant,
-gain and both distances. ± are standard errors.
+gain and both distances. ± is half of a 95 % interval.
 """
 
 from __future__ import annotations

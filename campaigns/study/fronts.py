@@ -12,8 +12,8 @@ water, and low transpiration. Traits are those that a breeder can select
 (bounds "breedable"), and plants differ as those of fields do. Evaluates
 members of the front of each seed again with the same random numbers and prints
 some of those that no other dominates, the baseline, and the leaf area index or
-transpiration beyond which more of it gains no carbon. ± is the standard error;
-that of a difference is over randomisations that both plants share.
+transpiration beyond which more of it gains no carbon. ± is half of a 95 %
+interval; that of a difference is over randomisations that both plants share.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from typing import Any
 import numpy as np
 from climates import bondville, dry_month, growth, season
 from draw_plants import draw as draw_plant
-from estimates import estimate, gain, print_table, told
+from estimates import estimate, gain, half_interval, print_table, told
 from front_members import BALANCE, LEAVES, WATER, Found, Price
 from matplotlib.axes import Axes
 from shared import (
@@ -158,11 +158,8 @@ def tell_ends(found: Found) -> None:
     for name, plants in ends.items():
         for plant in plants:
             paid, more = (
-                told((mean, 1.96 * error), 1, "+")
-                for mean, error in (
-                    over_baseline(found.paid_by_randomisation, plant),
-                    over_baseline(found.carbon, plant),
-                )
+                told(over_baseline(values, plant), 1, "+")
+                for values in (found.paid_by_randomisation, found.carbon)
             )
             print(
                 f"the plant with the {name} has {paid} % of "
@@ -221,7 +218,8 @@ def draw(found: Found, path: Path) -> None:
         ("baseline", [baseline], BASELINE, "D"),
     ):
         axes.errorbar(
-            found.paid[plants], means[plants], 1.96 * errors[plants],
+            found.paid[plants], means[plants],
+            [half_interval(x) for x in errors[plants]],
             color=color, marker=marker, linestyle="none", label=name,
         )  # fmt: skip
     middle, lower, upper = top(found)

@@ -27,7 +27,7 @@ from typing import Any
 import numpy as np
 from climates import growing_season
 from draw_plants import draw
-from estimates import print_table, sign_change
+from estimates import print_table, sign_change, told
 from shared import HYBRID, gain_in, guard
 
 from ideotype import Crop, Stand
@@ -187,25 +187,30 @@ def main() -> None:
         ["stages", "error [%]"],
         [[str(n), f"{e:.2f}"] for n, e in errors.items()],
     )
-    ratio, error = cost(2 if rough else 24)
-    print(f"\ncost at equal error over {FULL}: {ratio:.2f} ± {error:.2f}\n")
+    print(
+        f"\ncost at equal error over {FULL}: {told(cost(2 if rough else 24), 2)}\n"
+    )
     for name, value in carbon(paths):
         print(f"{name:34} {value:10.4g}")
     densities = DENSITIES[-2:] if rough else DENSITIES
     rows = list(erect_tops(paths // 4, densities))
-    texts = [[f"{x:.2f}" for x in row] for row in rows]
     print()
     print_table(
-        ["plants m-2", "LAI", "growth [%]", "±", "full canopy [%]", "±"], texts
+        ["plants m-2", "LAI", "growth [%]", "full canopy [%]"],
+        [
+            [
+                *(f"{x:.2f}" for x in row[:2]),
+                *(told((row[i], row[i + 1]), 2) for i in (2, 4)),
+            ]
+            for row in rows
+        ],
     )
     for name, column in (("growth", 2), ("full canopy", 4)):
         points = [(row[1], (row[column], row[column + 1])) for row in rows]
         for low, high in pairwise(points):
             if low[1][0] < 0 < high[1][0]:
-                lai, error = sign_change(low, high)
-                print(
-                    f"{name}: pays from a leaf area index of {lai:.2f} ± {error:.2f} on"
-                )
+                at = told(sign_change(low, high), 2)
+                print(f"{name}: pays from a leaf area index of {at} on")
     if options.figure:
         options.figure.mkdir(parents=True, exist_ok=True)
         draw_figures(options.figure, errors)

@@ -14,11 +14,11 @@ tops     The hybrid bred twice for each plant density, with growth and without (
 best     The hybrid bred for the carbon of the season with growth and without. Each plant is
          evaluated in both ways, with the same random numbers.
 season   Extinction coefficient, light-use efficiency and dry matter of a growing season beside
-         what was measured; ± are standard errors of evaluations with different random numbers.
+         what was measured; ± is from evaluations with different random numbers.
 
-The weather is that of Bondville in 2011. What FOLDER has already is not bred again. ± are standard
-errors: of randomisations, or of seeds where those differ more. --figure draws `tops`. --rough is
-for tests. IDEOTYPE_EXECUTABLE names the program, else it is that on PATH.
+The weather is that of Bondville in 2011. What FOLDER has already is not bred again. ± is half of
+a 95 % interval: of randomisations, or of seeds where those differ more. --figure draws `tops`.
+--rough is for tests. IDEOTYPE_EXECUTABLE names the program, else it is that on PATH.
 """
 
 from __future__ import annotations
@@ -35,6 +35,7 @@ from erect_tops import ANGLES, ROW, TOP_LEAVES, bred_pairs
 from estimates import (
     Estimate,
     gain,
+    half_interval,
     interval_of,
     mean_over_seeds,
     print_table,
@@ -161,7 +162,7 @@ def tops(options: Options) -> None:
         for area, error in crossings:
             print(
                 f"With {way} an erect top pays from a leaf area index of "
-                f"{area:.2f} ± {1.96 * error:.2f} (95 %) on."
+                f"{told((area, error), 2)} (95 %) on."
             )
         if not crossings:
             print(f"With {way} the gain does not change its sign here.")
@@ -176,7 +177,7 @@ def draw(found: dict[str, list[tuple[float, Estimate]]], path: Path) -> None:
         axes.errorbar(
             [area for area, _ in points],
             [mean for _, (mean, _) in points],
-            [1.96 * error for _, (_, error) in points],
+            [half_interval(error) for _, (_, error) in points],
             marker="o",
             capsize=3,
             label=way,

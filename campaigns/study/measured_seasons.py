@@ -12,7 +12,6 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from datetime import date, timedelta
 from pathlib import Path
-from statistics import fmean, stdev
 from typing import Any
 
 import numpy as np
@@ -238,7 +237,6 @@ def compare_seasons(
         ours = estimate(there["efficiency"])
         cells.append(
             ["dry matter per intercepted PAR [g MJ-1]", told(ours, 3),
-             f"{fmean(per_light):.2f} ± {stdev(per_light):.2f}, "
-             "measured dry matter over our PAR", each.name]
+             f"{told(estimate(per_light), 2)}, measured dry matter over our PAR", each.name]
         )  # fmt: skip
     print_table(["figure", "ours", "theirs", "source"], cells)

@@ -15,9 +15,8 @@ parts. Its figure is what the rows of the strip of baselines absorb and
 assimilate. Part invaders breeds the maize in a stand of its own at 30 x 6
 inches, and as one plant of 25 among plants of the baseline (invader.toml) and
 among plants that are best for the stand. It prints what invaders gain over
-their neighbours, and what a stand of invaders has. ± is the standard error of
-randomisations, or over seeds where that is larger; of gains it is half of a
-95 % interval.
+their neighbours, and what a stand of invaders has. ± is half of a 95 %
+interval over randomisations, or over seeds where that is larger.
 """
 
 from __future__ import annotations
@@ -34,6 +33,7 @@ from estimates import (
     Estimate,
     estimate,
     gain,
+    half_interval,
     interval_of,
     mean_over_seeds,
     print_table,
@@ -108,12 +108,15 @@ def draw_rows(stand: Stand, genome: Numbers, path: Path) -> None:
         figure = new_figure(7.2, 2.6)
         each = figure.subplots(1, 3)
         for axes, (name, title) in zip(each, panels.items(), strict=True):
+            error = found.get(f"{name}_standard_error")
             axes.bar(
                 100 * found.row_position,
                 found[name],
                 96 * found.row_width,
                 color=[color[crop] for crop in crops],
-                yerr=found.get(f"{name}_standard_error"),
+                yerr=None
+                if error is None
+                else [half_interval(x) for x in error.values],
             )
             axes.set_title(title)
             axes.set_xlabel("across the strip [cm]")

@@ -34,7 +34,7 @@ from typing import Any
 
 import numpy as np
 import pandas as pd
-from estimates import Estimate, print_table
+from estimates import Estimate, print_table, told
 from panels_crops import bred, jackknife, trial
 from pvlib import solarposition
 from shared import (
@@ -123,7 +123,7 @@ def layouts(options: Options) -> None:
 
     found, seconds = all_of(0.01, 0)
     exact, _ = all_of(0.02 if options.rough else 0.003, 1)
-    told = found[:, 1] / found[:, 0]
+    errors = found[:, 1] / found[:, 0]
     off = found[:, 0] / exact[:, 0] - 1
     print_table(
         [
@@ -140,8 +140,8 @@ def layouts(options: Options) -> None:
                 str(len(every)),
                 *(f"{x:.1f}" for x in seconds),
                 f"{found[:, 0].min():.2f} to {found[:, 0].max():.2f}",
-                f"{100 * np.sqrt((told**2).mean()):.2f}",
-                f"{100 * told.max():.2f}",
+                f"{100 * np.sqrt((errors**2).mean()):.2f}",
+                f"{100 * errors.max():.2f}",
                 f"{100 * np.sqrt((off**2).mean()):.2f}",
             ]
         ],
@@ -190,7 +190,7 @@ def cost(options: Options) -> None:
                 sky,
                 *(f"{1e3 * x[:, 0].mean():.0f}" for x in both),
                 *(f"{100 * math.sqrt(x[:, 1].mean()):.2f}" for x in both),
-                f"{mean:.2f} ± {error:.2f}",
+                told((mean, error), 2),
             ]
         )
     print_table(
@@ -210,7 +210,7 @@ def cost(options: Options) -> None:
 
 
 def measured(options: Options) -> None:
-    told = pd.read_csv(MEASURED)
+    readings = pd.read_csv(MEASURED)
     edge = 1.14 * math.sin(math.radians(25))
     tilted = {
         "name": "tilted", "azimuth": 184, "tilt": 25, "pitch": 12,
@@ -225,7 +225,7 @@ def measured(options: Options) -> None:
         ],
     }
     rows = []
-    for reading in told[:: 8 if options.rough else 1].to_dict("records"):
+    for reading in readings[:: 8 if options.rough else 1].to_dict("records"):
         row = [str(reading["time"])]
         for name, panels in arrays.items():
             elevation, front, back = sides(options, reading, panels)

@@ -154,7 +154,7 @@ def carbon_and_net(stand: Stand) -> Numbers:
 
 def tell_gain(x: Estimate) -> str:
     """Tells a figure with its 95 % interval."""
-    return f"{x[0]:+.1f} ± {1.96 * x[1]:.1f}"
+    return told(x, sign="+")
 
 
 def less(open_: Numbers, below: Numbers, *of_baseline: Numbers) -> float:

@@ -15,7 +15,7 @@ plants differ as those of fields do, by several searches with as many
 evaluations each. BIPOP-CMA-ES comes from the package cma and differential
 evolution from pymoo; both ask for plants through the Python module, and run
 only if --search names them. Evaluates the best plants again, all with the same
-random numbers, and prints gains over the baseline [%] with standard errors,
+random numbers, and prints gains over the baseline [%] with 95 % intervals,
 leaf area, and the gain per leaf area; differences in the unit of the objective
 where the baseline is not above zero by three standard errors. With --alike all
 plants of a field are the same while they are bred; a second table tells what
@@ -45,6 +45,7 @@ from estimates import (
     difference,
     estimate,
     gain,
+    half_interval,
     mean_over_seeds,
     print_table,
     told,
@@ -306,7 +307,7 @@ def draw(results: dict[tuple[str, Condition], Found], path: Path) -> None:
             axis.errorbar(
                 [mean for mean, _ in found.values()],
                 np.array([*found]) + 0.15 * (number - 1),
-                xerr=[error for _, error in found.values()],
+                xerr=[half_interval(error) for _, error in found.values()],
                 linestyle="",
                 color=color,
                 marker=marker,

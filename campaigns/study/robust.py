@@ -11,8 +11,8 @@ season measured at Bondville, Illinois, under the sun of each latitude
 (temperature and the share of the light that passes the atmosphere are those of
 Bondville). Traits are those that a breeder can select (bounds "breedable"),
 and plants differ as those of fields do. Prints what each plant has at each
-latitude, relative to the plant that was bred there [%]; ± is the standard
-error of randomisations that all plants share, or over seeds where that is
+latitude, relative to the plant that was bred there [%]; ± is half of a 95 %
+interval over randomisations that all plants share, or over seeds where that is
 larger.
 """
 
@@ -26,7 +26,14 @@ from typing import Any
 
 import numpy as np
 from climates import growth, moved_season, season, site
-from estimates import Estimate, gain, mean_over_seeds, print_table, told
+from estimates import (
+    Estimate,
+    gain,
+    half_interval,
+    mean_over_seeds,
+    print_table,
+    told,
+)
 from shared import (
     BREEDABLE,
     ROUGH,
@@ -140,7 +147,7 @@ def draw(found: Matrix, latitudes: Sequence[float], path: Path) -> None:
         axes.errorbar(
             range(len(row)),
             [mean for mean, _ in row],
-            [1.96 * error for _, error in row],
+            [half_interval(error) for _, error in row],
             color="#000000" if name == ROBUST else color,
             linewidth=3 if name == ROBUST else 1.5,
             marker=marker,

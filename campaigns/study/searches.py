@@ -9,7 +9,7 @@ Runs a campaign (ames.toml, unless another is given) with each search and takes
 the best plant of the generation in which each number of evaluations is reached
 (a search that learns nothing gives the best of all until then). Evaluates all
 of these again with many paths, beside the baseline. Prints the gain over the
-baseline in %, the mean of the seeds with its standard error, and the seconds
+baseline in %, the mean of the seeds with its 95 % interval, and the seconds
 that all evaluations until then took. Cases that are in FOLDER already are not
 run again. IDEOTYPE_EXECUTABLE names the program, else it is that on PATH.
 """
@@ -23,7 +23,7 @@ from pathlib import Path
 from statistics import fmean, stdev
 
 import numpy as np
-from estimates import print_table, told
+from estimates import half_interval, print_table, told
 from shared import (
     CAMPAIGNS,
     Numbers,
@@ -142,7 +142,7 @@ def evaluate_again(
 
 
 def tell(found: dict[str, list[Point]]) -> None:
-    titles = ["search", "evaluations", "gain [%]", "by seed (± error)"]
+    titles = ["search", "evaluations", "gain [%]", "by seed"]
     rows = [
         [
             name,
@@ -169,7 +169,7 @@ def draw(found: dict[str, list[Point]], path: Path) -> None:
             axis.errorbar(
                 xs,
                 [p.gain for p in points],
-                [p.error for p in points],
+                [half_interval(p.error) for p in points],
                 color=color,
                 marker=marker,
                 label=name,

@@ -10,7 +10,8 @@ stage is crops/soybean.toml with as many of its leaves as the stage has; all
 lengths are multiplied by the factor that makes its stem as high as the sum of
 internodes (DSSAT, as in that file). Days are clear, of Chengdu. The table
 marks what a report does not tell: "rows" where distances between rows are
-ours, "stage" where the stage is. ± is the standard error of randomisations.
+ours, "stage" where the stage is. ± is half of a 95 % interval over
+randomisations.
 --table compares light that was measured by row instead;
 measured/strips/README.md tells its form. --rough is for tests.
 """
@@ -28,7 +29,7 @@ from typing import Any
 import numpy as np
 import pandas as pd
 import tomli_w
-from estimates import Estimate, print_table
+from estimates import Estimate, print_table, told
 from shared import CAMPAIGNS, MAIZE, guard, parser_of
 
 from ideotype import Stand
@@ -162,7 +163,7 @@ def more(a: Estimate, b: Estimate) -> str:
     """Tells by how much a exceeds b [%]."""
     ratio = a[0] / b[0]
     error = ratio * math.hypot(a[1] / a[0], b[1] / b[0])
-    return f"{100 * ratio - 100:+.0f} ± {100 * error:.0f}"
+    return told((100 * ratio - 100, 100 * error), 0, "+")
 
 
 def above_soybean(strips: Strips) -> list[list[str]]:
@@ -248,9 +249,9 @@ def southernmost(strips: Strips) -> list[str]:
 def compare(path: Path) -> None:
     """Prints light that was measured by row beside that of the program, and
     how far they agree."""
-    told = pd.read_csv(path, comment="#")
+    measured_light = pd.read_csv(path, comment="#")
     rows, pairs = [], []
-    for campaign, part in told.groupby("campaign", sort=False):
+    for campaign, part in measured_light.groupby("campaign", sort=False):
         stand = Stand.from_campaign(path.parent / str(campaign))
         found = stand.evaluate(stand.baseline, final=True).isel(plant=0)
         light = found.absorbed_light_by_row / found.incident
@@ -262,7 +263,7 @@ def compare(path: Path) -> None:
                 [
                     f"{campaign} {found.field_row.values[i]}",
                     f"{each.fraction:.3f}",
-                    f"{float(light[i]):.3f} ± {float(error[i]):.3f}",
+                    told((float(light[i]), float(error[i])), 3),
                 ]
             )
     print_table(["row", "measured", "computed"], rows)

@@ -12,7 +12,9 @@ ones go on. The tables replace those between
     <!-- end of study -->
 
 in RESULTS.md; with --check that file stays as it is, and the script fails if
-any number in it is not what the histories say. It tells the commit of the
+any number in it is not what the histories say. The last digit of a number after
+± may differ by one, since some of them were computed from rounded standard
+errors. It tells the commit of the
 project, the version of the program, the digests of the files that were read,
 and for each part how many evaluations its histories have and how long it took,
 earlier sessions included. --short is a study of minutes with the same parts,
@@ -71,6 +73,29 @@ def written(results: Path, place: str) -> str:
             f"<!-- {place} --> and {END} in it"
         )
     return found[2].strip()
+
+
+HALF_INTERVAL = re.compile(r"± (\d+)(\.\d+)?")
+
+
+def half_intervals(table: str) -> list[tuple[int, int]]:
+    """Returns the numbers after ±, each as its digits and the number of its
+    decimals."""
+    return [
+        (int(whole + part[1:]), len(part))
+        for whole, part in HALF_INTERVAL.findall(table)
+    ]
+
+
+def agree(old: str, new: str) -> bool:
+    """Returns whether tables are the same but for the last digits of numbers
+    after ±, which may differ by one."""
+    plain = (HALF_INTERVAL.sub("±", table) for table in (old, new))
+    pairs = zip(half_intervals(old), half_intervals(new), strict=False)
+    return len(set(plain)) == 1 and all(
+        decimals == others and abs(digits - others_digits) <= 1
+        for (digits, decimals), (others_digits, others) in pairs
+    )
 
 
 def write(results: Path, place: str, table: str) -> None:
@@ -165,7 +190,7 @@ def main() -> None:
         )
         if not options.check:
             write(options.results, place, table)
-        elif told[name] != table:
+        elif not agree(told[name], table):
             wrong.append(f"{options.results}: {place} is not\n{table}")
     if wrong:
         raise SystemExit("\n".join(wrong))

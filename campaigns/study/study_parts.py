@@ -19,6 +19,14 @@ class Part:
 
 
 PARTS = {
+    "interventions": Part(
+        "Which trait gains, and how much of a gain is light of other organs?",
+        ("interventions.py", "{folder}"),
+        (
+            *("--rough", "--fields", "4"),
+            *("--generations", "3", "--seeds", "2"),
+        ),
+    ),
     "paper_table": Part(
         "How much can breeding gain, and which search finds it?",
         (

@@ -13,7 +13,8 @@ efficiency, canopy assimilation, and what erect leaves do to crops/maize.toml.
 Figures that disagree come first; two standard errors are granted, and where a
 source tells one figure without an error, 10 %. Then come what each measured
 input changes, alone and together, what would change the hybrid, and extinction
-coefficients k against row spacing and leaf area index. ± are standard errors.
+coefficients k against row spacing and leaf area index. ± is half of a
+95 % interval.
 --rough is for tests. Plants do not grow here; growth_maps.py compares growing
 seasons.
 
@@ -52,7 +53,7 @@ from compared_fields import (
     changed,
     density_of,
 )  # fmt: skip
-from estimates import Estimate, print_table, ratio, told
+from estimates import Estimate, half_interval, print_table, ratio, told
 from fields import (
     DAY,
     Field,
@@ -155,8 +156,8 @@ def verdict(ours: Estimate, published: Published) -> str:
 
 
 def shown(x: Estimate) -> str:
-    """Tells a figure to the second digit of its error, with at most four
-    decimals."""
+    """Prints a figure to the second digit of its standard error, with at most
+    four decimals."""
     error = x[1]
     places = 1 - math.floor(math.log10(error)) if error else 4
     return told(x, max(0, min(4, places)))
@@ -246,7 +247,7 @@ def plot(
     axis.errorbar(
         x,
         [found[field]["k"][0] for field in of],
-        [found[field]["k"][1] for field in of],
+        [half_interval(found[field]["k"][1]) for field in of],
         color=f"C{PLANES.index(planes)}",
         linestyle="-" if hours == "day" else "--",
         marker="o",

@@ -18,8 +18,8 @@ Prints
   Owen 2014, doi:10.1137/130936233);
 * what a mistake of 10 deg costs the bred plant. Angles below 0 deg are 0.
 
-± is the standard error of randomisations that all plants share, or over seeds
-where that is larger.
+± is half of a 95 % interval over randomisations that all plants share, or over
+seeds where that is larger.
 """
 
 from __future__ import annotations
@@ -35,7 +35,14 @@ from typing import Any
 
 import numpy as np
 from climates import growth, season
-from estimates import Estimate, gain, mean_over_seeds, print_table, told
+from estimates import (
+    Estimate,
+    gain,
+    half_interval,
+    mean_over_seeds,
+    print_table,
+    told,
+)
 from shared import (
     BREEDABLE,
     CAMPAIGNS,
@@ -239,7 +246,7 @@ def sobol(indices: Indices, which: str) -> dict[str, Estimate]:
 
 def interval(value: Estimate) -> str:
     """Tells a 95 % interval."""
-    mean, half = value[0], 1.96 * value[1]
+    mean, half = value[0], half_interval(value[1])
     return f"{mean:.2f} ({mean - half:.2f} .. {mean + half:.2f})"
 
 
@@ -305,7 +312,7 @@ def draw(results: dict[str, Result], path: Path) -> None:
                 np.arange(len(values)) + i * height,
                 [mean for mean, _ in values.values()],
                 height,
-                xerr=[1.96 * error for _, error in values.values()],
+                xerr=[half_interval(error) for _, error in values.values()],
                 color=series(i)[0],
                 label=TITLES[name],
                 error_kw={"linewidth": 1},

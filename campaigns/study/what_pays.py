@@ -7,7 +7,7 @@ what_pays.py --under CAMPAIGN HISTORY...
 Prints the traits of the best plant of each history and how alike they are.
 Then undoes one feature at a time, looks at all variants under the light of
 CAMPAIGN, and prints what the canopy loses, in % of the light that its leaves
-absorb, with standard errors. Histories should be the seeds of one case.
+absorb, with 95 % intervals. Histories should be the seeds of one case.
 """
 
 from __future__ import annotations

@@ -71,7 +71,7 @@ def table_of(name: str, seeds: int) -> list[str]:
         lines.append(
             f"| {name} | {quantity} | {100 * spread / mean:.2f} "
             f"| {100 * rms / mean:.2f} | {rms / spread:.2f} "
-            f"± {np.sqrt(0.5 / seeds) * rms / spread:.2f} "
+            f"± {1.96 * np.sqrt(0.5 / seeds) * rms / spread:.2f} "
             f"| {100 * reported.min() / mean:.2f} | {beyond} | {capped:.2f} |"
         )
     return lines

@@ -91,7 +91,7 @@ void report_honesty() {
         fmt::print("| {} |", name);
         for (const auto& of_runs : all) {
             const Estimate r = ratio(of_runs, figure);
-            fmt::print(" {:.3f} ± {:.3f} |", r.mean, r.standard_error);
+            fmt::print(" {:.3f} ± {:.3f} |", r.mean, 1.96 * r.standard_error);
         }
         fmt::print("\n");
     }

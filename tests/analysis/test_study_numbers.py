@@ -1,0 +1,127 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Numbers of campaigns/study have 95 % intervals, and are compared so."""
+
+from __future__ import annotations
+
+import importlib
+import re
+from pathlib import Path
+from types import ModuleType
+
+import numpy as np
+import pytest
+from real_program import CAMPAIGNS
+from short_study import tables_of
+
+STUDY = CAMPAIGNS / "study"
+RESULTS = (STUDY / "RESULTS.md").read_text(encoding="utf-8")
+
+
+def module(name: str, monkeypatch: pytest.MonkeyPatch) -> ModuleType:
+    monkeypatch.syspath_prepend(STUDY)
+    return importlib.import_module(name)
+
+
+def test_95_of_100_printed_intervals_contain_the_truth(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    estimates = module("estimates", monkeypatch)
+    draws = np.random.default_rng(1).normal(7.0, 1.0, (2000, 64))
+    printed = [
+        estimates.told(estimates.estimate(x), 4) for x in draws.tolist()
+    ]
+    hits = sum(
+        abs(float(mean) - 7) < float(half)
+        for mean, half in (text.split(" ± ") for text in printed)
+    )
+    # Four standard errors of a share of 0.95 are allowed.
+    assert abs(hits / 2000 - 0.95) < 4 * np.sqrt(0.95 * 0.05 / 2000)
+
+
+def test_only_the_last_digit_of_an_interval_may_differ(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    agree = module("study", monkeypatch).agree
+    row = "| sizes | +2.38 ± 0.49 | 12 ± 3 |"
+    assert agree(row, row)
+    assert agree(row, "| sizes | +2.38 ± 0.50 | 12 ± 2 |")
+    assert not agree(row, "| sizes | +2.38 ± 0.51 | 12 ± 3 |")
+    assert not agree(row, "| sizes | +2.38 ± 0.5 | 12 ± 3 |")
+    assert not agree(row, "| sizes | +2.39 ± 0.49 | 12 ± 3 |")
+    assert not agree(row, "| sizes | -2.38 ± 0.49 | 12 ± 3 |")
+    assert not agree(row, "| sizes | +2.38 ± 0.49 | 12 ± 3 | 1 ± 1 |")
+
+
+@pytest.mark.parametrize("name", ["RESULTS.md", "METHODS.md"])
+def test_documents_have_one_meaning_of_plus_minus(name: str) -> None:
+    text = (STUDY / name).read_text(encoding="utf-8")
+    assert "± is half of a 95 % confidence" in " ".join(text.split())
+    assert not re.search(
+        r"±[^.|]{0,40}standard (error|deviation)", " ".join(text.split())
+    )
+    assert not re.findall(r"(?m)(?<![\w./\])])\.\d.*", text)
+
+
+def test_each_bred_trait_is_changed_alone_in_both_directions(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    interventions = module("interventions", monkeypatch)
+    shared = module("shared", monkeypatch)
+    stand = interventions.Stand(shared.campaign_of("quickstart"))
+    bred = set(stand.genes.trait[stand.free])
+    plants = dict(interventions.changes(stand))
+    assert len(plants) == 4 * len(bred)
+    for genome in plants.values():
+        is_changed = genome != stand.baseline
+        assert len(set(stand.genes.trait[is_changed])) == 1
+        assert (genome <= stand.genes.upper + 1e-9).all()
+        assert (genome >= stand.genes.lower - 1e-9).all()
+    is_height = (stand.genes.trait == "height").to_numpy()
+    for name, height in {
+        "0.7": 0.7,
+        "0.85": 0.85,
+        "1.15": 1.15,
+        "1.3": 1.3,
+    }.items():
+        found = plants[f"height x {name}"][is_height]
+        assert found == pytest.approx([height])
+
+    table = tables_of(tmp_path, ["interventions"])
+    cell = r" ([+-]\d+\.\d\d) ± \d+\.\d\d \|"
+    rows = re.findall(
+        rf"(?m)^\| (.* (?:x \S+|deg\S*)[^|]*) \|{4 * cell}", table
+    )
+    assert {row[0] for row in rows[: len(plants)]} == set(plants)
+    assert table.count("| height x 0.7 |") == 2
+    assert len(re.findall(r"(?m)^\| [12] \| x \d\.\d\d \|", table)) == 2
+
+
+def test_leaves_alone_have_no_other_organs(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    interventions = module("interventions", monkeypatch)
+    shared = module("shared", monkeypatch)
+    tables = shared.campaign_of("quickstart", **shared.ROUGH)
+    for way, stand in interventions.stands_of(tables, 4).items():
+        found = interventions.evaluate(stand, [stand.baseline])
+        assert found.carbon.shape == found.par.shape == (1, 4)
+        assert (found.others[0] > 5) == (way != interventions.LEAVES_ALONE)
+
+
+def test_the_sign_of_height_is_that_of_its_interventions() -> None:
+    """Results of searches cannot show which direction of a trait gains; the
+    text must agree with the table that changes the trait alone."""
+    table = RESULTS.partition("<!-- study: interventions -->")[2]
+    row = re.search(
+        r"(?m)^\| height x 0.7 \| (\S+) ± (\S+) \| (\S+) ± (\S+)", table
+    )
+    assert row is not None
+    shipped, error, alone, other = map(float, row.groups())
+    assert shipped > error and alone < -other
+    assert "Taller plants gain**" not in RESULTS
+    assert "shorter plants gain with them and lose" in " ".join(
+        RESULTS.split()
+    ).replace("**", "")
+    for name in ("README.md", "campaigns/study/RESULTS.md"):
+        text = (CAMPAIGNS.parent / name).read_text(encoding="utf-8")
+        assert "assimilate nothing" in text, name

@@ -17,8 +17,9 @@ namespace {
 
 void add_settings(CLI::App& verb, std::vector<std::string>& settings) {
     verb.add_option("--set", settings,
-                    "a key of the campaign and its value, in the place of what "
-                    "the file says: search.optimizer=random; may be repeated")
+                    "a key of the campaign and its value, which replaces that "
+                    "of the file: search.optimizer=random; a table replaces "
+                    "the whole table: 'field.variation={}'; may be repeated")
         ->type_name("KEY=VALUE")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)

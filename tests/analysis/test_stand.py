@@ -9,11 +9,13 @@ import subprocess
 import sys
 import threading
 import time
+import tomllib
 from concurrent.futures import ProcessPoolExecutor
 from datetime import date
 from datetime import time as clock
 from multiprocessing import get_context
 from pathlib import Path
+from typing import Any
 from zipfile import ZipFile
 
 import numpy as np
@@ -269,6 +271,29 @@ def test_a_baseline_outside_its_bounds_is_evaluated_with_a_warning() -> None:
         for stand in (narrow, wide)
     )
     assert found.absorbed_par.item() == expected.absorbed_par.item()
+
+
+def test_a_table_of_settings_replaces_the_table_of_the_file() -> None:
+    path = CAMPAIGNS / "agrivoltaic.toml"
+
+    def resolved(settings: dict[str, Any]) -> dict[str, Any]:
+        stand = ideotype.Stand.from_campaign(path, settings=settings)
+        return tomllib.loads(stand.campaign)
+
+    before = resolved({})
+    assert before["constraints"]["lai"] == [0, 5]
+    assert before["field"]["variation"]["insertion_angle"] == 11
+    after = resolved({"constraints": {}, "field.variation": {}})
+    assert after["constraints"]["lai"] != [0, 5]
+    assert "variation" not in after["field"]
+    assert after["field"]["rows"] == 8
+
+    small = {"rows": 8, "plants": 4}
+    whole = resolved({"field.jitter": 0, "field": small})["field"]
+    assert (whole["plants"], whole["jitter"]) == (4, 10)
+    assert "variation" not in whole
+    single = resolved({"field": small, "field.jitter": 0})["field"]
+    assert (single["plants"], single["jitter"]) == (4, 0)
 
 
 def test_all_problems_of_a_campaign_come_at_once(tmp_path: Path) -> None:

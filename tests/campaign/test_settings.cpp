@@ -34,6 +34,52 @@ TEST(Settings, TheLastOfAKeyCounts) {
     EXPECT_EQ(read_campaign(ames, {"seed=4", "seed=5"}).seed, 5U);
 }
 
+TEST(Settings, ATableReplacesTheWholeTableOfTheFile) {
+    const std::string file = IDEOTYPE_CAMPAIGNS "/agrivoltaic.toml";
+    const auto read = [&](const std::vector<std::string>& settings) {
+        return read_campaign(file, settings);
+    };
+    ASSERT_EQ(read({}).constraints.lai.upper, 5);
+    ASSERT_TRUE(read({}).field.variation.is_any());
+    EXPECT_EQ(read({"constraints={}"}).constraints.lai.upper,
+              Constraints{}.lai.upper);
+    EXPECT_FALSE(read({"field.variation={}"}).field.variation.is_any());
+    EXPECT_EQ(read({"field.variation={}"}).field.plants, 2);
+
+    const FieldForm field = read({"field={rows=8, plants=4}"}).field;
+    EXPECT_EQ(field.plants, 4);
+    EXPECT_FALSE(field.variation.is_any());
+    EXPECT_EQ(field.jitter, FieldForm{}.jitter);
+
+    // The one table of a list, too.
+    const Campaign turned = read({"panel=[]", "spacing={row=1, plant=0.2}"});
+    EXPECT_EQ(turned.spacings.at(0).value.row_direction,
+              Spacing{}.row_direction);
+}
+
+TEST(Settings, OfATableAndItsKeysCountInTheirOrder) {
+    const std::string file = IDEOTYPE_CAMPAIGNS "/agrivoltaic.toml";
+    const std::string table = "field={rows=8, plants=4}";
+    const std::string key = "field.variation.azimuth=[3, 3, 3]";
+    const FieldForm later = read_campaign(file, {table, key}).field;
+    EXPECT_EQ(later.plants, 4);
+    EXPECT_EQ(later.variation.azimuth, (LeafSpread{3, 3, 3}));
+    EXPECT_EQ(later.variation.curvature, PlantVariation{}.curvature);
+    const FieldForm earlier = read_campaign(file, {key, table}).field;
+    EXPECT_FALSE(earlier.variation.is_any());
+    EXPECT_TRUE(read_campaign(file, {key}).field.variation.is_any());
+}
+
+TEST(Settings, ATableWithoutAKeyThatIsNeededIsRefusedAtTheSetting) {
+    try {
+        read_campaign(ames, {"spacing={row=0.5}"});
+        FAIL() << "accepted";
+    } catch (const InputError& error) {
+        ASSERT_EQ(error.problems().size(), 1U) << error.what();
+        EXPECT_EQ(error.problems()[0].where.file, "--set spacing={row=0.5}");
+    }
+}
+
 std::string accuracy_keys(const std::vector<std::string>& settings,
                           const std::string& file = "/ames.toml") {
     std::string all;

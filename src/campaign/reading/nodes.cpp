@@ -133,12 +133,15 @@ std::optional<toml::table> read(const std::string& setting,
     return parsed(key + " = \"" + quoted + '"', name);
 }
 
-struct Merger {
+//! Puts the value of a setting into a campaign. The parts of its key lead to
+//! the value; the value itself replaces that of the campaign as a whole.
+struct Replacer {
     const std::string& name;
     const Problems& problems;
     bool is_refused = false;
 
-    void merge(toml::table& into, toml::table& from, const std::string& path) {
+    void replace(toml::table& into, toml::table& from,
+                 const std::string& path) {
         for (auto&& [key, node] : from) {
             const std::string inner =
                 path.empty() ? std::string(key.str())
@@ -146,8 +149,9 @@ struct Merger {
             toml::table* const given = node.as_table();
             toml::table* const known =
                 given ? table_at(into[key.str()].node(), inner) : nullptr;
-            if (known)
-                merge(*known, *given, inner);
+            // Tables in braces are values; others stand for parts of a key.
+            if (known && !given->is_inline())
+                replace(*known, *given, inner);
             else if (!is_refused)
                 // A moved node still has the place where it was read.
                 node.visit([&, at = key](auto& value) {
@@ -232,7 +236,7 @@ void apply_settings(const std::vector<std::string>& settings,
         const std::string name = std::string(command_line_mark) + setting;
         problems.open(name);
         if (auto table = read(setting, name))
-            Merger{name, problems}.merge(campaign, *table, "");
+            Replacer{name, problems}.replace(campaign, *table, "");
         else
             problems.add(
                 Location{name},

@@ -35,7 +35,8 @@ std::optional<toml::table> parse_toml(const std::string& text,
 
 //! Replaces values of a file by values from the command line, each given as
 //! "table.key=value". A value is read as TOML or, if it is not valid TOML, as
-//! text. Problems of a value are reported at "--set table.key=value".
+//! text. A table in braces replaces the whole table. Later settings change the
+//! results of earlier ones. Problems are reported at "--set table.key=value".
 void apply_settings(const std::vector<std::string>& settings,
                     toml::table& campaign, const Problems& problems);
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
+#include "campaign/meshes.hpp"
+#include "campaign/problems.hpp"
 #include "ideotype/core/error.hpp"
-#include "ideotype/core/range.hpp"
+#include "ideotype/core/units.hpp"
 #include "ideotype/crop/obj_reader.hpp"
 #include "mesh_study.hpp"
 
@@ -17,40 +19,8 @@ constexpr double most_faces = most_obj_faces;
 //! A height above that of any crop [m].
 constexpr double usual_height = 20;
 
-//! The most crossings of a periodic cell by light on its way out.
-constexpr double most_crossings = 1000;
-
-//! Checks that large faces do not have too many images in the cell.
-void check_images(const Mesh& mesh, double plants, const Cell& cell) {
-    double images = 0;
-    for (const auto& face : mesh.faces) {
-        const auto count = [&](double glm::dvec3::*axis, double period) {
-            const auto [least, largest] = std::minmax(
-                {mesh.vertices[face[0]].*axis, mesh.vertices[face[1]].*axis,
-                 mesh.vertices[face[2]].*axis, mesh.vertices[face[3]].*axis});
-            return 1 + (largest - least) / period;
-        };
-        images += count(&glm::dvec3::x, cell.period_x) *
-                  count(&glm::dvec3::y, cell.period_y);
-    }
-    if (!(plants * images <= most_faces))
-        throw Error(fmt::format(
-            "the mesh covers its period of {} x {} m so often that {:.1e} "
-            "faces would be needed (the limit is {:.0e}); check that it is "
-            "in metres",
-            cell.period_x, cell.period_y, plants * images, most_faces));
-}
-
-//! Returns the range of heights of the mesh and of the soil [m].
-Range heights(const Mesh& mesh) {
-    Range all{0, 0};
-    for (const auto& face : mesh.faces)
-        for (const std::uint32_t vertex : face) {
-            const double z = mesh.vertices[vertex].z;
-            all = {std::min(all.lower, z), std::max(all.upper, z)};
-        }
-    return all;
-}
+//! The most crossings of a periodic cell by a beam on its way down.
+constexpr double most_beam_crossings = 1e4;
 
 //! Checks that light need not fall almost for ever to meet so small an
 //! area, or to leave so large an area.
@@ -69,29 +39,36 @@ void check_area(const Mesh& mesh, double plants, const Cell& cell) {
             is_much ? most : least));
 }
 
-//! Checks that light need not cross a narrow cell almost for ever.
-void check_height(double height, const Cell& cell) {
+//! Checks that beams of a low sun need not cross the cell almost for ever.
+//! @param height height of the mesh [m]
+void check_beams(double height, const Cell& cell, const SunPosition& sun) {
     const double period = std::min(cell.period_x, cell.period_y);
-    if (height > most_crossings * period)
-        throw Error(fmt::format(
-            "the mesh is {:.6g} m high over a period of {:.6g} m (the "
-            "limit is {:.0f} times the period); check that it is in metres",
-            height, period, most_crossings));
+    const double elevation = (90 - sun.zenith) * degree;
+    const double crossings = height / std::tan(elevation) / period;
+    if (!(crossings > most_beam_crossings)) return;
+    const double least =
+        std::atan(height / (most_beam_crossings * period)) / degree;
+    throw wrong_usage(
+        "--sun: at an elevation of {:.3g} deg light crosses the period of "
+        "{:.6g} m {:.1e} times on its way down {:.4g} m of mesh (the limit is "
+        "{:.0e}); give {:.4f} deg or more",
+        elevation / degree, period, crossings, height, most_beam_crossings,
+        std::ceil(least * 1e4) / 1e4);
 }
 
 }  // namespace
 
 std::vector<std::string> check_mesh(const Mesh& mesh, double plants,
-                                    const Cell& cell) {
+                                    const Cell& cell,
+                                    const std::optional<SunPosition>& sun) {
     if (plants * static_cast<double>(mesh.faces.size()) > most_faces)
         throw Error(fmt::format(
             "a field of {} plants of {} faces is too large (the limit is "
             "{:.0e} faces); take fewer plants, or a coarser mesh",
             plants, mesh.faces.size(), most_faces));
-    const auto [bottom, top] = heights(mesh);
+    const auto [bottom, top] = heights_of(mesh);
     std::vector<std::string> warnings;
-    constexpr double below = -1e-3;  // depth beyond rounding
-    if (bottom < below)
+    if (bottom < -least_depth)
         warnings.push_back(
             fmt::format("the mesh reaches {:.4g} m below the soil (z = 0), "
                         "where there is no light; lift it",
@@ -103,8 +80,9 @@ std::vector<std::string> check_mesh(const Mesh& mesh, double plants,
             top));
     check_area(mesh, plants, cell);
     if (cell.boundary == Boundary::periodic) {
-        check_images(mesh, plants, cell);
-        check_height(top, cell);
+        if (const auto excess = excess_of(mesh, plants, cell))
+            throw Error("the mesh " + *excess + "; check that it is in metres");
+        if (sun) check_beams(top, cell, *sun);
     }
     return warnings;
 }

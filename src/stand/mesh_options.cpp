@@ -2,6 +2,7 @@
 #include "mesh_options.hpp"
 
 #include <cmath>
+#include <initializer_list>
 #include <utility>
 
 #include <fmt/format.h>
@@ -18,11 +19,46 @@ void require(bool holds, fmt::format_string<Args...> text, Args&&... args) {
 }
 
 bool is_positive(double x) {
-    return x > 0 && std::isfinite(x);
+    return x > 0;
 }
 
 bool is_fraction(double x) {
     return x >= 0 && x <= 1;
+}
+
+//! Refuses numbers that are NaN or infinite, which ranges would not name.
+void check_finite(const std::string& option,
+                  std::initializer_list<double> values) {
+    for (const double value : values)
+        require(std::isfinite(value),
+                "{}: {} is not a finite number; correct it", option, value);
+}
+
+void check_finite(const std::string& material, const Lambertian& surface) {
+    check_finite(material + "-reflectance", {surface.reflectance});
+    check_finite(material + "-transmittance", {surface.transmittance});
+}
+
+void check_numbers(const MeshOptions& options) {
+    const auto& [period, area] = std::tie(options.period, options.ground_area);
+    if (period) check_finite("--period", {period->x, period->y});
+    if (area) check_finite("--ground-area", {*area});
+    if (const auto& field = options.field) {
+        check_finite("--field", {field->spacing.row, field->spacing.plant});
+        check_finite("--jitter", {field->jitter});
+    }
+    if (const auto& sun = options.sun)
+        check_finite("--sun", {90 - sun->zenith, sun->azimuth});
+    if (const auto& site = options.site)
+        check_finite("--site",
+                     {site->latitude, site->longitude, site->utc_offset});
+    check_finite("--beam-ppfd", {options.beam_ppfd.value_or(0)});
+    check_finite("--sky-ppfd", {options.sky_ppfd.value_or(0)});
+    check_finite("--leaf", options.optics.leaf);
+    check_finite("--stalk", options.optics.stalk);
+    check_finite("--sheath", options.optics.sheath);
+    check_finite("--soil-albedo", {options.soil_albedo});
+    check_finite("--tolerance", {options.tolerance});
 }
 
 void check_field(const FieldForm& field) {
@@ -145,6 +181,7 @@ void check_optics(const MeshOptions& options) {
 }  // namespace
 
 void check(const MeshOptions& options) {
+    check_numbers(options);
     require(!options.period || !options.field,
             "--period and --field contradict each other: the period of a "
             "field is that of its plants");

@@ -254,7 +254,7 @@ MeshReport study(Mesh mesh, const MeshOptions& options) {
     const double plants =
         options.field ? 1.0 * options.field->rows * options.field->plants : 1;
     MeshReport result;
-    result.warnings = check_mesh(mesh, plants, ground_of(options));
+    result.warnings = check_mesh(mesh, plants, ground_of(options), options.sun);
     CanopyRequest request{scene_of(std::move(mesh), options, result.warnings),
                           {0, layers},
                           accuracy_of(options),

@@ -30,9 +30,11 @@ MeshReport study(const MeshOptions& options);
 MeshReport study(Mesh mesh, const MeshOptions& options);
 
 //! Checks whether light can be traced in copies of a mesh on some ground.
+//! @param sun position of the sun if it is the same all the time
 //! @return warnings about faults that do not prevent tracing
 //! @throws Error if light cannot be traced.
 std::vector<std::string> check_mesh(const Mesh& mesh, double plants,
-                                    const Cell& cell);
+                                    const Cell& cell,
+                                    const std::optional<SunPosition>& sun);
 
 }  // namespace ideotype

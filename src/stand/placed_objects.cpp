@@ -1,35 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "ideotype/core/units.hpp"
+#include "campaign/meshes.hpp"
 #include "stand.hpp"
 
 namespace ideotype {
 
 namespace {
-
-Mesh mesh_of(const ObjectEntry& object) {
-    const double sine = std::sin(object.turn * degree);
-    const double cosine = std::cos(object.turn * degree);
-    Mesh mesh;
-    mesh.groups = {{object.name, {0, SurfaceId::object}}};
-    const std::vector<double>& v = object.vertices;
-    for (std::size_t i = 0; i + 2 < v.size(); i += 3)
-        mesh.vertices.push_back({object.x + v[i] * cosine + v[i + 1] * sine,
-                                 object.y + v[i + 1] * cosine - v[i] * sine,
-                                 object.z + v[i + 2]});
-    for (std::size_t i = 0; i + 3 < object.faces.size(); i += 4) {
-        auto& face = mesh.faces.emplace_back();
-        for (std::size_t k = 0; k < face.size(); ++k)
-            face[k] = static_cast<std::uint32_t>(object.faces[i + k]);
-    }
-    mesh.face_group.assign(mesh.faces.size(), 0);
-    return mesh;
-}
 
 //! Returns the rows of panels in each pose, or in their only position.
 //! @param angles angle of each pose [deg]

@@ -162,6 +162,69 @@ TEST(BrokenCampaign, TooMuchIsRefusedBeforeItIsWorkedOn) {
     refuses(text, "that is 1311180 instants");
 }
 
+//! Returns the table of an object with one triangle of this width and height
+//! [m] with its foot at z [m].
+std::string object(double width, double height, double z) {
+    return fmt::format(
+        "[[object]]\nname = \"post\"\nz = {}\nfaces = [0, 1, 2, 2]\n"
+        "vertices = [0, 0, 0, {}, 0, 0, 0, 0.1, {}]\n",
+        z, width, height);
+}
+
+TEST(BrokenCampaign, ObjectsMuchLargerThanTheCellAreRefused) {
+    // The cell is 4 rows of 0.762 m wide and 4 plants of 0.1524 m long.
+    EXPECT_EQ(problem_of(sample_text("", object(300, 1, 0))), "");
+    EXPECT_EQ(problem_of(sample_text("", object(0.1, 600, 0))), "");
+    const std::string wide = problem_of(sample_text("", object(1e6, 1, 0)));
+    EXPECT_NE(wide.find("object.vertices \"post\" has a face of 1e+06 m along "
+                        "x over a period of 3.048 m (the limit is 100 times "
+                        "the period); check that it is in metres, or use a "
+                        "smaller object"),
+              std::string::npos)
+        << wide;
+    const std::string high = problem_of(sample_text("", object(0.1, 1e6, 0)));
+    EXPECT_NE(high.find("is 1e+06 m high over a period of 0.6096 m"),
+              std::string::npos)
+        << high;
+    // Turned and enlarged cells count.
+    const std::string more = "[field]\nrows = 20\n" + object(1000, 1, 0);
+    EXPECT_EQ(problem_of(sample_text("", more)), "");
+    EXPECT_NE(problem_of(sample_text("", more + "turn = 90\n")).find("along y"),
+              std::string::npos);
+}
+
+TEST(BrokenCampaign, ObjectsBelowTheSoilAreWarnedOf) {
+    const auto warnings = [](double z) {
+        std::string all;
+        for (const Problem& each : sample("", object(0.1, 2, z)).warnings)
+            all += each.what;
+        return all;
+    };
+    EXPECT_EQ(warnings(0), "");
+    EXPECT_EQ(warnings(1), "");
+    EXPECT_EQ(warnings(-0.5),
+              "object.vertices \"post\" reaches 0.5 m below the soil (z = 0), "
+              "where there is no light; raise it by object.z");
+    EXPECT_EQ(warnings(-5),
+              "object.vertices \"post\" is below the soil (its top is at z = "
+              "-3 m), so it has no effect; raise it by object.z");
+}
+
+TEST(BrokenCampaign, NumbersThatAreNotFiniteAreNamed) {
+    for (const char* value : {"nan", "inf", "-inf"})
+        for (const std::string& text :
+             {sample_text("", fmt::format("[field]\njitter = {}\n", value)),
+              sample_text("", fmt::format("[field]\nrows = {}\n", value)),
+              sample_text(fmt::format("seed = {}\n", value)),
+              replaced(sample_text(), "07:00:00", value)}) {
+            const std::string problem = problem_of(text);
+            EXPECT_NE(
+                problem.find(fmt::format(" is {} (not a finite number", value)),
+                std::string::npos)
+                << problem;
+        }
+}
+
 TEST(BrokenCampaign, ABladeHasAWidth) {
     for (const char* controls : {"0, 0, 0, 0, 0, 0", "0, 0, 0, 0, 0, 1e-300"})
         EXPECT_NE(

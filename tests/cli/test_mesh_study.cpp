@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 #include <fstream>
+#include <limits>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -265,6 +266,81 @@ TEST(MeshStudy, AMeshOutOfProportionToItsPeriodIsRefused) {
     MeshOptions options = maize(60, 180);
     options.period = {1e-6, 1e-6};
     EXPECT_THROW(study(options), Error);
+}
+
+//! Returns the message of a refusal, or "".
+std::string refusal_of(const MeshOptions& options,
+                       ExitCode expected = ExitCode::usage) {
+    try {
+        study(options);
+        return "";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.exit_code(), expected) << error.what();
+        return error.what();
+    }
+}
+
+TEST(MeshStudy, AFaceOfManyPeriodsIsRefusedBeforeItIsTraced) {
+    const std::string path = temporary_file("wide.obj");
+    const auto refusal = [&](double width) {
+        std::ofstream(path)
+            << fmt::format("v 0 0 1\nv {} 0 1\nv 0 1e-3 1\nf 1 2 3\n", width);
+        MeshOptions options;
+        options.path = path;
+        options.period = {1, 1};
+        options.sun = {30, 180};
+        return refusal_of(options, ExitCode::runtime);
+    };
+    EXPECT_EQ(refusal(50), "");
+    EXPECT_EQ(refusal(1e6),
+              "the mesh has a face of 1e+06 m along x over a period of 1 m "
+              "(the limit is 100 times the period); check that it is in "
+              "metres");
+}
+
+TEST(MeshStudy, ASunSoLowThatItsLightHardlyComesDownIsRefused) {
+    const auto refusal = [](double elevation) {
+        return refusal_of(maize(elevation, 180));
+    };
+    EXPECT_EQ(refusal(0.2), "");
+    for (const double elevation : {1e-9, 1e-3})
+        EXPECT_NE(refusal(elevation).find("(the limit is 1e+04); give 0.0"),
+                  std::string::npos)
+            << refusal(elevation);
+    // The advice is accepted.
+    const std::string text = refusal(1e-9);
+    EXPECT_EQ(refusal(std::stod(text.substr(text.find("give ") + 5))), "");
+}
+
+TEST(MeshStudy, NumbersThatAreNotFiniteAreNamed) {
+    const auto refuses = [](const std::string& option, auto change) {
+        MeshOptions options = maize(60, 180);
+        for (const double value :
+             {std::nan(""), std::numeric_limits<double>::infinity()}) {
+            change(options, value);
+            EXPECT_EQ(refusal_of(options),
+                      fmt::format("--{}: {} is not a finite number; correct it",
+                                  option, value));
+        }
+    };
+    refuses("period", [](auto& o, double x) { o.period = {x, 1}; });
+    refuses("period", [](auto& o, double x) { o.period = {1, x}; });
+    refuses("ground-area", [](auto& o, double x) { o.ground_area = x; });
+    refuses("sun", [](auto& o, double x) { o.sun->zenith = 90 - x; });
+    refuses("sun", [](auto& o, double x) { o.sun->azimuth = x; });
+    refuses("beam-ppfd", [](auto& o, double x) { o.beam_ppfd = x; });
+    refuses("leaf-reflectance",
+            [](auto& o, double x) { o.optics.leaf.reflectance = x; });
+    refuses("soil-albedo", [](auto& o, double x) { o.soil_albedo = x; });
+    refuses("tolerance", [](auto& o, double x) { o.tolerance = x; });
+    refuses("field", [](auto& o, double x) {
+        o.period.reset();
+        o.field = FieldForm{1, 1, {x, 1}, 0};
+    });
+    refuses("jitter", [](auto& o, double x) {
+        o.period.reset();
+        o.field = FieldForm{1, 1, {1, 1}, x};
+    });
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "campaign/meshes.hpp"
 #include "campaign/reading/files.hpp"
 #include "checks.hpp"
 #include "ideotype/core/units.hpp"
@@ -121,7 +122,6 @@ void check_modules(const PanelRows& rows, const Problems& problems) {
 
 //! Reports faces with numbers of vertices that do not exist.
 void check_faces(const ObjectEntry& object, const Problems& problems) {
-    if (!problems.usable({"obj", "faces", "vertices"})) return;
     const double count = static_cast<double>(object.vertices.size()) / 3;
     if (object.vertices.size() % 3 != 0 || object.faces.size() % 4 != 0 ||
         object.faces.empty() ||
@@ -132,6 +132,47 @@ void check_faces(const ObjectEntry& object, const Problems& problems) {
                      "object \"{}\" has no surfaces that fit its vertices; "
                      "give a file: obj = \"post.obj\"",
                      object.name);
+}
+
+//! Reports an object that is much larger than the cell with which it repeats,
+//! and warns of one that is below the soil.
+//! @param own problems of the object
+void check_size(const ObjectEntry& object, const Campaign& campaign,
+                const Problems& own, const Problems& problems) {
+    const Mesh mesh = mesh_of(object);
+    const std::string key = object.file.empty() ? "vertices" : "obj";
+    const std::string name =
+        fmt::format("object.{} \"{}\"", key,
+                    object.file.empty() ? object.name : object.file);
+    const auto [bottom, top] = heights_of(mesh);
+    if (top <= 0)
+        own.warn(key,
+                 "{} is below the soil (its top is at z = {:.4g} m), so it has "
+                 "no effect; raise it by object.z",
+                 name, top);
+    else if (bottom < -least_depth)
+        own.warn(
+            key,
+            "{} reaches {:.4g} m below the soil (z = 0), where there is no "
+            "light; raise it by object.z",
+            name, -bottom);
+    if (!problems.usable({"field.rows", "field.plants", "field.boundary"}) ||
+        campaign.field.boundary == Boundary::isolated)
+        return;
+    for (std::size_t i = 0; i < campaign.spacings.size(); ++i) {
+        const Spacing& spacing = campaign.spacings[i].value;
+        if (!problems.in("spacing", i).usable({"row", "plant"}) ||
+            !(spacing.plant > 0))
+            continue;
+        Cell cell;
+        cell.period_x = spacing.row * campaign.field.rows;
+        cell.period_y = spacing.plant * campaign.field.plants;
+        const auto excess = excess_of(mesh, 1, cell);
+        if (!excess) continue;
+        return own.add(
+            key, "{} {}; check that it is in metres, or use a smaller object",
+            name, *excess);
+    }
 }
 
 //! Reports panels that do not repeat with the field at any spacing.
@@ -206,7 +247,9 @@ void check_objects(const Draft& draft, const Problems& problems) {
         const ObjectEntry& each = campaign.objects[i];
         const Problems own = problems.in("object", i);
         check_name("object", each.name, own);
-        check_faces(each, own);
+        if (own.usable({"obj", "faces", "vertices"})) check_faces(each, own);
+        if (own.usable({"obj", "faces", "vertices", "x", "y", "z", "turn"}))
+            check_size(each, campaign, own, problems);
         check_optics(each.optics, own);
     }
 }

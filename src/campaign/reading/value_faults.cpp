@@ -45,6 +45,12 @@ void ValueFaults::fail_type(const toml::node& found) const {
                         *text);
     const std::string example =
         key.example.empty() ? toml_text(key) : key.example;
+    if (const auto number = found.value<double>();
+        number && !std::isfinite(*number))
+        return fail(
+            "is {} (not a finite number; expected: {}); write for "
+            "example {} = {}",
+            *number, key.type, key.name, example);
     fail("is {} (expected: {}); write for example {} = {}", kind(found),
          key.type, key.name, example);
 }

@@ -248,7 +248,6 @@ std::string crop_text(const Campaign& campaign, const Plant& baseline,
     for (Leaf& leaf : own.campaign.crop.baseline.leaves)
         if (leaf.azimuth < 0 || leaf.azimuth > 360)
             leaf.azimuth -= 360 * std::floor(leaf.azimuth / 360);
-    own.campaign.follows = draft.campaign.follows;
     return resolved_plant_text(own);
 }
 

@@ -59,6 +59,10 @@ class DraftReader : CropReader {
                  draft_.water.rules.has_leaf_temperature) ||
                 std::ranges::count(campaign.bands, wavebands[b].name,
                                    &BandEntry::name) > 0;
+        // Threads share the components of a campaign, so all of their values
+        // are set here.
+        for (const std::shared_ptr<Draft>& each : draft_.components)
+            each->campaign.follows = campaign.follows;
         if (const auto lines = top["feasibility"]["lines"])
             read_lines(*lines.node());
         draft_.has_photosynthesis = top.contains("photosynthesis") ||

@@ -146,7 +146,6 @@ void append_components(std::string& text, const Table& components,
                        Draft& draft) {
     for (std::size_t i = 0; i < draft.components.size(); ++i) {
         Draft& component = *draft.components[i];
-        component.campaign.follows = draft.campaign.follows;
         text += "\n[[component]]\n";
         append_keys(text, components.section(i));
         if (component.has_variation) {

@@ -10,7 +10,7 @@
 // The loops below are compiled for several instruction sets; the program
 // chooses one at its start. All round each number alike.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
-    !defined(__SANITIZE_ADDRESS__)
+    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define IDEOTYPE_FOR_WIDE_VECTORS \
     __attribute__((               \
         target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))

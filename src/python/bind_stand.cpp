@@ -170,13 +170,14 @@ nb::list axes(const CaseStand& stand) {
     return list;
 }
 
-//! Returns name, unit, meaning, axes and exactness of each quantity.
+//! Returns name, unit, meaning, axes, exactness and, if the number counts
+//! names, the names of each quantity.
 nb::list quantities(const CaseStand& stand) {
     nb::list list;
     for (const Quantity& each : stand.schema().measured.quantities)
-        list.append(nb::make_tuple(each.name, each.unit, each.meaning,
-                                   each.axes,
-                                   each.certainty == Certainty::exact));
+        list.append(
+            nb::make_tuple(each.name, each.unit, each.meaning, each.axes,
+                           each.certainty == Certainty::exact, each.names));
     return list;
 }
 

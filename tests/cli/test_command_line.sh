@@ -101,6 +101,12 @@ expect 0 "$ideotype" evaluate campaigns/verbs.toml
 says "incident"
 says "^--all also tells .*hours"
 [ "$(wc -l <out.log)" -lt 40 ] || fail "more than a screen: $(cat out.log)"
+# The objective stands once, and the method is apart from the quantities.
+[ "$(grep -c " absorbed_par  " out.log)" -eq 1 ] || fail "not one objective"
+for word in balance_error capped paths; do
+    sed '1,/^method/d' out.log | grep -q "^  $word " || fail "$word is no method"
+    ! sed '/^method/,$d' out.log | grep -q "$word" || fail "$word twice"
+done
 expect 0 "$ideotype" evaluate campaigns/verbs.toml --all
 says "^  leaf10 "
 expect 0 "$ideotype" evaluate campaigns/verbs.toml --json

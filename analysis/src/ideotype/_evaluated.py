@@ -21,7 +21,7 @@ def dataset_of(
     numbers = np.array([each[5] for each in found]).reshape(len(found), -1, 2)
     arrays: dict[str, Any] = {}
     begin = 0
-    for name, unit, meaning, along, is_exact in case.quantities:
+    for name, unit, meaning, along, is_exact, counted in case.quantities:
         shape = tuple(len(axes[axis][3]) for axis in along)
         size = int(np.prod(shape))
         part = numbers[:, begin : begin + size]
@@ -29,7 +29,9 @@ def dataset_of(
         if name not in wanted:
             continue
         dims = ("plant", *along)
-        about = {"units": unit, "long_name": meaning}
+        about: dict[str, Any] = {"units": unit, "long_name": meaning}
+        if counted:
+            about["names"] = list(counted)
         whole = part.reshape(len(found), *shape, 2)
         arrays[name] = (dims, whole[..., 0], about)
         if not is_exact:

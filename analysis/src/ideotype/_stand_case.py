@@ -99,7 +99,8 @@ class StandCase:
         """The quantities that evaluations measure: name, unit, meaning, axes,
         is_exact (it has no standard error)."""
         columns = ["name", "unit", "meaning", "axes", "is_exact"]
-        return pd.DataFrame(self._case.quantities, columns=columns)
+        rows = [each[: len(columns)] for each in self._case.quantities]
+        return pd.DataFrame(rows, columns=columns)
 
     @property
     def components(self) -> list[str]:

@@ -42,6 +42,8 @@ struct Quantity {
     std::vector<std::string> axes{};
     //! The kind of quantity; an exact one has no standard error.
     Certainty certainty = Certainty::estimated;
+    //! Names that the number counts from 1; none: it is a measure.
+    std::vector<std::string> names{};
 };
 
 //! Quantities that belong together, and the axes that they share.

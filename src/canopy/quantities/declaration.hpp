@@ -69,6 +69,8 @@ struct Declaration {
     //! other quantities of the list.
     std::function<bool(const Scope&)> is_in{};
     bool is_of_method = false;  //!< whether the quantity describes the method
+    //! Returns the names that the number counts. None: it is a measure.
+    std::function<std::vector<std::string>(const Details&)> names{};
 };
 
 //! Returns the quantities that a canopy has, in the order of their columns.

@@ -216,7 +216,10 @@ std::vector<Declaration> line_quantities() {
                  return certain(r, static_cast<double>(r.lines->line));
              },
              {},
-             true}};
+             true,
+             [](const Details& details) {
+                 return mapped(details.lines->lines, &MeasuredLine::name);
+             }}};
 }
 
 }  // namespace ideotype

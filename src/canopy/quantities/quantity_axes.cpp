@@ -128,8 +128,10 @@ QuantitySet canopy_quantities(const Scene& scene, const Layers& layers,
     for (const Declaration* each : declared(scope))
         if ((has_days || each->quantity.axes != Names{"day"}) &&
             (scene.cell.boundary == Boundary::periodic ||
-             each->quantity.name != extinction))
+             each->quantity.name != extinction)) {
             set.quantities.push_back(without_short_axes(each->quantity, scene));
+            if (each->names) set.quantities.back().names = each->names(details);
+        }
     return set;
 }
 

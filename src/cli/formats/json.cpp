@@ -26,6 +26,7 @@ bool is_value(const Json& json) {
 
 std::string text_of(const Json& value) {
     if (is_estimate(value)) {
+        if (value.contains("name")) return value["name"].get<std::string>();
         const Json& error = value["standard_error"];
         const double unknown = std::numeric_limits<double>::quiet_NaN();
         return with_unit(

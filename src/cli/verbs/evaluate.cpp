@@ -10,6 +10,7 @@
 #include "cli/choose_row.hpp"
 #include "cli/formats/light_output.hpp"
 #include "cli/verbs.hpp"
+#include "ideotype/canopy/quantities.hpp"
 #include "ideotype/light/device.hpp"
 #include "run/progress.hpp"
 #include "stand/stand.hpp"
@@ -73,12 +74,25 @@ struct Study {
     CanopyReport report;
     std::vector<Measured> objectives;
     double seconds;
+    QuantitySet measured;
 };
+
+//! Adds the names that numbers count.
+void add_names(const QuantitySet& measured, Json& quantities) {
+    for (const Quantity& each : measured.quantities) {
+        if (each.names.empty() || !quantities.contains(each.name)) continue;
+        Json& number = quantities[each.name];
+        const auto place = number["mean"].get<std::size_t>();
+        if (place >= 1 && place <= each.names.size())
+            number["name"] = each.names[place - 1];
+    }
+}
 
 Json to_json(const Study& study) {
     Json json{{"case", study.scenario.name}};
     if (study.scenario.stage) json["stage"] = study.scenario.stage->at;
     json.update(to_json(study.report, Span::day));
+    add_names(study.measured, json["quantities"]);
     json.update(parts_json(study.report));
     for (const auto& [quantity, estimate] : study.objectives) {
         json["objectives"][quantity.name] = to_json(estimate);
@@ -102,8 +116,8 @@ std::vector<Study> studies(const Task& task, const Campaign& campaign,
         CanopyReport report = evaluate(request, device);
         const double seconds = now() - began;
         std::vector<Measured> objectives = objectives_of(report, campaign);
-        all.push_back(
-            {each, std::move(report), std::move(objectives), seconds});
+        all.push_back({each, std::move(report), std::move(objectives), seconds,
+                       outcome_schema(campaign, each, {}).measured});
     }
     return all;
 }
@@ -114,17 +128,43 @@ Json to_json(const std::vector<Study>& all) {
     return each.size() == 1 ? each.front() : Json{{"scenarios", each}};
 }
 
+//! Returns a study for people: single numbers, each objective once, quantities,
+//! and apart from these the numbers that describe the method.
+Json outline(const Json& study) {
+    Json quantities = Json::object(), method = Json::object();
+    const std::vector<std::string> names = objective_names();
+    for (const auto& [name, value] : study["quantities"].items()) {
+        if (study["objectives"].contains(name)) continue;
+        const bool is_of_method =
+            !value.contains("name") && std::ranges::count(names, name) == 0;
+        (is_of_method ? method : quantities)[name] = value;
+    }
+    method["seconds"] = study["seconds"];
+    Json numbers = Json::object(), parts = Json::object();
+    for (const auto& [name, value] : study.items())
+        (value.is_structured() && !value.contains("mean") ? parts
+                                                          : numbers)[name] =
+            value;
+    for (const char* name : {"seconds", "balance_error"}) numbers.erase(name);
+    numbers["objectives"] = study["objectives"];
+    numbers["quantities"] = std::move(quantities);
+    numbers["method"] = std::move(method);
+    for (const auto& [name, value] : parts.items())
+        if (!numbers.contains(name)) numbers[name] = value;
+    return numbers;
+}
+
 //! Prints the results that fit on a screen; with `all` also figures by leaf,
 //! layer and hour, of which otherwise only the names are printed.
 void print_studies(const std::vector<Study>& all, bool is_all) {
     for (const Study& study : all) {
         if (&study != &all.front()) fmt::print("\n");
-        Json json = to_json(study);
+        Json json = outline(to_json(study));
         std::vector<std::string> left;
         for (const auto& [name, value] : json.items())
             if (!is_all && value.is_structured() && !value.empty() &&
                 !value.contains("mean") && name != "quantities" &&
-                name != "objectives")
+                name != "objectives" && name != "method")
                 left.push_back(name);
         for (const std::string& name : left) json.erase(name);
         print_outline(json);

@@ -248,7 +248,7 @@ def _quantities_of(stand: _core.PlantStand) -> tuple[Quantity, ...]:
     names = {each.name for each in objectives}
     coordinates = {axis: tuple(at) for axis, _, _, at in stand.axes}
     numbers, profiles = [], []
-    for name, unit, _, axes, _ in stand.quantities:
+    for name, unit, _, axes, *_ in stand.quantities:
         if not axes and name not in names:
             numbers.append(Quantity(name, unit))
         elif axes in (["leaf"], ["layer"]) and _are_numbers(
@@ -274,7 +274,7 @@ def _numbers_of(
     sizes = {axis: len(at) for axis, _, _, at in stand.axes}
     numbers: dict[Key, Estimate] = {}
     begin = 0
-    for name, unit, _, axes, _ in stand.quantities:
+    for name, unit, _, axes, *_ in stand.quantities:
         size = int(np.prod([sizes[axis] for axis in axes]))
         own = slice(begin, begin + size)
         begin += size

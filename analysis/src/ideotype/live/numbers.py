@@ -55,7 +55,7 @@ class Layout:
         self.places: dict[str, tuple[slice, tuple[str, ...]]] = {}
         self.about: dict[str, dict[str, str]] = {}
         begin = 0
-        for name, unit, meaning, axes, _ in case.quantities:
+        for name, unit, meaning, axes, *_ in case.quantities:
             size = int(np.prod([len(self.axes[axis]) for axis in axes]))
             self.places[name] = slice(begin, begin + size), tuple(axes)
             self.about[name] = {"unit": unit, "meaning": meaning}

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 #include "campaign/checks/checks.hpp"
+#include "campaign/measured/measured_plant.hpp"
 #include "campaign/reading/files.hpp"
 #include "campaign/reading/reader.hpp"
 #include "campaign/schema/leaf_tables.hpp"
@@ -198,6 +200,20 @@ Campaign parse(const std::string& text, const std::string& file,
     return campaign;
 }
 
+//! @param plant name of one of several plants of a table, or empty
+Crop crop_in(const std::string& text, const std::string& path,
+             const Plant* other, const std::string& plant = "") {
+    Draft draft;
+    Problems problems;
+    if (!read_crop_draft(text, path, other, plant, draft, problems))
+        return parse(text, path, PlantSource::file_or_table).crop;
+    check_plant(draft, problems);
+    problems.throw_if_any();
+    Crop crop = crop_of(draft);
+    crop.rules = rule_names(draft);
+    return crop;
+}
+
 }  // namespace
 
 Campaign read_campaign(const std::string& path,
@@ -219,16 +235,28 @@ Campaign read_study(const std::string& path,
 }
 
 Crop read_crop(const std::string& path, const Plant* other) {
+    return crop_in(read_text(path), path, other);
+}
+
+std::vector<Crop> read_crops(const std::string& path, const Plant* other) {
     const std::string text = read_text(path);
-    Draft draft;
+    std::vector<std::string> plants;
+    if (is_measured(path) && !note_of(text, path, "plant"))
+        plants = read_leaf_table(text, path, "", Problems()).plants;
+    if (plants.size() < 2) return {crop_in(text, path, other)};
+    std::vector<Crop> crops;
     Problems problems;
-    if (!read_crop_draft(text, path, other, draft, problems))
-        return parse(text, path, PlantSource::file_or_table).crop;
-    check_plant(draft, problems);
+    // Plants share the problems of the header and of the crop.
+    std::set<std::string> reported;
+    for (const std::string& plant : plants) try {
+            crops.push_back(crop_in(text, path, other, plant));
+        } catch (const InputError& error) {
+            for (const Problem& problem : error.problems())
+                if (reported.insert(to_string(problem)).second)
+                    problems.add(problem.where, problem.what);
+        }
     problems.throw_if_any();
-    Crop crop = crop_of(draft);
-    crop.rules = rule_names(draft);
-    return crop;
+    return crops;
 }
 
 void require_breedable(const Campaign& campaign) {

@@ -211,6 +211,12 @@ void require_breedable(const Campaign& campaign);
 //! @throws Error if a file cannot be read.
 Crop read_crop(const std::string& path, const Plant* other = nullptr);
 
+//! Reads the same files, and all plants of a table of measured leaves that has
+//! several and chooses none.
+//! @throws InputError with all problems of all plants.
+//! @throws Error if a file cannot be read.
+std::vector<Crop> read_crops(const std::string& path, const Plant* other);
+
 //! Reads the [photosynthesis] table of a file that has no other tables. Missing
 //! keys have the defaults of a campaign, except that leaves do not differ by
 //! depth (profile "none") nor follow the weather.

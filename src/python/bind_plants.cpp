@@ -15,8 +15,12 @@ struct AnyPlants {
     Plants plants;
 };
 
-AnyPlants read_plants(const CaseStand& under, const std::string& path) {
-    return {{read_crop(path, &under.campaign().crop.baseline).baseline}};
+std::vector<AnyPlants> read_plants(const CaseStand& under,
+                                   const std::string& path) {
+    std::vector<AnyPlants> all;
+    for (const Crop& crop : read_crops(path, &under.campaign().crop.baseline))
+        all.push_back({{crop.baseline}});
+    return all;
 }
 
 AnyPlants grown_plants(const CaseStand& stand, const Input<double, 1>& genome) {

@@ -5,6 +5,7 @@ plants; messages about wrong use."""
 from __future__ import annotations
 
 import json
+import re
 import shutil
 from collections.abc import Sequence
 from pathlib import Path
@@ -13,6 +14,7 @@ import numpy as np
 import pandas
 import pytest
 from real_program import CAMPAIGNS, output_of, write_campaign
+from schemas import validator
 
 import ideotype
 from ideotype import compare
@@ -134,8 +136,16 @@ def test_plants_of_a_history_or_a_file_are_the_same(
         output_of("export", own, "--best", "--to", file)
     table = table_of(tmp_path, own, *files, "--under", campaign)
     assert table.plant.nunique() == 3
-    assert (table.difference.abs() < 1e-12).all()
-    assert (table.difference_standard_error < 1e-12).all()
+    # Crop files have all digits, tables of measures those of measurements.
+    rounded = table.plant == table.plant.unique()[2]
+    assert (table.difference[~rounded].abs() < 1e-12).all()
+    assert (table.difference_standard_error[~rounded] < 1e-12).all()
+    scale = np.maximum(table["mean"].abs(), 1)
+    assert (table.difference.abs() < 1e-3 * scale).all()
+    digits = re.findall(r"\d+(?:\.\d+)?", files[1].read_text())
+    assert (
+        max(len(number.replace(".", "").lstrip("0")) for number in digits) == 6
+    )
 
 
 def test_weights_of_components_count(under: Path, tmp_path: Path) -> None:
@@ -196,6 +206,108 @@ def test_several_cases_are_lines_of_one_screen(
     assert run(MAIZE, ELITE, "--under", campaign, "--all") == 0
     every = capsys.readouterr().out
     assert len(every.splitlines()) > 60 and "balance error" in every
+
+
+def lines_of_maize(folder: Path, count: int, step: float = 0.05) -> Path:
+    """Writes a table of plants that differ in the length of their leaves."""
+    rows = [
+        f"DH{k:03},{leaf},{(40 + 4 * leaf) * (0.8 + step * k):.2f}"
+        for k in range(count)
+        for leaf in range(1, 11)
+    ]
+    table = folder / "trial.csv"
+    table.write_text("\n".join(["line,leaf,length_cm", *rows]) + "\n")
+    return table
+
+
+def ranked(text: str) -> list[str]:
+    """Returns the names of plants in the order of lines."""
+    return re.findall(r"(?m)^(DH\d+) ", text)
+
+
+def test_plants_of_a_table_are_ranked_with_a_line_each(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    campaign = write_campaign(tmp_path, 2)
+    campaign.write_text(
+        campaign.read_text() + "\n[[spacing]]\nrow = 0.5\nplant = 0.2\n"
+    )
+    table = lines_of_maize(tmp_path, 8)
+    words = [table, "--under", campaign, "--tolerance", 0.004]
+    assert run(*words) == 0
+    text = capsys.readouterr().out
+    assert max(map(len, text.splitlines())) <= 105
+    names = [f"DH{k:03}" for k in range(8)]
+    # Longer leaves absorb more.
+    assert ranked(text) == names[::-1]
+    assert "7 plants compared with DH000" in text
+    assert "Reference: DH000, the first; --reference NAME." in text
+    (first,) = (x for x in text.splitlines() if x.startswith("DH007"))
+    assert first.count("±") == 4 and first.split().count("1") == 2
+    assert "reference" in text.split("DH000 ")[-1].splitlines()[0]
+    (correlation,) = re.findall(r"\(Spearman\): (\S+)\.\n", text)
+    assert float(correlation) > 0.9
+    assert text.count("no significant difference from DH007 in ") == 2
+    # Any quantity and case may sort, and any plant may be the reference.
+    assert run(*words, "--sort", "soil_fraction", "--reference", "DH003") == 0
+    text = capsys.readouterr().out
+    assert ranked(text) == names
+    assert "compared with DH003" in text and "soil fraction" in text
+    cases = [name for name, *_ in compare.cases_of(campaign, [])]
+    assert run(*words, "--sort", cases[1]) == 0
+    assert f"largest in {cases[1]} first" in capsys.readouterr().out
+    assert run(*words, "--reference", "DH003", "--json") == 0
+    told = json.loads(capsys.readouterr().out)
+    validator("compare").validate(told)
+    assert told["reference"] == "DH003"
+    assert told["difference"]["mean"][3] == [0, 0]
+    assert [row[0] for row in told["rank"]] == [8, 7, 6, 5, 4, 3, 2, 1]
+
+
+def test_the_recommended_tolerance_is_that_of_a_reliable_ranking(
+    under: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    table = lines_of_maize(tmp_path, 6, step=0.02)
+
+    def printed(tolerance: object) -> str:
+        assert run(table, "--under", under, "--tolerance", tolerance) == 0
+        return capsys.readouterr().out
+
+    def repeatability(text: str) -> float:
+        return float(re.findall(r": repeatability (\d\.\d\d);", text)[0])
+
+    coarse = printed(0.03)
+    (advice,) = re.findall(r"about --tolerance (\S+)\.\n", coarse)
+    fine = printed(advice)
+    assert repeatability(coarse) < 0.9 < repeatability(fine)
+
+
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [
+        (("--sort", "absorbed_parr"), "did you mean 'absorbed_par'?"),
+        (("--reference", "b37"), "there is no plant b37 to compare with"),
+    ],
+)
+def test_wrong_names_are_told(
+    words: Sequence[str],
+    told: str,
+    under: Path,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    assert run(MAIZE, ELITE, *words, "--under", under) == 1
+    assert told in capsys.readouterr().err
+
+
+def test_equal_names_get_the_part_in_which_their_paths_differ(
+    under: Path, tmp_path: Path
+) -> None:
+    for name in ("results", "long"):
+        (tmp_path / name).mkdir()
+        shutil.copy(MAIZE, tmp_path / name)
+    files = [tmp_path / name / MAIZE.name for name in ("results", "long")]
+    table = table_of(tmp_path, *files, "--under", under)
+    assert [*table.plant.unique()] == ["b73 (results)", "b73 (long)"]
 
 
 @pytest.mark.parametrize(

@@ -134,6 +134,27 @@ def test_a_folder_is_told_with_what_is_broken(
     json.dumps(told, allow_nan=False)
 
 
+def test_equal_cases_are_named_by_their_folders(
+    finished: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for name in ("results", "long"):
+        (tmp_path / name / "mine").mkdir(parents=True)
+        (tmp_path / name / "mine" / "case.h5").write_bytes(
+            finished.read_bytes()
+        )
+    folder = Folder(tmp_path)
+    for _ in range(2):
+        names = [case["name"] for case in folder.tell()["cases"]]
+        assert len({name.split(" ")[0] for name in names}) == 1
+        assert [name.split(" ", 1)[1] for name in names] == [
+            "(long)",
+            "(results)",
+        ]
+    # The page of the present folder has the name of the folder.
+    monkeypatch.chdir(tmp_path)
+    assert Folder(Path()).tell()["folder"] == tmp_path.name
+
+
 def test_a_running_case_is_told_while_it_grows(writer: WriterProcess) -> None:
     folder = Folder(writer.path.parent)
     told = folder.tell()["cases"][0]

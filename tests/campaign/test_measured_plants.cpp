@@ -167,8 +167,8 @@ TEST_F(MeasuredPlants, AllProblemsAreToldInOnePass) {
         "too); remove one of the columns\n"
         "field.csv:2:8: insertion_angle_deg is 200 (expected: 0 .. 90); check "
         "the unit and the convention of the column\n"
-        "field.csv:3:1: leaf 2 is missing (leaves are counted from the lowest, "
-        "1); add it or count anew\n"
+        "field.csv:3:1: leaf 2 is missing (the lowest is 1, and ranks have no "
+        "gaps); add it or renumber the leaves\n"
         "field.csv:3:8: insertion_angle_deg is \"x\" (which is no number); "
         "write one "
         "with a decimal point, or leave the column out\n"
@@ -195,14 +195,72 @@ TEST_F(MeasuredPlants, LeavesAreCheckedAsThoseOfCropFiles) {
 TEST_F(MeasuredPlants, OfOtherNumbersOfLeavesAllMeasuresAreNeeded) {
     const std::string problems =
         problems_of("length_cm,width_cm,azimuth_deg\n30,4,90\n");
-    for (const std::string measure : {"insertion_angle of leaves (the 2 leaves "
-                                      "of the crop cannot stand for 1 "
-                                      "measured ones); add insertion_angle_deg",
-                                      "curvature", "insertion_height"})
+    for (const std::string measure :
+         {"insertion_angle of leaves (needed where plants do not have the 2 "
+          "leaves of the crop); add insertion_angle_deg\n",
+          "curvature of leaves (needed where plants do not have the 2 leaves "
+          "of the crop); add curvature_deg or tip_height_cm or top_height_cm\n",
+          "insertion_height"})
         EXPECT_NE(problems.find("field.csv:1:1: there is no column for the " +
                                 measure),
                   std::string::npos)
             << problems;
+}
+
+TEST_F(MeasuredPlants, UnknownColumnsAreListedOnceWithTheKnownOnes) {
+    const std::string problems = problems_of(
+        "name,height,length_cm,biomass,yield\n1,200,30,1,9\n1,200,50,1,9\n");
+    EXPECT_EQ(problems.find("field.csv:1:1: there are no columns 'name', "
+                            "'height', 'biomass', 'yield' (a table has one "
+                            "line for each leaf of a plant); columns are leaf, "
+                            "plant or line, length_cm/_m/_mm, width_cm/_m/_mm, "
+                            "insertion_angle_deg, "),
+              0u)
+        << problems;
+    EXPECT_EQ(problems.find('\n'), std::string::npos) << problems;
+    for (const std::string column : {"tip_height_cm", "petiole_angle_deg"})
+        EXPECT_EQ(problems.find(column), problems.rfind(column)) << column;
+}
+
+TEST_F(MeasuredPlants, LeavesMayBeCountedFromLeavesThatAreGone) {
+    const std::string counted = "leaf,length_cm\n1,40\n2,50\n";
+    const std::string later = "leaf,length_cm\n6,50\n5,40\n";
+    EXPECT_EQ(read(later).leaves[0].length, read(counted).leaves[0].length);
+    EXPECT_EQ(read(later).leaves[1].length, .5);
+    EXPECT_EQ(problems_of("leaf,length_cm\n5,40\n7,50\n"),
+              "field.csv:3:1: leaf 6 is missing (the lowest is 5, and ranks "
+              "have no gaps); add it or renumber the leaves");
+}
+
+TEST_F(MeasuredPlants, ATableOfSeveralPlantsIsReadWhole) {
+    const std::string table =
+        "line,leaf,length_cm\nDH 1,1,40\nDH 1,2,50\nDH 2,2,70\nDH 2,1,60\n";
+    const std::vector<Crop> crops = read_crops(written(table), &other_);
+    ASSERT_EQ(crops.size(), 2u);
+    EXPECT_EQ(crops[0].baseline.name, "DH_1");
+    EXPECT_EQ(crops[0].baseline.leaves[1].length, .5);
+    EXPECT_EQ(crops[1].baseline.name, "DH_2");
+    EXPECT_EQ(crops[1].baseline.leaves[0].length, .6);
+    // The plants are also told where there is room for one alone.
+    EXPECT_EQ(problems_of(table),
+              "field.csv:1:1: the table has 2 plants (DH 1, DH 2), but one is "
+              "needed here; choose it by a line such as # plant: DH 1, or give "
+              "the table to ideotype compare, which takes all");
+    EXPECT_EQ(read("# plant: DH 2\n" + table).leaves[1].length, .7);
+    EXPECT_EQ(problems_of("# plant: DH 3\n" + table),
+              "field.csv:2:1: there is no plant 'DH 3' (the table has DH 1, "
+              "DH 2); did you mean 'DH 1'?");
+    // All problems of all plants are reported once.
+    try {
+        read_crops(written("plant,leaf,lenght_cm,width_cm\na,1,40,x\n"
+                           "a,2,40,5\nb,1,40,70\n,1,40,5\n"),
+                   &other_);
+        FAIL() << "a wrong table is read";
+    } catch (const InputError& error) {
+        ASSERT_EQ(error.problems().size(), 4u) << error.what();
+        EXPECT_EQ(error.problems()[1].where.line, 2);
+        EXPECT_EQ(error.problems()[2].where.line, 4);
+    }
 }
 
 TEST_F(MeasuredPlants, ATableNamesItsCrop) {

@@ -11,12 +11,20 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 import ideotype._core as _core
 
-from ._errors import Error, InputError, printable_lines
+from ._errors import Error, InputError, did_you_mean, printable_lines
 from ._progress import Progress
 from ._settings import number_within
-from ._views.compared import Comparison, Plant, Quantity, compare_plants
+from ._views.compared import (
+    Comparison,
+    Plant,
+    Quantity,
+    compare_plants,
+    quantities_of,
+)
 from ._views.compared_text import page_of
 from .analysis.reading.file import HistoryError
 
@@ -63,16 +71,27 @@ def to_json(found: Comparison, seed: int) -> dict[str, Any]:
         if each.axis
     }
     numbers = {
-        each.name: {"unit": each.unit, **_matrices(found, each)}
+        each.name: {
+            "unit": each.unit,
+            **({"names": list(each.names)} if each.names else {}),
+            **_matrices(found, each),
+        }
         for each in found.quantities
         if not each.axis
     }
+    correlation = found.rank_correlation(objective.name)
     return {
         "objective": objective.name,
         "unit": objective.unit,
         "seed": seed,
         "plants": list(found.plants),
+        "reference": found.plants[found.reference],
         "cases": list(found.cases),
+        "rank": found.ranks(objective.name).tolist(),
+        "rank_correlation": [
+            [None if np.isnan(x) else float(x) for x in row]
+            for row in correlation
+        ],
         **_matrices(found, objective),
         "by_randomisation": draws,
         "quantities": numbers,
@@ -82,8 +101,8 @@ def to_json(found: Comparison, seed: int) -> dict[str, Any]:
 
 def _matrices(found: Comparison, quantity: Quantity) -> dict[str, Any]:
     """Returns means and standard errors by plant and case, for profiles also
-    by place, and the means and standard errors of differences from the first
-    plant."""
+    by place, and the means and standard errors of differences from the
+    reference."""
 
     def matrix(take: Any, what: str) -> list[list[Any]]:
         return [
@@ -141,13 +160,17 @@ def _compare(options: argparse.Namespace) -> int:
         settings.append(f"seed={options.seed}")
     stands = cases_of(options.under, settings)
     first = stands[0][1]
-    plants = [Plant.read(path, first) for path in options.plants]
+    _require_sort(options.sort, [name for name, *_ in stands], first)
+    plants = [
+        plant for path in options.plants for plant in Plant.read(path, first)
+    ]
     with Progress("evaluated") as progress:
         found = compare_plants(
             plants,
             stands,
             tolerance=options.tolerance,
             threads=options.threads,
+            reference=options.reference,
             tell=progress.tell,
         )
     if options.csv:
@@ -159,23 +182,38 @@ def _compare(options: argparse.Namespace) -> int:
         seed = int(tomllib.loads(first.resolved)["seed"])
         print(json.dumps(to_json(found, seed), indent=2))
     else:
-        print(page_of(found, options.all))
+        print(page_of(found, options.all, options.sort))
     return 0
+
+
+def _require_sort(
+    word: str, cases: Sequence[str], stand: _core.CaseStand
+) -> None:
+    """Raises Error if plants cannot be sorted by a quantity or case."""
+    names = [x.name for x in quantities_of(stand) if not x.axis]
+    if word and word not in (*cases, *names):
+        raise Error(
+            f"--sort {word}: this is no case and no quantity of the campaign"
+            f"{did_you_mean(word, [*cases, *names])} (cases: "
+            f"{', '.join(cases)}; quantities: {', '.join(names)})"
+        )
 
 
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         prog="ideotype compare",
         description="Evaluates plants in the same light, as finalists are, and "
-        "tells how each differs from the first, with paired errors.",
+        "reports the difference of each from a reference, with paired errors. "
+        "More than three plants are ranked with a line each.",
         epilog="example: ideotype compare maize.toml field.csv --under "
         "campaigns/ames_quick.toml",
     )
     add = parser.add_argument
     add(
         "plants", nargs="+", metavar="PLANT",
-        help="crop files (.toml), measured plants (.csv), histories (.h5: "
-        "their best plant) and campaigns (.toml: their baseline)",
+        help="crop files (.toml), measured leaves of one or more plants "
+        "(.csv), histories (.h5: their best plant) and campaigns (.toml: "
+        "their baseline)",
     )  # fmt: skip
     add(
         "--under", type=Path, required=True, metavar="CAMPAIGN",
@@ -198,6 +236,15 @@ def _parser() -> argparse.ArgumentParser:
         "--threads", type=number_within(int, 1, 4096), metavar="N",
         default=len(os.sched_getaffinity(0)),
         help="threads that evaluate (default: one per core)",
+    )  # fmt: skip
+    add(
+        "--reference", default="", metavar="NAME",
+        help="plant from which differences are (default: the first)",
+    )  # fmt: skip
+    add(
+        "--sort", default="", metavar="QUANTITY|CASE",
+        help="ranks plants with a line each, by a quantity (default: the "
+        "objective) or by the objective in one case (default: its mean)",
     )  # fmt: skip
     add("--all", action="store_true", help="print every quantity")
     add(

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "campaign/schema/schema.hpp"
 #include "ideotype/core/text.hpp"
@@ -17,17 +19,38 @@ namespace {
 //! plant on a ridge.
 constexpr Range height_limits{-1, 10};
 
-//! A column of the table; without a kind, it has ranks or is unknown.
+//! A column of the table; without a kind, it has ranks or plants or is unknown.
 struct ReadColumn {
     std::string name;
     const LeafColumn* kind = nullptr;
 };
 
+bool names_plants(const std::string& column) {
+    return std::ranges::find(plant_columns, column) != std::end(plant_columns);
+}
+
+//! Returns the names of all columns, units of a measure together:
+//! "length_cm/_m/_mm".
+std::string known_columns() {
+    std::string all =
+        fmt::format("{}, {}", rank_column, fmt::join(plant_columns, " or "));
+    std::string_view last;
+    for (const LeafColumn& each : leaf_columns) {
+        const std::string_view name = each.name;
+        const std::size_t unit = name.rfind('_');
+        const bool is_unit = name.substr(0, unit) == last;
+        all += is_unit ? "/" : ", ";
+        all += is_unit ? name.substr(unit) : name;
+        last = name.substr(0, unit);
+    }
+    return all;
+}
+
 class LeafReader {
   public:
     LeafReader(const std::string& text, const std::string& file,
-               const Problems& problems)
-        : text_(text), file_(file), problems_(problems) {}
+               const std::string& plant, const Problems& problems)
+        : text_(text), file_(file), plant_(plant), problems_(problems) {}
 
     LeafTable read() {
         int number = 0;
@@ -38,16 +61,12 @@ class LeafReader {
             const Location where{file_, number, 1};
             if (table_.header.line == 0)
                 read_header(line, where);
-            else if (table_.rows.size() == most_leaves) {
-                add(where, fmt::format("there are more leaves than {} (the "
-                                       "limit of a plant); remove some",
-                                       most_leaves));
+            else if (!read_row(line, where))
                 break;
-            } else
-                read_row(line, where);
         }
         if (table_.header.line == 0) table_.header = {file_, 1, 1};
-        if (table_.rows.empty())
+        if (plant_at_) check_plants();
+        if (table_.rows.empty() && table_.plants.empty())
             add(table_.header,
                 "there are no leaves (a table has a line with the names of its "
                 "columns, then one for each leaf); add them");
@@ -68,6 +87,8 @@ class LeafReader {
                        "columns are not separated by commas (numbers "
                        "have a decimal point, so that a comma ends an "
                        "entry); save the table with commas");
+        std::vector<std::string> strange;
+        Location first_strange;
         for (const CsvField& field : fields_of(line)) {
             columns_.push_back({std::string(field.text), nullptr});
             ReadColumn& column = columns_.back();
@@ -78,11 +99,60 @@ class LeafReader {
                 choose(column, *kind, place);
             else if (column.name == rank_column)
                 has_ranks_ = true;
+            else if (names_plants(column.name))
+                choose_plants(column, place);
             else {
                 table_.has.fill(true);
-                add(place, unknown(column.name));
+                const std::string remedy = remedy_for(column.name);
+                if (!remedy.empty())
+                    add(place, remedy);
+                else if (strange.push_back(column.name); strange.size() == 1)
+                    first_strange = place;
             }
         }
+        if (!strange.empty())
+            add(first_strange,
+                fmt::format(
+                    "there {} '{}' (a table has one line for each leaf "
+                    "of a plant); columns are {}",
+                    strange.size() == 1 ? "is no column" : "are no columns",
+                    fmt::join(strange, "', '"), known_columns()));
+    }
+
+    //! Requires that the table has the chosen plant or, without a choice, no
+    //! other.
+    void check_plants() {
+        constexpr std::size_t shown = 5;
+        std::vector<std::string>& plants = table_.plants;
+        std::string names = fmt::format(
+            "{}{}", fmt::join(plants | std::views::take(shown), ", "),
+            plants.size() > shown ? ", ..." : "");
+        if (plant_.empty() && plants.size() > 1)
+            add(table_.header,
+                fmt::format("the table has {} plants ({}), but one is needed "
+                            "here; choose it by a line such as # plant: {}, "
+                            "or give the table to ideotype compare, which "
+                            "takes all",
+                            plants.size(), names, plants.front()));
+        else if (!plant_.empty() && !plants.empty() &&
+                 std::ranges::find(plants, plant_) == plants.end()) {
+            const std::string nearest = nearest_name(plant_, plants);
+            add(table_.header,
+                fmt::format("there is no plant '{}' (the table has {}); {}",
+                            plant_, names,
+                            nearest.empty()
+                                ? "correct # plant"
+                                : "did you mean '" + nearest + "'?"));
+        } else if (!plants.empty())
+            table_.plant = plant_.empty() ? plants.front() : plant_;
+    }
+
+    void choose_plants(const ReadColumn& column, const Location& place) {
+        if (plant_at_)
+            add(place, fmt::format("{} is given twice ({} too); remove one of "
+                                   "the columns",
+                                   column.name, columns_[*plant_at_].name));
+        plant_at_ = columns_.size() - 1;
     }
 
     void choose(ReadColumn& column, const LeafColumn& kind,
@@ -107,7 +177,9 @@ class LeafReader {
                 "write a line such as # row_direction: 90");
     }
 
-    std::string unknown(const std::string& name) const {
+    //! Returns the message on an unknown column that resembles a known one, or
+    //! else an empty text.
+    static std::string remedy_for(const std::string& name) {
         for (const Measure<Leaf>& each : leaf_measures)
             if (name == each.name)
                 return fmt::format(
@@ -115,18 +187,30 @@ class LeafReader {
                     std::string_view(each.unit) == "m" ? "cm" : each.unit);
         std::vector<std::string> names{rank_column};
         for (const LeafColumn& each : leaf_columns) names.push_back(each.name);
-        return fmt::format("there is no column '{}'; {}", name,
-                           did_you_mean(name, names));
+        const std::string nearest = nearest_name(name, names);
+        return nearest.empty()
+                   ? ""
+                   : fmt::format("there is no column '{}'; did you mean '{}'?",
+                                 name, nearest);
     }
 
-    void read_row(std::string_view line, const Location& where) {
-        if (columns_.empty()) return;
+    //! Returns whether the plant has room for further leaves.
+    bool read_row(std::string_view line, const Location& where) {
+        if (columns_.empty()) return true;
         const std::vector<CsvField> fields = fields_of(line);
-        if (fields.size() != columns_.size())
-            return add(where,
-                       fmt::format("there are {} entries (the table has {} "
+        if (fields.size() != columns_.size()) {
+            add(where, fmt::format("there are {} entries (the table has {} "
                                    "columns); give each column one",
                                    fields.size(), columns_.size()));
+            return true;
+        }
+        if (plant_at_ && !is_of_plant(fields[*plant_at_], where)) return true;
+        if (table_.rows.size() == most_leaves) {
+            add(where, fmt::format("there are more leaves than {} (the limit "
+                                   "of a plant); remove some",
+                                   most_leaves));
+            return false;
+        }
         table_.rows.push_back(
             {where, static_cast<int>(table_.rows.size()) + 1, {}, {}});
         for (std::size_t i = 0; i < fields.size(); ++i) {
@@ -135,6 +219,22 @@ class LeafReader {
                 read_entry(column, fields[i],
                            {file_, where.line, fields[i].column});
         }
+        return true;
+    }
+
+    //! Returns whether a line belongs to the plant that is read: the chosen one
+    //! or else the first.
+    bool is_of_plant(const CsvField& field, const Location& where) {
+        const std::string name(field.text);
+        if (name.empty())
+            add({file_, where.line, field.column},
+                fmt::format("{} is empty; name the plant of the leaf",
+                            columns_[*plant_at_].name));
+        else if (std::ranges::find(table_.plants, name) == table_.plants.end())
+            table_.plants.push_back(name);
+        return name == (plant_.empty() && !table_.plants.empty()
+                            ? table_.plants.front()
+                            : plant_);
     }
 
     void read_entry(const ReadColumn& column, const CsvField& field,
@@ -189,29 +289,45 @@ class LeafReader {
             table_.rows.back().rank = static_cast<int>(number);
     }
 
+    //! Sorts leaves and numbers them from 1. Field books count the leaves of a
+    //! plant from the first that it had, so that the lowest living leaf may
+    //! have any rank.
     void sort_by_rank() {
-        std::ranges::stable_sort(table_.rows, {}, &LeafRow::rank);
-        for (std::size_t i = 0; has_ranks_ && i < table_.rows.size(); ++i) {
-            const int expected = static_cast<int>(i) + 1;
-            if (table_.rows[i].rank == expected) continue;
-            return add(
-                table_.rows[i].where,
-                table_.rows[i].rank < expected
-                    ? fmt::format("leaf {} is given twice (each leaf has one "
-                                  "line); remove one of the lines",
-                                  table_.rows[i].rank)
-                    : fmt::format("leaf {} is missing (leaves are "
-                                  "counted from the lowest, 1); add it "
-                                  "or count anew",
-                                  expected));
+        auto& rows = table_.rows;
+        std::ranges::stable_sort(rows, {}, &LeafRow::rank);
+        if (!has_ranks_ || rows.empty()) return;
+        const int lowest = rows.front().rank;
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            const int expected = lowest + static_cast<int>(i);
+            if (rows[i].rank == expected) continue;
+            return add(rows[i].where,
+                       rows[i].rank < expected
+                           ? fmt::format("leaf {} is given twice (each leaf "
+                                         "has one line); remove one of the "
+                                         "lines",
+                                         rows[i].rank)
+                           : fmt::format("leaf {} is missing (the lowest is "
+                                         "{}, and ranks have no gaps); add it "
+                                         "or renumber the leaves",
+                                         expected, lowest));
         }
+        if (lowest > 1)
+            problems_.warn(Problem{
+                rows.front().where,
+                fmt::format("leaves {} .. {} of this table become leaves 1 .. "
+                            "{} (the lowest leaf has rank 1, and lower leaves "
+                            "are taken as absent)",
+                            lowest, rows.back().rank, rows.size())});
+        for (LeafRow& row : rows) row.rank -= lowest - 1;
     }
 
     const std::string& text_;
     const std::string& file_;
+    const std::string& plant_;
     const Problems& problems_;
     LeafTable table_;  //!< table; header line 0: not read yet
     std::vector<ReadColumn> columns_;
+    std::optional<std::size_t> plant_at_;  //!< column that names plants
     bool has_ranks_ = false;
     double row_direction_ = 0;  //!< azimuth of the row [deg]
 };
@@ -219,8 +335,8 @@ class LeafReader {
 }  // namespace
 
 LeafTable read_leaf_table(const std::string& text, const std::string& file,
-                          const Problems& problems) {
-    return LeafReader(text, file, problems).read();
+                          const std::string& plant, const Problems& problems) {
+    return LeafReader(text, file, plant, problems).read();
 }
 
 std::optional<Written> note_of(const std::string& text, const std::string& file,

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <string_view>
 
+#include <fmt/ranges.h>
 #include <glm/trigonometric.hpp>
 
 #include "campaign/reading/nodes.hpp"
@@ -22,19 +23,31 @@ double highest_insertion(const Plant& plant) {
     return highest;
 }
 
+//! Returns the first column of each way to give a measure: itself, or a height
+//! from which it follows.
+std::vector<std::string> columns_of(const Measure<Leaf>& measure) {
+    std::vector<std::string> names;
+    std::optional<LeafHeight> last;
+    for (const LeafColumn& each : leaf_columns) {
+        if (each.value != measure.value || each.height == last) continue;
+        names.push_back(each.name);
+        last = each.height;
+    }
+    return names;
+}
+
 //! Reports measures that neither the table nor the crop has.
 void require_columns(const LeafTable& table, std::size_t leaves_of_crop,
                      const Problems& problems) {
     if (table.rows.size() == leaves_of_crop) return;
     for (std::size_t m = 0; m < needed_leaf_measures; ++m) {
-        const auto& [name, unit, limits, value, meaning] = leaf_measures[m];
         if (table.has[m]) continue;
         problems.add(
             table.header,
-            "there is no column for the {} of leaves (the {} leaves of the "
-            "crop cannot stand for {} measured ones); add {}_{}",
-            name, leaves_of_crop, table.rows.size(), name,
-            std::string_view(unit) == "m" ? "cm" : unit);
+            "there is no column for the {} of leaves (needed where plants do "
+            "not have the {} leaves of the crop); add {}",
+            leaf_measures[m].name, leaves_of_crop,
+            fmt::join(columns_of(leaf_measures[m]), " or "));
     }
 }
 
@@ -140,9 +153,9 @@ bool is_measured(const std::string& path) {
 }
 
 void read_measured_plant(const std::string& text, const std::string& file,
-                         bool is_crop_known, Plant& plant,
-                         const Problems& problems) {
-    const LeafTable table = read_leaf_table(text, file, problems);
+                         const std::string& chosen, bool is_crop_known,
+                         Plant& plant, const Problems& problems) {
+    const LeafTable table = read_leaf_table(text, file, chosen, problems);
     if (table.rows.empty()) return;
     const auto more = static_cast<int>(table.rows.size()) -
                       static_cast<int>(plant.leaves.size());
@@ -156,7 +169,9 @@ void read_measured_plant(const std::string& text, const std::string& file,
     problems.locate("stalk.height", table.header);
     for (Organ& organ : plant.organs)
         if (organ.leaf > 0) organ.leaf = std::max(1, organ.leaf + more);
-    plant.name = make_name(std::filesystem::path(file).stem().string());
+    plant.name = make_name(table.plant.empty()
+                               ? std::filesystem::path(file).stem().string()
+                               : table.plant);
 }
 
 }  // namespace ideotype

@@ -34,11 +34,15 @@ struct LeafTable {
     std::vector<LeafRow> rows;  //!< rows of the table, lowest leaf first
     //! Whether some column has each measure, or may have it.
     std::array<bool, leaf_measures.size()> has{};
+    //! Names of all plants of the table; none without a column that has them.
+    std::vector<std::string> plants;
+    std::string plant;  //!< name of the plant of the rows, if it has one
 };
 
-//! Reads a table of measured leaves and reports all its problems.
+//! Reads the leaves of one plant of a table and reports all problems of these.
+//! @param plant name of the plant; empty: the only one of the table
 LeafTable read_leaf_table(const std::string& text, const std::string& file,
-                          const Problems& problems);
+                          const std::string& plant, const Problems& problems);
 
 //! A text and its place in a file.
 struct Written {
@@ -98,6 +102,8 @@ inline constexpr LeafColumn leaf_columns[]{
     {"internode_mm", &Leaf::internode, 1000},
 };
 inline constexpr auto rank_column = "leaf";
+//! Names of the column that names the plant of each leaf.
+inline constexpr const char* plant_columns[]{"plant", "line"};
 
 //! Returns the place of a measure in leaf_measures.
 inline std::size_t index_of(double Leaf::*value) {
@@ -113,9 +119,10 @@ bool is_measured(const std::string& path);
 //! without a column stay if the numbers of leaves are equal; all other parts of
 //! the plant stay. The stalk grows by as much as the highest insertion rises,
 //! and organs at a leaf keep their rank counted from the highest leaf.
+//! @param chosen name of one of several plants of the table, or empty
 //! @param is_crop_known false: the plant could not be read
 void read_measured_plant(const std::string& text, const std::string& file,
-                         bool is_crop_known, Plant& plant,
-                         const Problems& problems);
+                         const std::string& chosen, bool is_crop_known,
+                         Plant& plant, const Problems& problems);
 
 }  // namespace ideotype

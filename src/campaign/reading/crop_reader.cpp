@@ -54,8 +54,8 @@ void CropReader::read_plant(const toml::table& table, const std::string& file) {
     draft_.is_crop_known = true;
 }
 
-void CropReader::read_measured(const std::string& text,
-                               const std::string& file) {
+void CropReader::read_measured(const std::string& text, const std::string& file,
+                               const std::string& plant) {
     problems_.open(file);
     if (const std::optional<Written> crop = note_of(text, file, "crop")) {
         draft_.is_crop_known = false;
@@ -71,8 +71,10 @@ void CropReader::read_measured(const std::string& text,
                       "traits); begin it with a line such as # crop: maize, or "
                       "# crop: FILE.toml");
     }
-    read_measured_plant(text, file, draft_.is_crop_known,
-                        draft_.campaign.crop.baseline, of_crop_);
+    const std::optional<Written> chosen = note_of(text, file, "plant");
+    read_measured_plant(
+        text, file, plant.empty() && chosen ? chosen->text : plant,
+        draft_.is_crop_known, draft_.campaign.crop.baseline, of_crop_);
 }
 
 void CropReader::read_plant_file(const std::string& file,

@@ -42,7 +42,10 @@ class CropReader {
 
     //! Reads a table of measured leaves. Values that the table lacks come from
     //! the crop that the table names or, without one, from the draft's plant.
-    void read_measured(const std::string& text, const std::string& file);
+    //! @param plant name of one of several plants of the table; empty: the one
+    //! that the table chooses, or its only one
+    void read_measured(const std::string& text, const std::string& file,
+                       const std::string& plant = "");
 
   protected:
     const std::string& file_;
@@ -69,8 +72,9 @@ void read_draft(const std::string& text, const std::string& file,
 //! Reads the text of a crop file or a table of measured leaves into a draft,
 //! all else of which stays. Returns false if the text is neither.
 //! @param other plant with the measures that a table without crop lacks
+//! @param plant name of one of several plants of a table, or empty
 bool read_crop_draft(const std::string& text, const std::string& file,
-                     const Plant* other, Draft& draft,
+                     const Plant* other, const std::string& plant, Draft& draft,
                      const Problems& problems);
 
 //! Reads the weather files of a campaign, for each site in each climate, unless

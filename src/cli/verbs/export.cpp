@@ -33,6 +33,8 @@ std::vector<Measure<Leaf>> written_measures(const std::vector<Leaf>& leaves) {
     return written;
 }
 
+//! Writes measures with the digits that a measurement may have; crop files
+//! have all.
 void write_csv(const std::string& path, const Plant& plant) {
     const std::vector<Measure<Leaf>> measures = written_measures(plant.leaves);
     OutputFile out(path);
@@ -43,7 +45,7 @@ void write_csv(const std::string& path, const Plant& plant) {
     for (const Leaf& leaf : plant.leaves) {
         out.print("\n{}", ++rank);
         for (const Measure<Leaf>& each : measures)
-            out.print(",{}", leaf.*each.value);
+            out.print(",{:.6g}", leaf.*each.value);
     }
     out.print("\n");
     out.finish();

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Plants of any shape in the same light, and how each differs from the
-first."""
+"""Plants of any shape in the same light, their differences from a reference
+and their ranks."""
 
 from __future__ import annotations
 
@@ -16,8 +16,9 @@ from numpy.typing import NDArray
 
 import ideotype._core as _core
 
-from .._errors import Error
+from .._errors import Error, did_you_mean
 from ..analysis.reading.estimate import Estimate, difference, relative_gain
+from ..analysis.reading.names import distinct_names
 
 Key = tuple[str, int]
 """A number of a plant: the name of a quantity, and the place along the axis of
@@ -31,19 +32,23 @@ class Plant:
 
     name: str
     core: _core.Plants
+    path: str = ""
+    """The file of the plant, if it comes from one."""
 
     @classmethod
     def read(
         cls, path: str | os.PathLike[str], under: _core.CaseStand
-    ) -> Plant:
-        """Reads a crop file, the crop of a campaign, measured leaves (.csv) or
-        the best plant of a history (.h5).
+    ) -> list[Plant]:
+        """Reads a crop file, the crop of a campaign, all plants of measured
+        leaves (.csv) or the best plant of a history (.h5).
 
         Raises InputError or HistoryError if the file cannot be read."""
         path = os.fspath(path)
         if not path.endswith(".h5"):
-            core = _core.read_plants(under, path)
-            return cls(core.name, core)
+            return [
+                cls(core.name, core, path)
+                for core in _core.read_plants(under, path)
+            ]
         from .._stand import Stand
         from ..analysis import open_history
 
@@ -60,7 +65,7 @@ class Plant:
             campaign = history.attributes["campaign"]
         genome = np.ascontiguousarray(best.row.genome[0])
         core = _core.grown_plants(stand._case, genome)
-        return cls(f"{campaign}/{stand.name}", core)
+        return [cls(f"{campaign}/{stand.name}", core, path)]
 
 
 @dataclass(frozen=True)
@@ -71,6 +76,8 @@ class Quantity:
     unit: str
     axis: str = ""
     coordinates: tuple[float, ...] = (0,)
+    names: tuple[str, ...] = ()
+    """The names that the number counts from 1; none if it is a measure."""
 
 
 @dataclass(frozen=True)
@@ -90,6 +97,10 @@ class Comparison:
     """The number of leaves of each plant."""
     numbers: dict[tuple[int, int], dict[Key, Estimate]] = field(repr=False)
     """The numbers of each plant in each case, with their randomisations."""
+    minimised: frozenset[str] = frozenset()
+    """The objectives of which the least is best."""
+    reference: int = 0
+    """The index of the plant from which differences are."""
 
     @property
     def objective(self) -> Quantity:
@@ -101,30 +112,75 @@ class Comparison:
         return self.numbers[plant, case].get(key)
 
     def difference(self, plant: int, case: int, key: Key) -> Estimate | None:
-        """Returns the difference of a plant's number from the first plant's
+        """Returns the difference of a plant's number from the reference's
         number."""
         return self._paired(difference, plant, case, key)
 
     def gain(self, plant: int, case: int, key: Key) -> Estimate | None:
-        """Returns the difference relative to the first plant [%]; None if the
-        number of the first plant is 0."""
-        first = self.value(0, case, key)
-        if first is None or first.mean == 0:
+        """Returns the difference relative to the reference [%]; None if the
+        number of the reference is 0."""
+        own = self.value(self.reference, case, key)
+        if own is None or own.mean == 0:
             return None
         return self._paired(relative_gain, plant, case, key)
 
     def _paired(
         self, of_both: Any, plant: int, case: int, key: Key
     ) -> Estimate | None:
-        both = self.value(plant, case, key), self.value(0, case, key)
+        both = (
+            self.value(plant, case, key),
+            self.value(self.reference, case, key),
+        )
         return None if None in both else of_both(*both)
+
+    def means(self, name: str) -> NDArray[np.float64]:
+        """Returns the means of a quantity without axes [plant, case]."""
+        return np.array(
+            [
+                [
+                    self.numbers[p, c][name, 0].mean
+                    for c in range(len(self.cases))
+                ]
+                for p in range(len(self.plants))
+            ]
+        )
+
+    def ranks(self, name: str) -> NDArray[np.float64]:
+        """Returns the ranks of the plants in each case [plant, case]; 1 is the
+        least of a minimised objective, or else the largest. Equal plants share
+        the mean of their ranks."""
+        means = pd.DataFrame(self.means(name))
+        return means.rank(ascending=name in self.minimised).to_numpy()
+
+    def rank_correlation(self, name: str) -> NDArray[np.float64]:
+        """Returns Spearman's correlation between the ranks in each two cases;
+        NaN where all plants of a case are equal."""
+        ranks = pd.DataFrame(self.ranks(name))
+        return ranks.corr().to_numpy()
+
+    def pairs(
+        self, name: str, case: int
+    ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Returns the difference of each two plants, first less second, and
+        the standard errors of the differences [plant, plant]."""
+        own = [self.numbers[p, case][name, 0] for p in range(len(self.plants))]
+        means = np.array([x.mean for x in own])
+        counts = {len(x.draws) for x in own}
+        if len(counts) == 1 and min(counts) > 1:
+            draws = np.array([x.draws for x in own])
+            scatter = [np.std(x - draws, axis=1, ddof=1) for x in draws]
+            errors = np.array(scatter) / np.sqrt(draws.shape[1])
+        else:
+            squares = np.array([x.standard_error for x in own]) ** 2
+            errors = np.sqrt(squares[:, None] + squares)
+        return means[:, None] - means, errors
 
     @property
     def table(self) -> pd.DataFrame:
         """A row for each plant, case and number: plant, case, quantity, unit,
         leaf (rank from the lowest of its plant), leaf_from_top (1 is the
         highest), layer_m, mean, standard_error, and the difference from the
-        first plant with its paired error, also in per cent."""
+        reference with its paired error, also in per cent."""
         return pd.DataFrame(
             [
                 self._line(p, c, quantity, place)
@@ -188,18 +244,25 @@ def compare_plants(
     seed: int | None = None,
     tolerance: float | None = None,
     threads: int = 1,
+    reference: str = "",
     tell: Any = lambda done, count: None,
 ) -> Comparison:
     """Evaluates plants in stands of cases. Each stand comes with its name and,
-    if a single scenario is meant, the place of the scenario. `tell` gets the
+    if a single scenario is meant, the place of the scenario. Differences are
+    from the plant named `reference`, by default the first. `tell` gets the
     number of finished evaluations and the number of all evaluations.
 
-    Raises Error if a plant cannot be evaluated."""
+    Raises Error if there is no such reference or a plant cannot be
+    evaluated."""
+    names = distinct_names(
+        [plant.name for plant in plants], [plant.path for plant in plants]
+    )
+    compared_with = _index_of(reference, names) if reference else 0
     reach = max(plant.core.reach for plant in plants)
     leaves = [len(plant.core.leaves(0)[0][2]) for plant in plants]
     tasks = [(p, c) for c in range(len(stands)) for p in range(len(plants))]
     numbers: dict[tuple[int, int], dict[Key, Estimate]] = {}
-    told: list[tuple[tuple[Quantity, ...], tuple[str, ...]]] = []
+    told: list[tuple[Any, ...]] = []
     longest = int(np.argmax(leaves))
 
     def one(task: tuple[int, int]) -> None:
@@ -212,8 +275,7 @@ def compare_plants(
             raise Error(f"{plants[p].name} in {name}: {error}") from error
         numbers[task] = _numbers_of(stand, found)
         if p == longest and c == 0:
-            objectives = tuple(name for name, *_ in stand.objectives)
-            told.append((_quantities_of(stand), objectives))
+            told.append((quantities_of(stand), stand.objectives))
         tell(len(numbers), len(tasks))
 
     with ThreadPoolExecutor(max(1, min(threads, len(tasks)))) as pool:
@@ -222,35 +284,40 @@ def compare_plants(
         except BaseException:
             pool.shutdown(cancel_futures=True)
             raise
+    quantities, objectives = told[0]
     return Comparison(
-        tuple(_told_apart([plant.name for plant in plants])),
+        tuple(names),
         tuple(name for name, *_ in stands),
-        *told[0],
+        quantities,
+        tuple(name for name, *_ in objectives),
         tuple(leaves),
         numbers,
+        frozenset(
+            name for name, _, is_maximised in objectives if not is_maximised
+        ),
+        compared_with,
     )
 
 
-def _told_apart(names: Sequence[str]) -> list[str]:
-    """Adds a number to each name that also stands earlier in the list."""
-    times: dict[str, int] = {}
-    found = []
-    for name in names:
-        times[name] = times.get(name, 0) + 1
-        again = f" ({times[name]})" if times[name] > 1 else ""
-        found.append(name + again)
-    return found
+def _index_of(name: str, names: Sequence[str]) -> int:
+    if name in names:
+        return list(names).index(name)
+    some = ", ".join(names[:5]) + (", ..." if len(names) > 5 else "")
+    raise Error(
+        f"there is no plant {name} to compare with; the plants are {some}"
+        f"{did_you_mean(name, names)}"
+    )
 
 
-def _quantities_of(stand: _core.PlantStand) -> tuple[Quantity, ...]:
+def quantities_of(stand: _core.CaseStand) -> tuple[Quantity, ...]:
     """Returns the quantities that are compared, the objectives first."""
     objectives = [Quantity(name, unit) for name, unit, _ in stand.objectives]
     names = {each.name for each in objectives}
     coordinates = {axis: tuple(at) for axis, _, _, at in stand.axes}
     numbers, profiles = [], []
-    for name, unit, _, axes, *_ in stand.quantities:
+    for name, unit, _, axes, _, counted in stand.quantities:
         if not axes and name not in names:
-            numbers.append(Quantity(name, unit))
+            numbers.append(Quantity(name, unit, names=tuple(counted)))
         elif axes in (["leaf"], ["layer"]) and _are_numbers(
             coordinates[axes[0]]
         ):

@@ -4,12 +4,11 @@
 from __future__ import annotations
 
 import html
-import math
 from collections.abc import Sequence
 
-from ..analysis.figures.style import unit_label, words
-from ..analysis.reading.estimate import Estimate
 from .compared import Comparison, Quantity
+from .compared_cells import aligned, number_of, title_of, told
+from .compared_ranks import ranking_of
 
 MATTERS = (
     *("lai", "absorbed_par", "absorbed_light", "intercepted_fraction"),
@@ -20,41 +19,70 @@ MATTERS = (
 measures them."""
 
 _CASES = 3
-"""The number of cases beyond which a page has only a line for each case."""
+"""The number of cases beyond which a page has only a line for each case, and
+the number of cases side by side."""
+
+_PLANTS = 3
+"""The number of plants beyond which each plant has a line."""
 
 
-def page_of(found: Comparison, has_all: bool = False) -> str:
+def page_of(found: Comparison, has_all: bool = False, sort: str = "") -> str:
     """Returns a page for one screen: for a few cases the objectives and some
     other quantities in each case, for many cases the first objective; with
-    `has_all` every quantity without axes in every case."""
+    `has_all` every quantity without axes in every case.
+
+    More than three plants, and those that are sorted, are ranked with a line
+    each. `sort` is the name of the quantity that ranks them, by default the
+    first objective, or of the case that orders them, by default the mean of
+    all cases."""
     lines = [_head(found)]
-    shown = _shown(found, has_all)
-    if len(found.cases) > _CASES and not has_all:
+    if sort or len(found.plants) > _PLANTS:
+        by_case = sort in found.cases
+        name = found.objective.name if by_case or not sort else sort
+        case = found.cases.index(sort) if by_case else None
+        for quantity in found.quantities:
+            if quantity.axis or quantity.names:
+                continue
+            if has_all or quantity.name == name:
+                lines += ["", *ranking_of(found, quantity, case)]
+    elif len(found.cases) > _CASES and not has_all:
         lines += ["", *_by_case(found)]
     else:
         for case, name in enumerate(found.cases):
+            shown = _shown(found, has_all)
             lines += ["", name, *_of_case(found, case, shown)]
     lines += ["", _notes(found, has_all)]
     return "\n".join(lines)
 
 
 def _head(found: Comparison) -> str:
-    first, *others = found.plants
-    return (
-        f"{', '.join(others)} compared with {first}"
-        if others
-        else f"{first}, which is compared with nothing"
-    )
+    own, others = _reference(found)
+    if not others:
+        return f"{own}, which is compared with nothing"
+    if len(others) > _PLANTS:
+        return f"{len(others)} plants compared with {own}"
+    names = ", ".join(found.plants[p] for p in others)
+    return f"{names} compared with {own}"
+
+
+def _reference(found: Comparison) -> tuple[str, list[int]]:
+    """Returns the name of the reference and the indices of all others."""
+    others = [p for p in range(len(found.plants)) if p != found.reference]
+    return found.plants[found.reference], others
 
 
 def _notes(found: Comparison, has_all: bool) -> str:
-    told = "± is half of a 95 % interval"
+    note = "± is half of a 95 % confidence interval"
     if len(found.plants) > 1:
-        told += ", of differences by pairs: plants share fields and light."
-    rest = "" if has_all else "\n--all prints every quantity, "
-    return told + (
-        f"{rest}{'' if has_all else '--csv FILE and --json those by leaf too.'}"
-    )
+        note += ", of differences by pairs: plants share fields and light.\n"
+        note += f"Reference: {found.plants[found.reference]}"
+        note += "." if found.reference else ", the first; --reference NAME."
+    if not has_all:
+        note += (
+            "\n--all prints every quantity, --csv FILE and --json those by "
+            "leaf too."
+        )
+    return note
 
 
 def _shown(found: Comparison, has_all: bool) -> list[Quantity]:
@@ -73,16 +101,21 @@ def _table(
     found: Comparison, case: int, shown: Sequence[Quantity]
 ) -> list[list[str]]:
     """Returns a line for each quantity: the number of each plant, and the
-    increase over the first plant [%]."""
-    first, *others = found.plants
-    rows = [["", first, *(x for name in others for x in (name, "more [%]"))]]
+    increase over the reference [%]."""
+    name, others = _reference(found)
+    heads = (x for p in others for x in (found.plants[p], "more [%]"))
+    rows = [["", name, *heads]]
     for quantity in shown:
         key = quantity.name, 0
-        row = [_title(quantity), told(found.value(0, case, key))]
-        for plant in range(1, len(found.plants)):
+        row = [
+            title_of(quantity),
+            number_of(quantity, found.value(found.reference, case, key)),
+        ]
+        for plant in others:
+            gain = found.gain(plant, case, key)
             row += [
-                told(found.value(plant, case, key)),
-                told(found.gain(plant, case, key), has_sign=True),
+                number_of(quantity, found.value(plant, case, key)),
+                told(None if quantity.names else gain, has_sign=True),
             ]
         rows.append(row)
     return rows
@@ -91,54 +124,30 @@ def _table(
 def _of_case(
     found: Comparison, case: int, shown: Sequence[Quantity]
 ) -> list[str]:
-    return _aligned(_table(found, case, shown))
+    return aligned(_table(found, case, shown))
 
 
 def _by_case(found: Comparison) -> list[str]:
-    title = _title(found.objective)
-    rows = [
-        [title, found.plants[0], *(f"{x} more [%]" for x in found.plants[1:])]
-    ]
+    name, others = _reference(found)
+    heads = (f"{found.plants[p]} more [%]" for p in others)
+    rows = [[title_of(found.objective), name, *heads]]
     key = found.objective.name, 0
-    for case, name in enumerate(found.cases):
+    for case, title in enumerate(found.cases):
         gains = (
             told(found.gain(plant, case, key), has_sign=True)
-            for plant in range(1, len(found.plants))
+            for plant in others
         )
-        rows.append([name, told(found.value(0, case, key)), *gains])
-    return _aligned(rows)
-
-
-def _aligned(rows: Sequence[Sequence[str]]) -> list[str]:
-    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
-    return [
-        "  ".join(
-            cell.ljust(width) if i == 0 else cell.rjust(width)
-            for i, (cell, width) in enumerate(zip(row, widths))
-        ).rstrip()
-        for row in rows
-    ]
-
-
-def _title(quantity: Quantity) -> str:
-    unit = unit_label(quantity.unit)
-    return words(quantity.name) + ("" if unit == "1" else f" [{unit}]")
-
-
-def told(figure: Estimate | None, has_sign: bool = False) -> str:
-    """Returns a number with half of its 95 % interval; an exact number has no
-    interval."""
-    if figure is None or not math.isfinite(figure.mean):
-        return "–"
-    text = figure.interval_text()
-    if has_sign and figure.standard_error == 0:
-        text = f"{figure.mean:.2f}"
-    is_plus = has_sign and figure.mean > 0 and text.strip("0.") != ""
-    return f"+{text}" if is_plus else text
+        rows.append(
+            [title, told(found.value(found.reference, case, key)), *gains]
+        )
+    return aligned(rows)
 
 
 def html_of(found: Comparison) -> str:
-    """Returns the page of all cases as tables of HTML, one after another."""
+    """Returns the page of all cases as tables of HTML, one after another, and
+    the ranking of more than three plants as text."""
+    if len(found.plants) > _PLANTS:
+        return f"<pre>{html.escape(page_of(found))}</pre>"
     parts = [f"<p>{html.escape(_head(found))}</p>"]
     for case, name in enumerate(found.cases):
         head, *rows = _table(found, case, _shown(found, False))

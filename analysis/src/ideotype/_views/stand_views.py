@@ -79,9 +79,10 @@ class StandViews(StandCase):
         """Compares plants with the first plant in the same fields and light;
         the plants may differ in their number of leaves.
 
-        plants: genomes, or paths of crop files, measured leaves (.csv),
-            campaigns (their baseline) and histories (their best plant).
-        names: names of the plants.
+        plants: genomes, or paths of crop files, measured leaves (.csv, of one
+            or more plants), campaigns (their baseline) and histories (their
+            best plant).
+        names: names of the plants; several plants of a file keep theirs.
         final, seed, tolerance, threads: arguments of `evaluate`.
 
         Returns a Comparison, whose `table` has every number with its
@@ -94,9 +95,12 @@ class StandViews(StandCase):
                 f"{len(plants)} plants and {len(names)} names are given; give "
                 "at least one plant, and as many names or none"
             )
-        shown = [self._compared(plant, i) for i, plant in enumerate(plants)]
-        if names:
-            shown = [replace(x, name=name) for x, name in zip(shown, names)]
+        shown: list[Plant] = []
+        for i, plant in enumerate(plants):
+            found = self._compared(plant, i)
+            if names and len(found) == 1:
+                found = [replace(found[0], name=names[i])]
+            shown += found
         return compare_plants(
             shown,
             [(self.name, self._case, None)],
@@ -108,13 +112,13 @@ class StandViews(StandCase):
 
     def _compared(
         self, plant: ArrayLike | str | PathLike[str], number: int
-    ) -> Plant:
+    ) -> list[Plant]:
         if isinstance(plant, str | PathLike):
             return Plant.read(plant, self._case)
         genome = self._plants(plant)[0]
         is_baseline = np.array_equal(genome, self.baseline)
         name = "baseline" if is_baseline else f"plant {number + 1}"
-        return Plant(name, _core.grown_plants(self._case, genome))
+        return [Plant(name, _core.grown_plants(self._case, genome))]
 
     def draw(self, *genomes: ArrayLike, names: Sequence[str] = ()) -> Figure:
         """Draws plants from the side and from above, at one scale; without

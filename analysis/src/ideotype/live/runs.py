@@ -12,6 +12,7 @@ import numpy as np
 from .._errors import Error
 from ..analysis.reading.file import HistoryError, Writer
 from ..analysis.reading.history import History, open_history
+from ..analysis.reading.names import distinct_names
 from ..analysis.reading.rows import Evaluation, Status
 
 RECENT = 5
@@ -37,6 +38,7 @@ class Folder:
                 "`ideotype run` writes to, results by default"
             )
         self.path = path
+        self.name = path.resolve().name or str(path)
         self._known: dict[Path, _Known] = {}
 
     def histories(self) -> list[Path]:
@@ -47,10 +49,16 @@ class Folder:
         """Returns all cases and their sums, for the page. The entry of a file
         that cannot be read has the reason."""
         cases = [self._case(path) for path in self.histories()]
+        named = [case for case in cases if "problem" not in case]
+        names = distinct_names(
+            [case["name"] for case in named], [case["file"] for case in named]
+        )
+        for case, name in zip(named, names):
+            case["name"] = name
         left = [c["core_hours_left"] for c in cases if "problem" not in c]
         known = [hours for hours in left if hours is not None]
         return {
-            "folder": str(self.path),
+            "folder": self.name,
             "cases": cases,
             "running": sum(c.get("state") == "running" for c in cases),
             "finished": sum(c.get("state") == "finished" for c in cases),
@@ -77,13 +85,13 @@ class Folder:
                 and known.stamp == stamp
                 and known.told.get("state") == "finished"
             ):
-                return known.told
+                return {**known.told}
             with open_history(path) as history:
                 told = {"file": name, **case_of(history)}
         except (HistoryError, OSError) as error:
             return {"file": name, "problem": str(error)}
         self._known[path] = _Known(stamp, told)
-        return told
+        return {**told}
 
 
 def case_of(history: History) -> dict[str, Any]:

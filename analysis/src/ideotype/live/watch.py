@@ -107,13 +107,14 @@ def main(arguments: Sequence[str] | None = None) -> int:
     options = parser.parse_args(arguments)
 
     def work() -> int:
-        with closing(Watcher(Folder(options.folder))) as watcher:
+        folder = Folder(options.folder)
+        with closing(Watcher(folder)) as watcher:
             given = {"watcher": watcher}
             app = application(
                 [("state.json", _State, given), ("plants", _Plants, given)],
                 "watch",
                 ("watch.js",),
             )
-            return serve(app, options, f"ideotype watch: {options.folder}")
+            return serve(app, options, f"ideotype watch: {folder.name}")
 
     return answer("watch", work)

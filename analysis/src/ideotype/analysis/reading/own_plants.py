@@ -58,7 +58,7 @@ def own_plants(case: Case, paths: Sequence[Path]) -> Iterator[OwnPlant]:
     from ..._views.compared import compare_plants
 
     stand = ideotype.Stand.from_history(case.best_history.path, same_isa=False)
-    plants = [_read(path, stand) for path in paths]
+    plants = [plant for path in paths for plant in _read(path, stand)]
     found = compare_plants(plants, [(stand.name, stand._case, None)])
     for k, (name, plant) in enumerate(zip(found.plants, plants)):
         values = [
@@ -86,7 +86,7 @@ def _profile(values: Sequence[Estimate]) -> Profile | None:
     return Profile(ranks, values[0].unit, means, errors)
 
 
-def _read(path: Path, stand: ideotype.Stand) -> Plant:
+def _read(path: Path, stand: ideotype.Stand) -> list[Plant]:
     # The imports need the compiled module; the rest of a report does not.
     from ..._scans.plant_sources import is_digitised, read_plant
     from ..._views.compared import Plant

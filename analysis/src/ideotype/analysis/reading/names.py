@@ -1,0 +1,47 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Names that tell apart what several files contain."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+from pathlib import Path
+
+
+def distinct_names(names: Sequence[str], paths: Sequence[str]) -> list[str]:
+    """Returns the names, with the part in which the paths differ added to
+    those that are equal, such as "b73 (results)" and "b73 (long)". Names of
+    equal paths get numbers. An empty path is none."""
+    groups: dict[str, list[int]] = {}
+    for i, name in enumerate(names):
+        groups.setdefault(name, []).append(i)
+    found = list(names)
+    for name, members in groups.items():
+        parts = _differing_parts([paths[i] for i in members])
+        for i, part in zip(members, parts):
+            if part:
+                found[i] = f"{name} ({part})"
+    times: Counter[str] = Counter()
+    for i, name in enumerate(found):
+        times[name] += 1
+        if times[name] > 1:
+            found[i] = f"{name} ({times[name]})"
+    return found
+
+
+def _differing_parts(paths: Sequence[str]) -> list[str]:
+    """Returns each path without the folders and ends that all share."""
+    parts = [Path(path).parts for path in paths]
+    begin = _shared(parts)
+    end = _shared([x[begin:][::-1] for x in parts])
+    return ["/".join(x[begin : len(x) - end]) for x in parts]
+
+
+def _shared(paths: Sequence[tuple[str, ...]]) -> int:
+    """Returns the number of first parts that all paths share."""
+    count = 0
+    for parts in zip(*paths):
+        if len({*parts}) > 1:
+            break
+        count += 1
+    return count

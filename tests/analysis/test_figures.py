@@ -7,6 +7,7 @@ from pathlib import Path
 
 import matplotlib
 import numpy as np
+import pandas
 import pytest
 from conftest import SHIFTS
 from made_numbers import (
@@ -25,6 +26,7 @@ from matplotlib.figure import Figure
 from ideotype.analysis import HistoryError
 from ideotype.analysis.figures.azimuths import draw_azimuths
 from ideotype.analysis.figures.convergence import draw_convergence
+from ideotype.analysis.figures.figure_numbers import write_numbers
 from ideotype.analysis.figures.profiles import (
     draw_hours,
     draw_layers,
@@ -95,6 +97,22 @@ def test_traits_show_ten_plants_and_bounds(finished: Path) -> None:
     mean, _ = horizontal_bars(azimuth)
     assert min(mean[0], 360 - mean[0]) < 10
     assert "baseline" in labels(figure) and "bounds" in labels(figure)
+
+
+def test_numbers_of_bounds_are_their_ends(
+    finished: Path, tmp_path: Path
+) -> None:
+    with open_study(finished) as study:
+        case = study.cases()[0]
+        write_numbers(draw_traits(case), tmp_path / "traits.csv")
+        genes = case.genes
+    table = pandas.read_csv(tmp_path / "traits.csv")
+    found = table[table.series == "bounds"]
+    assert found.x.isna().all()
+    columns = genes.columns("length")
+    length = found[found.panel.str.contains("length")]
+    assert length.x_low.to_numpy() == pytest.approx(genes.lower[columns])
+    assert length.x_high.to_numpy() == pytest.approx(genes.upper[columns])
 
 
 def test_circular_means_and_their_bars_stay_on_the_axis(

@@ -18,8 +18,10 @@ from matplotlib.ticker import FixedLocator
 from numpy.typing import NDArray
 
 HEADER = ("panel", "series", "x", "y", "x_low", "x_high", "y_low", "y_high")
-"""The columns; low and high are the ends of error bars."""
+"""The columns; low and high are the ends of error bars and ranges."""
 
+RANGE = "range"
+"""The gid of bars that show a range from end to end, which have no length."""
 
 _NO_BARS = ("",) * 4
 
@@ -110,11 +112,22 @@ def _bars(
         x, y, width, height = (
             bar.get_x(), bar.get_y(), bar.get_width(), bar.get_height(),
         )  # fmt: skip
+        if bar.get_gid() == RANGE:
+            yield str(group.get_label()), _range(axes, group, bar)
+            continue
         if group.orientation == "horizontal":
             at = width, _named(axes, "y", y + height / 2)
         else:
             at = _named(axes, "x", x + width / 2), height
         yield str(group.get_label()), (*at, *_NO_BARS)
+
+
+def _range(axes: Axes, group: BarContainer, bar: Any) -> tuple[Any, ...]:
+    (left, below), (right, above) = bar.get_bbox().get_points()
+    if group.orientation == "horizontal":
+        at = _named(axes, "y", (below + above) / 2)
+        return "", at, left, right, "", ""
+    return _named(axes, "x", (left + right) / 2), "", "", "", below, above
 
 
 def _label(group: Any, line: Any) -> str:

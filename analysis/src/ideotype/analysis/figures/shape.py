@@ -15,6 +15,7 @@ from ..case import Case
 from ..reading.file import HistoryError
 from ..reading.genes import Kind, curve
 from . import style
+from .figure_numbers import RANGE
 
 COUNT = 10
 """The number of plants that are shown."""
@@ -193,7 +194,7 @@ def _draw_trait(axes: Axes, case: Case, trait: str, place: NDArray) -> None:
     lower, width = genes.lower[columns], (genes.upper - genes.lower)[columns]
     axes.barh(
         place, width, left=lower, height=0.8 * step, color="#F0F0F0",
-        label="bounds",
+        label="bounds", gid=RANGE,
     )  # fmt: skip
     draw_plants(axes, case, lambda genomes: genomes[:, columns], place, 3)
     shown = case.top(COUNT).genome[:, columns]

@@ -101,18 +101,23 @@ class ProgressLog::CaseWatcher : public Watcher {
                        const GenerationSummary& summary) override {
         entry_.generation = generation;
         ++entry_.complete;
-        entry_.best = {summary.best, summary.best_standard_error};
+        // The largest number of a study is no result of it.
+        const bool is_study = log_.campaign_.search.design.has_value();
+        if (!is_study)
+            entry_.best = {summary.best, summary.best_standard_error};
         if (!std::isnan(summary.hypervolume))
             entry_.hypervolume = {summary.hypervolume,
                                   summary.hypervolume_standard_error};
         to_evaluate_ = log_.all_after(generation + 1);
         std::string line = fmt::format(
             "{}  generation {}, {} of {} complete, {} left, {:.1f} "
-            "evaluations/s, {} {}",
+            "evaluations/s",
             entry_.name, generation, entry_.complete,
             log_.campaign_.stop.generations, log_.time_left(),
-            log_.evaluations_per_second(), log_.best_of(entry_),
-            certainty(false, summary.violation));
+            log_.evaluations_per_second());
+        if (!is_study)
+            line += fmt::format(", {} {}", log_.best_of(entry_),
+                                certainty(false, summary.violation));
         if (summary.failures > 0)
             line += fmt::format("  {} failed", summary.failures);
         if (log_.columns_ == 0) log_.print(line);
@@ -123,9 +128,14 @@ class ProgressLog::CaseWatcher : public Watcher {
         to_evaluate_ = 0;
         // The bar that several cases share is updated.
         if (log_.columns_ > 0 && log_.cases_ > 1) return;
-        log_.print(fmt::format(
-            "{}  ended by {}; evaluating finalists with fresh random numbers",
-            entry_.name, in_words(reason)));
+        log_.print(
+            log_.campaign_.search.design
+                ? fmt::format("{}  all rows are evaluated; evaluating the "
+                              "baseline",
+                              entry_.name)
+                : fmt::format("{}  ended by {}; evaluating finalists with "
+                              "fresh random numbers",
+                              entry_.name, in_words(reason)));
     }
 
   private:

@@ -28,6 +28,13 @@ std::size_t best_finalist(const History& history,
 
 namespace {
 
+//! Returns words on the reason for an end; the end of the design of a study
+//! needs no reason.
+std::string ended_by(const CaseResult& result) {
+    const bool is_whole = result.is_study && result.reason == "generations";
+    return result.reason && !is_whole ? " by " + in_words(*result.reason) : "";
+}
+
 Estimate quantity(const History& history, const Row& row,
                   const std::string& name) {
     const double nan = std::nan("");
@@ -78,14 +85,18 @@ Origin origin_of(const History& history, std::int64_t row) {
         .candidate.origin;
 }
 
+//! Returns whether the campaign has a table; campaigns are written in canonical
+//! form.
+bool has_table(const History& history, const std::string& head) {
+    return history.header().campaign_resolved.find('\n' + head + '\n') !=
+           std::string::npos;
+}
+
 //! Returns a text with the number of leaders of an atlas and of those that were
 //! evaluated again before the final; "" for other searches.
 //! @param leaders rows of the baseline, then of finalists
 std::string atlas_of(const History& history, const std::vector<Row>& leaders) {
-    // Campaigns are written in canonical form.
-    if (history.header().campaign_resolved.find("\n[[search.axes]]\n") ==
-        std::string::npos)
-        return "";
+    if (!has_table(history, "[[search.axes]]")) return "";
     const auto confirmed =
         std::count_if(leaders.begin() + 1, leaders.end(), [&](const Row& row) {
             return origin_of(history, row.candidate.parents[0]) ==
@@ -129,6 +140,7 @@ void add_finalists(const History& history, CaseResult& result) {
 CaseResult result_of(const History& history) {
     const HistoryHeader& header = history.header();
     CaseResult result;
+    result.is_study = has_table(history, "[sensitivity]");
     result.reason = history.finished();
     result.generations = header.generations;
     result.objective = header.schema.objectives.front().name;
@@ -146,7 +158,7 @@ CaseResult result_of(const History& history) {
     if (!std::isnan(last.hypervolume))
         result.hypervolume = {last.hypervolume,
                               last.hypervolume_standard_error};
-    if (result.is_evaluated_again) return result;
+    if (result.is_evaluated_again || result.is_study) return result;
     const Row best = history.row(
         static_cast<std::uint32_t>(summaries.size() - 1), last.best_slot);
     result.best = {last.best, last.best_standard_error};
@@ -159,8 +171,7 @@ std::string to_text(const CaseResult& result, const std::string& path,
                     const std::string& state) {
     std::string line =
         fmt::format("{}: {}{}, {} of {} generations", path, state,
-                    result.reason ? " by " + in_words(*result.reason) : "",
-                    result.complete, result.generations);
+                    ended_by(result), result.complete, result.generations);
     if (result.best)
         line += fmt::format(
             ", best {} {}", with_unit(format(*result.best), result.unit),
@@ -181,8 +192,7 @@ std::string to_text(const CaseResult& result, const std::string& path,
 
 std::string in_short(const CaseResult& result, const std::string& name) {
     return fmt::format(
-        "{}: finished by {}{}{}", name,
-        in_words(result.reason.value_or("nothing")),
+        "{}: finished{}{}{}", name, ended_by(result),
         result.gain.empty() ? "" : ", " + result.gain,
         result.failed_finalists > 0
             ? fmt::format(", {} of {} finalists failed",

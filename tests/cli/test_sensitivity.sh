@@ -21,8 +21,13 @@ TOML
 sensitivity=("$ideotype" sensitivity campaigns/study.toml)
 expect 0 "${sensitivity[@]}" --out alone
 says "^next: ideotype indices alone/.*.h5$"
+says "all rows are evaluated; evaluating the baseline"
+# A study has no best plant, which would have to be evaluated again.
+"$ideotype" status alone >>out.log
+! grep -E "best|finalists|finished by|evaluated again" out.log ||
+    fail "words of a search in a study"
 whole=$(history_of alone study)
-"$ideotype" status alone | grep ": finished by generations, 3 of 3 generations" ||
+"$ideotype" status alone | grep ": finished, 3 of 3 generations, " ||
     fail "not finished"
 # Both keys at once may be more than all light.
 "$ideotype" status alone | grep -E ", [1-9][0-9]* failed" || fail "no row failed"

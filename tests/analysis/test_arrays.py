@@ -26,6 +26,14 @@ SPOILED: dict[str, tuple[Callable[[np.ndarray], Any], str]] = {
     ),
     "complex": (lambda x: x + 1j, "has complex numbers; give real ones"),
     "one complex": (lambda x: [*x.tolist()[:-1], 2j], "complex numbers"),
+    "dates": (
+        lambda x: np.datetime64("2025-08-07") + np.arange(x.size),
+        "is no array of numbers: it has dates or times",
+    ),
+    "times": (
+        lambda x: np.arange(x.size).astype("timedelta64[h]"),
+        "is no array of numbers: it has dates or times",
+    ),
     "words": (lambda x: ["wide"] * x.size, "is no array of numbers"),
     "ragged": (lambda x: [x.tolist(), [1.0]], "is no array of numbers"),
 }

@@ -5,6 +5,7 @@ biased table is reported as biased, and bad tables are refused."""
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 
 import numpy as np
@@ -53,7 +54,9 @@ def test_own_light_agrees(
     assert told["correlation"] > 0.99
     assert figure.stat().st_size > 10_000
     for row in told["table"]:
-        assert abs(row["ours"] - row["measured"]) < 5 * row["error"] + 0.02
+        apart = abs(row["model"] - row["measured"])
+        assert apart < 5 * row["model_standard_error"] + 0.02
+    assert told["days"] == 1
 
 
 def test_bias_is_told(
@@ -61,8 +64,43 @@ def test_bias_is_told(
 ) -> None:
     table = measured(stand, tmp_path, factor=0.8)
     assert ceptometer.main([str(QUICK), str(table)]) == 0
-    last = capsys.readouterr().out.splitlines()[-1]
-    assert float(last.split()[3]) > 0.03
+    text = capsys.readouterr().out
+    head = text.splitlines()[0].split("  ")
+    assert [word for word in map(str.strip, head) if word] == [
+        "height [m]", "position [m]", "time", "measured", "model",
+    ]  # fmt: skip
+    (bias,) = re.findall(r"model − measured: (\S+) ± 0\.\d+, root", text)
+    assert float(bias) > 0.03
+    assert re.search(r"0\.40 +0\.38 +\d+:\d\d +0\.\d{3} +0\.\d{3} ± ", text)
+
+
+def test_one_row_has_no_interval(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    table = tmp_path / "one.csv"
+    table.write_text("height_m,percent\n0,5\n")
+    assert ceptometer.main([str(QUICK), str(table)]) == 0
+    text = capsys.readouterr().out
+    assert "nan" not in text and "1 row\n" in text and "whole day" in text
+    assert ceptometer.main([str(QUICK), str(table), "--json"]) == 0
+    told = json.loads(capsys.readouterr().out, parse_constant=pytest.fail)
+    assert told["correlation"] is None and told["bias_standard_error"] is None
+
+
+def test_a_mean_of_many_days_is_announced(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    table = tmp_path / "noon.csv"
+    table.write_text("height_m,hour,percent\n0,12:00,5\n0,13:00,5\n")
+    season = str(CAMPAIGNS / "bondville.toml")
+    words = [season, str(table), "--set", "climate.from=2011-07-25", "--set"]
+    assert ceptometer.main([*words, "climate.to=2011-08-03"]) == 0
+    text = capsys.readouterr().out
+    assert "mean light of 10 days" in text
+    assert "--set climate.from=DATE --set climate.to=DATE" in text
+    # The settings that the message names choose the day.
+    assert ceptometer.main([*words, "climate.to=2011-07-25"]) == 0
+    assert "days" not in capsys.readouterr().out
 
 
 def test_means_over_rows_and_day(
@@ -73,7 +111,7 @@ def test_means_over_rows_and_day(
     found = ceptometer.compare(stand, ceptometer.read_table(path))
     at = stand.evaluate(stand.baseline, ["soil_fraction"], final=True)
     soil = at.soil_fraction.item() / (1 - 0.1)
-    assert found.ours[0] == pytest.approx(soil, abs=0.02)
+    assert found.model[0] == pytest.approx(soil, abs=0.02)
     assert np.isnan(found.hour[0])
 
 
@@ -95,3 +133,9 @@ def test_bad_tables_are_refused(
     table.write_text(text)
     assert ceptometer.main([str(QUICK), str(table)]) == 3
     assert words in capsys.readouterr().err
+
+
+def test_devices_are_refused(capsys: pytest.CaptureFixture[str]) -> None:
+    assert ceptometer.main([str(QUICK), "/dev/zero"]) == 3
+    told = capsys.readouterr().err
+    assert "/dev/zero: this is no regular file" in told

@@ -20,11 +20,16 @@ _Given = TypeVar("_Given")
 def real(given: ArrayLike, name: str) -> NDArray[np.float64]:
     """Returns an array of real numbers.
 
-    Raises Error for masked and complex arrays: numpy would use the hidden
-    values of a masked array, and drop the imaginary part of complex
-    numbers."""
+    Raises Error for masked and complex arrays and for dates: numpy would use
+    the hidden values of a masked array, drop the imaginary part of complex
+    numbers, and count dates from 1970."""
     try:
         found = np.asarray(unmasked(given, name))
+        if found.dtype.kind in "mM":
+            raise Error(
+                f"{name} is no array of numbers: it has dates or times "
+                f"({found.dtype}); give real numbers"
+            )
         if not np.iscomplexobj(found):
             return np.asarray(found, float)
     except (TypeError, ValueError) as error:
@@ -60,12 +65,22 @@ def require_whole(given: object, name: str, least: int, most: int) -> None:
         )
 
 
+def require_file(path: Path) -> None:
+    """Raises Error unless a regular file is there: pipes and devices could be
+    read without end."""
+    if not path.exists():
+        raise Error(f"{path}: there is no such file")
+    if not path.is_file():
+        raise Error(f"{path}: this is no regular file; name one")
+
+
 def read_columns(path: Path) -> pandas.DataFrame:
     """Reads a CSV file, whose column names are then in lower case.
 
     Raises Error if the file cannot be read."""
     import pandas
 
+    require_file(path)
     try:
         table = pandas.read_csv(path, comment="#", skipinitialspace=True)
     except pandas.errors.EmptyDataError:

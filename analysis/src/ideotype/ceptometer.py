@@ -8,6 +8,7 @@ import argparse
 import json
 import re
 import sys
+import tomllib
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -17,6 +18,8 @@ import pandas as pd
 from ._arrays import read_columns
 from ._errors import Error, printable_lines
 from ._stand import Stand
+from .analysis.interval import student
+from .analysis.reading.estimate import NORMAL
 
 _UNITS = {"m": 1.0, "cm": 0.01, "mm": 0.001}
 
@@ -83,24 +86,21 @@ def read_table(path: Path) -> pd.DataFrame:
 
 
 def compare(stand: Stand, table: pd.DataFrame) -> pd.DataFrame:
-    """Returns the table with two more columns: `ours`, the light that the
-    baseline of a stand transmits, and `error`, the standard error of this
-    light."""
+    """Returns the table with two more columns: `model`, the light that the
+    baseline of a stand transmits, and `model_standard_error`."""
     sensors = table[["height", "position"]].drop_duplicates()
     found = stand.light_at(stand.baseline, sensors.height, sensors.position)
     hours = found.hour.to_numpy()
     weights = found.incident.to_numpy()
-    ours: list[float] = []
-    errors: list[float] = []
+    columns: dict[str, list[float]] = {"model": [], "model_standard_error": []}
     for each in table.itertuples():
         place = (sensors.height == each.height) & (
             (sensors.position == each.position)
             | (sensors.position.isna() & np.isnan(each.position))
         )
         here = found.isel(sensor=int(np.flatnonzero(place)[0]))
-        for to, name in (
-            (ours, "fraction"),
-            (errors, "fraction_standard_error"),
+        for to, name in zip(
+            columns.values(), ("fraction", "fraction_standard_error")
         ):
             by_hour = here[name].to_numpy()
             if np.isnan(each.hour):
@@ -112,24 +112,95 @@ def compare(stand: Stand, table: pd.DataFrame) -> pd.DataFrame:
                     f"hour {each.hour:g} of the table is not in the day of the "
                     f"campaign, {hours[0]:g} to {hours[-1]:g} h; see [[day]]"
                 )
-    return table.assign(ours=ours, error=errors)
+    return table.assign(**columns)
 
 
-def agreement(found: pd.DataFrame) -> dict[str, float]:
-    """Returns the mean difference between ours and measured and its standard
-    error, the root of the mean square of the differences, and the
-    correlation."""
-    apart = found.ours - found.measured
+def _choice_of_day(stand: Stand) -> str:
+    """Returns the words that choose one of several days."""
+    if "climate" in tomllib.loads(stand.campaign):
+        return (
+            "--set climate.from=DATE --set climate.to=DATE, or give the "
+            "campaign a [[day]] if it was clear"
+        )
+    return "--set day.date=DATE"
+
+
+def days_of(stand: Stand) -> int:
+    """Returns the number of days over which a stand averages its light."""
+    axes = {name: places for name, _, _, places in stand._case.axes}
+    return len(axes.get("day", [0]))
+
+
+def agreement(found: pd.DataFrame) -> dict[str, float | None]:
+    """Returns the mean difference of the model from the measurements and its
+    standard error, the root of the mean square of the differences, and the
+    correlation; None for numbers that so few rows do not have."""
+    apart = found.model - found.measured
     several = len(apart) > 1
+
+    def known(value: float) -> float | None:
+        return float(value) if np.isfinite(value) else None
+
     return {
         "rows": len(apart),
         "bias": float(apart.mean()),
-        "bias_standard_error": float(apart.sem()) if several else float("nan"),
+        "bias_standard_error": known(apart.sem()) if several else None,
         "rms": float(np.sqrt((apart**2).mean())),
-        "correlation": float(found.ours.corr(found.measured))
-        if several
-        else float("nan"),
+        "correlation": known(_correlation(found)) if several else None,
     }
+
+
+def _correlation(found: pd.DataFrame) -> float:
+    with np.errstate(invalid="ignore", divide="ignore"):
+        return float(found.model.corr(found.measured))
+
+
+def page_of(stand: Stand, found: pd.DataFrame) -> str:
+    """Returns the table and the agreement of a stand as text."""
+    rows = [["height [m]", "position [m]", "time", "measured", "model"]]
+    for each in found.itertuples():
+        half_width = NORMAL * each.model_standard_error
+        minutes = 0 if np.isnan(each.hour) else round(60 * each.hour)
+        rows.append(
+            [
+                f"{each.height:.2f}",
+                "mean" if np.isnan(each.position) else f"{each.position:.2f}",
+                "whole day"
+                if np.isnan(each.hour)
+                else f"{minutes // 60}:{minutes % 60:02}",
+                f"{each.measured:.3f}",
+                f"{each.model:.3f} ± {half_width:.3f}",
+            ]
+        )
+    widths = [max(map(len, column)) for column in zip(*rows)]
+    lines = [
+        "  ".join(x.rjust(width) for x, width in zip(row, widths))
+        for row in rows
+    ]
+    return "\n".join([*lines, "", *_sentences(stand, found)])
+
+
+def _sentences(stand: Stand, found: pd.DataFrame) -> list[str]:
+    known = agreement(found)
+    count = len(found)
+    bias = f"model − measured: {known['bias']:+.3f}"
+    if (error := known["bias_standard_error"]) is not None:
+        bias += f" ± {student(count - 1) * error:.3f}"
+    parts = [bias, f"root mean square {known['rms']:.3f}"]
+    if (correlation := known["correlation"]) is not None:
+        parts.append(f"correlation {correlation:.2f}")
+    parts.append(f"{count} row{'s' if count > 1 else ''}")
+    lines = [
+        ", ".join(parts),
+        "Light is a fraction of that above the canopy; ± is half of a 95 % "
+        "confidence interval.",
+    ]
+    if (days := days_of(stand)) > 1:
+        lines.append(
+            f"The model has the mean light of {days} days. For the day of the "
+            f"measurement add {_choice_of_day(stand)}."
+        )
+    return lines
 
 
 def draw(found: pd.DataFrame, path: Path) -> None:
@@ -139,16 +210,18 @@ def draw(found: pd.DataFrame, path: Path) -> None:
     figure = new_figure(6, 5)
     axes = figure.add_subplot()
     points = axes.scatter(
-        found.measured, found.ours, c=found.height, cmap="viridis", zorder=3
+        found.measured, found.model, c=found.height, cmap="viridis", zorder=3
     )
     axes.errorbar(
-        found.measured, found.ours, 2 * found.error, fmt="none", color="0.6"
-    )
-    limit = 1.05 * max(found.measured.max(), found.ours.max())
+        found.measured, found.model, NORMAL * found.model_standard_error,
+        fmt="none", color="0.6",
+    )  # fmt: skip
+    limit = 1.05 * max(found.measured.max(), found.model.max())
     axes.plot([0, limit], [0, limit], color="0.5", linewidth=1)
     axes.set(
-        xlabel="measured fraction of the light above the canopy",
-        ylabel="the program's, with two standard errors",
+        title="Light among the plants, as a fraction of that above",
+        xlabel="measured fraction",
+        ylabel="fraction of the model, with 95 % confidence intervals",
     )
     figure.colorbar(points, label="height above the soil [m]")
     figure.savefig(path)
@@ -159,11 +232,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
     for a wrong command line, 3 for a wrong campaign or table."""
     parser = argparse.ArgumentParser(
         prog="ideotype ceptometer",
-        description="Puts light that was measured in a field beside the light "
-        "that the baseline of a campaign lets through. The table has columns "
-        "height_cm (or height_m), position_cm across the row from a row, hour "
-        "on the clock of the site, and fraction (or percent, or below and "
-        "above); without position it is a mean across the row.",
+        description="Compares light that was measured in a field with the "
+        "light that the baseline of a campaign transmits. The table has "
+        "columns height_cm (or height_m), position_cm across the row from a "
+        "row, hour on the clock of the site, and fraction (or percent, or "
+        "below and above); without position it is a mean across the row, and "
+        "without hour a mean of the day.",
     )
     add = parser.add_argument
     add("campaign", type=Path, metavar="CAMPAIGN", help="a TOML file")
@@ -184,17 +258,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
             printable_lines(f"ideotype ceptometer: {error}"), file=sys.stderr
         )
         return 3
-    told = agreement(found)
     if options.json:
         rows = json.loads(found.to_json(orient="records"))
-        print(json.dumps({**told, "table": rows}, indent=1))
+        about = {**agreement(found), "days": days_of(stand)}
+        print(json.dumps({**about, "table": rows}, indent=1))
     else:
-        print(found.to_string(index=False, float_format="{:.3f}".format))
-        print(
-            "\nours less measured: {bias:+.3f} ± {bias_standard_error:.3f}, "
-            "rms {rms:.3f}, correlation {correlation:.2f}, "
-            "{rows} rows".format(**told)
-        )
+        print(page_of(stand, found))
     if options.figure:
         draw(found, options.figure)
     return 0

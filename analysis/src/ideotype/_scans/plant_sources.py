@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from .._arrays import require_file
 from .._errors import Error
 from .blades import Blade
 from .midribs import read_midribs
@@ -34,8 +35,7 @@ def read_plant(
     ground: z of the soil in this unit; NaN: z of the lowest point.
 
     Raises Error with the line of what cannot be read."""
-    if not path.is_file():
-        raise Error(f"{path}: there is no such file")
+    require_file(path)
     suffix = path.suffix.lower()
     if suffix == ".csv":
         blades = read_midribs(path, plant, leaves, unit)

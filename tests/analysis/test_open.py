@@ -16,6 +16,7 @@ from conftest import WriterProcess
 from made_history import MadeHistory
 from made_numbers import POPULATION, absorbed
 
+import ideotype
 from ideotype.analysis import (
     HistoryError,
     NotAHistory,
@@ -235,3 +236,10 @@ def test_a_missing_dataset_is_named(tmp_path: Path) -> None:
         pytest.raises(HistoryError, match="has no generations/mean"),
     ):
         history.generations()
+
+
+def test_the_package_lists_what_it_offers() -> None:
+    assert {*ideotype.__all__, "__version__"} == {*dir(ideotype)}
+    assert {"Stand", "mesh", "Search", "open_study", "Crop"} <= {
+        *dir(ideotype)
+    }

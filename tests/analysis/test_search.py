@@ -77,3 +77,12 @@ def test_as_many_values_as_points_are_needed() -> None:
     search = searched(1)
     with pytest.raises(ideotype.Error, match="asked for, but 1 are given"):
         search.tell([1])
+
+
+def test_a_search_shows_its_settings() -> None:
+    search = ideotype.Search(
+        [0, 0], [1, 2], maximise=[False, False], optimizer="nsga2", seed=5
+    )
+    assert repr(search) == (
+        "<Search: nsga2, 2 genes, minimises 2 objectives, seed 5>"
+    )

@@ -87,6 +87,12 @@ class Search:
                 "axes: an atlas needs (lower, upper, cells) of each feature, "
                 "with lower < upper and cells > 0; other searches have none"
             )
+        senses = ["maximises" if each else "minimises" for each in maximise]
+        self._words = (
+            f"{optimizer}, {count} genes, {' and '.join(dict.fromkeys(senses))}"
+            f" {len(maximise)} objective{'s' if len(maximise) > 1 else ''}, "
+            f"seed {seed}"
+        )
         self._objectives = len(maximise)
         self._features = len(axes)
         self._search = make_search(
@@ -101,6 +107,9 @@ class Search:
             [bool(each) for each in maximise],
             list(axes),
         )
+
+    def __repr__(self) -> str:
+        return f"<Search: {self._words}>"
 
     def ask(self) -> Numbers:
         """Returns the points of the next generation [points, genes], which

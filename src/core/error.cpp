@@ -54,6 +54,29 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
     return row.back();
 }
 
+//! Returns a name such as "stalk.diameter_base" with the words of each part in
+//! alphabetic order: "stalk.base_diameter".
+std::string with_sorted_words(const std::string& name) {
+    std::string result;
+    std::vector<std::string> words(1);
+    const auto end_part = [&] {
+        std::ranges::sort(words);
+        for (std::size_t i = 0; i < words.size(); ++i)
+            result += (i == 0 ? "" : "_") + words[i];
+        words.assign(1, "");
+    };
+    for (const char c : name) {
+        if (c == '.')
+            end_part(), result += c;
+        else if (c == '_')
+            words.emplace_back();
+        else
+            words.back() += c;
+    }
+    end_part();
+    return result;
+}
+
 }  // namespace
 
 std::string with_short_quotes(const std::string& message) {
@@ -110,7 +133,12 @@ std::string nearest_name(const std::string& word,
     for (const std::string& candidate : candidates) {
         // A much longer word is too far away, and may have megabytes.
         if (word.size() >= candidate.size() + least) continue;
-        const std::size_t distance = edit_distance(word, candidate);
+        // Words in another order are one mistake.
+        const std::size_t distance =
+            std::min(edit_distance(word, candidate),
+                     edit_distance(with_sorted_words(word),
+                                   with_sorted_words(candidate)) +
+                         1);
         if (distance < least) {
             least = distance;
             nearest = candidate;

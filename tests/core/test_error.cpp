@@ -61,6 +61,14 @@ TEST(NearestName, PrefersTheCloserOfTwo) {
               "plant_spacing");
 }
 
+TEST(NearestName, KnowsWordsInAnotherOrder) {
+    EXPECT_EQ(nearest_name("stalk.diameter_base",
+                           {"stalk.top_diameter", "stalk.base_diameter"}),
+              "stalk.base_diameter");
+    EXPECT_EQ(nearest_name("order_dates", {"utc_offset", "date_order"}),
+              "date_order");
+}
+
 TEST(NearestName, StaysSilentIfNothingIsNear) {
     EXPECT_EQ(nearest_name("colour", {"latitude", "longitude"}), "");
     EXPECT_EQ(nearest_name("latitude", {}), "");

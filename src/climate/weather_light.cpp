@@ -107,8 +107,8 @@ std::vector<Irradiance> light_of(const std::vector<WeatherStep>& series,
             missing = &step;
             // Only the first of consecutive missing steps is told.
             if (!was_missing)
-                findings.add(
-                    step.line, 1,
+                findings.add_row(
+                    0, step.line, 1,
                     "the light of {} {} is not known (a gap or a missing value "
                     "by day); fill it, or choose another period",
                     to_string(date_at(step.middle)),

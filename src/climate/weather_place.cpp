@@ -34,9 +34,35 @@ double correlation(const std::vector<double>& a, const std::vector<double>& b) {
     return aa > 0 && bb > 0 ? ab / std::sqrt(aa * bb) : 0;
 }
 
+//! Returns advice on the light of another time than the sun: the part of a step
+//! that stamps would have to name, if one makes up for the difference.
+//! @param late the time of the light after that of the sun [h]
+std::string remedy_for(const WeatherTable& table, double late) {
+    constexpr double quarter = 0.25;  // Accuracy of the difference [h].
+    const double half = duration<double, hours::period>(table.step).count() / 2;
+    // The time from a stamp to the middle of its step [h].
+    const auto to_middle = [&](Stamp stamp) {
+        return stamp == Stamp::beginning ? half
+               : stamp == Stamp::end     ? -half
+                                         : 0;
+    };
+    for (const auto& [stamp, name] : {std::pair(Stamp::middle, "middle"),
+                                      std::pair(Stamp::beginning, "beginning"),
+                                      std::pair(Stamp::end, "end")})
+        if (std::abs(to_middle(table.stamp()) - late - to_middle(stamp)) <
+            quarter / 2)
+            return fmt::format(
+                "set stamp = \"{}\" if the times of the file are that part "
+                "of their steps, or check the place and the clock",
+                name);
+    return "check the place, the clock, and the part of a step that the times "
+           "of the file are (stamp)";
+}
+
 //! Compares light with the sun of the site, also by clocks shifted by quarters
 //! of an hour, up to half a day.
-void check_clock(const std::vector<WeatherStep>& series,
+void check_clock(const WeatherTable& table,
+                 const std::vector<WeatherStep>& series,
                  const std::vector<double>& measured, Site site,
                  Findings& findings) {
     const double offset = site.utc_offset;
@@ -71,9 +97,9 @@ void check_clock(const std::vector<WeatherStep>& series,
     const double hours = std::abs(shift) / 4.0;
     const std::string text = fmt::format(
         "the light comes {:.4g} h {} than the sun of the site (correlation "
-        "{:.3f}, and {:.3f} with that shift); check the place, the clock, and "
-        "which part of a step the stamps name",
-        hours, shift > 0 ? "later" : "earlier", unshifted, best);
+        "{:.3f}, and {:.3f} with that shift); {}",
+        hours, shift > 0 ? "later" : "earlier", unshifted, best,
+        remedy_for(table, shift / 4.0));
     if (hours >= (long_enough ? 0.75 : 2)) findings.stop(line, 1, "{}", text);
     if (hours >= (long_enough ? 0.5 : 1)) findings.doubt(line, text, false);
 }
@@ -104,6 +130,66 @@ void check_days(const std::vector<WeatherStep>& series,
     if (bright > 0) findings.doubt(first, what, false);
 }
 
+//! Returns the fraction of days with a clearness index of at most k in a month
+//! with a mean of 0.2, which few months of the cloudiest places have: the
+//! distribution of Bendt, Collares-Pereira and Rabl (1981, Solar Energy 27,
+//! 1-5), whose least index is 0.05, up to the largest index of Hollands and
+//! Huget (1983, Solar Energy 30, 195-209).
+double fraction_of_darker_days(double k) {
+    constexpr double least = 0.05, most = 0.585, gamma = -4.74;
+    const double bounded = std::clamp(k, least, most);
+    return (std::exp(gamma * least) - std::exp(gamma * bounded)) /
+           (std::exp(gamma * least) - std::exp(gamma * most));
+}
+
+//! Compares the brightest day with the extraterrestrial light: light in a wrong
+//! unit, or of a part of the spectrum, leaves every day dark.
+void check_brightest(const std::vector<WeatherStep>& series,
+                     const std::vector<double>& measured, const Site& site,
+                     Findings& findings) {
+    // Days with less light outside the atmosphere, on the mean [W m-2], are not
+    // compared: in polar winters twilight counts.
+    constexpr double enough = 50;
+    double brightest = -1;
+    int line = 0, all = 0;
+    for (std::size_t i = 0; i < series.size();) {
+        const ClockTime day = floor<days>(series[i].middle);
+        const std::size_t begin = i;
+        double there = 0, most = 0;
+        for (; i < series.size() && floor<days>(series[i].middle) == day; ++i) {
+            there += measured[i];
+            most += extraterrestrial(site, series[i].middle);
+        }
+        if (most < enough * static_cast<double>(i - begin)) continue;
+        ++all;
+        if (there <= brightest * most) continue;
+        brightest = there / most;
+        line = series[begin].line;
+    }
+    if (all == 0) return;
+    const std::string text = fmt::format(
+        "the brightest of {} day{} has {:.2g} of the light outside the "
+        "atmosphere",
+        all, all == 1 ? "" : "s", brightest);
+    const std::string remedy =
+        "check the unit, and that the column is all solar radiation";
+    // Clouds of an optical thickness of 380 transmit 0.02 (two streams with
+    // an asymmetry of 0.85, without absorption); none last all days.
+    constexpr double thickest = 0.02;
+    if (brightest < thickest)
+        findings.stop(line, 1, "{} (clouds transmit {} or more); {}", text,
+                      thickest, remedy);
+    // Chance that all days are so dark, independent of each other.
+    constexpr double credible = 0.001;
+    if (std::pow(fraction_of_darker_days(brightest), all) < credible)
+        findings.doubt(line,
+                       text +
+                           " (even the darkest climates have brighter "
+                           "days); " +
+                           remedy,
+                       false);
+}
+
 void check_nights(const std::vector<WeatherStep>& series,
                   const std::vector<double>& measured, Findings& findings) {
     double all = 0, dark = 0;
@@ -125,7 +211,8 @@ void check_nights(const std::vector<WeatherStep>& series,
 
 }  // namespace
 
-void check_place(const std::vector<WeatherStep>& series,
+void check_place(const WeatherTable& table,
+                 const std::vector<WeatherStep>& series,
                  const std::vector<Irradiance>& light, const Site& site,
                  Findings& findings) {
     const std::vector<double> measured = mapped(
@@ -133,8 +220,9 @@ void check_place(const std::vector<WeatherStep>& series,
     if (*std::max_element(measured.begin(), measured.end()) <= 0)
         return findings.doubt(series.front().line,
                               "the period has no light at all", false);
-    check_clock(series, measured, site, findings);
+    check_clock(table, series, measured, site, findings);
     check_days(series, measured, site, findings);
+    check_brightest(series, measured, site, findings);
     check_nights(series, measured, findings);
 }
 

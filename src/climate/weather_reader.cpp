@@ -33,8 +33,8 @@ std::vector<WeatherStep> all_steps(const WeatherTable& table,
     int line = rows.front().line;
     for (; middle < table.end; middle += table.step) {
         while (next < rows.size() && rows[next].middle < middle)
-            findings.add(
-                rows[next++].line, 1,
+            findings.add_row(
+                0, rows[next++].line, 1,
                 "the time is not a whole number of steps of {} s after the row "
                 "before; correct it, or leave the row out",
                 table.step.count());
@@ -73,7 +73,6 @@ void interpolate(std::vector<WeatherStep>& series,
         if ((end - begin) * step > 6h)
             findings.add(
                 begin->line, 1,
-
                 "the {} is not known for {} hours (gaps of up to 6 hours are "
                 "filled); fill the gap, or choose another period",
                 name, duration_cast<hours>((end - begin) * step).count());
@@ -152,7 +151,7 @@ Weather parse_weather(const std::string& text, const WeatherRequest& request) {
     site.utc_offset = table.utc_offset;
     for (WeatherStep& step : steps) place_sun(step, site, table.step);
     const std::vector<Irradiance> light = light_of(steps, findings);
-    check_place(steps, light, site, findings);
+    check_place(table, steps, light, site, findings);
     compare_photons(steps, request.par_fraction, findings);
 
     LightSeries series;

@@ -79,6 +79,17 @@ WeatherTable read_head(const std::vector<std::string_view>& lines,
         time);
 }
 
+const char* name_of(DateOrder order) {
+    switch (order) {
+        case DateOrder::month_day_year:
+            return "month_day_year";
+        case DateOrder::day_month_year:
+            return "day_month_year";
+        default:
+            return "year_month_day";
+    }
+}
+
 void read_stamps(WeatherTable& table,
                  const std::vector<std::string_view>& lines, double site_offset,
                  Findings& findings) {
@@ -88,29 +99,41 @@ void read_stamps(WeatherTable& table,
             columns.push_back(*index);
     findings.stop_if_any();
     std::optional<double> offset = table.columns.utc_offset;
+    std::vector<std::vector<CsvField>> stamps;
+    std::vector<int> unreadable;
     for (std::size_t i = table.header_line; i < lines.size(); ++i) {
         if (lines[i].find_first_not_of(" \t,") == std::string_view::npos)
             continue;
         const std::vector<CsvField> fields = fields_of(lines[i]);
-        const std::vector<CsvField> parts =
-            mapped(columns, [&](auto index) { return entry(fields, index); });
+        const std::vector<CsvField>& parts = stamps.emplace_back(
+            mapped(columns, [&](auto index) { return entry(fields, index); }));
         const int line = static_cast<int>(i) + 1;
         auto written = parse_time(parts, table.columns.date_order);
+        table.rows.push_back({line, written ? written->time : ClockTime{}});
         if (!written) {
-            findings.add(
-                line, parts.front().column,
-                "\"{}\" is no date and time; check the order of day and month",
-                fmt::join(mapped(parts, &CsvField::text), ","));
+            unreadable.push_back(static_cast<int>(stamps.size()) - 1);
             continue;
         }
         if (written->utc_offset) {
             // The first offset holds for all rows, since summer time may come
             // and go.
             if (!offset) offset = written->utc_offset;
-            written->time =
+            table.rows.back().middle =
                 later(written->time, *offset - *written->utc_offset);
         }
-        table.rows.push_back({line, written->time});
+    }
+    if (!unreadable.empty()) {
+        const auto order = order_of_dates(stamps);
+        const std::string remedy =
+            order ? fmt::format("set date_order = \"{}\"", name_of(*order))
+                  : "correct it, or check date_order and the columns of time";
+        for (const int row : unreadable) {
+            const auto& parts = stamps[static_cast<std::size_t>(row)];
+            findings.add_row(
+                0, table.rows[static_cast<std::size_t>(row)].line,
+                parts.front().column, "\"{}\" is no date and time; {}",
+                fmt::join(mapped(parts, &CsvField::text), ","), remedy);
+        }
     }
     findings.stop_if_any();
     table.utc_offset = offset.value_or(site_offset);
@@ -134,7 +157,7 @@ void find_step(WeatherTable& table, Findings& findings) {
                       "the rows are {} s apart (there must be one each hour, "
                       "or a part of it that divides the day)",
                       table.step.count());
-    const Stamp stamp = table.columns.stamp.value_or(Stamp::end);
+    const Stamp stamp = table.stamp();
     if (stamp == Stamp::middle) return;
     const seconds half = table.step / 2;
     for (WeatherStep& row : rows)
@@ -157,15 +180,17 @@ void check_order(const WeatherTable& table, Findings& findings) {
         const WeatherStep& row = table.rows[i];
         const WeatherStep& before = table.rows[i - 1];
         if (row.middle == before.middle)
-            findings.add(row.line, 1,
-                         "the same time as on line {} (a duplicate, or the end "
-                         "of summer time); leave one out, or use a clock that "
-                         "is not changed",
-                         before.line);
+            findings.add_row(
+                0, row.line, 1,
+                "the same time as on line {} (a duplicate, or the end "
+                "of summer time); leave one out, or use a clock that "
+                "is not changed",
+                before.line);
         else if (row.middle < before.middle)
-            findings.add(row.line, 1,
-                         "the time is before that of line {}; sort the rows",
-                         before.line);
+            findings.add_row(
+                0, row.line, 1,
+                "the time is before that of line {}; sort the rows",
+                before.line);
     }
     findings.stop_if_any();
 }
@@ -213,6 +238,30 @@ std::optional<std::size_t> WeatherTable::index_of(const std::string& name,
                      "two columns have the name \"{}\"; rename one of them",
                      name);
     return static_cast<std::size_t>(found - header.begin());
+}
+
+std::optional<DateOrder> order_of_dates(
+    const std::vector<std::vector<CsvField>>& stamps) {
+    using enum DateOrder;
+    std::optional<DateOrder> best;
+    seconds shortest = seconds::max();
+    for (const DateOrder order :
+         {year_month_day, month_day_year, day_month_year}) {
+        std::optional<ClockTime> first, last;
+        const auto follows = [&](const std::vector<CsvField>& parts) {
+            const auto written = parse_time(parts, order);
+            if (!written || (last && written->time < *last)) return false;
+            last = written->time;
+            if (!first) first = last;
+            return true;
+        };
+        if (!std::ranges::all_of(stamps, follows) || !first ||
+            *last - *first >= shortest)
+            continue;
+        best = order;
+        shortest = *last - *first;
+    }
+    return best;
 }
 
 WeatherTable read_table(const std::vector<std::string_view>& lines,

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "ideotype/climate/sun.hpp"
 #include "ideotype/climate/weather.hpp"
@@ -50,25 +51,46 @@ class Findings {
   public:
     explicit Findings(std::string file) : file_(std::move(file)) {}
 
-    //! Adds a problem, or only counts it if there are too many to read.
+    //! Adds a problem of the whole file or of a column.
     template <class... Args>
     void add(int line, int column, fmt::format_string<Args...> what,
              Args&&... args) {
-        if (problems_.size() < 20)
-            problems_.push_back(
-                {{file_, line, column},
-                 fmt::format(what, std::forward<Args>(args)...)});
-        else
-            ++left_out_;
+        problems_.push_back({{{file_, line, column},
+                              fmt::format(what, std::forward<Args>(args)...)}});
+    }
+
+    //! Adds a problem of a row. Problems of one kind, which have the same
+    //! format and the same field, become one with their number.
+    //! @param field index of the column with the fault; 0 for whole rows
+    template <class... Args>
+    void add_row(std::size_t field, int line, int column,
+                 fmt::format_string<Args...> what, Args&&... args) {
+        const fmt::string_view format = what;
+        const Kind kind{{format.data(), format.size()}, field};
+        for (Listed& each : problems_)
+            if (each.kind == kind) {
+                each.lines.push_back(line);
+                return;
+            }
+        add(line, column, what, std::forward<Args>(args)...);
+        problems_.back().kind = kind;
     }
 
     //! @throws InputError if there are problems.
     void stop_if_any() const {
         if (problems_.empty()) return;
-        std::vector<Problem> all = problems_;
-        if (left_out_ > 0)
-            all.push_back(
-                {{file_}, fmt::format("{} more problems", left_out_)});
+        std::vector<Problem> all;
+        for (const auto& [problem, kind, lines] : problems_) {
+            all.push_back(problem);
+            constexpr std::size_t few = 5;
+            if (lines.size() > few)
+                all.back().what +=
+                    fmt::format(" (this line and {} others)", lines.size());
+            else if (!lines.empty())
+                all.back().what += fmt::format(" (line{} {} too)",
+                                               lines.size() == 1 ? "" : "s",
+                                               fmt::join(lines, ", "));
+        }
         throw InputError(std::move(all));
     }
 
@@ -109,10 +131,16 @@ class Findings {
         int line;
         int count;  //!< number of times; 0 if there can be only one
     };
+    //! The format of a message, and the index of a column.
+    using Kind = std::pair<std::string_view, std::size_t>;
+    struct Listed {
+        Problem problem;
+        Kind kind{};
+        std::vector<int> lines{};  //!< lines of later problems of its kind
+    };
     std::string file_;
-    std::vector<Problem> problems_;
+    std::vector<Listed> problems_;
     std::vector<Doubt> doubts_;
-    int left_out_ = 0;
 };
 
 //! The values of a row in the program's units; nothing for an unknown value.
@@ -154,11 +182,21 @@ struct WeatherTable {
     //! First and last midnight of the period; by default those of the rows.
     ClockTime begin{}, end{};
 
+    //! Returns the part of a step that stamps name.
+    Stamp stamp() const { return columns.stamp.value_or(Stamp::end); }
+
     //! Returns the index of the column with a name; adds a problem unless there
     //! is exactly one.
     std::optional<std::size_t> index_of(const std::string& name,
                                         Findings& findings) const;
 };
+
+//! Returns the order by which all stamps can be read, with none before its
+//! predecessor; nothing if there is no such order. Of several orders, that of
+//! the shortest period is meant: the others take days for months.
+//! @param stamps fields of one stamp, for each row
+std::optional<DateOrder> order_of_dates(
+    const std::vector<std::vector<CsvField>>& stamps);
 
 //! Reads the header and the rows of a period, without values.
 //! @throws InputError if the file is no weather table or lacks the period, if a
@@ -180,8 +218,10 @@ std::vector<Irradiance> light_of(const std::vector<WeatherStep>& series,
 
 //! Checks that the light matches the sun of a site, whose clock is that of the
 //! steps; warns of a doubtful match.
+//! @param table rows of the file, with the part of a step that stamps name
 //! @throws InputError if the light cannot be that of the site.
-void check_place(const std::vector<WeatherStep>& series,
+void check_place(const WeatherTable& table,
+                 const std::vector<WeatherStep>& series,
                  const std::vector<Irradiance>& light, const Site& site,
                  Findings& findings);
 

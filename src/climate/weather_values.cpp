@@ -155,8 +155,8 @@ std::optional<double> value_of(const CsvField& field, const Source& source,
         return std::nullopt;
     const std::optional<double> number = number_of(field.text);
     if (!number || std::isinf(*number)) {
-        findings.add(
-            line, field.column,
+        findings.add_row(
+            source.index, line, field.column,
             "\"{}\" is not a number; correct it, or leave the entry empty",
             field.text);
         return std::nullopt;
@@ -167,11 +167,11 @@ std::optional<double> value_of(const CsvField& field, const Source& source,
     const double value = source.scale.factor * *number + source.scale.offset;
     // Impossible values are most often due to a wrong unit.
     if (value < source.lowest || value > source.highest)
-        findings.add(line, field.column,
-                     "{} means {:.4g} {} (outside {:g} to {:g}); check the "
-                     "unit, or what stands for missing values",
-                     field.text, value, source.unit, source.lowest,
-                     source.highest);
+        findings.add_row(source.index, line, field.column,
+                         "{} means {:.4g} {} (outside {:g} to {:g}); check the "
+                         "unit, or what stands for missing values",
+                         field.text, value, source.unit, source.lowest,
+                         source.highest);
     return value;
 }
 

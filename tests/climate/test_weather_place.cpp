@@ -7,6 +7,7 @@
 namespace ideotype {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 TEST(WeatherPlace, AnotherLongitudeIsAnError) {
@@ -15,6 +16,10 @@ TEST(WeatherPlace, AnotherLongitudeIsAnError) {
     EXPECT_THAT(error_of(MadeCsv().text(), request),
                 HasSubstr("the light comes 1 h earlier than the sun of the "
                           "site"));
+    // No part of an hour is 1 h from its middle.
+    EXPECT_THAT(error_of(MadeCsv().text(), request),
+                HasSubstr("; check the place, the clock, and the part of a "
+                          "step that the times of the file are (stamp)"));
     request.site.longitude = -75;
     EXPECT_THAT(error_of(MadeCsv().text(), request),
                 HasSubstr("the light comes 1 h later"));
@@ -32,10 +37,11 @@ TEST(WeatherPlace, AWrongStampIsAnError) {
     const auto warnings = parse_weather(MadeCsv().text(), request).warnings;
     ASSERT_EQ(warnings.size(), 1U);
     EXPECT_THAT(warnings[0].what, HasSubstr("the light comes 0.5 h earlier"));
+    EXPECT_THAT(warnings[0].what, HasSubstr("; set stamp = \"middle\" if "));
     // Ends of hours are taken for beginnings.
     request.columns.stamp = Stamp::beginning;
     EXPECT_THAT(error_of(MadeCsv(12, {2011, 7, 1}, 1).text(), request),
-                HasSubstr("1 h later"));
+                AllOf(HasSubstr("1 h later"), HasSubstr("stamp = \"end\"")));
 }
 
 TEST(WeatherPlace, FewDaysAreNoProof) {
@@ -53,6 +59,53 @@ TEST(WeatherPlace, TheOtherHemisphereIsTooDark) {
     EXPECT_THAT(error_of(MadeCsv().text(), request),
                 HasSubstr("more light than the sun of the site outside the "
                           "atmosphere"));
+}
+
+//! Returns the sky of all days with a fraction of the extraterrestrial light.
+Weather with_clearness(double clearness, int days) {
+    MadeCsv made(days);
+    for (std::size_t i = 0; i < made.rows.size(); ++i)
+        made.rows[i] = fmt::format(
+            "{},{:.6f},20,60", made.time(static_cast<double>(i) + .5),
+            2 * clearness * made.global(static_cast<int>(i)));
+    return parse_weather(made.text(), made_request());
+}
+
+TEST(WeatherPlace, LightInAWrongUnitIsAnErrorInBothDirections) {
+    // MJ m-2 of an hour are 277.8 W m-2.
+    MadeCsv made;
+    for (std::size_t i = 0; i < made.rows.size(); ++i)
+        made.rows[i] = fmt::format(
+            "{},{:.6f},20,60", made.time(static_cast<double>(i) + .5),
+            made.global(static_cast<int>(i)) * 3600 / 1e6);
+    WeatherRequest request = made_request();
+    request.columns.global->unit = "MJ/m2";
+    EXPECT_TRUE(parse_weather(made.text(), request).warnings.empty());
+    EXPECT_THAT(
+        error_of(made.text(), made_request()),
+        HasSubstr("the brightest of 12 days has 0.0018 of the "
+                  "light outside the atmosphere (clouds transmit 0.02 or "
+                  "more); check the unit"));
+    request.columns.global->unit = "kWh/m2";
+    EXPECT_THAT(error_of(made.text(), request), HasSubstr("check the unit"));
+    EXPECT_THAT(error_of(MadeCsv().text(), request),
+                HasSubstr("check the unit"));
+}
+
+TEST(WeatherPlace, DaysDarkerThanAnywhereAreDoubted) {
+    // One day may be as dark as any, but not a month.
+    EXPECT_TRUE(with_clearness(.06, 1).warnings.empty());
+    EXPECT_TRUE(with_clearness(.2, 10).warnings.empty());
+    EXPECT_TRUE(with_clearness(.45, 31).warnings.empty());
+    for (const auto& [clearness, days] :
+         {std::pair(.03, 1), std::pair(.12, 10), std::pair(.30, 31)}) {
+        const auto warnings = with_clearness(clearness, days).warnings;
+        ASSERT_EQ(warnings.size(), 1U) << clearness;
+        EXPECT_THAT(warnings[0].what,
+                    HasSubstr("(even the darkest climates have brighter "
+                              "days); check the unit"));
+    }
+    EXPECT_THROW(with_clearness(.01, 1), InputError);
 }
 
 TEST(WeatherPlace, LightThatDoesNotFollowTheSunIsAnError) {

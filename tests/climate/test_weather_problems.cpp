@@ -163,11 +163,18 @@ TEST(WeatherProblems, NumbersAreRead) {
                     made.rows.push_back("9999-07-02 12:30,0,20,60");
                 }),
                 HasSubstr("the file has only 289 of the"));
-    // Only the first twenty of many problems are told.
-    EXPECT_THAT(problem([](MadeCsv& made) {
-                    for (int i = 0; i < 50; ++i) set_light(made, i, "x");
-                }),
-                HasSubstr("made.csv: 30 more problems"));
+    // Problems of one kind are one, with their number; other kinds have their
+    // lines.
+    EXPECT_EQ(problem([](MadeCsv& made) {
+                  for (int i = 0; i < 50; ++i) set_light(made, i, "x");
+                  made.rows[50] = made.time(50.5) + ",5000,x,60";
+              }),
+              "made.csv:2:18: \"x\" is not a number; correct it, or leave the "
+              "entry empty (this line and 49 others)\n"
+              "made.csv:52:18: 5000 means 5000 W m-2 (outside -20 to 2000); "
+              "check the unit, or what stands for missing values\n"
+              "made.csv:52:23: \"x\" is not a number; correct it, or leave the "
+              "entry empty");
     // A row that is too short has no light.
     EXPECT_THAT(
         problem([](MadeCsv& made) { made.rows[noon] = made.time(noon + .5); }),
@@ -250,6 +257,31 @@ TEST(WeatherProblems, PeriodMustBeInTheFile) {
     MadeCsv made;
     set_light(made, noon, "x");
     EXPECT_EQ(error_of(made.text(), request), "");
+}
+
+TEST(WeatherProblems, DatesInAnotherOrderNameTheOrder) {
+    const auto reordered = [](bool month_first, int days) {
+        MadeCsv made(days);
+        for (std::string& row : made.rows) {
+            const std::string year = row.substr(0, 4), month = row.substr(5, 2),
+                              day = row.substr(8, 2);
+            row = (month_first ? month + '/' + day : day + '/' + month) + '/' +
+                  year + row.substr(10);
+        }
+        return error_of(made.text(), made_request());
+    };
+    // One message stands for all rows, and names the remedy.
+    EXPECT_EQ(reordered(true, 14),
+              "made.csv:2:1: \"07/01/2011 00:30\" is no date and time; set "
+              "date_order = \"month_day_year\" (this line and 335 others)");
+    EXPECT_THAT(reordered(false, 14), HasSubstr("\"day_month_year\""));
+    // Days up to the twelfth could be months, but these would not be days in a
+    // row.
+    EXPECT_THAT(reordered(true, 9), HasSubstr("\"month_day_year\""));
+    EXPECT_THAT(reordered(false, 9), HasSubstr("\"day_month_year\""));
+    EXPECT_THAT(problem([](MadeCsv& made) { made.rows[5] = "noon,1,2,3"; }),
+                HasSubstr("made.csv:7:1: \"noon\" is no date and time; correct "
+                          "it, or check date_order and the columns of time"));
 }
 
 }  // namespace

@@ -84,6 +84,9 @@ struct Campaign {
     //! Numbers of the baseline outside the bounds in which breeding would keep
     //! them, then the lines to write. Only breeding needs all numbers inside.
     std::vector<Problem> outside_bounds;
+    //! Tables with bounds that contain the baseline, in place of the rule of
+    //! bounds; "" if the rule contains it.
+    std::string wider_bounds;
 
     std::string name;
     std::uint64_t seed = 1;

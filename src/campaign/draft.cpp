@@ -83,6 +83,7 @@ Crop crop_of(const Draft& draft) {
     for (const TraitEntry& entry : draft.traits)
         crop.traits.push_back(complete(entry));
     if (draft.has_growth) crop.growth = draft.growth;
+    crop.variation = draft.crop_variation;
     return crop;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,7 +41,9 @@ struct Draft {
     PhotosynthesisTable photosynthesis;
     WaterTable water;
     MeasuredLines lines;
-    Growth growth;                    //!< growth of the crop
+    Growth growth;  //!< growth of the crop
+    //! Differences between plants in the crop file; none: there is no table.
+    std::optional<CropVariation> crop_variation;
     bool has_growth = false;          //!< whether the crop file has growth
     bool has_photosynthesis = false;  //!< whether leaves assimilate
     bool has_water = false;           //!< whether leaves exchange water

@@ -173,6 +173,10 @@ void declare_new(CLI::App& verb, NewOptions& options) {
                     "local clock minus UTC [h]; if not given, it follows from "
                     "the longitude");
     verb.add_option("--date", options.date, "date of a clear day: 2025-07-01");
+    verb.add_option("--weather", options.weather,
+                    "weather file (CSV, hourly), in place of --date: what "
+                    "`ideotype weather` writes, or a table with names and "
+                    "units in its columns, such as \"global (W/m2)\"");
     verb.add_option("--row", options.row, "distance between rows [m]");
     verb.add_option("--plant-spacing", options.plant_spacing,
                     "distance between plants in a row [m]");

@@ -35,6 +35,33 @@ TEST(Campaign, PlantsAreWrittenAsTheyAreRead) {
     EXPECT_THROW(read_crop(path + "none"), Error);
 }
 
+TEST(Campaign, VariationOfACropFileChangesNoCampaign) {
+    const std::string path = IDEOTYPE_CAMPAIGNS "/crops/soybean.toml";
+    const Crop soybean = read_crop(path);
+    ASSERT_TRUE(soybean.variation);
+    EXPECT_EQ(soybean.variation->jitter, 180);
+    EXPECT_EQ(soybean.variation->plants.insertion_angle, LeafSpread{15});
+    EXPECT_FALSE(read_crop(IDEOTYPE_CAMPAIGNS "/crops/sorghum.toml").variation);
+    const Campaign campaign =
+        read_campaign(IDEOTYPE_CAMPAIGNS "/sorghum.toml",
+                      {"plant.baseline=\"crops/maize.toml\""});
+    EXPECT_TRUE(campaign.crop.variation);
+    EXPECT_FALSE(campaign.field.variation.is_any());
+    EXPECT_EQ(campaign.resolved.find("variation"), std::string::npos);
+    // Files alone have the table, and wrong keys in it are found.
+    const std::string text = sample_text("", "");
+    EXPECT_NO_THROW(parse_campaign(text, "sample.toml"));
+    EXPECT_THROW(
+        parse_campaign(text + "[plant.baseline.variation]\nlength = 0.1\n",
+                       "sample.toml"),
+        InputError);
+    const std::string wrong = temporary_file("wrong.toml");
+    std::filesystem::copy_file(
+        path, wrong, std::filesystem::copy_options::overwrite_existing);
+    std::ofstream(wrong, std::ios::app) << "\n[variation.more]\n";
+    EXPECT_THROW(read_crop(wrong), InputError);
+}
+
 TEST(Campaign, PlantFilesHoldTheKnownPlants) {
     const Plant b73 = ames().crop.baseline;
     EXPECT_EQ(b73.name, "b73");

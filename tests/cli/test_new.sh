@@ -56,6 +56,67 @@ grep -q '^baseline = "../own/maize.toml"' other/third.toml ||
 expect 0 "$ideotype" check other/third.toml
 [ ! -e other/maize.toml ] || fail "a plant of the user's was copied"
 
+# The differences between plants are those of the crop file, or unknown; a cell
+# has space for plants that stand close.
+expect 0 "$ideotype" new own/broad.toml "${place[@]}" --row 0.76 \
+    --plant-spacing 0.04 --plant soybean
+for line in 'jitter = 180  *#' 'insertion_angle = 15  *#' 'azimuth = 20  *#' \
+    'rows = 2  *#' 'plants = 8  *#'; do
+    grep -q "^$line" own/broad.toml || fail "no '$line' in $(cat own/broad.toml)"
+done
+grep -qE '^(across_row|twist|roll|late|missing) ' own/broad.toml &&
+    fail "soybean varies as maize does"
+expect 0 "$ideotype" check own/broad.toml
+says "^field     2 x 8 plants"
+expect 0 "$ideotype" new own/panicle.toml "${place[@]}" "${field[@]}" \
+    --plant sorghum
+grep -q '^\[field.variation\]' own/panicle.toml && fail "values of another crop"
+grep -q '^# The crop file has no \[variation\]: differences between plants' \
+    own/panicle.toml || fail "$(cat own/panicle.toml)"
+expect 0 "$ideotype" check own/panicle.toml
+
+# A season of weather, from a table whose columns have names with units.
+cp "$project/campaigns/weather/bondville_2011_0721_0920.csv" own/bondville.csv
+season=(--latitude 40.05 --longitude -88.37)
+expect 0 "$ideotype" new other/season.toml "${season[@]}" "${field[@]}" \
+    --plant campaigns/crops/maize.toml --weather own/bondville.csv
+for line in 'file = "../own/bondville.csv"  *#' 'from = 2011-07-21  *#' \
+    'to = 2011-09-19  *#' 'time = \["time"\]  *#' 'stamp = "end"  *#' \
+    'global = \["ppfd_umol", "umol/m2/s"\] #' \
+    'temperature = \["temp_c", "C"\] #' 'wind = \["wind_m_s", "m/s"\]  *#'; do
+    grep -q "^$line" other/season.toml || fail "no '$line': $(cat other/season.toml)"
+done
+grep -q '^\[\[day\]\]' other/season.toml && fail "a day and a climate"
+expect 0 "$ideotype" check other/season.toml
+says "the light comes 0.5 h earlier .* set stamp = \"middle\" if"
+# As a logger writes it, months first: the order of dates follows from the rows.
+awk -F '[,T-]' 'NR == 1 { print "Date,Time,Solar rad (W/m2),Air temp (F),RH" }
+    NR > 1 { print $2 "/" $3 "/" $1 "," substr($4, 1, 5) "," $6 / 2.06 "," 9 * $8 / 5 + 32 ",0.5" }' \
+    own/bondville.csv >own/logger.csv
+expect 0 "$ideotype" new other/logger.toml "${season[@]}" "${field[@]}" \
+    --plant campaigns/crops/maize.toml --weather own/logger.csv
+for line in 'time = \["Date", "Time"\]  *#' 'date_order = "month_day_year"  *#' \
+    'global = \["Solar rad (W/m2)", "W/m2"\] #' \
+    'temperature = \["Air temp (F)", "F"\] #'; do
+    grep -q "^$line" other/logger.toml || fail "no '$line': $(cat other/logger.toml)"
+done
+grep -q '^humidity' other/logger.toml && fail "a humidity without a unit"
+expect 0 "$ideotype" check other/logger.toml
+# Without the order, one error names it for all rows.
+sed '/^date_order/d' other/logger.toml >other/no_order.toml
+expect 3 "$ideotype" check other/no_order.toml
+says '"07/21/2011,00:00" is no date and time; set date_order = "month_day_year" (this line and 1487 others)$'
+[ "$(grep -c 'is no date' out.log)" -eq 1 ] || fail "the same again and again"
+# What `ideotype weather` writes needs no columns.
+cp "$project/tests/data/weather/converted.csv" own/native.csv
+expect 0 "$ideotype" new other/native.toml --latitude 36.1 --longitude -79.95 \
+    "${field[@]}" --plant campaigns/crops/maize.toml --weather own/native.csv
+grep -qE '^(time|global|stamp) = ' other/native.toml && fail "columns are named"
+sed 's/ppfd_umol/light/' own/bondville.csv >own/dark.csv
+expect 3 "$ideotype" new other/dark.toml "${season[@]}" "${field[@]}" \
+    --plant campaigns/crops/maize.toml --weather own/dark.csv
+says "no columns of time and light are recognised (the file has time, light, "
+
 # Measured leaves, also beyond the ranges of the crop.
 cat >own/field.csv <<'CSV'
 # crop: maize
@@ -102,14 +163,27 @@ expect 2 "$ideotype" new none.toml --latitude 42 </dev/null
 says "new: there is no --longitude, --date, --row, --plant-spacing, --plant (on"
 [ "$(wc -l <out.log)" -eq 1 ] || fail "not one line"
 expect 2 "$ideotype" new none.toml --latitude 95 </dev/null
-says '"95" is no latitude (expected: a number, -90 .. 90 deg)'
+says "new: --latitude: site.latitude is 95 deg (above the range -90 .. 90 deg)"
+# All wrong options are told in one pass, lengths with their likely unit.
+expect 2 "$ideotype" new none.toml --latitude north --longitude -93.63 \
+    --row 30 --plant-spacing 0.15 --plant corn --objective light \
+    --date 2021-02-30 --weather none.csv </dev/null
+says 'new: --latitude: "north" is no latitude (expected: a number, -90 .. 90 deg)'
+says "new: --row: spacing.row is 30 m .* looks like centimetres or inches)"
+says "give metres: 0.3 or 0.762"
+says "new: --plant: there is no crop (and no file) 'corn'; did you mean 'maize'?"
+says "new: --date: .* is no date"
+says "new: --weather: cannot read none.csv"
+says "new: --date is given (the days are those of --weather)"
+says "new: --objective: there is no objective 'light'; use one of carbon_balance, net_assimilation, absorbed_par, net_assimilation_per_leaf_area, or"
+[ "$(wc -l <out.log)" -eq 7 ] || fail "not a line for each: $(cat out.log)"
 expect 2 "$ideotype" new none.toml "${place[@]}" --date 2021-02-30
 expect 2 "$ideotype" new none.toml --date 2021-02-30 </dev/null
 says '"2021-02-30" is no date'
 expect 2 "$ideotype" new none.toml --plant maze </dev/null
 says "did you mean 'maize'"
 expect 2 "$ideotype" new none.toml --objective light </dev/null
-says "there is no objective 'light'; use one of absorbed_par, "
+says "there is no objective 'light'; use one of carbon_balance, net_assimilation,"
 ! grep -qE "paths|capped|balance_error" out.log || fail "internals are offered"
 expect 2 "$ideotype" new none.toml --objective net_assimilaton </dev/null
 says "did you mean 'net_assimilation'"
@@ -129,6 +203,7 @@ says 'none.toml:.*name is "my own"'
     echo 42.03
     echo west
     echo -93.63
+    echo
     echo 2021-13-01
     echo 2021-07-01
     echo 0.762
@@ -141,6 +216,7 @@ says 'none.toml:.*name is "my own"'
 expect 0 script -qec "'$ideotype' new asked.toml" /dev/null <answers
 says "Latitude of the place"
 says '"west" is no longitude (expected: a number, -180 .. 180 deg)'
+says "Weather file, CSV with a row for each hour (none: a clear day): "
 says '"2021-13-01" is no date'
 says "(maize): "
 says "^  carbon_balance"
@@ -154,7 +230,7 @@ diff -b <(sed 's/my/asked/g' own/my.toml) asked.toml ||
     fail "answers make another campaign than options"
 # The command asks only for missing options.
 expect 0 script -qec "'$ideotype' new rest.toml ${place[*]} ${field[*]} \
-    --plant maize" /dev/null <<<""
+    --plant maize" /dev/null <<<$'\n'
 grep -q "Latitude" out.log && fail "what was given is asked for"
 expect 2 script -qec "'$ideotype' new ended.toml" /dev/null </dev/null
 says "the input ended before --latitude was given"

@@ -84,6 +84,22 @@ struct Weather {
     std::vector<Problem> warnings;
 };
 
+//! A weather file as a campaign has to describe it.
+struct WeatherDescription {
+    //! Columns of the file; without `time`: those of `ideotype weather`.
+    ColumnMap columns;
+    Period period;  //!< the first and the last whole day
+};
+
+//! Recognises the columns of a weather file by their names and units, as in
+//! "Date", "Time", "Solar rad (W/m2)" and "temp_c", the order of dates, and
+//! the period. Units are those of parse_weather(); a column of light or weather
+//! without a unit is left out.
+//! @param site place, of which the clock counts where stamps have none
+//! @throws InputError if no columns of time and light are recognised.
+WeatherDescription describe_weather(const std::string& text,
+                                    const std::string& file, const Site& site);
+
 //! Reads the text of a weather file for a site; the name of the file is for
 //! messages. Dates and hours are those of the file's clock, or of the site's
 //! clock if the file's is more than 3 hours off the mean sun of the site, as in

@@ -8,6 +8,7 @@
 #include "ideotype/core/range.hpp"
 #include "ideotype/crop/growth.hpp"
 #include "ideotype/crop/plant.hpp"
+#include "ideotype/crop/plant_variation.hpp"
 
 namespace ideotype {
 
@@ -33,6 +34,14 @@ struct Trait {
     bool is_bred = true;
 };
 
+//! The differences between plants of a crop in a field, as the crop file has
+//! them.
+struct CropVariation {
+    PlantVariation plants;
+    //! Largest random turn of each plant [deg]; none: that of other crops.
+    std::optional<double> jitter{};
+};
+
 //! A kind of plant as data: what its plants have in common, what can be bred,
 //! and the plant that breeding begins with.
 struct Crop {
@@ -42,6 +51,9 @@ struct Crop {
     std::vector<std::string> rules{};
     //! Growth and ageing of plants; none: only the baseline is known.
     std::optional<Growth> growth{};
+    //! Differences between plants, which only new campaigns use; none: they
+    //! are unknown.
+    std::optional<CropVariation> variation{};
 };
 
 //! One number of a trait.

@@ -120,6 +120,9 @@ class BaselineCheck {
         return std::move(found_);
     }
 
+    //! Returns the table of bounds that contain the baseline.
+    std::string wider_bounds() const { return '[' + table_ + ']' + lines(); }
+
   private:
     std::string own_bounds(std::size_t trait) const {
         return "bounds." + crop_.traits[trait].name;
@@ -255,10 +258,15 @@ void check_breeding(Draft& draft, const Problems& problems) {
     check_constraints(draft, problems.in("constraints"));
     std::vector<Problem>& outside = draft.campaign.outside_bounds;
     outside.clear();
-    for (const BredCrop& each : bred_crops(draft, problems))
-        if (each.draft.is_crop_known)
-            std::ranges::move(BaselineCheck(each).run(),
-                              std::back_inserter(outside));
+    draft.campaign.wider_bounds.clear();
+    for (const BredCrop& each : bred_crops(draft, problems)) {
+        if (!each.draft.is_crop_known) continue;
+        BaselineCheck check(each);
+        std::vector<Problem> found = check.run();
+        if (!found.empty() && !each.draft.rule.empty() && !each.is_component())
+            draft.campaign.wider_bounds = check.wider_bounds();
+        std::ranges::move(found, std::back_inserter(outside));
+    }
     check_start(draft, problems);
 }
 

@@ -33,14 +33,30 @@ void CropReader::read_key(const toml::node& baseline, const std::string& key) {
                     location(baseline.source(), file_));
 }
 
-void CropReader::read_plant(const toml::table& table, const std::string& file) {
+void CropReader::read_crop(const toml::table& table, const std::string& file) {
+    // Campaigns have this table as [field.variation], so that what a crop file
+    // has of it changes no campaign.
+    draft_.crop_variation.reset();
+    std::vector<Table> of_file;
+    CropVariation unused;
+    if (table.contains("variation")) draft_.crop_variation.emplace();
+    of_file.push_back(
+        one_table(crop_variation_section(
+                      draft_.crop_variation ? *draft_.crop_variation : unused))
+            .optional());
+    read_plant(table, file, of_file);
+}
+
+void CropReader::read_plant(const toml::table& table, const std::string& file,
+                            const std::vector<Table>& of_file) {
     draft_.has_growth = table.contains("growth");
     // The bounds of the usual traits do not apply to other traits.
     if (table.contains("trait")) draft_.bounds.clear();
     Plant& plant = draft_.campaign.crop.baseline;
     const TableReader tables(file, of_crop_), shared(file, problems_);
-    const std::vector<Table> own = plant_tables(draft_),
-                             defaults = crop_defaults(draft_);
+    std::vector<Table> own = plant_tables(draft_);
+    const std::vector<Table> defaults = crop_defaults(draft_);
+    own.insert(own.end(), of_file.begin(), of_file.end());
     std::vector<Table> all = own;
     all.insert(all.end(), defaults.begin(), defaults.end());
     tables.read(table, plant_file_section(plant), all);
@@ -108,7 +124,7 @@ void CropReader::read_crop_of_table(const std::string& file,
 
 void CropReader::read_crop(const std::string& text, const std::string& file) {
     if (const auto table = parse_toml(text, file, problems_))
-        read_plant(*table, file);
+        read_crop(*table, file);
 }
 
 }  // namespace ideotype

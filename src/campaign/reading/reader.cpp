@@ -233,7 +233,7 @@ bool read_crop_draft(const std::string& text, const std::string& file,
         reader.read_measured(text, file, plant);
     } else if (const auto table = parse_toml(text, file, problems)) {
         if (!is_plant(*table)) return false;
-        reader.read_plant(*table, file);
+        reader.read_crop(*table, file);
     }
     return true;
 }

@@ -36,9 +36,8 @@ class CropReader {
     //! @param key such as "plant.baseline"
     void read_key(const toml::node& baseline, const std::string& key);
 
-    //! Reads the tables of a crop.
-    //! @param file path of the file with the tables
-    void read_plant(const toml::table& table, const std::string& file);
+    //! Reads the tables of a crop file.
+    void read_crop(const toml::table& table, const std::string& file);
 
     //! Reads a table of measured leaves. Values that the table lacks come from
     //! the crop that the table names or, without one, from the draft's plant.
@@ -57,6 +56,9 @@ class CropReader {
     void read_plant_file(const std::string& file, const std::string& named_by,
                          const Location& named_at);
     void read_crop_of_table(const std::string& file, const Location& named_at);
+    //! Reads the tables of a crop, with others that only crop files have.
+    void read_plant(const toml::table& table, const std::string& file,
+                    const std::vector<Table>& of_file = {});
     void read_crop(const std::string& text, const std::string& file);
 
     std::vector<std::string> tables_above_;  //!< each names the next as crop

@@ -260,4 +260,18 @@ void read_value(const toml::node& node, const std::string& section,
     std::visit(Reader{{section, key, problems}, node}, key.value);
 }
 
+std::string fault_of(double value, const std::string& section, const Key& key) {
+    double scratch = 0;
+    Key probe = key;
+    probe.value = &scratch;
+    const Problems problems(section);
+    read_value(toml::value(value), section, probe, problems);
+    try {
+        problems.throw_if_any();
+    } catch (const InputError& error) {
+        return error.problems().front().what;
+    }
+    return "";
+}
+
 }  // namespace ideotype

@@ -111,6 +111,13 @@ Section variation_section(PlantVariation& variation, const std::string& name) {
             "field.variation"};
 }
 
+Section crop_variation_section(CropVariation& variation) {
+    Section section = variation_section(variation.plants, "variation");
+    section.keys.emplace_back("jitter", &variation.jitter,
+                              key_info("field", "jitter"));
+    return section;
+}
+
 Table optics_table(Campaign& campaign, bool has_soil) {
     const auto table = [&](std::size_t b) {
         auto& [leaf, stalk, sheath] = campaign.optics[b];

@@ -4,10 +4,8 @@
 #include <set>
 
 #include <fmt/format.h>
-#include <toml++/toml.h>
 
 #include "campaign/checks/checks.hpp"
-#include "campaign/reading/values.hpp"
 #include "schema.hpp"
 
 namespace ideotype {
@@ -92,18 +90,10 @@ std::string fault(const NamedKey& found) {
 bool is_in_range(const KeyFactor& factor, const NamedKey& found,
                  const Problems& problems) {
     for (const double bound : {factor.range.lower, factor.range.upper}) {
-        double scratch = 0;
-        Key probe = found.key;
-        probe.value = &scratch;
-        const Problems own;
-        own.locate(probe.name, problems.where("range"));
-        read_value(toml::value(bound), found.section, probe, own);
-        try {
-            own.throw_if_any();
-        } catch (const InputError& error) {
-            problems.add("range", error.problems().front().what);
-            return false;
-        }
+        const std::string what = fault_of(bound, found.section, found.key);
+        if (what.empty()) continue;
+        problems.add("range", what);
+        return false;
     }
     return true;
 }

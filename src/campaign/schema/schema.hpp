@@ -191,6 +191,8 @@ Section climate_section(Named<Climate>& named);
 Section weather_section(SiteWeather& weather);
 //! Returns the keys of the variation of plants in a field or component.
 Section variation_section(PlantVariation& variation, const std::string& name);
+//! Returns the table of the differences between plants in a crop file.
+Section crop_variation_section(CropVariation& variation);
 Section photosynthesis_section(PhotosynthesisTable& table);
 //! Returns the table of the optics of plants in each waveband and, in a
 //! campaign, of the soil.
@@ -222,6 +224,9 @@ inline constexpr std::size_t most_cases = 100'000;
 //! Returns the value of a key as canonical TOML: the shortest text from which
 //! the same value is read.
 std::string toml_text(const Key& key);
+
+//! Returns the fault of a number as the value of a key, or "" if it has none.
+std::string fault_of(double value, const std::string& section, const Key& key);
 
 //! Returns a local clock time [h] as TOML: "07:00:00".
 std::string clock_text(double hours);

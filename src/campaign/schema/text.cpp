@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include "schema.hpp"
+#include "table_texts.hpp"
 
 namespace ideotype {
 
@@ -117,6 +118,18 @@ void append_keys(std::string& text, const Section& section) {
             text += fmt::format("{} = {}\n", key.name, toml_text(key));
 }
 
+//! Returns the keys of a section that have other values than in a section of
+//! the same keys, one a line.
+std::string changed_keys(const Section& section, const Section& usual) {
+    std::string text;
+    for (std::size_t i = 0; i < section.keys.size(); ++i) {
+        const Key& key = section.keys[i];
+        if (!is_empty(key) && toml_text(key) != toml_text(usual.keys.at(i)))
+            text += fmt::format("{} = {}\n", key.name, toml_text(key));
+    }
+    return text;
+}
+
 //! Appends a table under a name with the prefix of the tables of its file.
 void append_table(std::string& text, const std::string& prefix,
                   const Table& table) {
@@ -176,6 +189,31 @@ std::string clock_text(double hours) {
 
 std::string toml_text(const Key& key) {
     return std::visit(Writer{key}, key.value);
+}
+
+std::string climate_keys(const Named<Climate>& climate) {
+    Named<Climate> own = climate, usual;
+    // The dates have no default.
+    usual.value.period = {{1, 1, 1}, {1, 1, 1}};
+    return changed_keys(climate_section(own), climate_section(usual));
+}
+
+std::string variation_keys(const PlantVariation& variation) {
+    PlantVariation own = variation, usual;
+    return changed_keys(variation_section(own, "field.variation"),
+                        variation_section(usual, "field.variation"));
+}
+
+std::string fault_of(double value, const std::string& table,
+                     const std::string& key) {
+    Draft draft;
+    for (const Table& each : campaign_tables(draft)) {
+        if (each.name != table) continue;
+        each.resize(1);
+        Section section = each.section(0);
+        return fault_of(value, table, section[key]);
+    }
+    return "";
 }
 
 std::string range_text(const Key& key) {

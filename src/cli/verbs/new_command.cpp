@@ -2,159 +2,28 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
-#include <iostream>
 #include <sstream>
-#include <unistd.h>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "campaign/campaign.hpp"
 #include "campaign/problems.hpp"
 #include "campaign/reading/files.hpp"
 #include "campaign/schema/keys.hpp"
+#include "campaign/schema/table_texts.hpp"
 #include "cli/formats/output_file.hpp"
 #include "cli/verbs.hpp"
-#include "ideotype/canopy/quantities.hpp"
+#include "cli/verbs/new_answers.hpp"
 #include "ideotype/climate/light_series.hpp"
+#include "ideotype/climate/weather.hpp"
 #include "ideotype/core/file.hpp"
-#include "ideotype/core/text.hpp"
 
 namespace ideotype {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-//! A question whose answer becomes the value of a key of the new campaign.
-struct Question {
-    const char *option, *section, *key, *text;
-    std::string NewOptions::*answer;  //!< "" if it is not given
-    const char* initial = "";         //!< initial answer; "" if there is none
-};
-
-constexpr Question questions[] = {
-    {"--latitude", "site", "latitude",
-     "Latitude of the place, north is positive [deg]", &NewOptions::latitude},
-    {"--longitude", "site", "longitude", "Longitude, east is positive [deg]",
-     &NewOptions::longitude},
-    {"--date", "day", "date", "Date of a clear day, as 2025-07-01",
-     &NewOptions::date},
-    {"--row", "spacing", "row", "Distance between rows [m]", &NewOptions::row},
-    {"--plant-spacing", "spacing", "plant",
-     "Distance between plants in a row [m]", &NewOptions::plant_spacing},
-    {"--plant", "plant", "baseline",
-     "Plant: maize, sorghum, soybean, cowpea, a crop file (.toml) or measured "
-     "leaves (.csv)",
-     &NewOptions::plant, "maize"},
-    {"--objective", "objective", "maximise",
-     R"(What plants are bred for:
-  carbon_balance
-     the carbon that leaves take up less what they respire and are built of:
-     leaf area has its price (take this if unsure)
-  net_assimilation
-     the carbon that leaves take up less what they respire by day: leaf area
-     costs little
-  absorbed_par
-     the light that leaves absorb: leaf area costs nothing, so expect much of it
-  net_assimilation_per_leaf_area
-     the same carbon per leaf area: few leaves, each in good light
-Name)",
-     &NewOptions::objective, "carbon_balance"}};
-
-double to_number(const std::string& text, const std::string& section,
-                 const std::string& key) {
-    const std::optional<double> number = number_of(text);
-    const KeyInfo& info = key_info(section, key);
-    if (!number || *number < info.lower || *number > info.upper)
-        throw wrong_usage(
-            "\"{}\" is no {} (expected: a number, {} {}); correct it", text,
-            key, info.range, info.unit);
-    return *number;
-}
-
-Date date_of(const std::string& text) {
-    if (const std::optional<Date> date = to_date(text)) return *date;
-    throw wrong_usage(
-        "\"{}\" is no date (year, month and day); write for example 2025-07-01",
-        text);
-}
-
-//! Tells a file from a crop that the program knows by name.
-bool is_file(const std::string& plant) {
-    return fs::path(plant).has_extension();
-}
-
-//! Checks an answer by the documentation of its key.
-//! @throws Error if the key may not have this answer.
-void check(const Question& question, const std::string& answer) {
-    const std::string key = question.key;
-    const auto require = [&](const std::string& what,
-                             const std::vector<std::string>& names) {
-        if (std::ranges::count(names, answer) == 0)
-            throw wrong_usage("there is no {} '{}'; {}", what, answer,
-                              did_you_mean(answer, names));
-    };
-    if (key == "date")
-        date_of(answer);
-    else if (key == "maximise")
-        require("objective", objective_names());
-    else if (key != "baseline")
-        to_number(answer, question.section, key);
-    else if (is_file(answer))
-        read_crop(answer);
-    else
-        require("crop (and no file)", known_crop_names());
-}
-
-std::string ask(const Question& question) {
-    const std::string initial = question.initial;
-    for (std::string answer;;) {
-        fmt::print("{}{}: ", question.text,
-                   initial.empty() ? "" : " (" + initial + ")");
-        std::fflush(stdout);
-        if (!std::getline(std::cin, answer))
-            throw wrong_usage(
-                "new: the input ended before {} was given; answer it, or give "
-                "it as an option",
-                question.option);
-        if (answer.empty()) answer = initial;
-        try {
-            check(question, answer);
-            return answer;
-        } catch (const Error& error) {
-            fmt::print("{}\n", error.what());
-        }
-    }
-}
-
-//! Checks the given answers, and asks for missing ones on a terminal.
-void complete(NewOptions& options) {
-    std::vector<std::string> missing;
-    for (const Question& each : questions) {
-        std::string& answer = options.*each.answer;
-        if (answer.empty() && isatty(STDIN_FILENO) == 1)
-            answer = ask(each);
-        else if (answer.empty() && each.key == std::string("maximise"))
-            answer = each.initial;
-        else if (answer.empty())
-            missing.push_back(each.option);
-        else
-            try {
-                check(each, answer);
-            } catch (const InputError&) {
-                throw;
-            } catch (const Error& error) {
-                throw wrong_usage("new: {}: {}", each.option, error.what());
-            }
-    }
-    if (!missing.empty())
-        throw wrong_usage(
-            "new: there is no {} (on a terminal you would be asked); give {}",
-            fmt::join(missing, ", "), missing.size() == 1 ? "it" : "them");
-}
 
 void write(const std::string& path, const std::string& text) {
     OutputFile file(path);
@@ -182,13 +51,8 @@ std::string clock(double hour) {
     return hour < 24 ? fmt::format("{:02}:00:00", hour) : "\"24:00\"";
 }
 
-//! Returns the text of a campaign file with the most important keys, their
-//! units and meanings. Light lasts from sunrise to sunset.
-//! @param plant path of the plant from the folder of the campaign
-//! @param bounds "\n" and a line of the table [plant], or ""
-//! @throws Error if the sun does not rise.
-std::string new_text(const NewOptions& options, const std::string& plant,
-                     const std::string& bounds) {
+//! Returns the site of a new campaign.
+Site site_of(const NewOptions& options) {
     Site site;
     site.name = options.name.empty() ? fs::path(options.path).stem().string()
                                      : options.name;
@@ -196,12 +60,23 @@ std::string new_text(const NewOptions& options, const std::string& plant,
         for (char& c : site.name)
             if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-')
                 c = '_';
-    site.latitude = to_number(options.latitude, "site", "latitude");
-    site.longitude = to_number(options.longitude, "site", "longitude");
+    site.latitude = to_number(options.latitude);
+    site.longitude = to_number(options.longitude);
     site.utc_offset = options.utc_offset.empty()
                           ? std::round(site.longitude / 15)  // degrees per hour
-                          : to_number(options.utc_offset, "site", "utc_offset");
-    const Date date = date_of(options.date);
+                          : to_number(options.utc_offset);
+    return site;
+}
+
+//! Returns a path from the folder of a campaign.
+std::string path_beside(const std::string& campaign, const std::string& path) {
+    return fs::proximate(path, fs::absolute(campaign).parent_path())
+        .generic_string();
+}
+
+//! Returns the table of a clear day from sunrise to sunset.
+//! @throws Error if the sun does not rise.
+std::string day_text(const Site& site, const Date& date) {
     const Daylight day = daylight(site, date);
     if (!day.sunrise && !(day.elevation > 0))
         throw wrong_usage(
@@ -209,27 +84,90 @@ std::string new_text(const NewOptions& options, const std::string& plant,
             "another date",
             to_string(date), site.latitude);
     const bool has_night = day.sunrise && day.sunset;
+    return fmt::format(
+        "# A clear day, from sunrise to sunset. --weather takes measured "
+        "weather.\n"
+        "[[day]]\ndate = {}\nstart = {}\nend = {}\nstep_minutes\n",
+        to_string(date), clock(has_night ? std::floor(*day.sunrise) : 0),
+        clock(has_night ? std::ceil(*day.sunset) : 24));
+}
+
+//! Returns the table of the weather of a file, as its columns are recognised.
+std::string climate_text(const NewOptions& options, const Site& site) {
+    const std::string& file = options.weather;
+    const WeatherDescription found =
+        describe_weather(read_text(file), file, site);
+    Named<Climate> climate{"season", {}};
+    climate.value.file = path_beside(options.path, file);
+    climate.value.columns = found.columns;
+    climate.value.period = found.period;
+    if (!found.columns.time.empty()) climate.value.stamp = "end";
+    return "# A season of weather: all whole days of the file, and its columns "
+           "as recognised.\n[[climate]]\n" +
+           climate_keys(climate);
+}
+
+//! Returns the table of the differences between plants, as the crop file has
+//! them, or a line that says that they are unknown.
+std::string variation_text(const std::optional<CropVariation>& known) {
+    if (!known)
+        return "# The crop file has no [variation]: differences between plants "
+               "of this crop are\n# unknown, and all plants are alike but for "
+               "their turn. Gains are smaller in\n# fields that vary.\n\n";
+    const std::string lines = variation_keys(known->plants);
+    return lines.empty() ? ""
+                         : "# The differences between plants of a field; the "
+                           "crop file has the sources.\n[field.variation]\n" +
+                               lines;
+}
+
+//! Returns the number of rows, or of plants in a row, of one of several small
+//! fields. Cells of 2 x 2 maize plants, 0.30 m long, were tested
+//! (tests/benchmark/README.md); closer plants need more of them to have as much
+//! space.
+int count_in_cell(double distance) {
+    constexpr double tested = 0.30;
+    int count = 2;
+    while (count * distance < tested - 1e-9) count += 2;
+    return count;
+}
+
+//! Returns the text of a campaign file with the most important keys, their
+//! units and meanings.
+//! @param bounds "\n" and a line of the table [plant], or ""
+std::string new_text(const NewOptions& options, const Crop& crop,
+                     const std::string& plant, const std::string& bounds) {
+    const Site site = site_of(options);
+    const double row = to_number(options.row);
+    const double distance = to_number(options.plant_spacing);
+    const auto jitter = crop.variation ? crop.variation->jitter : std::nullopt;
     std::istringstream lines(fmt::format(
         fmt::runtime(campaign_form), fmt::arg("name", site.name),
         fmt::arg("latitude", site.latitude),
         fmt::arg("longitude", site.longitude),
         fmt::arg("utc_offset", site.utc_offset),
-        fmt::arg("date", to_string(date)),
-        fmt::arg("start", clock(has_night ? std::floor(*day.sunrise) : 0)),
-        fmt::arg("end", clock(has_night ? std::ceil(*day.sunset) : 24)),
-        fmt::arg("row", to_number(options.row, "spacing", "row")),
-        fmt::arg("plant", to_number(options.plant_spacing, "spacing", "plant")),
+        fmt::arg("light", options.weather.empty()
+                              ? day_text(site, date_of(options.date))
+                              : climate_text(options, site)),
+        fmt::arg("row", row), fmt::arg("plant", distance),
+        fmt::arg("rows", count_in_cell(row)),
+        fmt::arg("plants", count_in_cell(distance)),
+        fmt::arg("jitter", jitter ? fmt::format("jitter = {}\n", *jitter) : ""),
+        fmt::arg("variation", variation_text(crop.variation)),
         fmt::arg("baseline", plant), fmt::arg("bounds", bounds),
         fmt::arg("objective", options.objective)));
     std::string text, section = "top";
+    bool is_after_key = false;
     for (std::string line, name; std::getline(lines, line);) {
         if (line.starts_with('[') || line.starts_with('#') || line.empty()) {
             if (line.starts_with('[')) section = line;
             std::erase_if(section, [](char c) { return c == '[' || c == ']'; });
-            text += (line.starts_with('#') && !name.empty() ? "\n" : "") +
-                    line + '\n';
+            text += (line.starts_with('#') && is_after_key ? "\n" : "") + line +
+                    '\n';
+            is_after_key = false;
             continue;
         }
+        is_after_key = true;
         const std::size_t equals = line.find(" = "), note = line.find(" # ");
         std::istringstream names(line.substr(0, std::min(equals, note)));
         while (names >> name) {
@@ -245,36 +183,47 @@ std::string new_text(const NewOptions& options, const std::string& plant,
     return text;
 }
 
-//! Returns the text of a campaign whose bounds include the baseline of a plant.
+//! Returns the text of a campaign with bounds that contain the baseline of a
+//! plant.
 std::string text_for(const NewOptions& options, const std::string& plant) {
-    const std::string file =
-        fs::proximate(plant, fs::absolute(options.path).parent_path())
-            .generic_string();
-    std::string text = new_text(
-        options, file,
-        std::ranges::count(read_crop(plant).rules, "breedable") > 0
+    const Crop crop = read_crop(plant);
+    const std::string file = path_beside(options.path, plant);
+    const std::string text = new_text(
+        options, crop, file,
+        std::ranges::count(crop.rules, "breedable") > 0
             ? "\nbounds = \"breedable\" # what a breeder could select: sizes "
               "and angles that change smoothly from leaf to leaf; \"traits\" "
               "frees each leaf"
             : "\nbounds # how far traits may move: as the crop file says");
-    std::vector<Problem> outside;
+    const std::string wider =
+        read_campaign_text(text, options.path).wider_bounds;
+    if (wider.empty()) return text;
+    return new_text(options, crop, file, "") +
+           "\n# How far traits may move: as the crop file says,"
+           " but wide enough for the baseline.\n" +
+           wider + '\n';
+}
+
+//! Returns the text of a campaign; reports an objective for which new campaigns
+//! lack tables.
+std::string checked_text(const NewOptions& options, const std::string& plant) {
     try {
-        outside = read_campaign_text(text, options.path).outside_bounds;
+        return text_for(options, plant);
     } catch (const InputError& error) {
-        const std::string& problem = error.problems().front().what;
-        if (!problem.starts_with("the objective")) throw;
+        NewOptions usual = options;
+        usual.objective = usual_objective;
+        if (options.objective == usual_objective) throw;
+        try {
+            text_for(usual, plant);
+        } catch (const InputError&) {
+            // The objective is not to blame for the problems of the campaign.
+            throw error;
+        }
         throw wrong_usage(
             "new writes no such campaign ({}); do so in a copy of "
             "campaigns/growing_season.toml or campaigns/agrivoltaic.toml",
-            problem);
+            error.problems().front().what);
     }
-    if (outside.empty()) return text;
-    // The last problem ends with the bounds to write.
-    const std::string& remedy = outside.back().what;
-    return new_text(options, file, "") +
-           "\n# How far traits may move: as the crop file says,"
-           " but wide enough for the baseline.\n" +
-           remedy.substr(remedy.find("\n[") + 1) + '\n';
 }
 
 }  // namespace
@@ -293,7 +242,7 @@ ExitCode write_new_campaign(const NewOptions& given) {
                  : options.plant;
     const bool is_new = is_known && place_crop(options.plant, plant);
     try {
-        write(options.path, text_for(options, plant));
+        write(options.path, checked_text(options, plant));
     } catch (...) {
         if (is_new) fs::remove(plant);
         throw;

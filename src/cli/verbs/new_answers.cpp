@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/verbs/new_answers.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <iterator>
+#include <unistd.h>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "campaign/campaign.hpp"
+#include "campaign/problems.hpp"
+#include "campaign/reading/files.hpp"
+#include "campaign/schema/keys.hpp"
+#include "campaign/schema/table_texts.hpp"
+#include "ideotype/canopy/quantities.hpp"
+#include "ideotype/climate/weather.hpp"
+#include "ideotype/core/text.hpp"
+
+namespace ideotype {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+//! The effect of a missing option.
+enum class Missing { asks, asks_or_default, is_default };
+
+//! A question with an answer that becomes the value of a key.
+struct Question {
+    const char *option, *section, *key;
+    std::string text;
+    std::string NewOptions::*answer;  //!< "" if it is not given
+    //! Returns the fault of an answer, or "".
+    //! @throws InputError if the answer names a file with problems.
+    std::string (*fault)(const Question&, const std::string&);
+    const char* initial = "";  //!< initial answer; "" if there is none
+    Missing missing = Missing::asks;
+};
+
+struct Offer {
+    const char *objective, *text;
+};
+
+constexpr Offer offers[] = {
+    {usual_objective,
+     "the carbon that leaves take up less what they respire and are built of:\n"
+     "     leaf area has its price (take this if unsure)"},
+    {"net_assimilation",
+     "the carbon that leaves take up less what they respire by day: leaf area\n"
+     "     costs little"},
+    {"absorbed_par",
+     "the light that leaves absorb: leaf area costs nothing, so expect much of "
+     "it"},
+    {"net_assimilation_per_leaf_area",
+     "the same carbon per leaf area: few leaves, each in good light"}};
+
+std::string question_of_objective() {
+    std::string text = "What plants are bred for:\n";
+    for (const auto& [objective, meaning] : offers)
+        text += fmt::format("  {}\n     {}\n", objective, meaning);
+    return text + "Name";
+}
+
+std::string number_fault(const Question& question, const std::string& answer) {
+    const std::optional<double> number = number_of(answer);
+    const KeyInfo& info = key_info(question.section, question.key);
+    if (!number)
+        return fmt::format(
+            "\"{}\" is no {} (expected: a number, {} {}); correct it", answer,
+            question.key, info.range, info.unit);
+    return fault_of(*number, question.section, question.key);
+}
+
+std::string date_fault(const Question& /*question*/,
+                       const std::string& answer) {
+    if (to_date(answer)) return "";
+    return fmt::format(
+        "\"{}\" is no date (year, month and day); write for example 2025-07-01",
+        answer);
+}
+
+std::string weather_fault(const Question& /*question*/,
+                          const std::string& answer) {
+    try {
+        describe_weather(read_text(answer), answer, Site{});
+    } catch (const InputError&) {
+        throw;
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "";
+}
+
+std::string plant_fault(const Question& /*question*/,
+                        const std::string& answer) {
+    if (is_file(answer)) {
+        read_crop(answer);
+        return "";
+    }
+    const std::vector<std::string> names = known_crop_names();
+    if (std::ranges::count(names, answer) > 0) return "";
+    constexpr std::pair<const char*, const char*> other_names[] = {
+        {"corn", "maize"}, {"milo", "sorghum"}, {"soya", "soybean"}};
+    std::string advice = did_you_mean(answer, names);
+    for (const auto& [other, name] : other_names)
+        if (lower_case(answer) == other)
+            advice = fmt::format("did you mean '{}'?", name);
+    return fmt::format("there is no crop (and no file) '{}'; {}", answer,
+                       advice);
+}
+
+std::string objective_fault(const Question& /*question*/,
+                            const std::string& answer) {
+    const std::vector<std::string> names = objective_names();
+    if (std::ranges::count(names, answer) > 0) return "";
+    const std::string near = nearest_name(answer, names);
+    std::vector<std::string> offered;
+    for (const Offer& each : offers) offered.push_back(each.objective);
+    return fmt::format(
+        "there is no objective '{}'; {}", answer,
+        near.empty()
+            ? fmt::format("use one of {}, or another number of a canopy: "
+                          "docs/campaign_files.md has all, below [objective]",
+                          fmt::join(offered, ", "))
+            : "did you mean '" + near + "'?");
+}
+
+const std::vector<Question>& questions() {
+    static const std::vector<Question> all{
+        {"--latitude", "site", "latitude",
+         "Latitude of the place, north is positive [deg]",
+         &NewOptions::latitude, number_fault},
+        {"--longitude", "site", "longitude",
+         "Longitude, east is positive [deg]", &NewOptions::longitude,
+         number_fault},
+        {"--utc-offset", "site", "utc_offset", "", &NewOptions::utc_offset,
+         number_fault, "", Missing::is_default},
+        {"--weather", "climate", "file",
+         "Weather file, CSV with a row for each hour (none: a clear day)",
+         &NewOptions::weather, weather_fault, "", Missing::asks_or_default},
+        {"--date", "day", "date", "Date of a clear day, as 2025-07-01",
+         &NewOptions::date, date_fault},
+        {"--row", "spacing", "row", "Distance between rows [m]",
+         &NewOptions::row, number_fault},
+        {"--plant-spacing", "spacing", "plant",
+         "Distance between plants in a row [m]", &NewOptions::plant_spacing,
+         number_fault},
+        {"--plant", "plant", "baseline",
+         "Plant: maize, sorghum, soybean, cowpea, a crop file (.toml) or "
+         "measured leaves (.csv)",
+         &NewOptions::plant, plant_fault, "maize"},
+        {"--objective", "objective", "maximise", question_of_objective(),
+         &NewOptions::objective, objective_fault, usual_objective,
+         Missing::asks_or_default}};
+    return all;
+}
+
+//! Returns whether a campaign needs the answer: a season of weather has no
+//! clear day.
+bool is_needed(const Question& question, const NewOptions& options) {
+    return question.answer != &NewOptions::date || options.weather.empty();
+}
+
+std::string ask(const Question& question) {
+    const std::string initial = question.initial;
+    for (std::string answer;;) {
+        fmt::print("{}{}: ", question.text,
+                   initial.empty() ? "" : " (" + initial + ")");
+        std::fflush(stdout);
+        if (!std::getline(std::cin, answer))
+            throw wrong_usage(
+                "new: the input ended before {} was given; answer it, or give "
+                "it as an option",
+                question.option);
+        if (answer.empty()) answer = initial;
+        if (answer.empty() && question.missing != Missing::asks) return answer;
+        std::string fault;
+        try {
+            fault = question.fault(question, answer);
+        } catch (const Error& error) {
+            fault = error.what();
+        }
+        if (fault.empty()) return answer;
+        fmt::print("{}\n", fault);
+    }
+}
+
+//! The faults of the options that are given.
+struct Faults {
+    std::vector<std::string> options;
+    std::vector<Problem> files;
+
+    void add(const Question& question, const std::string& answer) {
+        try {
+            const std::string fault = question.fault(question, answer);
+            if (!fault.empty())
+                options.push_back(
+                    fmt::format("new: {}: {}", question.option, fault));
+        } catch (const InputError& error) {
+            std::ranges::copy(error.problems(), std::back_inserter(files));
+        } catch (const Error& error) {
+            options.push_back(
+                fmt::format("new: {}: {}", question.option, error.what()));
+        }
+    }
+
+    void throw_if_any() const {
+        if (options.empty() && files.empty()) return;
+        if (options.empty()) throw InputError(files);
+        std::vector<std::string> lines = options;
+        if (!files.empty()) lines.push_back(InputError(files).what());
+        throw wrong_usage("{}", fmt::join(lines, "\n"));
+    }
+};
+
+}  // namespace
+
+bool is_file(const std::string& plant) {
+    return fs::path(plant).has_extension();
+}
+
+double to_number(const std::string& answer) {
+    if (const std::optional<double> number = number_of(answer)) return *number;
+    throw wrong_usage("\"{}\" is no number; correct it", answer);
+}
+
+Date date_of(const std::string& answer) {
+    if (const std::optional<Date> date = to_date(answer)) return *date;
+    throw wrong_usage("\"{}\" is no date; correct it", answer);
+}
+
+void complete(NewOptions& options) {
+    const bool can_ask = isatty(STDIN_FILENO) == 1;
+    Faults faults;
+    std::vector<std::string> missing;
+    if (!options.weather.empty() && !options.date.empty())
+        faults.options.push_back(
+            "new: --date is given (the days are those of --weather); remove "
+            "one of both");
+    for (const Question& each : questions()) {
+        std::string& answer = options.*each.answer;
+        if (!answer.empty())
+            faults.add(each, answer);
+        else if (can_ask || !is_needed(each, options))
+            continue;
+        else if (each.missing == Missing::asks)
+            missing.push_back(each.option);
+        else
+            answer = each.initial;
+    }
+    if (!missing.empty())
+        faults.options.push_back(fmt::format(
+            "new: there is no {} (on a terminal you would be asked); give {}",
+            fmt::join(missing, ", "), missing.size() == 1 ? "it" : "them"));
+    faults.throw_if_any();
+    for (const Question& each : questions())
+        if ((options.*each.answer).empty() && is_needed(each, options) &&
+            can_ask && each.missing != Missing::is_default)
+            options.*each.answer = ask(each);
+}
+
+}  // namespace ideotype

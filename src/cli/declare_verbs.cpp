@@ -262,17 +262,21 @@ void declare_verbs(CLI::App& app, const std::vector<std::string>& words,
         write_new_campaign);
     add("check", "validate a campaign, and tell its size, cost and cases",
         "campaigns/quickstart.toml", declare_check, check);
-    add("run",
+    const auto note_start = [&](RunOptions& options) {
+        options.command = quoted(words);
+        options.launcher = launcher_of(words.front());
+    };
+    note_start(add(
+        "run",
         "evolve the cases of a campaign on the cores of this machine, or on a "
         "cluster (under mpirun or srun)",
-        "campaigns/quickstart.toml --resume", declare_run, start_run)
-        .command = quoted(words);
-    add("sensitivity",
+        "campaigns/quickstart.toml --resume", declare_run, start_run));
+    note_start(add(
+        "sensitivity",
         "evaluate the design of a sensitivity study, by Sobol' or Morris, of "
         "the traits and of numeric keys of a campaign; runs, stops and is "
         "resumed like a run, and ideotype indices tells what was found",
-        "campaigns/ames_quick.toml", declare_sensitivity, start_run)
-        .command = quoted(words);
+        "campaigns/ames_quick.toml", declare_sensitivity, start_run));
     add("status",
         "tell how far histories have come, also while they are written",
         "results", declare_status, status);

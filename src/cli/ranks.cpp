@@ -4,9 +4,16 @@
 #include <array>
 #include <charconv>
 #include <cstdlib>
+#include <fstream>
+#include <string>
+#include <unistd.h>
+#include <vector>
+
+#include <fmt/format.h>
 
 #include "campaign/problems.hpp"
 #include "ideotype/core/host.hpp"
+#include "run/job/way_on.hpp"
 #include "verbs.hpp"
 
 namespace ideotype {
@@ -39,6 +46,12 @@ void require_all_ranks(int found, int started) {
         started, Session::library_version());
 }
 
+std::string name_of_process(const std::string& process) {
+    std::string name;
+    std::getline(std::ifstream(process + "/comm"), name);
+    return name;
+}
+
 }  // namespace
 
 int parse_threads(const std::string& text) {
@@ -54,6 +67,34 @@ int parse_threads(const std::string& text) {
             "which is {} here",
             text, most_threads, automatic);
     return threads;
+}
+
+std::optional<std::string> process_of_mpirun() {
+    std::string process = fmt::format("/proc/{}", getppid());
+    if (name_of_process(process) == "hydra_pmi_proxy") {
+        // The file has "PID (NAME) STATE PARENT ...".
+        std::ifstream stat(process + "/stat");
+        std::string word;
+        for (int i = 0; i < 4; ++i) stat >> word;
+        process = "/proc/" + word;
+    }
+    const std::string name = name_of_process(process);
+    for (const char* each : {"mpirun", "mpiexec", "orterun", "prterun"})
+        if (name.starts_with(each)) return process;
+    return std::nullopt;
+}
+
+std::string launcher_of(const std::string& program) {
+    if (!launch_of_this_process().is_launched) return "";
+    const std::optional<std::string> mpirun = process_of_mpirun();
+    if (!mpirun) return "";
+    std::ifstream file(*mpirun + "/cmdline");
+    std::vector<std::string> words;
+    for (std::string word; std::getline(file, word, '\0');) {
+        if (word == program) return quoted(words);
+        words.push_back(word);
+    }
+    return "";
 }
 
 Launch launch_of_this_process() {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "ideotype/core/error.hpp"
@@ -28,6 +29,17 @@ struct Launch {
 
 //! Reads the place of this process from the environment, without starting MPI.
 Launch launch_of_this_process();
+
+//! Returns the folder of mpirun in /proc, if it started this process, by itself
+//! or, as MPICH does, by a process between; else none. On another node the
+//! parent is a daemon.
+std::optional<std::string> process_of_mpirun();
+
+//! Returns the words of the command line of mpirun before the program, quoted
+//! for the shell; "" if mpirun did not start this process, or on another node,
+//! or with a script between.
+//! @param program the program as this process was called
+std::string launcher_of(const std::string& program);
 
 //! Starts MPI if a launcher has started this process.
 //! @throws Error (usage) if the ranks do not find each other.

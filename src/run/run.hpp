@@ -51,6 +51,7 @@ struct RunOptions {
     std::optional<int> threads;       //!< threads, see threads_per_rank()
     std::optional<int> masters;  //!< ranks that evolve cases, see masters.hpp
     std::string command;         //!< command as typed, for the record
+    std::string launcher;  //!< quoted words before the command; "": unknown
     LogLevel level = LogLevel::info;
 };
 

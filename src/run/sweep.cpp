@@ -41,9 +41,10 @@ bool Sweep::evolve(Dispatcher& dispatcher) {
     try {
         dispatcher.run(*this);
     } catch (const Error& error) {
-        throw Error(fmt::format("{}\ngo on with\n  {}", error.what(),
-                                way_on(options_.command, ranks_)),
-                    error.exit_code());
+        throw Error(
+            fmt::format("{}\ngo on with\n  {}", error.what(),
+                        way_on(options_.command, ranks_, options_.launcher)),
+            error.exit_code());
     }
     tell_together();
     report_failures();
@@ -81,8 +82,9 @@ void Sweep::on_stop(int in_flight) {
                               ? ", Ctrl-C again stops at once"
                               : "")
             : "";
-    progress_.print(fmt::format("{}go on with\n  {}", pending,
-                                way_on(options_.command, ranks_)));
+    progress_.print(
+        fmt::format("{}go on with\n  {}", pending,
+                    way_on(options_.command, ranks_, options_.launcher)));
 }
 
 Routine<Ending> Sweep::evolve_guarded(const Case& chosen) {
@@ -241,8 +243,9 @@ void Sweep::report_failures() const {
                     chosen_.size(), finished_);
     for (const Failure& each : failures_)
         message += fmt::format("\n{}: {}", each.name, each.reason);
-    throw Error(fmt::format("{}\nwhen the causes are gone, go on with\n  {}",
-                            message, way_on(options_.command, ranks_)));
+    throw Error(
+        fmt::format("{}\nwhen the causes are gone, go on with\n  {}", message,
+                    way_on(options_.command, ranks_, options_.launcher)));
 }
 
 }  // namespace ideotype

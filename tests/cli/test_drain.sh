@@ -9,7 +9,7 @@ write_campaign long 12 300
 whole=$(history_of whole long)
 
 # SIGUSR1 to mpirun drains: exit code 5, a message with the command to go on.
-mpirun -n 3 "$ideotype" run campaigns/long.toml --out drained >drain.log &
+mpirun -wdir "$PWD" -n 3 "$ideotype" run campaigns/long.toml --out drained >drain.log &
 job=$!
 for _ in $(seq 100); do
     [ ! -e "$(history_of drained long)" ] || break
@@ -30,11 +30,15 @@ is_stopped $code || fail "a drain must end with 5, not $code"
 grep ": drained, " status.log || fail "does not look drained"
 grep -qx "  mpirun -n 3 $ideotype run campaigns/long.toml --out drained --resume" \
     status.log || fail "no way to go on: $(cat status.log)"
+grep -q "^(a history does not record options of mpirun, such as" status.log ||
+    fail "no word about other options: $(cat status.log)"
 [ "$("$ideotype" check campaigns/long.toml --left --out drained | cut -f 1)" = 0 ] ||
     fail "a drained case is left"
 [ "$("$ideotype" check campaigns/long.toml --left --out drained | cut -f 2)" -gt 0 ] ||
     fail "no evaluation of a drained case counts"
-grep -q -- "--resume" drain.log || fail "no word about how to go on"
+# The run itself knows how mpirun was called.
+grep -qF -- " -wdir $PWD -n 3 $ideotype run campaigns/long.toml --out drained --resume" \
+    drain.log || fail "another way to go on: $(cat drain.log)"
 # Two resumes at once: one goes on, the other is refused.
 codes=()
 jobs=()

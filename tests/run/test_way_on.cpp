@@ -19,6 +19,10 @@ TEST(WayOn, StartsAsTheRunWasStarted) {
               "mpirun -n 4 ideotype run a.toml --resume");
     EXPECT_EQ(way_on("ideotype run a.toml --resume", 4),
               "mpirun -n 4 ideotype run a.toml --resume");
+    EXPECT_EQ(way_on("ideotype run a.toml", 4, "mpirun --oversubscribe -n 4"),
+              "mpirun --oversubscribe -n 4 ideotype run a.toml --resume");
+    EXPECT_EQ(way_on("ideotype run a.toml", 1, "mpirun -n 1"),
+              "ideotype run a.toml --resume");
     // The path looks like an option.
     EXPECT_EQ(way_on("ideotype run a--resume.toml", 2),
               "mpirun -n 2 ideotype run a--resume.toml --resume");

@@ -67,36 +67,12 @@ namespace {
 constexpr auto nobody_reads =
     "nobody reads the output any more (the pipe is closed)";
 
-std::string name_of(const std::string& process) {
-    std::string name;
-    std::getline(std::ifstream(process + "/comm"), name);
-    return name;
-}
-
-//! Returns the folder of mpirun in /proc, if it started this process, by itself
-//! or, as MPICH does, by a process between; else none. On another node it is a
-//! daemon.
-std::optional<std::string> find_mpirun() {
-    std::string process = fmt::format("/proc/{}", getppid());
-    if (name_of(process) == "hydra_pmi_proxy") {
-        // The file has "PID (NAME) STATE PARENT ...".
-        std::ifstream stat(process + "/stat");
-        std::string word;
-        for (int i = 0; i < 4; ++i) stat >> word;
-        process = "/proc/" + word;
-    }
-    const std::string name = name_of(process);
-    for (const char* each : {"mpirun", "mpiexec", "orterun", "prterun"})
-        if (name.starts_with(each)) return process;
-    return std::nullopt;
-}
-
 //! Returns the pipe that mpirun's own output is, if it started this process and
 //! that is one; else -1. Ranks write to mpirun, which crashes or tells nobody
 //! when its output is closed: a rank that has the pipe itself is told of it.
 int pipe_of_mpirun() {
     if (!launch_of_this_process().is_launched) return -1;
-    const std::optional<std::string> mpirun = find_mpirun();
+    const std::optional<std::string> mpirun = process_of_mpirun();
     if (!mpirun) return -1;
     struct stat about {};
     const std::string output = *mpirun + "/fd/1";

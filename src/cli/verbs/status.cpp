@@ -68,6 +68,7 @@ struct CaseStatus {
     CaseResult result;
     std::optional<double> rate, left;  //!< rate [evaluations/s], time left [s]
     std::string way_on;                //!< command to resume a stopped case
+    bool has_launcher = false;         //!< whether mpirun starts this command
     bool has_one_seed = false;
 };
 
@@ -91,6 +92,8 @@ CaseStatus report_on(const std::string& path) {
     report.state = state_of(writer, result.reason);
     if (!result.reason && writer != Writer::alive)
         report.way_on = way_on_with(history);
+    report.has_launcher =
+        !report.way_on.empty() && history.last_session()->ranks > 1;
     if (result.wall_time > 0)
         report.rate = result.evaluations / result.wall_time;
     if (!result.reason && result.complete > 0)
@@ -177,6 +180,10 @@ void print_overview(const std::vector<CaseStatus>& reports,
         fmt::print("{}\n", one_seed);
     if (!commands.empty())
         fmt::print("go on with\n  {}\n", fmt::join(commands, "\n  "));
+    if (std::ranges::any_of(reports, &CaseStatus::has_launcher))
+        fmt::print(
+            "(a history does not record options of mpirun, such as "
+            "--oversubscribe; add those of the start)\n");
 }
 
 }  // namespace

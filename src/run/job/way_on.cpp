@@ -65,8 +65,11 @@ bool is_start(const std::string& line) {
            (words[1] == "run" || words[1] == "sensitivity");
 }
 
-std::string way_on(const std::string& command, int ranks) {
-    return (ranks > 1 ? fmt::format("mpirun -n {} ", ranks) : "") + command +
+std::string way_on(const std::string& command, int ranks,
+                   const std::string& launcher) {
+    const std::string start =
+        launcher.empty() ? fmt::format("mpirun -n {}", ranks) : launcher;
+    return (ranks > 1 ? start + ' ' : "") + command +
            (contains(command, "--resume") ? "" : " --resume");
 }
 

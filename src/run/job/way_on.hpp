@@ -16,6 +16,8 @@ bool is_start(const std::string& line);
 //! Returns the command that resumes a run as it was started: under mpirun if it
 //! had several ranks.
 //! @param command the quoted command line of the run
-std::string way_on(const std::string& command, int ranks);
+//! @param launcher quoted words before the command; "" if they are unknown
+std::string way_on(const std::string& command, int ranks,
+                   const std::string& launcher = "");
 
 }  // namespace ideotype

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "campaign/campaign.hpp"
+#include "ideotype/canopy/quantities.hpp"
 
 namespace ideotype {
 
@@ -20,32 +21,18 @@ class OverStages {
     //! quantities by stage.
     const QuantitySet& measured() const { return measured_; }
 
-    //! Combines outcomes of stages. Amounts are summed over stages, for a mean
-    //! day of the season. Fractions of light are means by incident light, the
-    //! light-use efficiency by absorbed light, quantities per leaf area and
-    //! extinction by leaf area, all others by time. Stages have their own
+    //! Combines outcomes of stages by mean_over() of each quantity. Amounts are
+    //! sums over stages, for a mean day of the season. Stages have their own
     //! random numbers.
     //! @param each a done outcome of each stage
     Outcome combine(std::span<const Outcome> each) const;
 
   private:
-    //! The quantity by which a number of a stage is weighted.
-    enum class Weights {
-        one,
-        time,
-        leaf_area,
-        leaf_time,
-        incident,
-        absorbed,
-        transpired
-    };
-
-    static Weights weights_of(const std::string& name, const std::string& unit);
-    std::vector<double> weights(Weights kind,
+    std::vector<double> weights(MeanOver kind,
                                 std::span<const Outcome> each) const;
 
     struct Summed {
-        Weights kind;
+        MeanOver kind;
         std::size_t size;
         std::vector<std::size_t> begins;  //!< place in each stage's quantities
         //! The place of each number of each stage.
@@ -62,7 +49,7 @@ class OverStages {
     };
 
     std::vector<ObjectiveEntry> objectives_;
-    std::vector<Weights> objective_weights_;
+    std::vector<MeanOver> objective_weights_;
     std::vector<double> days_;   //!< days of each stage since emergence
     std::vector<double> times_;  //!< time of each stage over the season
     //! Places in quantities; transpiration only if leaves exchange water.

@@ -33,26 +33,11 @@ Axis days_of_all(const std::vector<QuantitySet>& sets) {
 
 }  // namespace
 
-OverStages::Weights OverStages::weights_of(const std::string& name,
-                                           const std::string& unit) {
-    if (name.ends_with("_per_leaf_area")) return Weights::leaf_area;
-    if (name == extinction || name.starts_with("leaf_warming"))
-        return Weights::leaf_time;
-    if (name == "hot_hours") return Weights::leaf_area;
-    if (unit == "g kg-1") return Weights::transpired;
-    if (unit == "MJ m-2 day-1" || unit == "mol m-2 day-1" ||
-        unit == "mm day-1" || unit == "mm" || unit == "g m-2 day-1" ||
-        unit == "t ha-1" || name == "paths")
-        return Weights::one;
-    if (unit == "g MJ-1") return Weights::absorbed;
-    return unit == "1" ? Weights::incident : Weights::time;
-}
-
 void OverStages::add(const Quantity& quantity,
                      const std::vector<QuantitySet>& sets) {
     const bool is_by_day = quantity.axes == Names{"day"};
     if (std::ranges::count(quantity.axes, "hour") > 0) return;
-    Summed summed{weights_of(quantity.name, quantity.unit), 0, {}, {}};
+    Summed summed{mean_over(quantity.name), 0, {}, {}};
     std::map<std::string, std::size_t> place_of;
     if (is_by_day)
         for (const std::string& day :
@@ -116,7 +101,7 @@ OverStages::OverStages(const Campaign& campaign, const Case& chosen)
             sets[0].quantities,
             [&](const Quantity& each) { return each.name == name; });
         if (found == sets[0].quantities.end()) continue;
-        ByStage by{{}, weights_of(name, found->unit) == Weights::one};
+        ByStage by{{}, mean_over(name) == MeanOver::nothing};
         for (const QuantitySet& set : sets)
             by.begins.push_back(set.offset(name));
         by_stage_.push_back(std::move(by));
@@ -133,25 +118,37 @@ OverStages::OverStages(const Campaign& campaign, const Case& chosen)
                                     {"stage"},
                                     Certainty::exact});
     for (const ObjectiveEntry& objective : objectives_)
-        objective_weights_.push_back(
-            weights_of(objective.quantity, unit_of(objective.quantity)));
+        objective_weights_.push_back(mean_over(objective.quantity));
 }
 
-std::vector<double> OverStages::weights(Weights kind,
+std::vector<double> OverStages::weights(MeanOver kind,
                                         std::span<const Outcome> each) const {
-    if (kind == Weights::one) return std::vector(each.size(), 1.);
-    if (kind == Weights::time) return times_;
-    const auto& by = kind == Weights::incident     ? incident_
-                     : kind == Weights::absorbed   ? absorbed_
-                     : kind == Weights::transpired ? transpired_
-                                                   : lai_;
+    const std::vector<std::size_t>* by = &lai_;
+    switch (kind) {
+        case MeanOver::nothing:
+            return std::vector(each.size(), 1.);
+        case MeanOver::time:
+            return times_;
+        case MeanOver::incident_light:
+            by = &incident_;
+            break;
+        case MeanOver::absorbed_light:
+            by = &absorbed_;
+            break;
+        case MeanOver::transpired_water:
+            by = &transpired_;
+            break;
+        case MeanOver::leaf_area:
+        case MeanOver::leaf_area_time:
+            break;
+    }
     std::vector<double> all;
     double sum = 0;
     for (std::size_t s = 0; s < each.size(); ++s) {
-        all.push_back(each[s].quantities[by[s]].mean);
-        if (kind == Weights::leaf_time) all.back() *= times_[s];
+        all.push_back(each[s].quantities[(*by)[s]].mean);
+        if (kind == MeanOver::leaf_area_time) all.back() *= times_[s];
         // Amounts per leaf area already refer to the time of the stage.
-        sum += all.back() * (kind == Weights::leaf_area ? times_[s] : 1);
+        sum += all.back() * (kind == MeanOver::leaf_area ? times_[s] : 1);
     }
     for (double& x : all) x = sum > 0 ? x / sum : 0;
     return all;

@@ -101,6 +101,19 @@ TEST(GrowingSeason, AmountsAreSumsOverStagesAndFractionsAreOfIncidentLight) {
     EXPECT_LT(all.at("lai_by_stage_0"), 0.01);
 }
 
+TEST(GrowingSeason, RatiosAreOfTheSumsOverStages) {
+    const Campaign campaign = growing({"light.stages=4", "water={}"});
+    const auto all = numbers(campaign);
+    EXPECT_NEAR(
+        all.at("water_use_efficiency_0"),
+        12.011 * all.at("net_assimilation_0") / all.at("transpiration_0"),
+        1e-9);
+    EXPECT_NEAR(all.at("absorbed_par_per_leaf_area_0"),
+                all.at("absorbed_par_0") / all.at("lai_0"), 1e-9);
+    EXPECT_NEAR(all.at("net_assimilation_per_leaf_area_0"),
+                all.at("net_assimilation_0") / all.at("lai_0"), 1e-9);
+}
+
 //! Leaves are built and paid once: costs sum to all area that was ever there.
 TEST(GrowingSeason, LeavesArePaidOnce) {
     const Campaign campaign = growing();

@@ -51,6 +51,21 @@ bool is_of_two_components(const std::string& quantity);
 //! @throws std::out_of_range if no quantity has this name.
 std::string unit_of(const std::string& quantity);
 
+//! The weights by which the numbers of a season are means over its stages.
+enum class MeanOver {
+    nothing,           //!< amounts, which add up to those of a mean day
+    time,              //!< states of the stand
+    incident_light,    //!< fractions of the incident light
+    absorbed_light,    //!< amounts over the light that leaves absorb
+    transpired_water,  //!< amounts over the water that leaves transpire
+    leaf_area,         //!< amounts per leaf area
+    leaf_area_time,    //!< states of leaves: leaf area and time
+};
+
+//! Returns the weights by which a quantity is a mean over the stages of a
+//! season. @throws std::out_of_range if no quantity has this name.
+MeanOver mean_over(const std::string& quantity);
+
 //! A number and its value in each independent randomisation.
 struct Randomised {
     Estimate estimate;

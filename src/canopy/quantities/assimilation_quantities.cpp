@@ -86,25 +86,33 @@ std::vector<Declaration> assimilation_quantities() {
     return {
         {{"gross_assimilation", rate,
           "CO2 that leaves take up per ground area"},
+         MeanOver::nothing,
          [](const Report& r) { return carbon(r); }},
         {{"net_assimilation", rate,
           "gross assimilation less the respiration of leaves while there is "
           "light"},
+         MeanOver::nothing,
          [](const Report& r) { return net(r); }},
         {{"net_assimilation_per_leaf_area", rate,
           "net assimilation per one-sided leaf area"},
+         MeanOver::leaf_area,
          [](const Report& r) { return per_leaf_area(r, net(r)); }},
         {{"carbon_balance", rate,
           "gross assimilation less the respiration of leaves by day and night "
           "and the carbon that builds them"},
+         MeanOver::nothing,
          [](const Report& r) { return balance(r); }},
         {{"gross_co2", "g m-2 day-1", "gross assimilation"},
+         MeanOver::nothing,
          [](const Report& r) { return carbon(r, no_loss, grams_of_co2); }},
         {{"net_co2", "g m-2 day-1", "net assimilation"},
+         MeanOver::nothing,
          [](const Report& r) { return net(r, grams_of_co2); }},
         {{"dry_matter", "t ha-1", "carbon balance of all days as carbohydrate"},
+         MeanOver::nothing,
          [](const Report& r) { return balance(r, tonnes * r.days); }},
         {exact({"respiration", rate, "respiration of leaves by day and night"}),
+         MeanOver::nothing,
          [](const Report& r) {
              const CarbonLoss sum = sum_of(r.assimilation->losses);
              return certain(r, sum.in_light + sum.at_night);
@@ -112,15 +120,18 @@ std::vector<Declaration> assimilation_quantities() {
         {{"carbon_after_silking", rate,
           "gross assimilation after silking less what leaves respire then, day "
           "and night, over the days of the season"},
+         MeanOver::nothing,
          after_silking,
          [](const Scope& scope) { return scope.grows; }},
         {{"sunlit_lai", "m2 m-2",
           "leaf area index that the sun shines on, mean over the time with "
           "light"},
+         MeanOver::time,
          sunlit_lai},
         {by({"hour"},
             {"sunlit_lai_by_hour", "m2 m-2",
              "leaf area index that the sun shines on at each instant"}),
+         MeanOver::time,
          [](const Report& r) {
              Values hours = r.hit_by_sun->hours;
              for (Estimate& x : hours) x = scaled(x, r.assimilating_lai);
@@ -128,24 +139,29 @@ std::vector<Declaration> assimilation_quantities() {
          }},
         {{"light_use_efficiency", "g MJ-1",
           "carbon of gross assimilation over absorbed PAR"},
+         MeanOver::absorbed_light,
          light_use},
         {by({"leaf"},
             {"assimilation_by_leaf", rate, "gross assimilation of each leaf"}),
+         MeanOver::nothing,
          [](const Report& r) { return of_leaves(r, gross_of_groups(r)); }},
         {by({"leaf"}, {"net_assimilation_by_leaf", rate,
                        "net assimilation of each leaf"}),
-         net_by_leaf},
+         MeanOver::nothing, net_by_leaf},
         {by({"layer"}, {"assimilation_by_layer", rate,
                         "gross assimilation of leaves in each layer"}),
+         MeanOver::nothing,
          [](const Report& r) {
              return along(r.assimilation->gross.tallies,
                           r.assimilation->gross.layers, &FluxTally::layers);
          }},
         {by({"hour"}, {"assimilation_by_hour", "umol m-2 s-1",
                        "gross assimilation at each instant"}),
+         MeanOver::time,
          [](const Report& r) { return r.assimilation->gross.hours; }},
         {by({"day"},
             {"assimilation_by_day", rate, "gross assimilation on each day"}),
+         MeanOver::nothing,
          [](const Report& r) { return r.assimilation->gross.dates; }},
     };
 }

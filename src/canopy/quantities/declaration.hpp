@@ -61,9 +61,11 @@ struct Scope {
     }
 };
 
-//! A quantity: its name and unit, and the way to take it from a report.
+//! A quantity: its name and unit, its mean over a season, and the way to take
+//! it from a report.
 struct Declaration {
     Quantity quantity;
+    MeanOver mean_over;
     std::variant<TakeNumber, TakeNumbers, TakeProfile> take;
     //! Whether a canopy has the quantity. None: a canopy has it if it has the
     //! other quantities of the list.

@@ -86,70 +86,85 @@ std::vector<Declaration> light_quantities() {
     using Report = CanopyReport;
     return {
         {{"absorbed_par", daily, "PAR that leaves absorb per ground area"},
+         MeanOver::nothing,
          [](const Report& r) {
              return scaled(absorbed_by_leaves(r), 1 / joule_per_megajoule);
          }},
         {{"absorbed_par_per_leaf_area", daily,
           "PAR that leaves absorb per one-sided leaf area"},
+         MeanOver::leaf_area,
          [](const Report& r) {
              return per_leaf_area(
                  r, scaled(absorbed_by_leaves(r), 1 / joule_per_megajoule));
          }},
         {exact({"incident", daily, "PAR on level ground above the canopy"}),
+         MeanOver::nothing,
          [](const Report& r) {
              return scaled(certain(r, r.par().light.day.incident),
                            1 / joule_per_megajoule);
          }},
         {{"absorbed_fraction", "1", "PAR that leaves absorb over incident PAR"},
+         MeanOver::incident_light,
          fraction(&BudgetEstimate::leaves,
                   [](const Budget& day) { return day.leaves; })},
         {{"stalk_fraction", "1",
           "PAR that stalks, sheaths and other organs absorb over incident PAR"},
+         MeanOver::incident_light,
          fraction(&BudgetEstimate::organs,
                   [](const Budget& day) { return day.organs; })},
         {{"fapar", "1",
           "PAR that leaves and other organs absorb over incident PAR"},
+         MeanOver::incident_light,
          fapar()},
         {{extinction, "1",
           "extinction coefficient of the day's light: -ln(1 - fapar) / lai"},
+         MeanOver::leaf_area_time,
          extinction_coefficient},
         {{"soil_fraction", "1", "PAR that the soil absorbs over incident PAR"},
+         MeanOver::incident_light,
          fraction(&BudgetEstimate::soil,
                   [](const Budget& day) { return day.soil; })},
         {{"reflected_fraction", "1",
           "PAR that escapes to the sky over incident PAR"},
+         MeanOver::incident_light,
          fraction(&BudgetEstimate::reflected,
                   [](const Budget& day) { return day.reflected; })},
         {exact({"balance_error", "1",
                 "largest error of the energy balance of any randomisation over "
                 "the light that entered"}),
+         MeanOver::incident_light,
          [](const Report& r) {
              return certain(r, r.par().light.balance_error);
          },
          {},
          true},
         {exact({"paths", "1", "paths of light in all randomisations"}),
+         MeanOver::nothing,
          [](const Report& r) {
              return certain(r, static_cast<double>(r.paths));
          },
          {},
          true},
         {exact({"capped", "1", "1 if the tolerance would need more paths"}),
+         MeanOver::incident_light,
          [](const Report& r) { return certain(r, r.is_capped ? 1.0 : 0.0); },
          {},
          true},
         {exact({"lai", "m2 m-2", "one-sided leaf area per ground area"}),
-         [](const Report& r) { return certain(r, r.lai); }},
+         MeanOver::time, [](const Report& r) { return certain(r, r.lai); }},
         {exact({"plant_area_index", "m2 m-2",
                 "leaf area and half the surface of all other organs per ground "
                 "area"}),
+         MeanOver::time,
          [](const Report& r) { return certain(r, r.plant_area_index); }},
         {exact({"dead_area_index", "m2 m-2",
                 "area of dead parts of leaves per ground area"}),
+         MeanOver::time,
          [](const Report& r) { return certain(r, r.dead_area_index); },
          [](const Scope& scope) { return scope.grows; }},
         {by({"leaf"},
             {"absorbed_by_leaf", daily, "PAR that each leaf absorbs"}),
+         MeanOver::nothing,
          [](const Report& r) {
              return of_leaves(r, randomised(r.par().light.groups,
                                             r.par().groups_by_randomisation,
@@ -157,9 +172,10 @@ std::vector<Declaration> light_quantities() {
          }},
         {by({"organ"}, {"absorbed_by_organ", daily,
                         "PAR that leaves and each other organ absorb"}),
-         [](const Report& r) { return to_mj(by_organ(r)); }},
+         MeanOver::nothing, [](const Report& r) { return to_mj(by_organ(r)); }},
         {by({"layer"}, {"absorbed_by_layer", daily,
                         "PAR that leaves in each layer absorb"}),
+         MeanOver::nothing,
          [](const Report& r) {
              return randomised(r.par().light.layers,
                                r.par().layers_by_randomisation,
@@ -168,6 +184,7 @@ std::vector<Declaration> light_quantities() {
         {by({"light_source"},
             {"absorbed_by_source", daily,
              "PAR that leaves absorb, by where it came from last"}),
+         MeanOver::nothing,
          [](const Report& r) {
              const BudgetEstimate& day = r.par().light.day;
              return to_mj(
@@ -175,28 +192,32 @@ std::vector<Declaration> light_quantities() {
          }},
         {by({"leaf_side"}, {"absorbed_by_side", daily,
                             "PAR that each side of leaves absorbs"}),
+         MeanOver::nothing,
          [](const Report& r) {
              return to_mj({r.par().light.adaxial, r.par().light.abaxial});
          }},
         {by({"hour"}, {"absorbed_by_hour", "W m-2",
                        "PAR that leaves absorb at each instant"}),
-         by_hour},
+         MeanOver::time, by_hour},
         {by({"day"},
             {"absorbed_by_day", daily, "PAR that leaves absorb on each day"}),
+         MeanOver::nothing,
          [](const Report& r) { return to_mj(r.par().light.dates); }},
     };
 }
 
 std::vector<Declaration> form_quantities() {
     using Report = CanopyReport;
-    return {
-        {exact({"plant_height", "m",
-                "height of the highest point of the full-grown plant"}),
-         [](const Report& r) { return certain(r, r.form->height); }},
-        {exact({"top_leaf_angle", "deg",
-                "mean insertion angle of the four highest leaves from the "
-                "stalk"}),
-         [](const Report& r) { return certain(r, r.form->top_leaf_angle); }}};
+    return {{exact({"plant_height", "m",
+                    "height of the highest point of the full-grown plant"}),
+             MeanOver::time,
+             [](const Report& r) { return certain(r, r.form->height); }},
+            {exact({"top_leaf_angle", "deg",
+                    "mean insertion angle of the four highest leaves from the "
+                    "stalk"}),
+             MeanOver::time, [](const Report& r) {
+                 return certain(r, r.form->top_leaf_angle);
+             }}};
 }
 
 std::vector<Declaration> line_quantities() {
@@ -204,14 +225,17 @@ std::vector<Declaration> line_quantities() {
     return {{exact({"distance_from_lines", "1",
                     "Mahalanobis distance of the plant from the mean of "
                     "measured lines"}),
+             MeanOver::incident_light,
              [](const Report& r) { return certain(r, r.lines->from_mean); }},
             {exact({"distance_from_line", "1",
                     "Mahalanobis distance of the plant from the nearest "
                     "measured line"}),
+             MeanOver::incident_light,
              [](const Report& r) { return certain(r, r.lines->from_line); }},
             {exact({"nearest_line", "1",
                     "number of the nearest measured line, 1 is the first of "
                     "the file; 0: no lines are told"}),
+             MeanOver::incident_light,
              [](const Report& r) {
                  return certain(r, static_cast<double>(r.lines->line));
              },

@@ -72,25 +72,26 @@ std::vector<Declaration> object_quantities() {
         {{"panel_light", daily,
           "light on both sides of panels per ground area, in all wavebands "
           "together"},
+         MeanOver::nothing,
          TakeNumber(light_on_panels),
          [](const Scope& scope) { return scope.has_panels; }},
         {by({"band"},
             {"ground_light", daily, "light that falls on the ground"}),
-         ground_light, has_objects},
+         MeanOver::nothing, ground_light, has_objects},
         {by({"band", "hour"},
             {"ground_light_by_hour", "W m-2",
              "light that falls on the ground at each instant"}),
-         ground_light_by_hour, has_objects},
+         MeanOver::time, ground_light_by_hour, has_objects},
         {by({"object", "object_side", "band"},
             {"object_light", daily,
              "light that falls on a side of an object per area of that side; 0 "
              "where it absorbs none"}),
-         object_light, has_objects},
+         MeanOver::nothing, object_light, has_objects},
         {by({"object", "object_side", "band", "hour"},
             {"object_light_by_hour", "W m-2",
              "light that falls on a side of an object at each instant, per "
              "area of that side"}),
-         object_light_by_hour, has_objects},
+         MeanOver::time, object_light_by_hour, has_objects},
     };
 }
 

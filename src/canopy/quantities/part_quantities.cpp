@@ -78,6 +78,7 @@ Declaration absorbed_in(const std::string& name, const Names& bands,
                         const std::string& light) {
     return {{"absorbed_" + name, daily,
              light + " that leaves absorb per ground area"},
+            MeanOver::nothing,
             absorbed(bands),
             [last = bands.back()](const Scope& scope) {
                 return scope.has_band(last);
@@ -99,6 +100,7 @@ TakeNumbers by_component_and_band(const Take& take) {
 Declaration fraction_by_band(const char* name, const char* description,
                              Estimate BudgetEstimate::*part) {
     return {{name, "1", description, {"band"}},
+            MeanOver::incident_light,
             [part](const CanopyReport& report) {
                 return mapped(report.bands, [&](const BandReport& band) {
                     const BudgetEstimate& day = band.light.day;
@@ -157,6 +159,7 @@ bool are_two(const Scope& scope) {
 
 Declaration assimilation(const char* name, const char* description, Loss loss) {
     return {{name, rate, description, {"component"}},
+            MeanOver::nothing,
             [loss](const CanopyReport& report) {
                 return assimilation_by_component(report, loss);
             },
@@ -205,6 +208,7 @@ std::vector<Declaration> part_quantities() {
         {by({"component", "band"},
             {"absorbed_light", daily,
              "light that leaves absorb per ground area"}),
+         MeanOver::nothing,
          by_component_and_band([](const BandReport& band, std::size_t c) {
              return scaled(band.part(c).leaves, 1 / joule_per_megajoule);
          }),
@@ -212,6 +216,7 @@ std::vector<Declaration> part_quantities() {
         {by({"component", "band", "hour"},
             {"absorbed_light_by_hour", "W m-2",
              "light that leaves absorb at each instant"}),
+         MeanOver::time,
          [](const Report& r) {
              Values values;
              for (std::size_t c = 0; c < r.components.size(); ++c)
@@ -224,6 +229,7 @@ std::vector<Declaration> part_quantities() {
         {by({"component", "band"},
             {"intercepted_fraction", "1",
              "light that leaves and other organs absorb over incident light"}),
+         MeanOver::incident_light,
          by_component_and_band([](const BandReport& band, std::size_t c) {
              const BudgetEstimate& day = band.light.day;
              return fraction_of(
@@ -240,6 +246,7 @@ std::vector<Declaration> part_quantities() {
             &BudgetEstimate::reflected),
         {exact(by({"component"}, {"lai_by_component", "m2 m-2",
                                   "one-sided leaf area per ground area"})),
+         MeanOver::time,
          [](const Report& r) {
              return mapped(r.components, [](const ComponentReport& each) {
                  return Estimate{each.lai, 0};
@@ -260,6 +267,7 @@ std::vector<Declaration> part_quantities() {
           "excess of the mean plant of the first component over that of the "
           "second, relative to the latter: of net assimilation, or of absorbed "
           "light where leaves do not assimilate"},
+         MeanOver::incident_light,
          TakeNumber(invasion),
          are_two},
     };

@@ -79,6 +79,13 @@ const Declaration* find(const std::string& quantity,
     return nullptr;
 }
 
+//! Returns the declaration of a quantity. @throws std::out_of_range if no
+//! quantity has this name.
+const Declaration& declaration_of(const std::string& quantity) {
+    if (const Declaration* found = find(quantity)) return *found;
+    throw std::out_of_range("no quantity " + quantity);
+}
+
 //! Returns whether a canopy has a quantity only because of what is taken away.
 bool needs(const std::string& quantity, const auto& take_away) {
     Scope others = everything;
@@ -160,8 +167,11 @@ bool is_of_two_components(const std::string& quantity) {
 }
 
 std::string unit_of(const std::string& quantity) {
-    if (const Declaration* found = find(quantity)) return found->quantity.unit;
-    throw std::out_of_range("no quantity " + quantity);
+    return declaration_of(quantity).quantity.unit;
+}
+
+MeanOver mean_over(const std::string& quantity) {
+    return declaration_of(quantity).mean_over;
 }
 
 Randomised measure_objective(const std::string& name,

@@ -93,21 +93,22 @@ TakeProfile of_ground(const Take& take, Rows (*of)(const CanopyReport&, Rows)) {
 
 //! Declares a figure by row and by strip.
 void add_figure(std::vector<Declaration>& all, const Quantity& figure,
-                const Take& take, bool assimilates = false) {
-    const auto declare = [&](const std::string& name,
-                             const std::string& meaning,
-                             const std::string& axis, const auto& of,
-                             bool has_strips) {
-        Quantity one = figure;
-        one.name += name;
-        one.meaning += meaning;
-        one.axes.insert(one.axes.begin(), axis);
-        all.push_back(
-            {std::move(one), of_ground(take, of), [=](const Scope& scope) {
-                 return scope.has_rows && (!assimilates || scope.assimilates) &&
-                        (!has_strips || scope.components > 1);
-             }});
-    };
+                MeanOver mean_over, const Take& take,
+                bool assimilates = false) {
+    const auto declare =
+        [&](const std::string& name, const std::string& meaning,
+            const std::string& axis, const auto& of, bool has_strips) {
+            Quantity one = figure;
+            one.name += name;
+            one.meaning += meaning;
+            one.axes.insert(one.axes.begin(), axis);
+            all.push_back({std::move(one), mean_over, of_ground(take, of),
+                           [=](const Scope& scope) {
+                               return scope.has_rows &&
+                                      (!assimilates || scope.assimilates) &&
+                                      (!has_strips || scope.components > 1);
+                           }});
+        };
     declare("_by_row", " per ground that is nearest to the row", "field_row",
             on_own_ground, false);
     declare("_of_strip", " per ground that is nearest to rows of the component",
@@ -125,6 +126,7 @@ std::vector<Declaration> row_quantities() {
           std::tuple{"row_width", "width of the ground nearest to the row",
                      &RowReport::width}})
         all.push_back({exact(by({"field_row"}, {name, "m", meaning})),
+                       MeanOver::time,
                        [take = take](const Report& r) {
                            return mapped(r.rows, [&](const RowReport& row) {
                                return Estimate{row.*take, 0};
@@ -132,16 +134,16 @@ std::vector<Declaration> row_quantities() {
                        },
                        [](const Scope& scope) { return scope.has_rows; }});
     add_figure(
-        all, exact({"lai", "m2 m-2", "one-sided leaf area"}),
+        all, exact({"lai", "m2 m-2", "one-sided leaf area"}), MeanOver::time,
         [](const Report& r) { return std::vector<Rows>{lai_of_rows(r)}; });
     add_figure(
         all,
         by({"band"}, {"absorbed_light", daily, "light that leaves absorb"}),
-        light_of_rows);
+        MeanOver::nothing, light_of_rows);
     const auto add_assimilation = [&](const char* name, const char* meaning,
                                       Loss loss) {
         add_figure(
-            all, {name, rate, meaning},
+            all, {name, rate, meaning}, MeanOver::nothing,
             [loss](const Report& r) {
                 return std::vector<Rows>{assimilation_of_rows(r, loss)};
             },

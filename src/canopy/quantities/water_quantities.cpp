@@ -95,58 +95,64 @@ std::vector<Randomised> transpiration_by_component(const CanopyReport& report) {
 }  // namespace
 
 std::vector<Declaration> water_quantities() {
-    const auto declare = [](Quantity quantity, auto take,
+    const auto declare = [](Quantity quantity, MeanOver mean_over, auto take,
                             bool (*is_in)(const Scope&) = exchanges_water) {
-        return Declaration{std::move(quantity), std::move(take), is_in};
+        return Declaration{std::move(quantity), mean_over, std::move(take),
+                           is_in};
     };
     return {
         declare({"transpiration", depth, "water that leaves transpire"},
-                number(&WaterReport::transpiration)),
+                MeanOver::nothing, number(&WaterReport::transpiration)),
         declare({"water_use", "mm", "water that leaves transpire on all days"},
-                TakeNumber(water_use)),
+                MeanOver::nothing, TakeNumber(water_use)),
         declare({"water_use_efficiency", "g kg-1",
                  "carbon of net assimilation over transpired water"},
-                TakeNumber(efficiency)),
+                MeanOver::transpired_water, TakeNumber(efficiency)),
         declare({"sensible_heat", "MJ m-2 day-1",
                  "heat that leaves give to the air"},
-                number(&WaterReport::sensible)),
+                MeanOver::nothing, number(&WaterReport::sensible)),
         declare({"leaf_warming", "K",
                  "temperature of leaves less that of the air above the canopy, "
                  "mean over leaf area and the time with light"},
+                MeanOver::leaf_area_time,
                 mean_of_leaves(&WaterReport::warming)),
         declare({"canopy_conductance", "mol m-2 s-1",
                  "conductance of the stomata of all leaves for vapour per "
                  "ground area, mean over the time with light"},
-                number(&WaterReport::conductance)),
+                MeanOver::time, number(&WaterReport::conductance)),
         declare({"hot_hours", "h day-1",
                  "time for which leaves are warmer than water.hot, mean over "
                  "leaf area"},
-                mean_of_leaves(&WaterReport::hot)),
+                MeanOver::leaf_area, mean_of_leaves(&WaterReport::hot)),
         declare(by({"leaf"}, {"transpiration_by_leaf", depth,
                               "water that each leaf transpires"}),
-                TakeProfile(transpiration_by_leaf)),
+                MeanOver::nothing, TakeProfile(transpiration_by_leaf)),
         declare(by({"layer"}, {"transpiration_by_layer", depth,
                                "water that leaves of each layer transpire"}),
+                MeanOver::nothing,
                 numbers(&FluxReport::layers, &WaterReport::transpiration)),
         declare(by({"hour"}, {"transpiration_by_hour", "mmol m-2 s-1",
                               "water that leaves transpire at each instant"}),
+                MeanOver::time,
                 numbers(&FluxReport::hours, &WaterReport::transpiration)),
         declare(by({"day"}, {"transpiration_by_day", depth,
                              "water that leaves transpire on each day"}),
+                MeanOver::nothing,
                 numbers(&FluxReport::dates, &WaterReport::transpiration)),
         declare(by({"layer"},
                    {"leaf_warming_by_layer", "K",
                     "temperature of the leaves of each layer less that of the "
                     "air above the canopy, in the time with light"}),
-                TakeNumbers(warming_by_layer)),
+                MeanOver::leaf_area_time, TakeNumbers(warming_by_layer)),
         declare(by({"hour"}, {"leaf_warming_by_hour", "K",
                               "temperature of leaves less that of the air "
                               "above the canopy at each instant"}),
-                TakeNumbers(warming_by_hour)),
+                MeanOver::leaf_area_time, TakeNumbers(warming_by_hour)),
         declare(by({"component"},
                    {"transpiration_by_component", depth,
                     "water that leaves of each component transpire"}),
-                TakeProfile(transpiration_by_component), exchange_water),
+                MeanOver::nothing, TakeProfile(transpiration_by_component),
+                exchange_water),
     };
 }
 

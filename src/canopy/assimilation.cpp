@@ -23,13 +23,13 @@ class Assimilation {
           light_(lit.par.light),
           places_(pieces, lit, tallies.size() == 1),
           expectation_(places_, tallies),
-          mean_(places_.count()),
-          differences_(tallies.size(), std::vector<double>(places_.count())) {
+          mean_(places_.count()) {
         FluxTally none{std::vector<double>(lit.leaves.size()),
                        std::vector<double>(lit.layers.count),
                        std::vector<double>(light_.series.steps.size()),
                        std::vector<double>(pieces.rows)};
         all_.assign(lit.air ? leaf_fluxes : 1, {tallies.size(), none});
+        noise_.assign(all_.size(), Noise(tallies.size(), places_));
         if (lit.air) water_.emplace(lit, places_, expectation_, all_);
     }
 
@@ -40,11 +40,13 @@ class Assimilation {
                 steps[light_.sky_of[i]][light_.beam_of[i]].push_back(i);
         for (const auto& [of_sky, beams] : steps) {
             SkyLight sky(tallies_, of_sky, places_, expectation_);
+            for (Noise& each : noise_) each.sky = SkyWeights(places_.pieces());
             for (const auto& [beam, of_pair] : beams) add(beam, sky, of_pair);
-            for (std::size_t r = 0; r < tallies_.size(); ++r)
-                for (const auto& [v, x] : sky.light.parts[r])
-                    differences_[r][places_.of[v]] +=
-                        x * (sky.weight[v] + sky.weight_of_square[v] * x);
+            for (Noise& each : noise_)
+                for (std::size_t r = 0; r < tallies_.size(); ++r)
+                    for (const auto& [v, x] : sky.light.parts[r])
+                        each.differences[r][places_.of[v]] +=
+                            x * (each.sky.light[v] + each.sky.square[v] * x);
         }
         if (water_) add_nights();
         for (std::size_t k = 0; k < all_.size(); ++k) add_up(k);
@@ -53,30 +55,58 @@ class Assimilation {
     }
 
   private:
+    //! The error of a flux that comes from that of light, to first order in the
+    //! flux of leaves and to second order in their light.
+    struct Noise {
+        Noise(std::size_t randomisations, const LeafPlaces& places)
+            : sky(places.pieces()),
+              differences(randomisations, std::vector<double>(places.count())) {
+        }
+
+        Weights weights{};  //!< weights in steps of one sun and sky
+        SkyWeights sky;     //!< weights in steps of one sky
+        double whole = 0;   //!< sizes of amounts in steps of one sun and sky
+        //! Differences [randomisation][place], without the part that all
+        //! randomisations share.
+        std::vector<std::vector<double>> differences;
+    };
+
     //! Adds steps that share a sun and a sky.
-    void add(int beam, SkyLight& sky, const std::vector<std::size_t>& steps) {
-        PairLight pair(tallies_, lit_leaves_, places_, expectation_, beam, sky);
-        weights_.assign(places_.count(), {});
-        whole_ = 0;
+    void add(int beam, const SkyLight& sky,
+             const std::vector<std::size_t>& steps) {
+        const PairLight pair(tallies_, lit_leaves_, places_, expectation_, beam,
+                             sky);
+        for (Noise& each : noise_) {
+            each.weights.places.assign(places_.count(), {});
+            each.weights.bins.assign(pair.bins().size(), {});
+            each.whole = 0;
+        }
         if (water_) water_->meet(beam, sky.source);
         StepLight light{pair};
         light.shaded.resize(places_.count());
         light.lit.resize(pair.bins().size());
         light.beams.resize(pair.bins().size());
-        for (const std::size_t i : steps) add(i, beam, sky, pair, light);
-        if (tallies_.size() == 1 || whole_ == 0) return;
-        const std::vector<double> sums = pair.scatter(weights_, differences_);
-        const double mean = mean_of(sums);
-        // The error of each step is assumed to be proportional to its value.
-        for (std::vector<FluxTally>& flux : all_)
+        for (const std::size_t i : steps) add(i, beam, sky, light);
+        if (tallies_.size() == 1) return;
+        for (std::size_t k = 0; k < all_.size(); ++k) {
+            Noise& noise = noise_[k];
+            if (noise.whole == 0) continue;
+            const std::vector<double> sums =
+                pair.scatter(noise.weights, noise.sky, noise.differences);
+            const double mean = mean_of(sums);
+            // The error of each step is assumed to be proportional to the size
+            // of its value.
             for (std::size_t r = 0; r < sums.size(); ++r)
-                for (const std::size_t i : steps)
-                    flux[r].steps[i] *= 1 + (sums[r] - mean) / whole_;
+                for (const std::size_t i : steps) {
+                    double& flux = all_[k][r].steps[i];
+                    const double more = (sums[r] - mean) / noise.whole;
+                    flux *= flux < 0 ? 1 - more : 1 + more;
+                }
+        }
     }
 
     //! Adds a step, and the weights of the moments in the step.
-    void add(std::size_t i, int beam, const SkyLight& sky, PairLight& pair,
-             StepLight& light) {
+    void add(std::size_t i, int beam, const SkyLight& sky, StepLight& light) {
         const TimeStep& step = light_.series.steps[i];
         const auto scale = [&](int source, double irradiance) {
             if (source < 0) return 0.;
@@ -87,10 +117,10 @@ class Assimilation {
         light.scales = {scale(beam, step.par.beam),
                         scale(sky.source, step.par.diffuse)};
         const auto [of_sun, of_sky] = light.scales;
-        std::vector<PairLight::Bin>& bins = pair.bins();
+        const std::vector<PairLight::Bin>& bins = light.pair.bins();
         for (std::size_t p = 0; p < places_.count(); ++p)
             light.shaded.light[p] =
-                of_sun * pair.expected()[p] + of_sky * sky.expected[p];
+                of_sun * light.pair.expected()[p] + of_sky * sky.expected[p];
         for (std::size_t b = 0; b < bins.size(); ++b) {
             light.beams[b] = places_.absorptance[bins[b].place] *
                              step.par.beam * lit_leaves_.photons *
@@ -102,11 +132,14 @@ class Assimilation {
         const double amount =
             amount_of(LeafFlux::gross, step) / light_.series.days;
         double whole = 0;
+        Weights& weights = noise_.front().weights;
+        of_step_.places.assign(places_.count(), {});
+        of_step_.bins.assign(bins.size(), {});
         light.of_places.assign(places_.count(), 0);
         const auto add = [&](const Expansion& at, double times,
                              const Moments& of, std::size_t place,
-                             Moments& all) {
-            const Moments weight = light.scales.weigh(at, times);
+                             Moments& weight, Moments& all) {
+            weight = light.scales.weigh(at, times);
             const double sum = weight.dot(of);
             mean_[place] += sum;
             light.of_places[place] += sum;
@@ -114,15 +147,32 @@ class Assimilation {
             all.add(weight, 1);
         };
         for (std::size_t p = 0; p < places_.count(); ++p)
-            add(light.shaded.at(p), amount, pair.moments()[p], p, weights_[p]);
+            add(light.shaded.at(p), amount, light.pair.moments()[p], p,
+                of_step_.places[p], weights.places[p]);
         for (std::size_t b = 0; b < bins.size(); ++b)
             add(gain(light.shaded.at(bins[b].place), light.lit.at(b),
                      light.beams[b]),
                 amount * of_sun, bins[b].moments, bins[b].place,
-                bins[b].weights);
-        whole_ += whole;
-        if (water_) water_->add(i, light);
+                of_step_.bins[b], weights.bins[b]);
+        noise_.front().whole += std::abs(whole);
+        if (water_) {
+            water_->add(i, light);
+            weigh_water(i, light);
+        }
         take_steps(i, whole / amount);
+    }
+
+    //! Adds the weights of moments in fluxes of water and heat in the step.
+    //! Errors of assimilation are those at the temperature of the air.
+    void weigh_water(std::size_t i, const StepLight& light) {
+        if (tallies_.size() == 1) return;
+        const TimeStep& step = light_.series.steps[i];
+        for (std::size_t k = 1; k < all_.size(); ++k) {
+            const auto flux = static_cast<LeafFlux>(k);
+            noise_[k].whole += amount_of(flux, step) / light_.series.days *
+                               std::abs(water_->fluxes()[k].steps[i]);
+            water_->weigh(flux, light, of_step_, noise_[k].weights);
+        }
     }
 
     //! Notes the fluxes of a step.
@@ -161,27 +211,18 @@ class Assimilation {
         }
     }
 
-    //! Sums pseudo-values of places to those of leaves, layers and rows. Errors
-    //! of other fluxes are assumed proportional to assimilation's errors.
+    //! Sums pseudo-values of places to those of leaves, layers and rows.
     void add_up(std::size_t k) {
+        const std::vector<std::vector<double>>& differences =
+            noise_[k].differences;
         for (std::size_t p = 0; p < places_.count(); ++p) {
-            double flux = k == 0 ? mean_[p] : 0, times = 1;
-            if (water_) {
-                const WaterFluxes::Flux& found = water_->fluxes()[k];
-                flux += found.mean[p];
-                if (k > 0)
-                    times =
-                        mean_[p] > 0
-                            ? std::max(found.size[p], std::abs(flux)) / mean_[p]
-                            : 0;
-            }
+            double flux = k == 0 ? mean_[p] : 0;
+            if (water_) flux += water_->fluxes()[k].mean[p];
             double mean = 0;
-            for (const std::vector<double>& each : differences_)
+            for (const std::vector<double>& each : differences)
                 mean += each[p] / static_cast<double>(tallies_.size());
             for (std::size_t r = 0; r < tallies_.size(); ++r) {
-                const double amount =
-                    k == 0 ? flux + differences_[r][p] - mean
-                           : flux + times * (differences_[r][p] - mean);
+                const double amount = flux + differences[r][p] - mean;
                 IDEOTYPE_ENSURE(std::isfinite(amount));
                 FluxTally& tally = all_[k][r];
                 tally.groups[places_.group[p]] += amount;
@@ -198,15 +239,10 @@ class Assimilation {
     LeafPlaces places_;
     ExpectedLight expectation_;
     std::optional<WaterFluxes> water_{};
-    std::vector<double> mean_;  //!< gross assimilation of places
-    //! Differences [randomisation][place], without the part that all
-    //! randomisations share.
-    std::vector<std::vector<double>> differences_;
-    FluxTallies all_;  //!< pseudo-values of each LeafFlux
-    // Weights of the moments of each place, summed over the steps that share a
-    // sun and a sky.
-    std::vector<Moments> weights_;
-    double whole_ = 0;  //!< gross assimilation in steps of one sun and sky
+    std::vector<double> mean_;    //!< gross assimilation of places
+    std::vector<Noise> noise_{};  //!< noise of each LeafFlux
+    Weights of_step_{};           //!< weights in gross assimilation of a step
+    FluxTallies all_;             //!< pseudo-values of each LeafFlux
 };
 
 }  // namespace

@@ -18,9 +18,7 @@ SkyLight::SkyLight(const std::vector<Tally>& tallies, int number,
       expected(expectation.of(light)),
       by_piece(tallies.size() * places.pieces()),
       by_place(tallies.size() * places.count()),
-      squares(places.pieces()),
-      weight(places.pieces()),
-      weight_of_square(places.pieces()) {
+      squares(places.pieces()) {
     for (std::size_t r = 0; r < tallies.size(); ++r)
         for (const auto& [v, energy] : light.parts[r]) {
             by_piece[r * places.pieces() + v] = energy;
@@ -31,7 +29,7 @@ SkyLight::SkyLight(const std::vector<Tally>& tallies, int number,
 
 PairLight::PairLight(const std::vector<Tally>& tallies, const LitLeaves& lit,
                      const LeafPlaces& places, const ExpectedLight& expectation,
-                     int beam, SkyLight& sky)
+                     int beam, const SkyLight& sky)
     : tallies_(tallies),
       n_(static_cast<double>(tallies.size())),
       places_(places),
@@ -172,14 +170,15 @@ constexpr double of_products = std::numbers::sqrt2 / 2;
 //! Returns the weights of light itself in a randomisation, and of squares and
 //! products, given the weights of differences in the mean that moments have.
 //! The light of a hit alone is left out.
-std::vector<Moments> PairLight::weights_of_pieces(
-    const std::vector<Moments>& weights) {
+std::vector<Moments> PairLight::weights_of_pieces(const Weights& weights,
+                                                  SkyWeights& of_sky) const {
     std::vector<Moments> of_pieces(places_.pieces());
     for (std::size_t v = 0; v < places_.pieces(); ++v)
         if (places_.per_index[v] > 0)
-            of_pieces[v].add(weights[places_.of[v]], 1 / places_.per_index[v]);
+            of_pieces[v].add(weights.places[places_.of[v]],
+                             1 / places_.per_index[v]);
     for (const Hit& hit : hits_) {
-        Moments of_bin = bins_[hit.bin].weights;
+        Moments of_bin = weights.bins[hit.bin];
         // Products of weights and light count by randomisation.
         of_bin.sun *= n_ / (n_ - 2);
         of_bin.sky *= n_ / (n_ - 2);
@@ -196,24 +195,25 @@ std::vector<Moments> PairLight::weights_of_pieces(
             *of_product *= per * per / (n_ - 2);
         w.sun += 2 * w.sun2 * sun_.sum[v] + w.sun_sky * sky_.light.sum[v];
         w.sky += 2 * w.sky2 * sky_.light.sum[v] + w.sun_sky * sun_.sum[v];
-        const Moments& first_order = weights[places_.of[v]];
+        const Moments& first_order = weights.places[places_.of[v]];
         w.sun = first_order.sun + of_products * (w.sun - first_order.sun);
         w.sky = first_order.sky + of_products * (w.sky - first_order.sky);
         for (double* of_product : {&w.sun2, &w.sun_sky, &w.sky2})
             *of_product *= of_products;
-        sky_.weight[v] += w.sky;
-        sky_.weight_of_square[v] -= 2 * w.sky2;
+        of_sky.light[v] += w.sky;
+        of_sky.square[v] -= 2 * w.sky2;
     }
     return of_pieces;
 }
 
 std::vector<double> PairLight::scatter(
-    const std::vector<Moments>& weights,
-    std::vector<std::vector<double>>& differences) {
+    const Weights& weights, SkyWeights& of_sky,
+    std::vector<std::vector<double>>& differences) const {
     IDEOTYPE_EXPECT(tallies_.size() > 2);
-    IDEOTYPE_EXPECT(weights.size() == places_.count() &&
+    IDEOTYPE_EXPECT(weights.places.size() == places_.count() &&
+                    weights.bins.size() == bins_.size() &&
                     differences.size() == tallies_.size());
-    const std::vector<Moments> of_pieces = weights_of_pieces(weights);
+    const std::vector<Moments> of_pieces = weights_of_pieces(weights, of_sky);
     std::vector<double> sums(tallies_.size()), sun(places_.pieces());
     for (std::size_t r = 0; r < tallies_.size(); ++r) {
         const auto add = [&](std::size_t v, double amount) {
@@ -231,20 +231,21 @@ std::vector<double> PairLight::scatter(
                 const Hit& hit = hits_[hit_[t] - 1];
                 const std::size_t v = hit.piece;
                 const Bin& bin = bins_[hit.bin];
+                const Moments& of_bin = weights.bins[hit.bin];
                 const double per = places_.per_index[v] / (n_ - 2);
                 const double sun_differs =
                     per * (sun_.sum[v] - 2 * sun[v]) - expected_[bin.place];
                 const double sky_differs =
                     per * (sky_.light.sum[v] - 2 * sky_.in(r, v)) -
                     sky_.expected[bin.place];
-                add(v,
-                    energy * (bin.weights.one +
-                              of_products * (bin.weights.sun * sun_differs +
-                                             bin.weights.sky * sky_differs)));
+                add(v, energy * (of_bin.one +
+                                 of_products * (of_bin.sun * sun_differs +
+                                                of_bin.sky * sky_differs)));
             }
         for (const auto& [v, x] : sun_.parts[r]) sun[v] = 0;
         for (std::size_t p = 0; p < places_.count(); ++p)
-            sums[r] += weights[p].sky * sky_.by_place[r * places_.count() + p];
+            sums[r] +=
+                weights.places[p].sky * sky_.by_place[r * places_.count() + p];
     }
     return sums;
 }

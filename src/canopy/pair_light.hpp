@@ -28,7 +28,7 @@ struct Moments {
     }
 };
 
-//! The diffuse light of a sky, and its weight in the result.
+//! The diffuse light of a sky.
 struct SkyLight {
     SkyLight(const std::vector<Tally>& tallies, int source,
              const LeafPlaces& places, const ExpectedLight& expectation);
@@ -43,8 +43,21 @@ struct SkyLight {
     std::vector<double> by_piece;  //!< light [randomisation][piece]
     std::vector<double> by_place;  //!< light [randomisation][place]
     std::vector<double> squares;   //!< sums over randomisations, by piece
-    //! Weights by piece of the light in a randomisation, and of its square.
-    std::vector<double> weight, weight_of_square;
+};
+
+//! The weights of moments in a result, such as the assimilation of all leaves,
+//! summed over the steps that share a sun and a sky.
+struct Weights {
+    std::vector<Moments> places;  //!< weights of PairLight::moments()
+    std::vector<Moments> bins;    //!< weights of PairLight::bins()
+};
+
+//! The weights in a result of the light of a sky in a randomisation, and of the
+//! square of that light, by piece; summed over the suns that share the sky.
+struct SkyWeights {
+    explicit SkyWeights(std::size_t pieces) : light(pieces), square(pieces) {}
+
+    std::vector<double> light, square;
 };
 
 //! The light of a sun and a sky that some steps share, over all randomisations:
@@ -59,19 +72,18 @@ class PairLight {
     struct Bin {
         std::uint32_t place = 0;
         double cosine = 0;
-        Moments moments{}, weights{};
+        Moments moments{};
     };
 
     //! @param beam number of the beam's source; -1: none
     PairLight(const std::vector<Tally>& tallies, const LitLeaves& lit,
               const LeafPlaces& places, const ExpectedLight& expectation,
-              int beam, SkyLight& sky);
+              int beam, const SkyLight& sky);
 
     const std::vector<double>& expected() const { return expected_; }
     const std::vector<Moments>& moments() const { return moments_; }
 
-    //! Returns the bins in the order of places; the caller sets their weights.
-    std::vector<Bin>& bins() { return bins_; }
+    //! Returns the bins in the order of places.
     const std::vector<Bin>& bins() const { return bins_; }
 
     //! Adds the differences of the weighted sum of all moments, as
@@ -79,11 +91,11 @@ class PairLight {
     //! doi:10.1093/biomet/43.3-4.353; Tukey 1958, doi:10.1214/aoms/1177706647),
     //! to [randomisation][place]. Differences of products are scaled so that
     //! their scatter is right. Differences that all randomisations share are
-    //! left out, as is the light of the sky, whose weights are raised instead.
-    //! @param weights weights of moments()
+    //! left out, as is the light of the sky: its weights are added to `of_sky`.
     //! @return sums by randomisation, with the light of the sky to first order
-    std::vector<double> scatter(const std::vector<Moments>& weights,
-                                std::vector<std::vector<double>>& differences);
+    std::vector<double> scatter(
+        const Weights& weights, SkyWeights& of_sky,
+        std::vector<std::vector<double>>& differences) const;
 
   private:
     struct Hit {
@@ -102,13 +114,14 @@ class PairLight {
     void find_hits(const LitLeaves& lit, const Source& source);
     void sort_hits();
     void add(const Hit& hit, Bin& bin) const;
-    std::vector<Moments> weights_of_pieces(const std::vector<Moments>& weights);
+    std::vector<Moments> weights_of_pieces(const Weights& weights,
+                                           SkyWeights& of_sky) const;
 
     const std::vector<Tally>& tallies_;
     double n_;
     const LeafPlaces& places_;
     int beam_;
-    SkyLight& sky_;
+    const SkyLight& sky_;
     DiffuseLight sun_;
     std::vector<double> expected_;  //!< expected light of the sun
     std::vector<Moments> moments_;  //!< moments by place, times leaf area index

@@ -230,6 +230,7 @@ TEST(Contracts, OfLeafLightAreNoticed) {
     const std::vector<Tally> two(s.tallies.begin(), s.tallies.begin() + 2);
     PairLight of_two(two, s.lit(), places, expectation, -1, sky);
     std::vector<std::vector<double>> differences;
+    SkyWeights of_sky(s.pieces.count);
     int sky_number = 0;
     for (const Source& each : s.par().light.light.sources) {
         if (!each.direction) break;
@@ -246,10 +247,12 @@ TEST(Contracts, OfLeafLightAreNoticed) {
              PairLight(s.tallies, s.lit(), places, expectation, sky_number,
                        sky);
          }},
-        {"tallies_.size() > 2", [&] { of_two.scatter({}, differences); }},
-        {"weights.size() == places_.count() && "
+        {"tallies_.size() > 2",
+         [&] { of_two.scatter({}, of_sky, differences); }},
+        {"weights.places.size() == places_.count() && "
+         "weights.bins.size() == bins_.size() && "
          "differences.size() == tallies_.size()",
-         [&] { pair.scatter({}, differences); }},
+         [&] { pair.scatter({}, of_sky, differences); }},
         {"tallies.size() == 1 || tallies.size() > 2",
          [&] { assimilate(two, s.pieces, s.lit()); }},
         {"lit.photons > 0", [&] { assimilate(s.tallies, s.pieces, s.lit(0)); }},

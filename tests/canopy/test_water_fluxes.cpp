@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -125,6 +126,31 @@ TEST_F(WaterOfTwoLeaves, FewPointsStandForAllAndTellTheirError) {
         EXPECT_GT(scatter, 0) << k;
         EXPECT_GT(std::sqrt(variance[k]), .75 * scatter) << k;
         EXPECT_LT(std::sqrt(variance[k]), 2 * scatter) << k;
+    }
+}
+
+//! One field has the light of other paths in each run: means scatter as the
+//! errors state, also where few paths meet a place by chance.
+TEST_F(WaterOfTwoLeaves, ErrorsAreThoseOfLightInTheField) {
+    constexpr int runs = 40;
+    const Accuracy few{64, 16};
+    std::vector<std::vector<double>> found(leaf_fluxes), errors(leaf_fluxes);
+    for (std::uint64_t seed = 1; seed <= runs; ++seed) {
+        tallies = light(request.scene.bands.front(), few, seed);
+        const std::vector<Estimate> one = fluxes(seed, 6000);
+        for (std::size_t k = 0; k < leaf_fluxes; ++k) {
+            found[k].push_back(one[k].mean);
+            errors[k].push_back(one[k].standard_error);
+        }
+    }
+    for (std::size_t k = 0; k < leaf_fluxes; ++k) {
+        const double scatter =
+            estimate(found[k]).standard_error * std::sqrt(runs);
+        double squares = 0;
+        for (const double error : errors[k]) squares += error * error / runs;
+        EXPECT_GT(std::sqrt(squares), .5 * scatter) << k;
+        EXPECT_LT(std::sqrt(squares), 2 * scatter) << k;
+        EXPECT_LT(*std::ranges::max_element(errors[k]), 4 * scatter) << k;
     }
 }
 

@@ -218,15 +218,17 @@ void LeafLines::correct(double heat, double water) {
     }
 }
 
-double LeafLines::at(LeafFlux flux, std::uint32_t group,
-                     const LeafAir::Point& point) const {
-    if (flux == LeafFlux::hot)
-        return at(LeafFlux::warming, group, point) > air_.hot_over_air(group)
-                   ? 1
-                   : 0;
+Expansion LeafLines::at(LeafFlux flux, std::uint32_t group,
+                        const LeafAir::Point& point) const {
+    if (flux == LeafFlux::hot) {
+        const bool is_hot = at(LeafFlux::warming, group, point).value >
+                            air_.hot_over_air(group);
+        return {is_hot ? 1. : 0., 0, 0};
+    }
     const auto [constant, slope] = line(flux, group);
-    return constant +
-           slope * (is_in_gross(flux) ? point.gross.value : point.ppfd);
+    if (!is_in_gross(flux)) return {constant + slope * point.ppfd, slope, 0};
+    return {constant + slope * point.gross.value, slope * point.gross.slope,
+            slope * point.gross.curvature};
 }
 
 bool LeafLines::reaches_heat(double light) const {

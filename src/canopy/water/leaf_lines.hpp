@@ -46,10 +46,10 @@ class LeafLines {
         return {driven_.warmer - in_.warmer, driven_.moister - in_.moister};
     }
 
-    //! Returns a flux of a leaf by its line. For hot area, the result is
-    //! whether the leaf is hot by the line of warming.
-    double at(LeafFlux flux, std::uint32_t group,
-              const LeafAir::Point& point) const;
+    //! Returns a flux of a leaf by its line, with its derivatives in light. For
+    //! hot area, the result is whether the leaf is hot by the line of warming.
+    Expansion at(LeafFlux flux, std::uint32_t group,
+                 const LeafAir::Point& point) const;
 
     //! Returns whether any leaf may be hot by its line.
     //! @param light most light on a leaf [umol m-2 s-1]

@@ -23,7 +23,6 @@ WaterFluxes::WaterFluxes(const LitLeaves& lit, const LeafPlaces& places,
       drawn_(std::move(empty)),
       fluxes_(leaf_fluxes,
               Flux{std::vector<double>(places.count()),
-                   std::vector<double>(places.count()),
                    std::vector<double>(lit.par.light.series.steps.size())}) {
     air_.see(places, expectation);
     lines_.emplace(air_);
@@ -152,7 +151,7 @@ void WaterFluxes::add_lines(std::size_t step, const StepLight* light) {
         const double known = flux == LeafFlux::gross ? 1 : 0;
         const std::vector<double>& by =
             LeafLines::is_in_gross(flux) ? gross_ : absorbed_;
-        auto& [mean, size, steps] = fluxes_[k];
+        auto& [mean, steps] = fluxes_[k];
         for (std::size_t p = 0, last = 0; p < places_.count(); p = last) {
             const std::uint32_t group = places_.group[p];
             last = p + 1;
@@ -166,7 +165,6 @@ void WaterFluxes::add_lines(std::size_t step, const StepLight* light) {
                     constant * places_.index[last] + (slope - known) * by[last];
                 of_group += sum;
                 mean[last] += amounts_[k] * sum;
-                size[last] += std::abs(amounts_[k] * sum);
             }
             steps[step] += of_group;
         }
@@ -184,11 +182,10 @@ void WaterFluxes::add_hot(std::size_t step, const StepLight* light) {
         const LeafAir::Point each = point(light, j);
         const std::uint32_t group = places_.group[each.place];
         if (!lit_.leaves[group].photosynthesis ||
-            lines_->at(LeafFlux::hot, group, each) == 0)
+            lines_->at(LeafFlux::hot, group, each).value == 0)
             continue;
         all += areas_[j];
         fluxes_[k].mean[each.place] += amounts_[k] * areas_[j];
-        fluxes_[k].size[each.place] += amounts_[k] * std::abs(areas_[j]);
     }
     fluxes_[k].steps[step] = all;
 }
@@ -228,13 +225,13 @@ void WaterFluxes::add_drawn(std::size_t step, const StepLight* light,
         const auto flux = static_cast<LeafFlux>(k);
         if (!takes(flux, light)) continue;
         Expansion differs = found[k];
-        differs.value -= lines_->at(flux, group, drawn);
+        const Expansion line = lines_->at(flux, group, drawn);
+        differs.value -= line.value;
         double more = times * areas_[area] * differs.value;
         // Other fluxes are computed at the expected light.
         if (light && flux <= LeafFlux::transpiration) {
-            const double slope = lines_->line(flux, group).back();
-            differs.slope -= slope * drawn.gross.slope;
-            differs.curvature -= slope * drawn.gross.curvature;
+            differs.slope -= line.slope;
+            differs.curvature -= line.curvature;
             more = times * amount(*light, area, differs);
         }
         drawn_sums_[k] += more / static_cast<double>(starts_.size());

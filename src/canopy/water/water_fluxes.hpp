@@ -24,7 +24,6 @@ class WaterFluxes {
     //! One flux of all leaves by their lines.
     struct Flux {
         std::vector<double> mean;   //!< amount on a mean day, by place
-        std::vector<double> size;   //!< sums of amounts, by place
         std::vector<double> steps;  //!< flux of all leaves
     };
 
@@ -40,6 +39,12 @@ class WaterFluxes {
 
     //! Adds the exchange of leaves in steps without light.
     void add_nights();
+
+    //! Adds the weights of moments in a flux by its lines, in the step that was
+    //! added last.
+    //! @param gross weights of moments in gross assimilation in the step
+    void weigh(LeafFlux flux, const StepLight& light, const Weights& gross,
+               Weights& all) const;
 
     //! Adds the differences of drawn points from their lines.
     void add_drawn_to(FluxTallies& all) const;
@@ -60,6 +65,7 @@ class WaterFluxes {
     void add_drawn(std::size_t step, const StepLight* light,
                    std::size_t randomisation, std::size_t area, double times);
     LeafAir::Point point(const StepLight* light, std::size_t area) const;
+    void weigh_hot(const StepLight& light, double amount, Weights& all) const;
     bool takes(LeafFlux flux, const StepLight* light) const;
     double amount(const StepLight& light, std::size_t area,
                   const Expansion& at) const;

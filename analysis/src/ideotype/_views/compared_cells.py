@@ -6,7 +6,8 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from ..analysis.figures.style import unit_label, words
+from .._labels import words
+from ..analysis.figures.style import unit_label
 from ..analysis.reading.estimate import Estimate
 from .compared import Quantity
 

@@ -251,7 +251,7 @@ def draw_indices(case: Case) -> Figure:
     order = np.argsort(-np.nan_to_num(main, nan=-np.inf))[:_SHOWN][::-1]
     figure = style.new_figure(style.WIDTH, 1.3 + 0.32 * len(order))
     axes = figure.subplots()
-    labels = [found.factors[k].replace("_", " ") for k in order]
+    labels = [style.words(found.factors[k]) for k in order]
     bars, errors = (
         pandas.DataFrame({_LABELS[x]: of[x][order] for x in shown}, labels)
         for of in (found.index, found.standard_error)
@@ -276,7 +276,7 @@ def draw_indices(case: Case) -> Figure:
         else f"change of {style.axis_label(name, found.unit)} over the range"
     )
     axes.legend(loc="lower right")
-    most = found.factors[order[-1]].replace("_", " ")
+    most = style.words(found.factors[order[-1]])
     style.answer(
         figure,
         f"Most on {most}, as {found.samples} samples tell. They have "

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from .._labels import words
 from .blocks import Note, Table
 from .case import Case
 from .interval import Interval
@@ -32,7 +33,7 @@ def organs(cases: Sequence[Case]) -> list[Table]:
     ]
     return [
         Table(
-            ("plant", *(name.replace("_", " ") for name in names)),
+            ("plant", *map(words, names)),
             rows,
             "PAR that organs other than leaves absorb, in % of the incident.",
         )

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from .._labels import title
 from .._stand import Stand
 from .conditions import Tables
 
@@ -87,7 +88,7 @@ def _lever(
     )
     word, told = _WORDS.get(
         trait.removesuffix("_profile"),
-        (trait.replace("_", " ").capitalize(), ""),
+        (title(trait), ""),
     )
     kind, place, label = "plant", 0.5, word
     if gene["leaf"]:

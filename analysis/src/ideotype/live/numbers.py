@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from .._labels import title
 from .._stand import Stand
 
 Array = NDArray[np.float64]
@@ -75,7 +76,7 @@ class Layout:
         return [
             {
                 "name": name,
-                "label": KEYS.get(name, name.replace("_", " ").capitalize()),
+                "label": KEYS.get(name, title(name)),
                 "is_key": name in KEYS,  # type: ignore[dict-item]
                 **self.about[name],
             }

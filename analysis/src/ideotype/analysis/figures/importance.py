@@ -196,4 +196,4 @@ def answer_of(changes: Sequence[Change]) -> str:
 
 
 def _words(trait: str) -> str:
-    return trait.replace("_", " ").removesuffix(" profile")
+    return style.words(trait).removesuffix(" profile")

@@ -14,6 +14,7 @@ from matplotlib.colors import to_hex
 from matplotlib.figure import Figure
 from numpy.typing import ArrayLike, NDArray
 
+from ... import _labels
 from ..reading.estimate import DAILY_ENERGY, NORMAL
 
 BASELINE = "#000000"
@@ -53,6 +54,8 @@ RC: dict[Any, Any] = {
 _LIGHT = (DAILY_ENERGY, "W m-2")
 """The units of light, which is per area of ground, or per area of leaf if the
 name says this."""
+
+words = _labels.words
 
 _SUPERSCRIPT = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
@@ -102,13 +105,6 @@ def axis_label(name: str, unit: str) -> str:
     is_light = unit in _LIGHT
     area = " of leaf" if "leaf_area" in name else " of ground"
     return f"{words(name)} [{unit_label(unit)}{area if is_light else ''}]"
-
-
-def words(name: str) -> str:
-    """Returns "absorbed PAR" for "absorbed_par"."""
-    spaced = name.replace("_", " ")
-    spaced = re.sub(r"\b(par|lai)\b", lambda m: m[0].upper(), spaced)
-    return re.sub(r"\bfapar\b", "fAPAR", spaced)
 
 
 def short(value: float) -> float:

@@ -9,6 +9,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from ..._labels import words
 from ..figures.style import unit_label
 
 Kind = Literal["leaf", "plant", "profile"]
@@ -68,7 +69,7 @@ class Genes:
         """Returns the label of an axis: "insertion angle [°]", or "height [1]"
         for a factor."""
         unit = unit_label(self.units[self.columns(trait)[0]])
-        return f"{trait.replace('_', ' ')} [{unit}]"
+        return f"{words(trait)} [{unit}]"
 
 
 def curve(points: NDArray, at: NDArray) -> NDArray[np.float64]:

@@ -99,6 +99,7 @@ ExitCode direct(const RunOptions& options, const Campaign& campaign,
         make_dispatcher(crew.own, evaluators, stop, answer_rules(campaign));
     std::optional<Error> failure;
     ExitCode code = ExitCode::ok;
+    BoundCount bounds;
     {
         Sweep sweep(options, campaign, crew.cases, isa, crew.job.size(), stop);
         try {
@@ -107,11 +108,13 @@ ExitCode direct(const RunOptions& options, const Campaign& campaign,
             failure = error;
             code = error.exit_code();
         }
+        bounds = sweep.bounds();
     }
     // A hanging worker would keep MPI from ending, but other masters may still
     // be at work.
     const bool all_answer = dispatcher->dismiss();
     crew.masters.largest(0);
+    const auto counts = crew.masters.gather(to_text(bounds));
     if (!all_answer) {
         if (failure) Log(options.level).write(LogLevel::error, failure->what());
         crew.job.abort(static_cast<int>(code));
@@ -123,6 +126,10 @@ ExitCode direct(const RunOptions& options, const Campaign& campaign,
             path_of(options.out, campaign, crew.cases.front());
         const std::string folder = fs::path(path).parent_path().string();
         const bool is_study = options.read == read_study;
+        BoundCount every;
+        for (const std::string& text : counts) every.add(bound_count_of(text));
+        if (const std::string words = every.in_words(); !words.empty())
+            fmt::print("{}\n", words);
         if (!is_study)
             fmt::print(
                 "{}\n",

@@ -108,6 +108,12 @@ std::string atlas_of(const History& history, const std::vector<Row>& leaders) {
         leaders.size() - 1, confirmed);
 }
 
+//! Returns whether no plant of a history was searched for.
+bool is_sensitivity_study(const History& history) {
+    return history.header().campaign_resolved.find("\n[sensitivity]\n") !=
+           std::string::npos;
+}
+
 void add_finalists(const History& history, CaseResult& result) {
     const auto& objectives = history.header().schema.objectives;
     const std::vector<Row> finalists = history.finalists();
@@ -130,6 +136,11 @@ void add_finalists(const History& history, CaseResult& result) {
     } else if (finalists[0].outcome.status == Status::done) {
         result.gain = gain_with_lai(history, finalists[0], finalists[best]) +
                       atlas_of(history, finalists);
+    }
+    if (!is_sensitivity_study(history)) {
+        const Genome& plant = finalists[best].candidate.genome;
+        result.at_bounds = genes_at_bounds(history.header().genes, plant);
+        result.bounds.add(history.header().genes, plant);
     }
     result.doubt =
         doubt_of(has_front ? "a plant of the front" : "this plant", lai);

@@ -3,7 +3,9 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "bounds.hpp"
 #include "campaign/campaign.hpp"
 #include "history/history.hpp"
 #include "ideotype/core/estimate.hpp"
@@ -44,6 +46,10 @@ struct CaseResult {
     double violation = 0;  //!< violation of the best
     std::string gain;      //!< gain over the baseline; "" if unknown
     std::string doubt;     //!< doubt about the leaf area of the best
+    //! Genes of the best plant at a bound, and the count of its traits, if it
+    //! is evaluated again.
+    std::vector<GeneAtBound> at_bounds{};
+    BoundCount bounds{};
     std::size_t finalists = 0, failed_finalists = 0;
     std::string failure;  //!< first reason of failed finalists
 };

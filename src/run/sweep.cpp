@@ -122,6 +122,7 @@ Routine<Ending> Sweep::evolve_one(const Case& chosen) {
     progress_.end(chosen);
     const std::string path = path_of(options_.out, campaign_, chosen);
     const CaseResult result = result_of(history);
+    bounds_.add(result.bounds);
     if (result.failed_finalists == result.finalists)
         throw CaseError(fmt::format(
             "{}: {} of {} finalists failed; the first reason: {}", path,

@@ -27,6 +27,9 @@ class Sweep : public Director {
     //! or (refused) if other jobs work on all cases.
     bool evolve(Dispatcher& dispatcher);
 
+    //! Returns the count of the best plants of searches that have ended.
+    const BoundCount& bounds() const { return bounds_; }
+
     bool start_next() override;
     void on_silence(const Task& task, const std::string& what) override;
     void on_stop(int in_flight) override;
@@ -57,6 +60,7 @@ class Sweep : public Director {
     StopFlag& stop_;
     Dispatcher* dispatcher_ = nullptr;  //!< dispatcher while evolving
     ProgressLog progress_;
+    BoundCount bounds_;
     std::size_t next_ = 0;      //!< index of the next case to start
     std::size_t finished_ = 0;  //!< number of finished cases
     std::size_t before_ = 0;    //!< number of cases that were finished before

@@ -36,6 +36,19 @@ double difference(const Gene& gene, double a, double b) {
     return std::remainder(b - a, range);
 }
 
+const char* name_of(Bound bound) {
+    return bound == Bound::lower ? "lower" : "upper";
+}
+
+std::optional<Bound> bound_at(const Gene& gene, double value) {
+    if (gene.is_circular || !gene.is_free) return std::nullopt;
+    const double reach = beside_bound * (gene.upper - gene.lower);
+    if (!(reach > 0)) return std::nullopt;
+    if (value <= gene.lower + reach) return Bound::lower;
+    if (value >= gene.upper - reach) return Bound::upper;
+    return std::nullopt;
+}
+
 const char* name_of(Origin origin) {
     constexpr std::array names{"none",  "baseline", "random",
                                "elite", "child",    "sample"};

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -41,6 +42,20 @@ double within(const Gene& gene, double value);
 //! Returns the signed distance from a to b, along the shorter arc for a
 //! circular gene.
 double difference(const Gene& gene, double a, double b);
+
+//! The distance from a bound, over the range of a gene, within which a value is
+//! at the bound. Searches by CMA-ES approach a bound smoothly within this
+//! distance, so that a gene that wants to leave its range ends there.
+inline constexpr double beside_bound = 0.05;
+
+enum class Bound { lower, upper };
+
+//! Returns the name of a bound, for example "lower".
+const char* name_of(Bound bound);
+
+//! Returns the bound at which a value is. A circular gene has no bounds, nor
+//! has a gene that is not free or has no range.
+std::optional<Bound> bound_at(const Gene& gene, double value);
 
 //! The number that stands for no parent, in the first generation.
 inline constexpr std::int64_t no_parent = -1;

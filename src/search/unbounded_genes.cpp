@@ -11,7 +11,8 @@ namespace ideotype {
 
 namespace {
 
-constexpr double margin = 0.05;  //!< width beside a bound, over the range
+//! Width beside a bound, over the range.
+constexpr double margin = beside_bound;
 
 //! Returns the share of the range at a coordinate. It is linear but for
 //! parabolas beside the bounds, which join with equal slope.

@@ -49,6 +49,18 @@ TEST(UnboundedGenes, NeverLeaveTheirBoundsNorJump) {
     }
 }
 
+TEST(UnboundedGenes, AreAtABoundWithinATwentiethOfTheRange) {
+    const Gene& length = genes[0];  // 0.4 to 1.2
+    EXPECT_EQ(bound_at(length, 0.4), Bound::lower);
+    EXPECT_EQ(bound_at(length, 0.439), Bound::lower);
+    EXPECT_EQ(bound_at(length, 0.441), std::nullopt);
+    EXPECT_EQ(bound_at(length, 1.159), std::nullopt);
+    EXPECT_EQ(bound_at(length, 1.161), Bound::upper);
+    // Circular, bred by nobody, and without a range.
+    for (const std::size_t i : {1U, 2U, 3U})
+        EXPECT_EQ(bound_at(genes[i], genes[i].lower), std::nullopt);
+}
+
 TEST(UnboundedGenes, TurnAllTheWayAroundTheCircle) {
     const UnboundedGenes unbounded(genes);
     for (const double turns : {-3.0, -1.0, 0.0, 2.0}) {

@@ -139,6 +139,12 @@ Json to_json(const CaseStatus& report) {
         best["violation"] = result.violation;
         best["is_evaluated_again"] = result.is_evaluated_again;
     }
+    Json at_bounds = Json::array();
+    for (const GeneAtBound& each : result.at_bounds)
+        at_bounds.push_back({{"gene", each.gene},
+                             {"bound", name_of(each.bound)},
+                             {"value", each.value},
+                             {"limit", each.limit}});
     return {{"path", report.path},
             {"case", report.case_name},
             {"state", report.state},
@@ -151,6 +157,7 @@ Json to_json(const CaseStatus& report) {
             {"finalists", result.finalists},
             {"failed_finalists", result.failed_finalists},
             {"best", best},
+            {"at_bounds", at_bounds},
             {"hypervolume",
              result.hypervolume ? to_json(*result.hypervolume) : Json()},
             {"evaluations_per_second", optional_json(report.rate)},
@@ -176,6 +183,10 @@ void print_overview(const std::vector<CaseStatus>& reports,
                                ? "; --json tells each, ideotype summary gains"
                                : "");
     }
+    BoundCount bounds;
+    for (const CaseStatus& each : reports) bounds.add(each.result.bounds);
+    if (const std::string words = bounds.in_words(); !words.empty())
+        fmt::print("{}\n", words);
     if (std::ranges::any_of(reports, &CaseStatus::has_one_seed))
         fmt::print("{}\n", one_seed);
     if (!commands.empty())

@@ -9,10 +9,12 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from .._errors import Error
+from .._labels import words
+from .bounds import bounds_in_words
 from .blocks import Answer, Block, Note, Table
 from .case import Case
 from .figures.comparison import known_cases
-from .figures.style import unit_label, words
+from .figures.style import unit_label
 from .interval import ENOUGH, ONE_SEED
 from .reading.coordinates import short_names
 from .reading.file import HistoryError
@@ -167,6 +169,8 @@ def _not_searched(known: Sequence[Case]) -> Iterator[str]:
         if keys:
             place = f"{site} and {day} alone, with {_listed(keys)} of its own"
         yield f"The plant is bred for {place}."
+    if at_bounds := bounds_in_words(known):
+        yield f"{at_bounds[:1].upper()}{at_bounds[1:]}."
     bounds = first.resolved.get("plant", {}).get("bounds")
     within = f'the bounds "{bounds}"' if isinstance(bounds, str) else "bounds"
     counts = [evaluations_of(h) for c in known for h in c.histories]
@@ -192,11 +196,7 @@ def _place(case: Case) -> tuple[str, str, str]:
 
 
 def _plain(trait: str) -> str:
-    return (
-        trait.removesuffix("_profile")
-        .removesuffix("_deviation")
-        .replace("_", " ")
-    )
+    return words(trait.removesuffix("_profile").removesuffix("_deviation"))
 
 
 def _listed(words_of: Sequence[str]) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 
+from .bounds import bounds_in_words
 from .blocks import Block, Note, Table
 from .case import Case
 from .figures.comparison import ELITE, intervals_of
@@ -47,8 +48,14 @@ def gains(cases: Sequence[Case], cross: Cross | None) -> list[Block]:
             f"{_unit(cases)}.",
         )
     ]
+    blocks += _at_bounds(cases)
     blocks += [Note(text) for text in _remarks(cases, cross)]
     return blocks
+
+
+def _at_bounds(cases: Sequence[Case]) -> list[Note]:
+    found = bounds_in_words(cases)
+    return [Note(f"{found[:1].upper()}{found[1:]}.")] if found else []
 
 
 SCREEN = 16
@@ -78,12 +85,14 @@ def on_a_screen(cases: Sequence[Case]) -> list[Block]:
     for."""
     shown = ends_of(cases)
     table, *_ = gains(shown, None)
+    limits = _at_bounds(cases)
     if len(shown) == len(cases):
-        return [table]
+        return [table, *limits]
     return [
         table,
         Note(
-            f"These are {len(shown)} of {len(cases)} cases, those that gain "
+            "".join(f"{limit.text} " for limit in limits)
+            + f"These are {len(shown)} of {len(cases)} cases, those that gain "
             "most and least; --all tells all, --csv all with coordinates."
         ),
     ]

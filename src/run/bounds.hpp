@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "search/population.hpp"
+
+namespace ideotype {
+
+//! A gene of a plant at one of its bounds.
+struct GeneAtBound {
+    std::string gene;
+    Bound bound;
+    double value = 0;
+    double limit = 0;  //!< value of the bound
+};
+
+//! Returns the genes of a plant that are at a bound.
+std::vector<GeneAtBound> genes_at_bounds(const GeneSpace& genes,
+                                         const Genome& plant);
+
+//! The best plants of searches, counted by the bounds at which their traits
+//! are.
+struct BoundCount {
+    struct Trait {
+        std::string name;
+        int values = 0;  //!< free genes of the trait in all searches
+        int at_lower = 0, at_upper = 0;
+    };
+    int searches = 0;
+    std::vector<Trait> traits;  //!< traits with bounds, in the order of genes
+
+    //! Adds the best plant of a search.
+    void add(const GeneSpace& genes, const Genome& best);
+    void add(const BoundCount& others);
+
+    //! Returns a clause about the traits that are at a bound in at least a
+    //! fifth of their values, in all searches together; "" if there is none.
+    std::string in_words() const;
+};
+
+std::string to_text(const BoundCount& count);
+BoundCount bound_count_of(const std::string& text);
+
+}  // namespace ideotype

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from ..case import Case
 from ..reading.file import HistoryError
 from ..reading.genes import Kind, curve
+from ..trait_changes import change_in
 from . import style
 from .figure_numbers import RANGE
 
@@ -125,35 +126,16 @@ def finish(figure: Figure, first: Axes) -> Figure:
 
 
 def _change(case: Case, traits: list[str]) -> str:
-    """Tells in which two traits the best plant is farthest from the baseline,
-    relative to their bounds, and by how much its leaves differ on average."""
+    """Names the two traits in which the best plant is farthest from the
+    baseline, relative to their bounds, and how its leaves differ."""
     if not case.pairs:
         return ""
-    genes = case.genes
-    by = case.best.row.genome[0] - case.baseline.row.genome[0]
-    told = []
-    for trait in traits:
-        columns = genes.columns(trait)
-        change = by[columns]
-        if genes.is_circular[columns].all():
-            change = (change + 180) % 360 - 180
-        width = (genes.upper - genes.lower)[columns]
-        mean = float(np.abs(change).mean())
-        what, _, unit = genes.label(trait).partition(" [")
-        unit = (
-            "" if unit == "1]" else f" {unit.rstrip(']')}".replace(" °", "°")
-        )
-        is_one_way = abs(change.mean()) > 0.9 * mean
-        size = f"{change.mean():+.2g}" if is_one_way else f"{mean:.2g}"
-        text = f"{what} by {size}{unit}"
-        if len(columns) > 1:
-            text += " on average" if is_one_way else " on average, up or down"
-        told.append((float(np.mean(np.abs(change) / width)), text))
-    told.sort(reverse=True)
-    words = "; ".join(text for _, text in told[:2]).replace(
-        "-", "\N{MINUS SIGN}"
+    found = sorted(
+        (change_in(case, trait) for trait in traits),
+        key=lambda change: -change.size,
     )
-    return f"The best plant differs most from the baseline in {words}."
+    told = " and ".join(map(str, found[:2]))
+    return f"The best plant differs most from the baseline in {told}."
 
 
 def draw_plants(

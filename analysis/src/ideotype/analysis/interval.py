@@ -42,7 +42,7 @@ def meaning(seeds: Iterable[int]) -> str:
     return "; ".join([*several, *[ONE_SEED] * (1 in counts)])
 
 
-def student(degrees_of_freedom: int) -> float:
+def student(degrees_of_freedom: float) -> float:
     """Returns the two-sided 95 % quantile of Student's t."""
     # SciPy is imported at its use, because its import takes long.
     from scipy.special import stdtrit

@@ -37,10 +37,10 @@ class CaseFigure(NamedTuple):
 CASE_FIGURES: dict[str, CaseFigure] = {
     "convergence": CaseFigure(
         draw_convergence,
-        "Has the search come to its end?",
+        "Has the search converged?",
         "The grey band is the interval of the baseline. Coloured bands are the "
         "range of seeds or, with a single seed, the standard deviation of the "
-        "population.",
+        "population. The trend is that of the second half of the generations.",
     ),
     "traits": CaseFigure(
         draw_traits,

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 import pandas
 from matplotlib.axes import Axes
@@ -13,8 +15,25 @@ from numpy.typing import NDArray
 from ..case import Case
 from ..reading.file import HistoryError
 from ..reading.state import Generations
+from ..trend import (
+    LEAST,
+    MATTERS,
+    PART_THAT_MATTERS,
+    End,
+    FurtherGain,
+    further_gain,
+    searches_differ,
+    verdict,
+)
 from . import style
 from .style import answer, axis_label, half_width
+
+_WITHOUT_LEARNING = ("random", "sobol")
+"""Optimisers whose plants do not depend on earlier plants."""
+
+RACE = 16
+"""The generations of the race with which `auto` begins, with its design
+(src/search/cma_es/auto_search.cpp)."""
 
 
 def draw_convergence(case: Case) -> Figure:
@@ -41,38 +60,81 @@ def draw_convergence(case: Case) -> Figure:
     axes.set_xlabel("generation")
     _set_ticks(axes, count, case.is_final)
     figure.legend(loc="outside lower center", ncols=1)
-    answer(figure, _verdict(runs))
+    answer(figure, verdict_of(case, runs))
     return figure
 
 
-def _verdict(runs: list[Generations]) -> str:
-    """Tells whether the means of populations changed in the second half of the
-    generations by more than their scatter about a line."""
-    changing = 0
-    for run in runs:
-        values = run.mean.values[len(run) // 2 :]
-        if len(values) < 4:
-            return "The search is too short to tell."
-        number = np.arange(len(values))
-        line, squares, *_ = np.polyfit(number, values, 1, full=True)
-        error = np.sqrt(squares.sum() / (len(values) - 2) / number.var())
-        changing += abs(line[0]) > 2 * error / np.sqrt(len(values))
-    of = (
-        f"{changing} of {len(runs)} searches"
-        if len(runs) > 1
-        else "the search"
-    )
-    if changing:
+def verdict_of(case: Case, runs: Sequence[Generations]) -> str:
+    """States whether the searches of a case have converged, by how much as
+    many generations again could still gain."""
+    optimizer = case.resolved.get("search", {}).get("optimizer", "")
+    if optimizer in _WITHOUT_LEARNING:
         return (
-            f"No: in the second half of its generations the mean plant of {of} "
-            "still changed by more than its noise, so that more generations "
-            "would probably gain more."
+            "Cannot tell: this search draws plants without learning, so that "
+            "its populations have no trend."
         )
-    return (
-        "Yes, as far as one can see: in the second half of the generations the "
-        "mean plant no longer changed by more than its noise. A better plant "
-        "elsewhere is not excluded."
+    if len(case.histories[0].objectives) > 1:
+        return (
+            "Cannot tell from one of several objectives; the hypervolume of "
+            "the front shows progress in all of them."
+        )
+    scale = _scale(case, runs)
+    sign = case.histories[0].objectives[0].sign
+    further = further_gain([run.mean.values for run in runs], sign)
+    if further is None or not scale > 0:
+        return (
+            f"Cannot tell: {_count(runs)} generations are too few; at least "
+            f"{2 * LEAST - 1} are needed."
+        )
+    low, mean, high = (
+        100 * x / scale for x in (further.low, further.mean, further.high)
     )
+    gains = [pair.gain for pair in case.pairs if pair.is_final]
+    gain = abs(float(np.mean([x.mean for x in gains]))) if gains else 0.0
+    matters = max(MATTERS, PART_THAT_MATTERS * gain)
+    found = verdict(FurtherGain(mean, low, high), matters)
+    again = (
+        f"by the trend of the mean plant, as many generations again "
+        f"({_count(runs)}) would gain {_range(low, high)} % more (95 % "
+        "confidence interval)"
+    )
+    if found is End.NO:
+        return f"No: {again}."
+    if optimizer == "auto" and min(map(len, runs)) < RACE:
+        return (
+            f"Cannot tell: the race of two searches with which this optimiser "
+            f"begins takes {RACE} generations; {again}."
+        )
+    if searches_differ(gains, matters):
+        least, most = (f(x.mean for x in gains) for f in (min, max))
+        return (
+            f"Cannot tell: the searches gained {least:.1f} to {most:.1f} %, "
+            f"which differ by more than their errors; {again}."
+        )
+    if found is End.UNKNOWN:
+        return f"Cannot tell: {again}."
+    return (
+        f"Yes: {again}, and less than {matters:.1f} % is taken as converged. "
+        "A better plant elsewhere is not excluded."
+    )
+
+
+def _scale(case: Case, runs: Sequence[Generations]) -> float:
+    """Returns the size of the baseline's objective, or that of the last
+    populations as long as the baseline is not known."""
+    if case.pairs:
+        return abs(case.baseline.objective.mean)
+    return abs(float(np.mean([run.mean.values[-1] for run in runs])))
+
+
+def _count(runs: Sequence[Generations]) -> str:
+    counts = sorted({len(run) for run in runs})
+    return " to ".join(str(n) for n in dict.fromkeys((counts[0], counts[-1])))
+
+
+def _range(low: float, high: float) -> str:
+    text = f"{low:.1f} to {high:.1f}"
+    return text.replace("-0.0", "0.0").replace("-", "\N{MINUS SIGN}")
 
 
 def _draw_seed(axes: Axes, run: Generations) -> None:

@@ -15,8 +15,8 @@ from test_figures import bars, horizontal_bars, labels
 
 from ideotype.analysis import HistoryError, open_study
 from ideotype.analysis.case import Case
+from ideotype.analysis.figures.days import draw_days
 from ideotype.analysis.figures.profiles import (
-    draw_days,
     draw_hours,
     draw_leaves,
     draw_sunlit,

@@ -17,7 +17,8 @@ from test_figures import bars
 
 import ideotype
 from ideotype.analysis import open_arrays, open_history, open_study
-from ideotype.analysis.figures.profiles import draw_days, draw_hours
+from ideotype.analysis.figures.days import draw_days
+from ideotype.analysis.figures.profiles import draw_hours
 from ideotype.analysis.figures.shares import draw_parts
 from ideotype.analysis.figures.style import answer_of
 

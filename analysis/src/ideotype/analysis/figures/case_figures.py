@@ -12,9 +12,9 @@ from ..case import Case
 from .atlas_figure import draw_atlas
 from .azimuths import draw_azimuths
 from .convergence import draw_convergence
+from .days import draw_days
 from .front_figures import draw_front, draw_hypervolume
 from .profiles import (
-    draw_days,
     draw_hours,
     draw_layers,
     draw_leaves,
@@ -87,9 +87,10 @@ CASE_FIGURES: dict[str, CaseFigure] = {
     ),
     "days": CaseFigure(
         draw_days,
-        "On which days does the best plant do well, and on which better than "
-        "the baseline?",
-        "Each day of the season.",
+        "On which days is the best plant better?",
+        "Each day of the season. Respiration and the building of leaves are not "
+        "known by day: where they are subtracted, each day has those of the "
+        "mean day.",
     ),
     "leaves": CaseFigure(
         draw_leaves,

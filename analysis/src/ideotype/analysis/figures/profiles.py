@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Draws the absorbed light and the assimilation of leaves by hour, day, leaf
-rank and height, and the sunlit part of leaf area."""
+"""Draws the absorbed light and the assimilation of leaves by hour, leaf rank
+and height, and the sunlit part of leaf area."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any, cast
 
 import numpy as np
@@ -39,33 +41,33 @@ PLANTS: dict[str, dict[str, Any]] = {
 _SIZE = {"markersize": 4}
 
 
+@dataclass(frozen=True)
+class Course:
+    """A quantity of baseline and best over the labels of an axis."""
+
+    title: str
+    """The name of the quantity, as in words()."""
+    plants: Mapping[str, Profile]
+
+
+def course_of(case: Case, name: str) -> Course:
+    """Returns a quantity of a history as a course."""
+    return Course(
+        title_of(name), {who: getattr(case, who).profile(name) for who in PLANTS}
+    )
+
+
 def draw_hours(case: Case) -> Figure:
     """Draws PAR absorbed by leaves at each hour, and best minus baseline. The
     error of the difference assumes that both plants are independent. Each part
     of the light has a panel if the history distinguishes parts."""
-    figure = _draw_courses(case, "hour")
-    name = _names(case, "hour", "hour")[0]
-    hour, more = _most_different(case, name)
+    names = names_along(case, "hour", "hour")
+    figure = draw_courses([course_of(case, name) for name in names])
+    hour, more = _most_different(case, names[0])
     answer(
         figure,
         f"The leaves of the best plant differ most from the baseline's at "
         f"{_clock(hour)}, when they absorb {more}.",
-    )
-    return figure
-
-
-def draw_days(case: Case) -> Figure:
-    """Draws quantities by day of a season, as draw_hours() does by hour.
-
-    Raises HistoryError if no quantity is known by day."""
-    figure = _draw_courses(case, "day")
-    name = _names(case, "day", "day")[0]
-    was, now = case.baseline.profile(name), case.best.profile(name)
-    better = int(np.count_nonzero(now.values > was.values))
-    answer(
-        figure,
-        f"The best plant has more {title_of(name)} on {better} of "
-        f"{len(now.values)} days.",
     )
     return figure
 
@@ -86,15 +88,15 @@ def _clock(hour: float) -> str:
     return f"{minutes // 60}:{minutes % 60:02}"
 
 
-def _draw_courses(case: Case, axis: str) -> Figure:
-    names = _names(case, axis, axis)
-    figure = style.new_figure(style.WIDTH, 4.4 * len(names))
-    grid = figure.subplots(
-        2 * len(names), 1, height_ratios=(2, 1) * len(names)
-    )
-    for (upper, lower), name in zip(grid.reshape(-1, 2), names):
-        baseline, best = case.baseline.profile(name), case.best.profile(name)
-        draw_course(upper, case, name)
+def draw_courses(courses: Sequence[Course]) -> Figure:
+    """Draws quantities over the labels of an axis, and best minus baseline
+    below each."""
+    count = len(courses)
+    figure = style.new_figure(style.WIDTH, 4.4 * count)
+    grid = figure.subplots(2 * count, 1, height_ratios=(2, 1) * count)
+    for (upper, lower), course in zip(grid.reshape(-1, 2), courses):
+        baseline, best = course.plants["baseline"], course.plants["best"]
+        _draw_course(upper, course)
         lower.axhline(0, color=style.QUIET, linewidth=1)
         lower.errorbar(
             _instants(best),
@@ -102,7 +104,7 @@ def _draw_courses(case: Case, axis: str) -> Figure:
             half_width(np.hypot(best.standard_error, baseline.standard_error)),
             **PLANTS["best"] | _SIZE | {"label": None},
         )
-        upper.set_ylabel(_two_lines(axis_label(title_of(name), best.unit)))
+        upper.set_ylabel(_two_lines(axis_label(course.title, best.unit)))
         lower.set_ylabel("best −\nbaseline")
         lower.set_xlabel(upper.get_xlabel())
         upper.set_xlabel("")
@@ -138,19 +140,26 @@ def draw_sunlit(case: Case) -> Figure:
 def draw_course(
     axes: Axes, case: Case, name: str, over: str = "", factor: float = 1
 ) -> None:
-    """Draws a quantity of both plants by day, or by whole hours with their
-    clock; relative to another quantity if wanted."""
-    for who, looks in PLANTS.items():
+    """Draws a quantity of both plants by whole hours with their clock, or by
+    day; relative to another quantity if wanted."""
+    plants = {}
+    for who in PLANTS:
         plant = getattr(case, who)
-        found = plant.profile(name)
         scale = factor / plant.estimate(over).mean if over else factor
+        plants[who] = plant.profile(name).scaled(scale)
+    _draw_course(axes, Course(title_of(name), plants))
+
+
+def _draw_course(axes: Axes, course: Course) -> None:
+    for who, looks in PLANTS.items():
+        found = course.plants[who]
         axes.errorbar(
             _instants(found),
-            scale * found.values,
-            half_width(scale * found.standard_error),
+            found.values,
+            half_width(found.standard_error),
             **looks | _SIZE,
         )
-    axes.set_ylim(bottom=0)
+    axes.set_ylim(bottom=min(0.0, min(map(_lowest, course.plants.values()))))
     if found.labels.dtype.kind == "U":
         days = _instants(found)[:: -(-len(found.labels) // 4)]
         axes.set_xticks(days, [f"{day:%-d %b}" for day in days.tolist()])
@@ -159,6 +168,12 @@ def draw_course(
     first, last = np.floor(found.labels.min()), np.ceil(found.labels.max())
     step = max(1, round((last - first) / 8))
     axes.set_xticks(np.arange(first, last + 1, step))
+
+
+def _lowest(found: Profile) -> float:
+    """Returns the lower end of the lowest error bar."""
+    ends = found.values - np.nan_to_num(half_width(found.standard_error))
+    return float(np.nanmin(ends))
 
 
 def _instants(found: Profile) -> NDArray:
@@ -170,7 +185,7 @@ def _instants(found: Profile) -> NDArray:
 def draw_leaves(case: Case) -> Figure:
     """Draws quantities by leaf rank, such as absorbed PAR: baseline and best
     with standard errors, each quantity in a panel."""
-    names = _names(case, "leaf", "leaf rank")
+    names = names_along(case, "leaf", "leaf rank")
     figure, panels = _draw_along(case, names)
     leaf = cast(Axis, case.best.row.with_axis("leaf")[0].axis)
     for axes in panels:
@@ -192,7 +207,7 @@ def draw_leaves(case: Case) -> Figure:
 def draw_layers(case: Case) -> Figure:
     """Draws quantities by height above the soil like draw_leaves(); points are
     at the middle of their layers."""
-    names = _names(case, "layer", "height layer")
+    names = names_along(case, "layer", "height layer")
     figure, panels = _draw_along(case, names)
     for axes in panels:
         axes.set_ylim(bottom=0)
@@ -223,7 +238,10 @@ def _draw_along(case: Case, names: list[str]) -> tuple[Figure, NDArray]:
     return figure, panels
 
 
-def _names(case: Case, axis: str, what: str) -> list[str]:
+def names_along(case: Case, axis: str, what: str) -> list[str]:
+    """Returns the quantities with an axis that have no figure elsewhere.
+
+    Raises HistoryError if there is none."""
     case.need_pairs()
     names = [
         q.name

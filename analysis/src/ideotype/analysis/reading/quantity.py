@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -63,6 +63,18 @@ class Profile:
     standard_error: Floats
     meaning: str = ""
     """The meaning of the labels."""
+
+    def scaled(self, factor: float) -> Profile:
+        """Returns the profile times an exact positive factor."""
+        return replace(
+            self,
+            values=factor * self.values,
+            standard_error=factor * self.standard_error,
+        )
+
+    def lowered(self, by: float) -> Profile:
+        """Returns the profile less an exact number in its unit."""
+        return replace(self, values=self.values - by)
 
     def estimates(self) -> list[Estimate]:
         """Returns the estimate of each label."""

@@ -124,6 +124,7 @@ Campaign complete(Draft& draft, const std::string& source,
             campaign.search.start.push_back(each.value);
     if (draft.has_photosynthesis)
         campaign.photosynthesis = to_photosynthesis(draft.photosynthesis);
+    campaign.leaves = stated_leaves(draft);
     if (draft.has_water) {
         campaign.water = draft.water.rules;
         campaign.water_limit = draft.water.limit;

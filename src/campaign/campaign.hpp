@@ -108,6 +108,8 @@ struct Campaign {
     ByBand<double> soil_albedo = usual_soil_albedo;
     //! Model, if leaves assimilate.
     std::optional<Photosynthesis> photosynthesis;
+    //! Photosynthesis of each component, the crop first, if leaves assimilate.
+    std::vector<StatedLeaves> leaves;
     //! Rules of the exchange, if leaves exchange heat and water.
     std::optional<LeafWater> water{};
     Stomata stomata{};       //!< stomata of the leaves of the crop

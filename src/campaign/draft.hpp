@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -39,6 +40,8 @@ struct Draft {
     std::vector<Range> own_bounds;    //!< own bounds of each trait
     std::vector<std::string> organs;  //!< present organs besides leaves
     PhotosynthesisTable photosynthesis;
+    //! The file of each key of [photosynthesis] that a file states.
+    std::map<std::string, std::string> leaf_files;
     WaterTable water;
     MeasuredLines lines;
     Growth growth;  //!< growth of the crop
@@ -49,6 +52,7 @@ struct Draft {
     bool has_water = false;           //!< whether leaves exchange water
     bool is_crop_known = true;        //!< whether all files were found
     bool has_climate = false;         //!< whether days come from a climate
+    bool has_optimizer = false;       //!< whether a file names the optimizer
     bool has_population = false;      //!< whether a file sets the population
     bool has_finalists = false;       //!< whether a file sets finalists
     bool has_samples = false;         //!< whether a file sets the samples

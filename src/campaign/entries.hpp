@@ -100,6 +100,22 @@ struct Standing {
     std::optional<PlantVariation> variation{};  //!< variation of its own
 };
 
+//! A number of a model of leaves.
+struct LeafNumber {
+    std::string name;
+    std::vector<double> values;  //!< value of all leaves, or of each; none: see
+                                 //!< docs/campaign_files.md
+    std::string file;            //!< file that states the number; "": default
+    bool is_capacity = false;    //!< whether it is a capacity of assimilation
+};
+
+//! The photosynthesis of a component, and the files that state it.
+struct StatedLeaves {
+    std::string crop, model;
+    std::string file;  //!< file that states the model; "": default
+    std::vector<LeafNumber> numbers;
+};
+
 //! A kind of plant that stands in the field beside that of the campaign's crop.
 struct ComponentEntry {
     std::string name;

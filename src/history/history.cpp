@@ -145,6 +145,11 @@ std::uint32_t History::size(std::uint32_t generation) const {
     return static_cast<std::uint32_t>(file_->span(generation).count);
 }
 
+std::uint64_t History::plants() const {
+    const std::uint32_t complete = next_generation();
+    return complete == 0 ? 0 : file_->span(complete - 1).end();
+}
+
 Population History::generation(std::uint32_t generation) const {
     const Span span = file_->span(generation);
     Population population = file_->read(

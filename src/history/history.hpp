@@ -171,6 +171,9 @@ class History {
     //! Returns the number of slots of a generation; 0 before it is proposed.
     std::uint32_t size(std::uint32_t generation) const;
 
+    //! Returns the number of rows of all complete generations.
+    std::uint64_t plants() const;
+
     //! Returns the columns of a complete generation that selection needs.
     Population generation(std::uint32_t generation) const;
 

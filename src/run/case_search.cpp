@@ -232,7 +232,8 @@ void CaseSearch::commit() {
     learn();
     for (const auto& [generation, summary] : complete_) {
         history_.commit(generation, summary);
-        evolution_.watcher.on_generation(generation, summary);
+        evolution_.watcher.on_generation(generation, history_.size(generation),
+                                         summary);
     }
     complete_.clear();
 }

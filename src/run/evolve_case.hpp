@@ -29,8 +29,8 @@ class Watcher {
     //! Is told that an evaluation of a row or a finalist is durable.
     virtual void on_evaluation(const Task& task, const Outcome& outcome) = 0;
 
-    //! Is told that a generation is complete.
-    virtual void on_generation(std::uint32_t generation,
+    //! Learns that a generation of so many plants is complete.
+    virtual void on_generation(std::uint32_t generation, std::uint32_t plants,
                                const GenerationSummary& summary) = 0;
 
     //! Is told that the finalists are about to be evaluated.

@@ -97,10 +97,10 @@ class ProgressLog::CaseWatcher : public Watcher {
         log_.show_live();
     }
 
-    void on_generation(std::uint32_t generation,
+    void on_generation(std::uint32_t generation, std::uint32_t plants,
                        const GenerationSummary& summary) override {
         entry_.generation = generation;
-        ++entry_.complete;
+        entry_.plants += plants;
         // The largest number of a study is no result of it.
         const bool is_study = log_.campaign_.search.design.has_value();
         if (!is_study)
@@ -108,13 +108,12 @@ class ProgressLog::CaseWatcher : public Watcher {
         if (!std::isnan(summary.hypervolume))
             entry_.hypervolume = {summary.hypervolume,
                                   summary.hypervolume_standard_error};
-        to_evaluate_ = log_.all_after(generation + 1);
+        to_evaluate_ = log_.most_plants() - entry_.plants;
         std::string line = fmt::format(
-            "{}  generation {}, {} of {} complete, {} left, {:.1f} "
+            "{}  generation {}, {} of {} plants, {} left, {:.1f} "
             "evaluations/s",
-            entry_.name, generation, entry_.complete,
-            log_.campaign_.stop.generations, log_.time_left(),
-            log_.evaluations_per_second());
+            entry_.name, generation, entry_.plants, log_.most_plants(),
+            log_.time_left(), log_.evaluations_per_second());
         if (!is_study)
             line += fmt::format(", {} {}", log_.best_of(entry_),
                                 certainty(false, summary.violation));
@@ -159,7 +158,7 @@ ProgressLog::ProgressLog(const Campaign& campaign,
       columns_(columns_of(STDOUT_FILENO)),
       started_(now()),
       cases_(static_cast<int>(chosen.size())) {
-    for (const Case& each : chosen) to_evaluate_[each.index] = all_after(0);
+    for (const Case& each : chosen) to_evaluate_[each.index] = most_plants();
 }
 
 ProgressLog::~ProgressLog() {
@@ -167,9 +166,10 @@ ProgressLog::~ProgressLog() {
 }
 
 std::unique_ptr<Watcher> ProgressLog::watch(const Case& chosen,
-                                            std::uint32_t generation) {
-    in_flight_[chosen.index] = {chosen.name, generation, generation, {}, {}};
-    to_evaluate_[chosen.index] = all_after(generation);
+                                            std::uint32_t generation,
+                                            long long plants) {
+    in_flight_[chosen.index] = {chosen.name, generation, plants, {}, {}};
+    to_evaluate_[chosen.index] = most_plants() - plants;
     return std::make_unique<CaseWatcher>(*this, chosen.index);
 }
 
@@ -234,8 +234,8 @@ void ProgressLog::show_live() {
         parts.push_back(fmt::format("{} of {} cases done", ended_, cases_));
     parts.push_back(time_left() + " left");
     if (entry.best) parts.push_back(best_of(entry));
-    parts.push_back(fmt::format("{} of {} generations", entry.complete,
-                                campaign_.stop.generations));
+    parts.push_back(
+        fmt::format("{} of {} plants", entry.plants, most_plants()));
     parts.push_back(
         fmt::format("{:.1f} evaluations/s", evaluations_per_second()));
     parts.push_back(entry.name);

@@ -27,9 +27,11 @@ class ProgressLog {
     ProgressLog(const ProgressLog&) = delete;
     ProgressLog& operator=(const ProgressLog&) = delete;
 
-    //! Begins a case at a generation. The log must outlive the watcher.
-    std::unique_ptr<Watcher> watch(const Case& chosen,
-                                   std::uint32_t generation);
+    //! Begins or resumes a case. The log must outlive the watcher.
+    //! @param generation first generation that is not complete
+    //! @param plants number of plants of complete generations
+    std::unique_ptr<Watcher> watch(const Case& chosen, std::uint32_t generation,
+                                   long long plants);
 
     //! Notes that a case has ended, even without a watcher.
     void end(const Case& chosen);
@@ -50,14 +52,13 @@ class ProgressLog {
     struct Entry {
         std::string name;
         std::uint32_t generation = 0;  //!< number of the generation, from 0
-        std::uint32_t complete = 0;    //!< number of complete generations
+        long long plants = 0;          //!< plants of complete generations
         std::optional<Estimate> best, hypervolume;
     };
 
-    //! Counts a case's evaluations from a generation on, if no rule ends it.
-    long long all_after(std::uint32_t generation) const {
-        return (campaign_.stop.generations -
-                static_cast<long long>(generation)) *
+    //! Returns the number of plants of a case that no other rule ends.
+    long long most_plants() const {
+        return static_cast<long long>(campaign_.stop.generations) *
                campaign_.search.population;
     }
     double evaluations_per_second() const;

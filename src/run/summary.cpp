@@ -154,10 +154,12 @@ CaseResult result_of(const History& history) {
     result.is_study = has_table(history, "[sensitivity]");
     result.reason = history.finished();
     result.generations = header.generations;
+    result.most_plants = header.rows();
     result.objective = header.schema.objectives.front().name;
     result.unit = header.schema.objectives.front().unit;
     const auto summaries = history.summaries();
     result.complete = static_cast<double>(summaries.size());
+    result.plants = static_cast<double>(history.plants());
     for (const GenerationSummary& each : summaries) {
         result.failures += each.failures;
         result.evaluations += each.evaluations;
@@ -180,9 +182,10 @@ CaseResult result_of(const History& history) {
 
 std::string to_text(const CaseResult& result, const std::string& path,
                     const std::string& state) {
-    std::string line =
-        fmt::format("{}: {}{}, {} of {} generations", path, state,
-                    ended_by(result), result.complete, result.generations);
+    std::string line = fmt::format(
+        "{}: {}{}, {} of {} plants in {} generation{}", path, state,
+        ended_by(result), result.plants, result.most_plants, result.complete,
+        result.complete == 1 ? "" : "s");
     if (result.best)
         line += fmt::format(
             ", best {} {}", with_unit(format(*result.best), result.unit),

@@ -25,10 +25,10 @@ inline constexpr std::size_t lines_on_screen = 20;
 std::size_t best_finalist(const History& history,
                           const std::vector<Row>& finalists);
 
-//! Returns the reason for the end of a search in words.
+//! Returns the key that ended a search. A history has room for as many rows as
+//! stop.generations of the usual size have.
 inline std::string in_words(const std::string& reason) {
-    return reason == "room" ? "the size of its history (stop.generations)"
-                            : reason;
+    return "stop." + (reason == "room" ? "generations" : reason);
 }
 
 //! The result of a case, as in its history.
@@ -37,6 +37,8 @@ struct CaseResult {
     std::optional<std::string> reason;  //!< reason for the end
     double complete = 0, generations = 0;
     double evaluations = 0, failures = 0;
+    //! Plants of complete generations, and those that the history has room for.
+    double plants = 0, most_plants = 0;
     double wall_time = 0;  //!< wall time of all sessions [s]
     std::string objective, unit;
     //! The best objective of the final evaluation, or of the last generation.

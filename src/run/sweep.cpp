@@ -105,7 +105,9 @@ Routine<Ending> Sweep::evolve_one(const Case& chosen) {
     if (!was_finished) {
         history.begin_session(session_record(options_.command, ranks_));
         const double began = now();
-        const auto watcher = progress_.watch(chosen, history.next_generation());
+        const auto watcher =
+            progress_.watch(chosen, history.next_generation(),
+                            static_cast<long long>(history.plants()));
         const auto optimizer = make_optimizer(
             campaign_.search, search_space(campaign_, chosen), chosen.seed);
         const Evolution evolution{

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <utility>
@@ -19,6 +20,13 @@ inline const std::vector<std::pair<std::string, OptimizerKind>> optimizers{
     {"cma_es", OptimizerKind::cma_es},  {"nsga2", OptimizerKind::nsga2},
     {"atlas", OptimizerKind::atlas},    {"random", OptimizerKind::random},
     {"sobol", OptimizerKind::sobol}};
+
+//! Returns the name of an optimizer.
+inline const std::string& name_of(OptimizerKind kind) {
+    return std::ranges::find(optimizers, kind,
+                             &std::pair<std::string, OptimizerKind>::second)
+        ->first;
+}
 
 //! Settings of the genetic algorithm.
 struct GaSettings {
@@ -63,7 +71,7 @@ std::size_t count_cells(const std::vector<AtlasAxis>& axes);
 //! The settings of the search of a case.
 struct SearchSettings {
     OptimizerKind optimizer = OptimizerKind::ga;
-    int population = 100;  //!< candidates that a generation usually has
+    int population = 100;  //!< usual number of candidates of a generation
     int streams = 1;  //!< independent searches, whose generations take turns
     GaSettings ga;
     std::vector<double> start;  //!< first genome of CMA-ES; empty: baseline
@@ -76,6 +84,16 @@ struct SearchSettings {
     //! values at the beginning.
     std::vector<double> reference{};
 };
+
+//! The size of the first generation of `auto`, in populations.
+inline constexpr int auto_design = 3;
+
+//! Returns the number of candidates in the first generation of a search.
+inline int first_generation(const SearchSettings& settings) {
+    const bool is_auto =
+        settings.optimizer == OptimizerKind::automatic && !settings.design;
+    return (is_auto ? auto_design : 1) * settings.population;
+}
 
 //! Returns the usual number of plants in a generation of an optimizer.
 int usual_population(OptimizerKind optimizer, std::size_t free_genes);

@@ -97,6 +97,29 @@ def test_check(folder: Path, tmp_path: Path) -> None:
     assert document["genes"] == 79 and document["free_genes"] == 40
     assert document["field"]["rows"] == 2
     assert document["cost"]["evaluations_per_case"] == 12
+    assert document["leaves"] == [] and not document["grows"]
+    assert document["search"] == {
+        "optimizer": "ga",
+        "population": 6,
+        "first_generation": 6,
+        "streams": 1,
+        "most_plants": 12,
+    }
+    settings = ("objective.maximise=net_assimilation", "search.optimizer=auto")
+    words = [x for key in settings for x in ("--set", key)]
+    more = ("--set", "search.population=8", "--set", "stop.generations=3")
+    document = told(0, "check", folder / "tiny.toml", *words, *more)
+    assert_needs_all("check", document)
+    (leaves,) = document["leaves"]
+    assert leaves["model"] == "hyperbola"
+    assert leaves["file"].endswith("maize.toml")
+    assert {x["name"]: x["values"] for x in leaves["numbers"]} == {
+        "phi": [0.06],
+        "theta": [0.7],
+        "amax": [50],
+        "rd": [],
+    }
+    assert document["search"]["first_generation"] == 24
     cost = {**document["cost"], "evaluation_s": None}
     assert not validator("check").is_valid({**document, "cost": cost})
 

@@ -125,6 +125,80 @@ TEST(Campaign, CropsTellTheOpticsAndTheCapacityOfTheirLeaves) {
     EXPECT_FALSE(ames().photosynthesis);
 }
 
+TEST(Campaign, CropsWithoutPhotosynthesisAreWarnedOfWhereCarbonCounts) {
+    const auto warnings = [](const std::string& more,
+                             const std::string& top = "") {
+        return parse_campaign(sample_text(top, more), "sample.toml").warnings;
+    };
+    const std::string carbon = "[objective]\nmaximise = \"carbon_balance\"\n";
+    EXPECT_TRUE(warnings("").empty()) << "light needs no photosynthesis";
+    // One warning, whatever the number of cases.
+    const std::vector<Problem> told =
+        warnings(carbon +
+                     "[[traits]]\nname = \"a\"\nfree = [\"length\"]\n"
+                     "[[traits]]\nname = \"b\"\nfree = [\"width\"]\n",
+                 "replicates = 3\n");
+    ASSERT_EQ(told.size(), 1u);
+    EXPECT_TRUE(to_string(told.front())
+                    .starts_with("sample.toml:19:8: the crop \"single\" has no "
+                                 "[photosynthesis] (its leaves assimilate by "
+                                 "the default, which is right for C4 crops"))
+        << to_string(told.front());
+    EXPECT_NE(
+        told.front().what.find("with model = \"farquhar\" for a C3 crop, "
+                               "or \"hyperbola\" or \"collatz\" for a C4"),
+        std::string::npos);
+    // An axis of an atlas counts carbon as well.
+    EXPECT_EQ(warnings("[search]\noptimizer = \"atlas\"\n[[search.axes]]\n"
+                       "quantity = \"net_assimilation\"\nrange = [0, 2]\n")
+                  .size(),
+              1u);
+    for (const char* stated : {"model = \"hyperbola\"", "amax = 30",
+                               "model = \"farquhar\"\nvcmax = 80"})
+        EXPECT_TRUE(
+            warnings(carbon + "[photosynthesis]\n" + stated + "\n").empty())
+            << stated;
+    EXPECT_EQ(
+        warnings(carbon + "[photosynthesis]\nprofile = \"none\"\n").size(), 1u);
+    // The leaves of components are those of their own crops.
+    const std::string neighbour =
+        "[photosynthesis]\nmodel = \"farquhar\"\n[[component]]\n"
+        "name = \"other\"\nrows = [2]\n[component.crop]\nname = \"grass\"\n"
+        "[[component.crop.leaf]]\nlength = 0.3\nwidth = 0.03\n"
+        "insertion_angle = 40\ncurvature = 60\nazimuth = 90\n"
+        "insertion_height = 0.2\n";
+    const std::vector<Problem> others = warnings(carbon + neighbour);
+    ASSERT_EQ(others.size(), 1u);
+    EXPECT_TRUE(others.front().what.starts_with("the crop \"grass\" has no"));
+}
+
+TEST(Campaign, EveryCropOfTheProjectStatesItsPhotosynthesis) {
+    for (const char* place : {"/crops", "/plants"})
+        for (const auto& file : std::filesystem::directory_iterator(
+                 std::string(IDEOTYPE_CAMPAIGNS) + place)) {
+            const Campaign campaign = read_campaign(
+                IDEOTYPE_CAMPAIGNS "/ames_quick.toml",
+                {"plant.baseline=" + file.path().string(), "light.paths=64",
+                 "plant.bounds=traits", "objective.maximise=net_assimilation"});
+            for (const Problem& each : campaign.warnings)
+                EXPECT_EQ(each.what.find("photosynthesis"), std::string::npos)
+                    << to_string(each);
+            EXPECT_NE(campaign.leaves.front().file, "") << file.path();
+        }
+}
+
+TEST(Campaign, ExportedCropsStateNoPhotosynthesisThatNobodyStated) {
+    const Campaign campaign = sample();
+    EXPECT_EQ(
+        crop_text(campaign, campaign.crop.baseline).find("photosynthesis"),
+        std::string::npos);
+    const Campaign stated =
+        sample("", "[photosynthesis]\nmodel = \"farquhar\"\n");
+    EXPECT_NE(
+        crop_text(stated, stated.crop.baseline).find("model = \"farquhar\""),
+        std::string::npos);
+}
+
 TEST(Campaign, BiologicalBoundsFollowEachLeaf) {
     const Campaign campaign =
         read_campaign(IDEOTYPE_TEST_DATA "/campaign/elite.toml");

@@ -64,6 +64,7 @@ bounds = "paper"
 paths = 256
 randomisations = 4
 [search]
+optimizer = "ga"
 population = $2
 elites = 2
 [stop]

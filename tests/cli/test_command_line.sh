@@ -33,6 +33,9 @@ expect 0 "$ideotype" check campaigns/verbs.toml
 says "LAI 3.44"
 says "^advice    plants are all alike; "
 says "^next: ideotype run campaigns/verbs.toml$"
+says "^leaves    absorb light; assimilation is not evaluated$"
+says "^growth    none: plants are those of the crop file on all days$"
+says "^search    ga, generations of 6 plants, at most 12 plants$"
 says "Ames  *42 N 93.6 W  *0807  *1  *64.2 deg  *0.2 %  *+1.24 h  *UTC-5  *06:19  *13:20  *20:20"
 sed -e 's/^start = .*/start = 01:00:00/' -e 's/^end = .*/end = 05:00:00/' \
     campaigns/verbs.toml >campaigns/dark.toml
@@ -61,6 +64,32 @@ expect 0 "$ideotype" check campaigns/verbs.toml --set field.variation.length=0.0
 expect 0 "$ideotype" check campaigns/verbs.toml --set seed=3
 says "^next: ideotype run campaigns/verbs.toml --set seed=3$"
 says "^ *128  *[0-9:]* *$"
+# The photosynthesis of leaves has its source, and a default one is warned of.
+sed '/^\[photosynthesis\]/,/^\]/d' campaigns/crops/maize.toml >campaigns/crops/bare.toml
+bare=(campaigns/verbs.toml --set objective.maximise=carbon_balance
+    --set plant.baseline=crops/bare.toml)
+for verb in check run; do
+    expect 0 "$ideotype" $verb "${bare[@]}" --set replicates=2 --out bare
+    [ "$(grep -c 'warning: .*crops/bare.toml:.* the crop "b73" has no .photosynthesis.' out.log)" = 1 ] ||
+        fail "not one warning: $(cat out.log)"
+done
+expect 0 "$ideotype" check "${bare[@]}"
+says "^leaves    hyperbola, amax 50 (default), 30 deg C on clear days$"
+expect 0 "$ideotype" check "${bare[@]}" --set photosynthesis.amax=40
+says "^leaves    hyperbola (default), amax 40 (--set photosynthesis.amax=40), 30 deg C on clear days$"
+! grep -q warning out.log || fail "stated leaves are warned of: $(cat out.log)"
+expect 0 "$ideotype" check campaigns/verbs.toml --set objective.maximise=carbon_balance
+says "^leaves    hyperbola (maize.toml), amax 50 (default), 30 deg C on clear days$"
+# The first generation of auto is larger, and the log counts plants as check does.
+auto=(--set search.optimizer=auto --set search.population=8 --set stop.generations=5)
+expect 0 "$ideotype" check campaigns/verbs.toml "${auto[@]}"
+says "^search    auto, generations of 8 plants (the first of 24), at most 40 plants$"
+says "^cost      40 evaluations of "
+expect 0 "$ideotype" run campaigns/verbs.toml "${auto[@]}" --out auto
+says "  generation 0, 24 of 40 plants, "
+says "  generation 2, 40 of 40 plants, "
+says "ended by stop.generations; "
+says "finished by stop.generations, 40 of 40 plants in 3 generations, "
 expect 0 "$ideotype" check campaigns/verbs.toml --cases
 says "^ *0  ames_0807_762x152_all_r1  *[0-9]*$"
 expect 0 "$ideotype" check campaigns/verbs.toml --count
@@ -114,10 +143,10 @@ says '"leaf_by_layer"'
 expect 2 "$ideotype" evaluate campaigns/verbs.toml --case 1
 
 expect 0 "$ideotype" run campaigns/verbs.toml
-says "finished by generations, 2 of 2 .*, gain .* %, with LAI .* instead of 3.44, 12 evaluations in 0:0[0-9], 0 failed$"
-told=$(grep -o "2 of 2 generations, best .*" out.log)
+says "finished by stop.generations, 12 of 12 plants in 2 generations, .*, gain .* %, with LAI .* instead of 3.44, 12 evaluations in 0:0[0-9], 0 failed$"
+told=$(grep -o "12 of 12 plants in 2 generations, best .*" out.log)
 # A log file has the time (UTC); its generations are counted as in the history.
-says "^20[0-9-]*T[0-9:]*Z  ames.*  generation 1, 2 of 2 complete, "
+says "^20[0-9-]*T[0-9:]*Z  ames.*  generation 1, 12 of 12 plants, "
 says "best .* MJ m-2 day-1 (not evaluated again)$"
 says "one seed: ± is half of a 95 % interval of the light's noise"
 says "^next: ideotype report results/verbs -o results/verbs/report$"
@@ -127,14 +156,14 @@ for columns in 60 80 100 200; do
         campaigns/verbs.toml --out terminal$columns" /dev/null
     tr '\r' '\n' <out.log | sed 's/\x1b\[K//' | grep " left, " >live ||
         fail "no live line: $(cat out.log)"
-    grep -q " of 2 generations" live || fail "no generations: $(cat live)"
+    grep -q " of 12 plants" live || fail "no plants: $(cat live)"
     [ "$(wc -L <live)" -lt "$columns" ] ||
         fail "a live line is wider than $columns: $(cat live)"
 done
 history=$(history_of results verbs)
 expect 0 "$ideotype" status "$history"
-says "2 of 2 generations, best .* MJ m-2 day-1 (evaluated again)"
-says "finished by generations, $told$"
+says "12 of 12 plants in 2 generations, best .* MJ m-2 day-1 (evaluated again)"
+says "finished by stop.generations, $told$"
 says "^one seed: ± is half of a 95 % interval of the light's noise"
 expect 0 "$ideotype" check campaigns/verbs.toml --left
 [ ! -s out.log ] || fail "a finished case is not left"
@@ -200,7 +229,7 @@ expect 2 "$ideotype" export "$history" --best --to plant.doc
 
 # A second look at a finished case repeats its summary and evaluates nothing.
 expect 0 "$ideotype" run campaigns/verbs.toml --resume
-says "$history: finished before by generations, $told$"
+says "$history: finished before by stop.generations, $told$"
 [ "$(grep -vc "^next: \|^one seed: " out.log)" -eq 1 ] || fail "not one line a case: $(cat out.log)"
 
 # A time limit of this start stops cleanly.

@@ -58,7 +58,7 @@ for words in --version --help "run campaigns/full.toml --out full" \
     says "cannot write to"
 done
 expect 0 "$ideotype" status full
-says "finished by generations"
+says "finished by stop.generations"
 
 # No history takes the place of a standard file that is closed.
 write_campaign closed 6 2
@@ -111,7 +111,7 @@ h5repack -L -f SHUF -f GZIP=6 "$whole" packed.h5
     fail "repacked it is not half as large"
 expect 0 "$ideotype" verify packed.h5
 expect 0 "$ideotype" status packed.h5
-says "finished by generations"
+says "finished by stop.generations"
 expect 0 "$ideotype" evaluate packed.h5 --generation 7 --slot 3
 says "agrees bit for bit"
 expect 0 "$ideotype" export packed.h5 --generations --to packed.csv

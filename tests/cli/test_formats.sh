@@ -6,7 +6,7 @@
 # A history of version 0.2.0, repacked by h5repack.
 old=$project/tests/data/history/format_2_0.h5
 expect 0 "$ideotype" status "$old"
-says "finished by generations, 4 of 4 generations, best "
+says "finished by stop.generations, 24 of 24 plants in 4 generations, best "
 expect 0 "$ideotype" verify "$old"
 says "header, 4 generations and 3 finalists have their checksums"
 expect 0 "$ideotype" export "$old" --generations --to old.csv
@@ -76,7 +76,7 @@ expect 0 "$ideotype" status "$history"
 write_text /state/finished '\001'
 write_text /state/reason 'gen\033]0;evil\007\302\233'
 expect 0 "$ideotype" status "$history"
-says 'finished by gen\\x1b\]0;evil\\x07\\xc2\\x9b'
+says 'finished by stop.gen\\x1b\]0;evil\\x07\\xc2\\x9b'
 
 # The result of h5repack reads the same. With -L it can also be resumed.
 cp whole.h5 "$history"
@@ -89,7 +89,7 @@ for option in "" -L; do
     expect 0 "$ideotype" verify "$history"
     says "header, 3 generations and 4 finalists have their checksums"
     expect 0 "$ideotype" status "$history"
-    says "finished by generations"
+    says "finished by stop.generations"
     expect 0 "$ideotype" evaluate "$history" --best
     says "agrees bit for bit"
     expect 0 "$ideotype" export "$history" --generations --to "packed$option.csv"

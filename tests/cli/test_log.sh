@@ -10,7 +10,7 @@ told() {
         >out.log 2>err.log || fail "ended with $?: $(cat err.log)"
 }
 told info
-grep -Eq "${time}ames.* generation 1, 2 of 2 complete" out.log || fail "$(cat out.log)"
+grep -Eq "${time}ames.* generation 1, 12 of 12 plants" out.log || fail "$(cat out.log)"
 ! grep -q "worker [0-9]" out.log || fail "tells each evaluation: $(cat out.log)"
 
 told debug --log-level debug
@@ -21,7 +21,7 @@ told debug --log-level debug
 # A result is told at any level.
 told quiet --quiet
 [ ! -s err.log ] || fail "--quiet tells $(cat err.log)"
-grep -q "finished by generations, .*gain " out.log || fail "no result: $(cat out.log)"
+grep -q "finished by stop.generations, .*gain " out.log || fail "no result: $(cat out.log)"
 ! grep -q "generation [0-9]" out.log || fail "--quiet tells $(cat out.log)"
 
 # Errors are told too, with the time.

@@ -51,7 +51,7 @@ start() {
     "$ideotype" run campaigns/long.toml --out "$1" --threads 2 >out.log 2>&1 &
     job=$!
     for _ in $(seq 300); do
-        ! grep -qs "1 of 100 complete" out.log || return 0
+        ! grep -qs "generation 0, " out.log || return 0
         sleep 0.02
     done
     fail "it does not begin: $(cat out.log)"

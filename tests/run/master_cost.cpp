@@ -56,7 +56,8 @@ class SleepingEvaluator : public Evaluator {
 class Counter : public Watcher {
   public:
     void on_evaluation(const Task&, const Outcome&) override { ++evaluations; }
-    void on_generation(std::uint32_t, const GenerationSummary&) override {}
+    void on_generation(std::uint32_t, std::uint32_t,
+                       const GenerationSummary&) override {}
     void on_final(const std::string&) override {}
 
     int evaluations = 0;

@@ -52,7 +52,8 @@ class SumEvaluator : public Evaluator {
 class NoWatcher : public Watcher {
   public:
     void on_evaluation(const Task&, const Outcome&) override {}
-    void on_generation(std::uint32_t, const GenerationSummary&) override {}
+    void on_generation(std::uint32_t, std::uint32_t,
+                       const GenerationSummary&) override {}
     void on_final(const std::string&) override {}
 };
 
@@ -204,7 +205,8 @@ long long bytes_read() {
 //! Counts the bytes that were read in each generation.
 class ReadingWatcher : public NoWatcher {
   public:
-    void on_generation(std::uint32_t, const GenerationSummary&) override {
+    void on_generation(std::uint32_t, std::uint32_t,
+                       const GenerationSummary&) override {
         const long long now = bytes_read();
         bytes.push_back(now - before_);
         before_ = now;

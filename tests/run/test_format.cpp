@@ -40,7 +40,7 @@ TEST(Format, DurationsReadLikeAClock) {
 const std::vector<std::string> clauses{"12 of 40 cases done",
                                        "0:37 left",
                                        "best 10.35 ± 0.12 MJ m-2 day-1",
-                                       "1 of 3 generations",
+                                       "10 of 30 plants",
                                        "28.8 evaluations/s",
                                        "lat0_0807_300x140_all_r1"};
 

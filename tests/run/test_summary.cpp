@@ -77,8 +77,8 @@ TEST_F(Summary, WarnsOfMoreLeavesThanFieldsHave) {
 
 TEST_F(Summary, CountsFinalistsThatFailed) {
     EXPECT_EQ(of({10, 0.03}, 2.5, {std::nan(""), 0}, 5),
-              "a.h5: finished by generations, 0 of 20 generations, 1 of 2 "
-              "finalists failed (no leaves)");
+              "a.h5: finished by stop.generations, 0 of 480 plants in 0 "
+              "generations, 1 of 2 finalists failed (no leaves)");
 }
 
 TEST_F(Summary, NeverDividesByNothing) {

@@ -56,7 +56,8 @@ class Master : public Director, public Watcher {
         spend(options_.master_per_evaluation);
         ++evaluations;
     }
-    void on_generation(std::uint32_t, const GenerationSummary& rows) override {
+    void on_generation(std::uint32_t, std::uint32_t,
+                       const GenerationSummary& rows) override {
         spend(options_.master_per_row * rows.evaluations);
         if (clock_.now() - synchronized_ < 1) return;
         spend(options_.master_per_second);

@@ -227,6 +227,7 @@ void check_draft(Draft& draft, const Problems& problems) {
         draft.photosynthesis,
         draft.is_crop_known ? campaign.crop.baseline.leaves.size() : 0,
         problems);
+    check_leaf_models(draft, problems);
     check_water(draft, problems);
     check_plant(draft, problems.in("plant.baseline"));
     check_breeding(draft, problems);

@@ -63,11 +63,19 @@ void CropReader::read_plant(const toml::table& table, const std::string& file,
     for (const Table& part : own) tables.read(table, part);
     // Campaigns also have these tables.
     for (const Table& part : defaults) shared.read(table, part);
+    note_leaves(table, file);
     for (Leaf& leaf : plant.leaves)
         if (leaf.insertion_angle == 0 && leaf.curvature == 0)
             measure_midrib(leaf);
     stack_internodes(plant);
     draft_.is_crop_known = true;
+}
+
+void CropReader::note_leaves(const toml::table& top, const std::string& file) {
+    if (const toml::table* leaves = top["photosynthesis"].as_table())
+        for (const auto& [key, value] : *leaves)
+            draft_.leaf_files[std::string(key.str())] =
+                location(value.source(), file).file;
 }
 
 void CropReader::read_measured(const std::string& text, const std::string& file,

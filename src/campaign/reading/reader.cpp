@@ -52,6 +52,7 @@ class DraftReader : CropReader {
         const std::vector<Table> tables = campaign_tables(draft_);
         tables_.read(top, top_section(campaign), tables);
         for (const Table& table : tables) tables_.read(top, table);
+        note_leaves(top, file_);
         draft_.has_water = top.contains("water");
         for (std::size_t b = 1; b < wavebands.size(); ++b)
             campaign.follows[b] =
@@ -68,6 +69,7 @@ class DraftReader : CropReader {
         draft_.has_photosynthesis = top.contains("photosynthesis") ||
                                     draft_.has_water ||
                                     asks_for_assimilation(campaign);
+        draft_.has_optimizer = top["search"]["optimizer"].node() != nullptr;
         draft_.has_population = top["search"]["population"].node() != nullptr;
         draft_.has_finalists = top["final"]["candidates"].node() != nullptr;
         // Resolved campaigns have [sensitivity] if they search for nothing.

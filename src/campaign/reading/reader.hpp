@@ -47,6 +47,9 @@ class CropReader {
                        const std::string& plant = "");
 
   protected:
+    //! Notes the keys of [photosynthesis] that a file has.
+    void note_leaves(const toml::table& top, const std::string& file);
+
     const std::string& file_;
     PlantSource source_;
     Draft& draft_;

@@ -83,13 +83,16 @@ std::vector<std::string> models_with(Numbers numbers) {
 struct LeafKey {
     const char* name;
     Numbers numbers;
+    bool is_capacity = false;
 };
 
 constexpr LeafKey leaf_keys[] = {
-    {"phi", &All::phi},   {"theta", &All::theta}, {"amax", &All::amax},
-    {"rd", &All::rd},     {"vmax", &All::vmax},   {"alpha", &All::alpha},
-    {"beta", &All::beta}, {"k", &All::k},         {"vcmax", &All::vcmax},
-    {"jmax", &All::jmax}, {"tpu", &All::tpu},     {"g1", &All::g1},
+    {"phi", &All::phi},           {"theta", &All::theta},
+    {"amax", &All::amax, true},   {"rd", &All::rd},
+    {"vmax", &All::vmax, true},   {"alpha", &All::alpha},
+    {"beta", &All::beta},         {"k", &All::k},
+    {"vcmax", &All::vcmax, true}, {"jmax", &All::jmax, true},
+    {"tpu", &All::tpu},           {"g1", &All::g1},
 };
 
 std::size_t leaves_of(const PhotosynthesisTable& table) {
@@ -97,6 +100,67 @@ std::size_t leaves_of(const PhotosynthesisTable& table) {
     for (const LeafKey& key : leaf_keys)
         most = std::max(most, (table.*key.numbers).size());
     return most;
+}
+
+std::string file_of(const Draft& draft, const std::string& key) {
+    const auto found = draft.leaf_files.find(key);
+    return found == draft.leaf_files.end() ? "" : found->second;
+}
+
+//! Returns the numbers that a leaf has for a key of its model: one, or none if
+//! they follow from other numbers.
+std::vector<double> default_of(const Model& model, Numbers numbers) {
+    std::vector<double> values;
+    filled(model.leaf, [&](Numbers own, auto& value) {
+        if (own != numbers) return;
+        if constexpr (requires { value.has_value(); }) {
+            if (value) values.push_back(*value);
+        } else {
+            values.push_back(value);
+        }
+    });
+    return values;
+}
+
+StatedLeaves stated_leaves_of(const Draft& draft) {
+    const PhotosynthesisTable& table = draft.photosynthesis;
+    const Model& model = model_of(table);
+    StatedLeaves leaves{draft.campaign.crop.baseline.name,
+                        model.name,
+                        file_of(draft, "model"),
+                        {}};
+    for (const LeafKey& key : leaf_keys) {
+        if (!has(model, key.numbers)) continue;
+        const std::vector<double>& numbers = table.*key.numbers;
+        leaves.numbers.push_back(
+            {key.name,
+             numbers.empty() ? default_of(model, key.numbers) : numbers,
+             file_of(draft, key.name), key.is_capacity});
+    }
+    return leaves;
+}
+
+//! Returns whether the model of leaves, or a number of the model, is stated.
+bool is_stated(const StatedLeaves& leaves) {
+    return !leaves.file.empty() ||
+           std::ranges::any_of(leaves.numbers, [](const LeafNumber& number) {
+               return !number.file.empty();
+           });
+}
+
+//! Warns of a crop with leaves that assimilate by default.
+//! @param own problems of the keys of the crop
+void warn_of_default(const Draft& draft, const Problems& own) {
+    if (!draft.is_crop_known || !own.usable({"name"})) return;
+    const StatedLeaves leaves = stated_leaves_of(draft);
+    if (is_stated(leaves)) return;
+    own.warn("name",
+             "the crop \"{}\" has no [photosynthesis] (its leaves assimilate "
+             "by the default, which is right for C4 crops such as maize, not "
+             "for C3 crops such as wheat); add the table to the crop file, "
+             "with model = \"farquhar\" for a C3 crop, or \"hyperbola\" or "
+             "\"collatz\" for a C4 crop",
+             leaves.crop);
 }
 
 }  // namespace
@@ -168,6 +232,23 @@ Photosynthesis to_photosynthesis(const PhotosynthesisTable& table) {
     result.building_cost = leaf_building_cost(table.building_cost);
     result.building_days = table.building_days;
     return result;
+}
+
+std::vector<StatedLeaves> stated_leaves(const Draft& draft) {
+    std::vector<StatedLeaves> leaves;
+    if (!draft.has_photosynthesis) return leaves;
+    leaves.push_back(stated_leaves_of(draft));
+    for (const std::shared_ptr<Draft>& each : draft.components)
+        leaves.push_back(stated_leaves_of(*each));
+    return leaves;
+}
+
+void check_leaf_models(const Draft& draft, const Problems& problems) {
+    if (!draft.has_photosynthesis) return;
+    warn_of_default(draft, problems.in("plant.baseline"));
+    for (std::size_t i = 0; i < draft.components.size(); ++i)
+        warn_of_default(*draft.components[i],
+                        problems.in("component", i).in("crop"));
 }
 
 Section water_section(WaterTable& table) {

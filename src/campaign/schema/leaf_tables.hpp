@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "campaign/entries.hpp"
 #include "ideotype/canopy/scene.hpp"
 #include "ideotype/physiology/photosynthesis.hpp"
 
@@ -41,6 +42,14 @@ PhotosynthesisTable photosynthesis_of_meshes();
 //! Returns the photosynthesis that a table describes.
 //! @param table table without problems
 Photosynthesis to_photosynthesis(const PhotosynthesisTable& table);
+
+//! Returns the photosynthesis of each component of a campaign, the crop first,
+//! with the files that state it; none if leaves do not assimilate.
+std::vector<StatedLeaves> stated_leaves(const Draft& draft);
+
+//! Warns of crops with leaves that assimilate by default, which is right for C4
+//! plants only.
+void check_leaf_models(const Draft& draft, const Problems& problems);
 
 //! The [water] table as it is written.
 struct WaterTable {

@@ -191,7 +191,9 @@ Section plant_file_section(Plant& plant) {
 
 std::vector<Table> crop_defaults(Draft& draft) {
     return {optics_table(draft.campaign, false).optional(),
-            one_table(photosynthesis_section(draft.photosynthesis)).optional()};
+            one_table(photosynthesis_section(draft.photosynthesis))
+                .optional()
+                .left_out_if(draft.leaf_files.empty())};
 }
 
 std::vector<Table> plant_tables(Draft& draft) {

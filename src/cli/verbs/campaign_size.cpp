@@ -102,6 +102,47 @@ Json sky_of(const Campaign& campaign, const Case& chosen,
     return row;
 }
 
+//! Returns the name of the file in a path or in a setting.
+std::string file_name(const std::string& path) {
+    return path.substr(path.find_last_of('/') + 1);
+}
+
+//! Returns the number of leaves as "50", or as "40 .. 50" if leaves differ.
+std::string number_text(const LeafNumber& number) {
+    Extent extent;
+    for (const double value : number.values) extent.add(value);
+    return fmt::format("{} {}", number.name, extent.text("{:g}"));
+}
+
+//! Returns the model and the capacities of leaves, each with the file that
+//! states it or the word "default".
+std::string model_text(const StatedLeaves& leaves) {
+    std::vector<std::pair<std::string, std::string>> parts{
+        {leaves.model, leaves.file}};
+    for (const LeafNumber& number : leaves.numbers)
+        if (number.is_capacity)
+            parts.emplace_back(number_text(number), number.file);
+    std::string text;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const auto& [part, file] = parts[i];
+        text += (i == 0 ? "" : ", ") + part;
+        if (i + 1 == parts.size() || parts[i + 1].second != file)
+            text += fmt::format(" ({})",
+                                file.empty() ? "default" : file_name(file));
+    }
+    return text;
+}
+
+//! Returns what determines the temperature of leaves.
+std::string temperature_text(const Campaign& campaign) {
+    if (campaign.water && campaign.water->has_leaf_temperature)
+        return "with the temperature of their energy balance";
+    if (campaign.climates.empty() || !campaign.photosynthesis->follows_weather)
+        return fmt::format("{:g} deg C{}", Air{}.temperature,
+                           campaign.climates.empty() ? " on clear days" : "");
+    return "with the temperature of the air";
+}
+
 }  // namespace
 
 //! The fastest of a few evaluations counts, since the first warms up and other
@@ -157,9 +198,9 @@ Json CampaignCost::json(std::size_t cases) const {
 
 std::string CampaignCost::text() const {
     return fmt::format(
-        "{} x {} evaluations of {:.1f} ms and the finalists: {} on one "
-        "core",
-        generations, population, usual * 1e3, format_duration(of_case(1)));
+        "{} evaluations of {:.1f} ms and the finalists: {} on one core",
+        static_cast<long long>(generations) * population, usual * 1e3,
+        format_duration(of_case(1)));
 }
 
 std::string CampaignCost::table(std::size_t cases) const {
@@ -234,6 +275,72 @@ std::string objective_text(const Campaign& campaign) {
     }
     return text +
            (campaign.sole.empty() ? "\n" : ": the land equivalent ratio\n");
+}
+
+std::string leaves_text(const Campaign& campaign) {
+    if (campaign.leaves.empty())
+        return "leaves    absorb light; assimilation is not evaluated\n";
+    std::string text;
+    for (const StatedLeaves& each : campaign.leaves)
+        text += fmt::format(
+            "{:<10}{}{}, {}\n", text.empty() ? "leaves" : "",
+            campaign.leaves.size() == 1 ? "" : "of " + each.crop + ": ",
+            model_text(each), temperature_text(campaign));
+    return text;
+}
+
+Json leaves_of(const Campaign& campaign) {
+    const auto file_of = [](const std::string& file) {
+        return file.empty() ? Json() : Json(file);
+    };
+    Json all = Json::array();
+    for (const StatedLeaves& each : campaign.leaves) {
+        Json numbers = Json::array();
+        for (const LeafNumber& number : each.numbers)
+            numbers.push_back({{"name", number.name},
+                               {"values", number.values},
+                               {"file", file_of(number.file)}});
+        all.push_back({{"crop", each.crop},
+                       {"model", each.model},
+                       {"file", file_of(each.file)},
+                       {"numbers", numbers},
+                       {"temperature", temperature_text(campaign)}});
+    }
+    return all;
+}
+
+std::string growth_text(const Campaign& campaign, const Case& chosen) {
+    const Case& first = scenarios(chosen).front();
+    if (first.stages.empty())
+        return "growth    none: plants are those of the crop file on all "
+               "days\n";
+    return fmt::format(
+        "growth    from emergence on {} to maturity, at {} "
+        "stages\n",
+        to_string(climate_of(campaign, first).emergence), first.stages.size());
+}
+
+std::string search_text(const Campaign& campaign) {
+    const SearchSettings& search = campaign.search;
+    const int first = first_generation(search);
+    return fmt::format(
+        "search    {}, generations of {} plants{}{}, at most {} plants\n",
+        name_of(search.optimizer), search.population,
+        first == search.population ? ""
+                                   : fmt::format(" (the first of {})", first),
+        search.streams == 1 ? ""
+                            : fmt::format(" of {} streams", search.streams),
+        static_cast<long long>(search.population) * campaign.stop.generations);
+}
+
+Json search_of(const Campaign& campaign) {
+    const SearchSettings& search = campaign.search;
+    return {{"optimizer", name_of(search.optimizer)},
+            {"population", search.population},
+            {"first_generation", first_generation(search)},
+            {"streams", search.streams},
+            {"most_plants", static_cast<long long>(search.population) *
+                                campaign.stop.generations}};
 }
 
 }  // namespace ideotype

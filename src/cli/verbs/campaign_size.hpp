@@ -80,7 +80,19 @@ Stands stands_of(const Campaign& campaign, double leaf_area);
 //! Returns the leaf area of the baseline at each stage, if plants grow.
 Json season_of(const Campaign& campaign, const Case& chosen);
 
-//! Returns a line that tells the objectives.
+//! Returns a line with the objectives.
 std::string objective_text(const Campaign& campaign);
+
+//! Returns a line on the photosynthesis and the temperature of leaves, for each
+//! component.
+std::string leaves_text(const Campaign& campaign);
+Json leaves_of(const Campaign& campaign);
+
+//! Returns a line on whether and from when plants grow.
+std::string growth_text(const Campaign& campaign, const Case& chosen);
+
+//! Returns a line on the optimizer and the size of the search.
+std::string search_text(const Campaign& campaign);
+Json search_of(const Campaign& campaign);
 
 }  // namespace ideotype

@@ -161,6 +161,9 @@ Json to_json(const CheckOptions& options, const Campaign& campaign,
               {"par_MJ_per_m2_per_day_of_cases", found.stands.par.json(1e6)},
               {"diffuse_fraction",
                found.light.diffuse() / found.light.incident()}}},
+            {"leaves", leaves_of(campaign)},
+            {"grows", !scenarios(all.front()).front().stages.empty()},
+            {"search", search_of(campaign)},
             {"genes", found.genes},
             {"free_genes", found.free_genes},
             {"cost", found.cost.json(all.size())},
@@ -182,6 +185,8 @@ void print(const CheckOptions& options, const Campaign& campaign,
                campaign.crop.baseline.name,
                campaign.crop.baseline.leaves.size(),
                plant_area(found.plant).leaves, found.plant.faces.size());
+    fmt::print("{}{}", leaves_text(campaign),
+               growth_text(campaign, all.front()));
     if (!campaign.field.variation.is_any())
         fmt::print(
             "advice    plants are all alike; what is bred in such a "
@@ -222,6 +227,7 @@ void print(const CheckOptions& options, const Campaign& campaign,
     for (const KeyFactor& each : campaign.varied.keys)
         fmt::print("          {} {} .. {} is one of them\n", each.key,
                    each.range.lower, each.range.upper);
+    fmt::print("{}", search_text(campaign));
     fmt::print("cost      {} per case{}\n", found.cost.text(),
                all.size() == 1 ? "" : " (measured on the first)");
     fmt::print("{}", found.cost.table(all.size()));

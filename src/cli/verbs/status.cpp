@@ -96,9 +96,9 @@ CaseStatus report_on(const std::string& path) {
         !report.way_on.empty() && history.last_session()->ranks > 1;
     if (result.wall_time > 0)
         report.rate = result.evaluations / result.wall_time;
-    if (!result.reason && result.complete > 0)
-        report.left = (result.generations - result.complete) *
-                      result.wall_time / result.complete;
+    if (!result.reason && result.plants > 0)
+        report.left = (result.most_plants - result.plants) * result.wall_time /
+                      result.plants;
     report.has_one_seed = result.is_evaluated_again &&
                           header.campaign_resolved.find("\nreplicates = 1\n") !=
                               std::string::npos;
@@ -153,6 +153,8 @@ Json to_json(const CaseStatus& report) {
             {"complete_generations", std::llround(result.complete)},
             {"generations", std::llround(result.generations)},
             {"evaluations", std::llround(result.evaluations)},
+            {"plants", std::llround(result.plants)},
+            {"most_plants", std::llround(result.most_plants)},
             {"failed", std::llround(result.failures)},
             {"finalists", result.finalists},
             {"failed_finalists", result.failed_finalists},

@@ -93,7 +93,7 @@ class AutoSearch : public GenerationalOptimizer {
     static constexpr std::size_t most_growth = 8;
 
     //! Returns the number of rows of the design, whose first half are mixtures.
-    std::size_t design_size() const { return 3 * population_; }
+    std::size_t design_size() const { return auto_design * population_; }
     std::size_t last_mixture() const { return design_size() / 2; }
 
     Candidate of_design(std::uint32_t slot) const {

@@ -8,7 +8,13 @@ from pathlib import Path
 from typing import Any
 
 from climates import CLEAR_DAY, bondville, moved_season, season, site
-from shared import MAIZE, ROUGH, SEVERAL_FIELDS, SMALL_FIELD
+from shared import (
+    MAIZE,
+    ROUGH,
+    SEVERAL_FIELDS,
+    SMALL_FIELD,
+    with_former_defaults,
+)
 
 INCH = 0.0254
 AMES = 42.0
@@ -86,9 +92,11 @@ def campaign(
         moved = moved_season(where.latitude, folder)
         here = site(where.latitude)
         light = {"climate": [{**season(), "file": str(moved)}]}
-    return {
-        **tables,
-        "site": [here],
-        **light,
-        **(ROUGH if is_rough else {}),
-    }
+    return with_former_defaults(
+        {
+            **tables,
+            "site": [here],
+            **light,
+            **(ROUGH if is_rough else {}),
+        }
+    )

@@ -41,6 +41,7 @@ from shared import (
     CAMPAIGNS,
     MAIZE,
     Numbers,
+    former_tolerance,
     guard,
     parser_of_searches,
     run_parts,
@@ -161,7 +162,8 @@ def cost(options: Options) -> None:
             name: Stand.from_campaign(
                 QUICK,
                 settings={
-                    "field.rows": 8, "light.sky": sky, "panel": [each]
+                    "field.rows": 8, "light.sky": sky, "panel": [each],
+                    "light.tolerance": former_tolerance(QUICK),
                 },
             )
             for name, each in kinds.items()

@@ -30,7 +30,7 @@ import numpy as np
 import pandas as pd
 import tomli_w
 from estimates import Estimate, print_table, told
-from shared import CAMPAIGNS, MAIZE, guard, parser_of
+from shared import CAMPAIGNS, FORMER_TOLERANCE, MAIZE, guard, parser_of
 
 from ideotype import Stand
 
@@ -75,11 +75,12 @@ class Strips:
 
     def __init__(self, folder: Path, rough: bool) -> None:
         self._folder = folder
-        self._light = {"light": {"randomisations": 32}}
+        accuracy = {"tolerance": FORMER_TOLERANCE, "randomisations": 32}
         self._points = 512
         if rough:
-            self._light["light"] |= {"paths": 2048, "randomisations": 4}
+            accuracy = {"paths": 2048, "randomisations": 4}
             self._points = 32
+        self._light = {"light": accuracy}
 
     def stand(
         self,

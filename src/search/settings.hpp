@@ -70,7 +70,7 @@ std::size_t count_cells(const std::vector<AtlasAxis>& axes);
 
 //! The settings of the search of a case.
 struct SearchSettings {
-    OptimizerKind optimizer = OptimizerKind::ga;
+    OptimizerKind optimizer = OptimizerKind::automatic;
     int population = 100;  //!< usual number of candidates of a generation
     int streams = 1;  //!< independent searches, whose generations take turns
     GaSettings ga;

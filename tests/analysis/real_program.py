@@ -42,6 +42,7 @@ plants = 2
 baseline = "maize.toml"
 
 [search]
+optimizer = "ga"
 population = 6
 
 [stop]
@@ -105,11 +106,11 @@ def run_crop(folder: Path, crop: str, free: list[str]) -> Path:
 
 
 def run_shortened(folder: Path, name: str) -> list[Path]:
-    """Returns finished histories of campaigns/NAME.toml, with two generations
+    """Returns finished histories of campaigns/NAME.toml, with three generations
     of eight plants and few paths of light."""
     light = _FAST.replace("paths = 64", "paths = 256")
     text = (CAMPAIGNS / f"{name}.toml").read_text() + light
-    for key, value in (("population", 8), ("generations", 2)):
+    for key, value in (("population", 8), ("generations", 3)):
         text, count = re.subn(rf"(?m)^{key} = \d+$", f"{key} = {value}", text)
         assert count == 1, key
     campaign = (

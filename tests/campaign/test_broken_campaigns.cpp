@@ -350,6 +350,16 @@ TEST(BrokenCampaign, RemediesAreValid) {
            "stop.generations is 2 (the first generation of auto has three "
            "times search.population plants, so that nothing would be "
            "evaluated); use 3 or more");
+    // A campaign without an optimizer may know nothing of auto.
+    expect(problem_of(sample_text("", "[stop]\ngenerations = 2\n")),
+           "stop.generations is 2 (the search is by \"auto\", since "
+           "search.optimizer is not given; the first generation of auto has "
+           "three times search.population plants, so that nothing would be "
+           "evaluated); use 3 or more, or set search.optimizer = \"ga\"");
+    expect(problem_of(sample_text("", "[search]\npopulation = 6\n")),
+           "search.population is 6 (the search is by \"auto\", since "
+           "search.optimizer is not given; CMA-ES ranks at least 8 plants); "
+           "use 8 or more, or leave it out, or set search.optimizer = \"ga\"");
 }
 
 TEST(BrokenCampaign, OnlyTheFirstLineThatIsNotTomlIsReported) {

@@ -44,6 +44,7 @@ baseline = "crops/maize.toml"
 paths = ${PATHS:-4096}
 randomisations = 8
 [search]
+optimizer = "ga"
 population = ${POPULATION:-50}
 [stop]
 generations = 20

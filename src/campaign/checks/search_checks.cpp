@@ -157,6 +157,38 @@ void check_stop(const StopRules& stop, const Problems& problems) {
                      stop.no_gain, fewest);
 }
 
+//! Reports populations and numbers of generations that are too small for a
+//! search by CMA-ES.
+void check_cma_es(const Draft& draft, const Problems& problems) {
+    const Campaign& campaign = draft.campaign;
+    if (!uses_cma_es(campaign.search)) return;
+    const bool is_auto = campaign.search.optimizer == OptimizerKind::automatic;
+    // Campaigns that name no optimizer may never have heard of this one.
+    const std::string who = draft.has_optimizer
+                                ? ""
+                                : "the search is by \"auto\", since "
+                                  "search.optimizer is not given; ";
+    const std::string other =
+        draft.has_optimizer ? "" : ", or set search.optimizer = \"ga\"";
+    // Each search needs at least four plants to rank.
+    const int fewest = is_auto ? 8 : 4;
+    const int population = campaign.search.population;
+    if (problems.usable({"search.population"}) && population < fewest)
+        problems.add("search.population",
+                     "search.population is {} ({}CMA-ES ranks at least {} "
+                     "plants); use {} or more, or leave it out{}",
+                     population, who, fewest, fewest, other);
+    // A history has as many rows as its generations have plants.
+    const int generations = campaign.stop.generations;
+    if (is_auto && problems.usable({"stop.generations"}) &&
+        generations < auto_design)
+        problems.add("stop.generations",
+                     "stop.generations is {} ({}the first generation of auto "
+                     "has three times search.population plants, so that "
+                     "nothing would be evaluated); use {} or more{}",
+                     generations, who, auto_design, other);
+}
+
 }  // namespace
 
 void check_search(const Draft& draft, const Problems& problems) {
@@ -174,14 +206,7 @@ void check_search(const Draft& draft, const Problems& problems) {
     if (!draft.is_study) check_atlas(campaign.search, problems.in("search"));
     check_stop(campaign.stop, problems);
     check_scenarios(campaign, problems);
-    // Each CMA-ES search needs at least four plants to rank.
-    const int fewest =
-        campaign.search.optimizer == OptimizerKind::automatic ? 8 : 4;
-    if (uses_cma_es(campaign.search) && has_population && population < fewest)
-        problems.add("search.population",
-                     "search.population is {} (CMA-ES ranks at least {} "
-                     "plants); use {} or more, or leave it out",
-                     population, fewest, fewest);
+    if (!draft.is_study) check_cma_es(draft, problems);
     constexpr double most_rows = std::numeric_limits<std::int32_t>::max();
     const int generations = campaign.stop.generations;
     if (problems.usable({"search.population", "stop.generations"}) &&
@@ -192,15 +217,6 @@ void check_search(const Draft& draft, const Problems& problems) {
                      "fewer",
                      generations, population, most_rows,
                      std::floor(most_rows / population));
-    // The first generation of `auto` has as many plants as three others, and a
-    // history as many rows as its generations.
-    if (campaign.search.optimizer == OptimizerKind::automatic &&
-        problems.usable({"stop.generations"}) && generations < 3)
-        problems.add("stop.generations",
-                     "stop.generations is {} (the first generation of auto has "
-                     "three times search.population plants, so that nothing "
-                     "would be evaluated); use 3 or more",
-                     generations);
     at_most("search.elites", campaign.search.ga.elites, population - 1);
     at_most("search.tournament", campaign.search.ga.tournament, population);
     if (campaign.search.axes.empty())

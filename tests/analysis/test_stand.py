@@ -261,6 +261,19 @@ def test_a_campaign_is_built_from_dictionaries() -> None:
     assert again.evaluate(again.baseline).absorbed_par != found.absorbed_par
 
 
+def test_a_crop_without_photosynthesis_is_evaluated_with_a_warning() -> None:
+    crop = tomllib.loads((CAMPAIGNS / "crops" / "maize.toml").read_text())
+    tables = tomllib.loads(AMES.read_text())
+    tables["objective"] = {"maximise": "net_assimilation"}
+    stated = ideotype.Stand({**tables, "plant": {"baseline": crop}})
+    assert stated.warnings == []
+    del crop["photosynthesis"]
+    bare = ideotype.Stand({**tables, "plant": {"baseline": crop}})
+    (warning,) = bare.warnings
+    assert 'the crop "b73" has no [photosynthesis]' in warning
+    assert 'model = "farquhar" for a C3 crop' in warning
+
+
 def test_a_baseline_outside_its_bounds_is_evaluated_with_a_warning() -> None:
     settings = ["plant.bounds={length=[1.05,1.1]}"]
     narrow = ideotype.Stand.from_campaign(AMES, settings=settings)

@@ -23,7 +23,7 @@ TraitEntry leaf_trait(const std::string& name, const std::string& unit,
 Draft::Draft() {
     // `fidelity` recommends this accuracy; the defaults of the field and the
     // time step already fit.
-    campaign.sampling = {16384, 16, 0.008};
+    campaign.sampling = {16384, 16, 0.005};
     campaign.trait_sets = {{"all", {}}};
     // The controls are a least-squares fit of a width profile with a maximum of
     // 1 and an area of 0.7455 length x width.

@@ -100,7 +100,7 @@ TEST(Settings, ThatTradeAccuracyAreDeclared) {
               "day.step_minutes=30 plant.cells_along=12 light.paths=512 ");
     EXPECT_EQ(accuracy_keys({"light.dates=5"}, "/bondville.toml"),
               "field.rows=4 field.plants=4 plant.cells_along=12 "
-              "plant.stalk_sides=8 light.tolerance=0.008 light.dates=5 ");
+              "plant.stalk_sides=8 light.tolerance=0.005 light.dates=5 ");
 }
 
 TEST(Settings, AreCheckedLikeTheFileAllInOnePass) {

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-import csv
+import tomllib
 from pathlib import Path
 
 import numpy as np
@@ -33,13 +33,11 @@ def maize(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def leaves_of(history: Path, folder: Path) -> dict[str, np.ndarray]:
     """Returns the measures of the leaves of the best plant from the
-    program."""
-    path = folder / "leaves.csv"
+    program, with all digits."""
+    path = folder / "leaves.toml"
     output_of("export", history, "--best", "--to", path)
-    rows = list(csv.DictReader(path.read_text().splitlines()))
-    return {
-        name: np.array([float(row[name]) for row in rows]) for name in rows[0]
-    }
+    rows = tomllib.loads(path.read_text())["leaf"]
+    return {name: np.array([row[name] for row in rows]) for name in rows[0]}
 
 
 def profile_of(case: Case, trait: str, leaves: int) -> np.ndarray:
@@ -51,7 +49,7 @@ def profile_of(case: Case, trait: str, leaves: int) -> np.ndarray:
 def test_azimuths_are_those_of_the_program(
     maize: Path, tmp_path: Path
 ) -> None:
-    told = leaves_of(maize, tmp_path)["azimuth_deg"] % 360
+    told = leaves_of(maize, tmp_path)["azimuth"] % 360
     with open_study(maize) as study:
         (case,) = study.cases()
         (found,) = azimuths(case, case.best.row.genome)
@@ -65,7 +63,7 @@ def test_azimuths_are_those_of_the_program(
 def test_profiles_that_scale_are_those_of_the_program(
     maize: Path, tmp_path: Path
 ) -> None:
-    told = leaves_of(maize, tmp_path)["length_m"]
+    told = leaves_of(maize, tmp_path)["length"]
     with open_study(maize) as study:
         (case,) = study.cases()
         base = case.baseline.row.genome[0, case.genes.columns("length")]
@@ -77,7 +75,7 @@ def test_profiles_that_scale_are_those_of_the_program(
 def test_profiles_that_shift_are_those_of_the_program(
     sorghum: list[Path], tmp_path: Path
 ) -> None:
-    told = leaves_of(sorghum[1], tmp_path)["insertion_angle_deg"]
+    told = leaves_of(sorghum[1], tmp_path)["insertion_angle"]
     with open_study(sorghum[1]) as study:
         (case,) = study.cases()
         at = case.genes.columns("insertion_angle")

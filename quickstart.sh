@@ -28,8 +28,9 @@ echo
     exit "$status"
 }
 
-# Reports draw the shapes of plants, which the compiled module knows.
-install_python release
+# Reports draw the shapes of plants, which the compiled module knows. The extras
+# are those of commands in the manual: weather, indices and fit.
+install_python release weather,sensitivity,fit
 echo
 "$ideotype" summary "$out/quickstart"
 echo

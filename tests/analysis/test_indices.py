@@ -91,7 +91,7 @@ def test_without_salib_there_is_one_message(
 ) -> None:
     monkeypatch.setitem(sys.modules, "SALib", None)
     assert main([str(path)]) == 1
-    assert "pip install 'ideotype[sensitivity]'" in capsys.readouterr().err
+    assert "pip install 'SALib>=1.5'" in capsys.readouterr().err
 
 
 def test_the_report_draws_them(path: Path, tmp_path: Path) -> None:

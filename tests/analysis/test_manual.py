@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Every command block of the manual runs, and no page is wider than a phone. A
-block of bash or python is a program of its own; pages begin in a clone of the
-project. A block of console has commands after `$ ` and their output: each line
+"""Every command block of the manual and of the READMEs for users runs, and no
+page is wider than a phone. A block of bash or python is a program of its own;
+pages begin in a clone of the project. A block of console has commands after `$ ` and their output: each line
 has to be in the real output, apart from numbers. A block whose caption is the
 name of a file is that file."""
 
@@ -9,9 +9,11 @@ from __future__ import annotations
 
 import os
 import re
+import shlex
 import shutil
 import subprocess
 import sys
+import tomllib
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -21,6 +23,16 @@ from phone import phone_with
 TOP = Path(__file__).parents[2]
 DOCS = TOP / "docs"
 PAGES = sorted(DOCS.glob("*.md"))
+READMES = [
+    TOP / folder / "README.md"
+    for folder in (
+        ".",
+        "analysis",
+        "slurm",
+        "campaigns",
+        "campaigns/benchmark",
+    )
+]
 
 REASONS = (
     "changes the system",
@@ -28,6 +40,7 @@ REASONS = (
     "needs a cluster",
     "needs another system",
     "it serves until it is stopped",
+    "it asks questions",
 )
 """The reasons why a block may not be run: `<!-- not run: REASON -->` stands
 before it."""
@@ -140,13 +153,95 @@ def test_every_block_of_a_page_runs(page: Path, clone: Path) -> None:
                     )
 
 
+@pytest.fixture
+def clone_with_results(clone: Path) -> Path:
+    """Adds an environment, a built program and the results of ames.toml, which
+    becomes short, at the paths that READMEs name."""
+    (clone / ".venv").symlink_to(sys.prefix)
+    built = clone / "build" / "release" / "src"
+    built.mkdir(parents=True)
+    (built / "ideotype").symlink_to(clone / ".tools" / "ideotype")
+    ames = clone / "campaigns" / "ames.toml"
+    text = ames.read_text()
+    for long, short in (
+        ("generations = 200", "generations = 2"),
+        ("[search]", "[search]\npopulation = 8"),
+        ("replicates = 3", "replicates = 1"),
+        ("candidates = 5", "candidates = 2"),
+    ):
+        assert long in text
+        text = text.replace(long, short)
+    ames.write_text(text)
+    run(["ideotype", "run", "campaigns/ames.toml"], clone, "a short run")
+    return clone
+
+
+@pytest.mark.parametrize(
+    "page", READMES, ids=lambda page: str(page.parent.relative_to(TOP))
+)
+def test_every_command_of_a_readme_runs(
+    page: Path, clone_with_results: Path
+) -> None:
+    """Python blocks of analysis/README.md follow on each other; test_report
+    runs them together."""
+    for block in blocks_of(page):
+        if block.kind == "bash" and not block.reason:
+            command = ["bash", "-euo", "pipefail", "-c", block.text]
+            run(command, clone_with_results, block.text)
+
+
+def test_every_submission_of_a_readme_can_be_planned(
+    clone_with_results: Path,
+) -> None:
+    """tests/slurm submits; here the options of each command are checked."""
+    commands = [
+        line
+        for block in blocks_of(TOP / "slurm" / "README.md")
+        for line in block.text.splitlines()
+        if line.startswith("slurm/submit ") and block.reason
+    ]
+    assert len(commands) == 3
+    for command in commands:
+        dry = command.replace("submit", "submit --dry-run --out none", 1)
+        said = run(["bash", "-c", dry], clone_with_results, dry)
+        assert "sbatch" in said
+
+
+def test_every_installation_of_a_text_is_possible() -> None:
+    """Nothing of the project is on a package index: texts install from its
+    folder, with extras that exist, and the quickstart has those of commands."""
+    extras = tomllib.loads((TOP / "pyproject.toml").read_text())["project"][
+        "optional-dependencies"
+    ]
+    named = set()
+    for page in [*PAGES, *READMES]:
+        for words in re.findall(r"pip install ([^`\n#]+)", page.read_text()):
+            for word in shlex.split(words):
+                found = re.fullmatch(r"\.(?:\[(.*)\])?", word)
+                assert found, f"{page}: pip install {words}"
+                named |= set((found[1] or "").split(",")) - {""}
+    assert named <= set(extras)
+    assert {"weather", "sensitivity"} <= named
+    quick = re.search(
+        r"install_python release (\S+)", (TOP / "quickstart.sh").read_text()
+    )
+    assert quick
+    assert named - {"test", "docs", "lint", "examples"} <= set(
+        quick[1].split(",")
+    )
+
+
 def test_few_blocks_are_exempt(capsys: pytest.CaptureFixture[str]) -> None:
     blocks = [
         block for page in PAGES for block in blocks_of(page) if block.is_run
     ]
     exempt = [block for block in blocks if block.reason]
-    for block in exempt:
-        assert block.reason in REASONS, block
+    of_readmes = [block for page in READMES for block in blocks_of(page)]
+    for block in [*exempt, *of_readmes]:
+        assert block.reason in ("", *REASONS), block
+    # Half of those of READMEs install, begin servers, or need SLURM.
+    exempt_readme = [block for block in of_readmes if block.reason]
+    assert len(exempt_readme) <= 0.6 * len(of_readmes)
     with capsys.disabled():
         print(
             f"\nmanual: {len(blocks) - len(exempt)} blocks are run,"
@@ -155,7 +250,11 @@ def test_few_blocks_are_exempt(capsys: pytest.CaptureFixture[str]) -> None:
     assert len(exempt) <= MOST_EXEMPT * len(blocks)
 
 
-@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
+@pytest.mark.parametrize(
+    "page",
+    [*PAGES, *READMES],
+    ids=lambda page: str(page.relative_to(TOP).with_suffix("")),
+)
 def test_no_block_escapes(page: Path) -> None:
     """Every block of code has a kind that this test knows or is no program."""
     text = page.read_text()
@@ -167,7 +266,8 @@ def test_no_block_escapes(page: Path) -> None:
     ]
     assert len(code) == len(blocks_of(page)), code
     outside = _BLOCK.sub("", text)
-    assert not re.search(r"(?m)^    ideotype ", outside), "an indented block"
+    indented = r"(?m)^    (ideotype |slurm/|\.venv/|\./)"
+    assert not re.search(indented, outside), "an indented block"
     assert text.count("<!-- not run") == sum(
         bool(block.reason) for block in blocks_of(page)
     )

@@ -385,4 +385,4 @@ def test_without_pvlib_the_way_to_install_it_is_told(
 ) -> None:
     monkeypatch.setitem(sys.modules, "pvlib", None)
     assert main([str(YEAR), "--to", str(tmp_path / "x.csv")]) == 1
-    assert "pip install 'ideotype[weather]'" in capsys.readouterr().err
+    assert "pip install 'pvlib>=0.13'" in capsys.readouterr().err

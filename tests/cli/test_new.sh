@@ -107,7 +107,7 @@ sed '/^date_order/d' other/logger.toml >other/no_order.toml
 expect 3 "$ideotype" check other/no_order.toml
 says '"07/21/2011,00:00" is no date and time; set date_order = "month_day_year" (this line and 1487 others)$'
 [ "$(grep -c 'is no date' out.log)" -eq 1 ] || fail "the same again and again"
-# What `ideotype weather` writes needs no columns.
+# Files that `ideotype weather` writes need no columns.
 cp "$project/tests/data/weather/converted.csv" own/native.csv
 expect 0 "$ideotype" new other/native.toml --latitude 36.1 --longitude -79.95 \
     "${field[@]}" --plant campaigns/crops/maize.toml --weather own/native.csv

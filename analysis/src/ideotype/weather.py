@@ -69,7 +69,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except ImportError:
         tell(
             "pvlib is missing, which reads weather files; install it by: "
-            "pip install 'ideotype[weather]'"
+            "pip install 'pvlib>=0.13'"
         )
         return 1
     try:

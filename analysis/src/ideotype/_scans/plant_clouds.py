@@ -25,7 +25,7 @@ def _parts_of(path: Path) -> dict[str, tuple[Floats, float]]:
         import trimesh
     except ImportError:
         raise Error(
-            f"{path}: meshes are read by trimesh; pip install 'ideotype[fit]'"
+            f"{path}: meshes are read by trimesh; pip install 'trimesh>=5.0'"
         ) from None
     try:
         whole: Any = trimesh.load(

@@ -90,7 +90,7 @@ def indices_of(history: History) -> dict[str, Indices]:
     except ImportError as error:
         raise HistoryError(
             "indices need SALib, which is not installed; run "
-            "pip install 'ideotype[sensitivity]'"
+            "pip install 'SALib>=1.5'"
         ) from error
     rows = history.evaluations()
     design = _design(history, rows.genome)

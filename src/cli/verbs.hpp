@@ -69,7 +69,7 @@ struct NewOptions {
     std::string name;  //!< name of the campaign; "" is that of the file
     std::string latitude, longitude, utc_offset;  //!< in [deg], [deg] and [h]
     std::string date;
-    std::string weather;  //!< weather file, in place of a date
+    std::string weather;             //!< weather file, in place of a date
     std::string row, plant_spacing;  //!< distances [m]
     std::string plant;  //!< known crop, crop file, or measured leaves
     std::string objective;

@@ -91,8 +91,7 @@ void plan_study(Draft& draft, Campaign& campaign) {
     campaign.has_light_by_row = true;
 }
 
-Campaign complete(Draft& draft, const std::string& source,
-                  const Problems& problems) {
+Campaign complete(Draft& draft, const std::string& source) {
     Campaign campaign = draft.campaign;
     const PlantVariation& variation = campaign.field.variation;
     campaign.crop = crop_of(draft);
@@ -136,7 +135,6 @@ Campaign complete(Draft& draft, const std::string& source,
     std::erase_if(campaign.constraints.traits,
                   [](const TraitConstraint& x) { return !constrains(x); });
     campaign.source = source;
-    campaign.warnings = problems.warnings();
     campaign.resolved = resolved_text(draft);
     campaign.accuracy = accuracy_keys(draft);
     if (campaign.climates.empty()) campaign.sun_dates = 0;
@@ -195,7 +193,9 @@ Campaign parse(const std::string& text, const std::string& file,
     check_draft(draft, problems);
     if (problems.empty()) try_ranges(draft, problems);
     problems.throw_if_any();
-    Campaign campaign = complete(draft, text, problems);
+    Campaign campaign = complete(draft, text);
+    check_paths(campaign, problems.in("light"));
+    campaign.warnings = problems.warnings();
     if (!campaign.varied.keys.empty())
         campaign.draft = std::make_shared<const Draft>(std::move(draft));
     return campaign;
@@ -293,7 +293,7 @@ Campaign at_keys(const Campaign& campaign, Genome& genome) {
         set_key(draft, keys[i], genome[plain + i]);
     genome.resize(plain);
     check_again(draft);
-    return complete(draft, campaign.source, Problems());
+    return complete(draft, campaign.source);
 }
 
 }  // namespace ideotype

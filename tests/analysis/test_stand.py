@@ -309,6 +309,37 @@ def test_a_table_of_settings_replaces_the_table_of_the_file() -> None:
     assert (single["plants"], single["jitter"]) == (4, 0)
 
 
+def test_paths_that_cannot_determine_the_objective_are_warned_of(
+    tmp_path: Path,
+) -> None:
+    campaign = write_campaign(tmp_path, 2)
+    tables = """
+[photosynthesis]
+[objective]
+maximise = "net_assimilation"
+[sensitivity]
+method = "morris"
+samples = 4
+"""
+    campaign.write_text(campaign.read_text() + tables)
+    warnings = ideotype.Stand.from_campaign(campaign).warnings
+    warning = "too few to determine the objective"
+    assert [warning in each for each in warnings] == [True]
+    for command in (["check"], ["sensitivity", "--out", str(tmp_path)]):
+        name, *options = command
+        done = subprocess.run(
+            [executable(), name, campaign, *options],
+            capture_output=True,
+            text=True,
+            check=True,
+        )
+        assert warnings[0] in done.stderr
+    enough = ideotype.Stand.from_campaign(
+        campaign, settings={"light.paths": 65536}
+    )
+    assert enough.warnings == []
+
+
 def test_all_problems_of_a_campaign_come_at_once(tmp_path: Path) -> None:
     text = AMES.read_text().replace("latitude", "lattitude")
     path = tmp_path / "typo.toml"

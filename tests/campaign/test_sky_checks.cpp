@@ -2,6 +2,7 @@
 #include <filesystem>
 
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "ideotype/core/error.hpp"
@@ -97,6 +98,28 @@ TEST(SkyChecks, ThereIsNothingToWarnOfInTheCampaigns) {
                     << to_string(each);
         }
     EXPECT_GE(campaigns, 8);
+}
+
+//! 16 plants of one leaf have 768 pieces, and 72 paths in each of 16
+//! randomisations are 1.5 paths for each.
+TEST(Light, FewPathsThatCannotDetermineAssimilationAreWarnedOf) {
+    const auto warnings = [](const std::string& objective, int paths,
+                             const std::string& more = "") {
+        return warnings_of(
+            sample_text("", fmt::format("[photosynthesis]\n[objective]\n"
+                                        "maximise = \"{}\"\n[light]\n"
+                                        "paths = {}\n{}",
+                                        objective, paths, more)));
+    };
+    EXPECT_THAT(warnings("net_assimilation", 71),
+                testing::HasSubstr("too few to determine the objective"));
+    EXPECT_THAT(warnings("net_assimilation", 71),
+                testing::HasSubstr("use 72 or more"));
+    EXPECT_EQ(warnings("net_assimilation", 72), "");
+    EXPECT_EQ(warnings("absorbed_par", 16), "");
+    // Each field needs as many.
+    EXPECT_THAT(warnings("carbon_balance", 72, "fields = 4\n"),
+                testing::HasSubstr("use 288 or more"));
 }
 
 }  // namespace ideotype

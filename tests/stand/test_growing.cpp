@@ -173,11 +173,12 @@ TEST(GrowingSeason, AClimateThatPlantsCannotGrowInIsAnError) {
         text.insert(
             text.find("temperature = "),
             "ppfd = [\"" + std::string(column) + "\", \"umol/m2/s\"]\n");
-        EXPECT_EQ(read_campaign_text(
-                      text, std::string(IDEOTYPE_CAMPAIGNS) + "/photons.toml",
-                      {"objective.over=[]"})
-                      .warnings.size(),
-                  warnings + growing().warnings.size() - 1)
+        EXPECT_EQ(
+            read_campaign_text(
+                text, std::string(IDEOTYPE_CAMPAIGNS) + "/photons.toml",
+                {"objective.over=[]", "light.tolerance=0", "light.paths=256"})
+                .warnings.size(),
+            warnings + growing().warnings.size() - 1)
             << column;
     }
     // The resolved campaign is the same.

@@ -17,6 +17,11 @@ struct Simulation {
 //! The fewest paths per randomisation that an evaluation takes.
 inline constexpr int fewest_paths = 32;
 
+//! The fewest hits of diffuse light per piece of leaf, in all randomisations of
+//! a field. With fewer hits, products of light, which assimilation needs, would
+//! scatter more than the light itself.
+inline constexpr double hits_of_piece = 1.5;
+
 //! Simulates with as few paths as the tolerance needs, at most the given
 //! number. The tolerance bounds the expected standard error, and the standard
 //! error of the result may exceed it by its own uncertainty. Trials with random

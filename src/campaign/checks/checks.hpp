@@ -35,6 +35,11 @@ void check_search(const Draft& draft, const Problems& problems);
 void check_light(const Accuracy& light, bool assimilates,
                  const Problems& problems);
 
+//! Warns of fewer paths than objectives that follow from the response of leaves
+//! to light need.
+//! @param problems problems of the table [light]
+void check_paths(const Campaign& campaign, const Problems& problems);
+
 //! Checks sites, days and the light of their cases.
 void check_sky(const Campaign& campaign, const Problems& problems);
 

@@ -14,10 +14,6 @@ namespace {
 //! independent rays. This is a first guess, which a trial replaces.
 constexpr double even_for_lattices = 30;
 
-//! The fewest hits of diffuse light per piece, in all randomisations together.
-//! With fewer hits, products of light would scatter more than the light itself.
-constexpr double hits_of_piece = 1.5;
-
 //! Returns the factor by which errors of trials are multiplied, since a trial
 //! that underestimates the error leads to too few paths. The mean of sqrt(v /
 //! X), X from a chi-square distribution with v degrees of freedom, keeps the

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+
+#include "campaign/cases.hpp"
+#include "campaign/draft.hpp"
+#include "checks.hpp"
+#include "ideotype/canopy/pieces.hpp"
+#include "ideotype/canopy/quantities.hpp"
+#include "ideotype/light/tolerance.hpp"
+
+namespace ideotype {
+
+namespace {
+
+//! Returns the number of pieces into which assimilation cuts the leaves of
+//! plants.
+double pieces_of(const Crop& crop, std::size_t plants) {
+    return static_cast<double>(
+        plants * crop.baseline.leaves.size() *
+        static_cast<std::size_t>(crop.baseline.blade.leaflets) *
+        pieces_of_blade);
+}
+
+//! Returns the number of plants of a component of a campaign.
+std::size_t plants_of(const Standing& standing, const FieldForm& field) {
+    if (standing.mixed > 0) return static_cast<std::size_t>(standing.mixed);
+    return standing.rows.size() * static_cast<std::size_t>(standing.plants > 0
+                                                               ? standing.plants
+                                                               : field.plants);
+}
+
+//! Returns whether any objective follows from the response of leaves to light.
+bool depends_on_response(const Campaign& campaign) {
+    return asks_for_assimilation(campaign) || asks_for(campaign, is_of_water) ||
+           (campaign.photosynthesis &&
+            asks_for(campaign, is_of_two_components));
+}
+
+}  // namespace
+
+void check_paths(const Campaign& campaign, const Problems& problems) {
+    if (!depends_on_response(campaign)) return;
+    double pieces = campaign.photosynthesis
+                        ? pieces_of(campaign.crop, bred_plants(campaign))
+                        : 0;
+    for (const ComponentEntry& each : campaign.components)
+        if (each.photosynthesis)
+            pieces +=
+                pieces_of(each.crop, plants_of(each.standing, campaign.field));
+    // Fields and stages have paths of their own.
+    const Accuracy& light = campaign.sampling;
+    const double scenes =
+        light.fields * (plants_grow(campaign) ? campaign.stages : 1.);
+    // Each path counts as a hit of diffuse light, which is more than there are.
+    const double hits =
+        static_cast<double>(light.all_paths()) / (scenes * pieces);
+    if (!(pieces > 0) || hits >= hits_of_piece) return;
+    problems.warn(
+        "paths",
+        "light.paths is {} (with {} randomisations these are {:.2g} paths for "
+        "each piece of leaf, too few to determine the objective: below {}, "
+        "products of light scatter more than light); use {:.0f} or more, or "
+        "light.tolerance alone",
+        light.paths, light.randomisations, hits, hits_of_piece,
+        std::ceil(hits_of_piece * pieces * scenes / light.randomisations));
+}
+
+}  // namespace ideotype

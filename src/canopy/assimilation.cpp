@@ -130,7 +130,7 @@ class Assimilation {
         }
         respond(step, light);
         const double amount =
-            amount_of(LeafFlux::gross, step) / light_.series.days;
+            amount_of(LeafFlux::uptake, step) / light_.series.days;
         double whole = 0;
         Weights& weights = noise_.front().weights;
         of_step_.places.assign(places_.count(), {});

@@ -99,19 +99,33 @@ std::vector<ComponentAssimilation> by_component(
     std::vector<ComponentAssimilation> all;
     for (std::uint32_t c = 0; c < components; ++c) {
         ComponentAssimilation& one = all.emplace_back();
-        std::vector<double> gross(report.gross.tallies.size());
+        const std::vector<FluxTally>& tallies = report.gross.tallies;
+        std::vector<double> gross(tallies.size()), uptake(tallies.size());
         one.loss_by_randomisation.resize(report.losses_by_randomisation.size());
         for (std::size_t g = 0; g < groups.size(); ++g) {
             if (groups[g].id.component != c) continue;
             one.loss += report.losses[g];
-            for (std::size_t r = 0; r < gross.size(); ++r)
-                gross[r] += report.gross.tallies[r].groups[g];
+            for (std::size_t r = 0; r < gross.size(); ++r) {
+                gross[r] += tallies[r].groups[g];
+                uptake[r] += report.before_losses().tallies[r].groups[g];
+            }
             for (std::size_t r = 0; r < one.loss_by_randomisation.size(); ++r)
                 one.loss_by_randomisation[r] += report.losses_in(r)[g];
         }
         one.gross = estimate(gross);
+        one.uptake = estimate(uptake);
     }
     return all;
+}
+
+FluxTally& FluxTally::operator+=(const FluxTally& more) {
+    for (const auto part : {&FluxTally::groups, &FluxTally::layers,
+                            &FluxTally::steps, &FluxTally::rows}) {
+        IDEOTYPE_EXPECT((this->*part).size() == (more.*part).size());
+        for (std::size_t i = 0; i < (this->*part).size(); ++i)
+            (this->*part)[i] += (more.*part)[i];
+    }
+    return *this;
 }
 
 double FluxTally::sum() const {
@@ -164,7 +178,9 @@ double share_of_area(const FluxTally& tally, std::size_t group,
                : 0;
 }
 
-//! Returns gross assimilation less respiration after silking by randomisation.
+//! Returns net assimilation less respiration at night after silking by
+//! randomisation.
+//! @param tallies tallies of AssimilationReport::before_losses()
 std::vector<double> late_net(const std::vector<FluxTally>& tallies,
                              const std::vector<LeafGroup>& leaves,
                              const std::vector<double>& leaf_area_index,
@@ -196,7 +212,7 @@ std::vector<std::vector<CarbonLoss>> losses_by_randomisation(
     const AssimilationReport& report, const std::vector<LeafGroup>& leaves,
     const std::vector<double>& leaf_area_index) {
     std::vector<std::vector<CarbonLoss>> all;
-    for (const FluxTally& tally : report.gross.tallies) {
+    for (const FluxTally& tally : report.before_losses().tallies) {
         std::vector<CarbonLoss>& losses = all.emplace_back();
         for (std::size_t g = 0; g < leaves.size(); ++g) {
             const double share = share_of_area(tally, g, leaf_area_index);
@@ -248,16 +264,26 @@ FluxReport report(std::vector<FluxTally> tallies, const LightSeries& series,
     return result;
 }
 
-AssimilationReport report(std::vector<FluxTally> tallies,
+AssimilationReport report(std::vector<FluxTally> uptake,
+                          const std::vector<FluxTally>& respired,
                           const std::vector<LeafGroup>& leaves,
                           const std::vector<double>& leaf_area_index,
                           const SeriesIllumination& light) {
     IDEOTYPE_EXPECT(leaves.size() == leaf_area_index.size());
     AssimilationReport result;
     const LightSeries& series = light.series;
-    result.gross = report(std::move(tallies), series, [](const TimeStep& step) {
+    const auto amount = [](const TimeStep& step) {
         return mol_per_umol * step.seconds;
-    });
+    };
+    if (respired.empty()) {
+        result.gross = report(std::move(uptake), series, amount);
+    } else {
+        IDEOTYPE_EXPECT(respired.size() == uptake.size());
+        std::vector<FluxTally> gross = uptake;
+        for (std::size_t r = 0; r < gross.size(); ++r) gross[r] += respired[r];
+        result.gross = report(std::move(gross), series, amount);
+        result.uptake = report(std::move(uptake), series, amount);
+    }
     for (std::size_t g = 0; g < leaves.size(); ++g) {
         const auto& [rates, photosynthesis, built] = leaves[g];
         CarbonLoss& loss = result.losses.emplace_back();
@@ -268,12 +294,12 @@ AssimilationReport report(std::vector<FluxTally> tallies,
                         built.value_or(leaf_area_index[g]) /
                         (built ? series.days : photosynthesis->building_days);
     }
-    const std::vector<FluxTally>& gross = result.gross.tallies;
-    if (!gross.front().leaf_area.empty())
+    const std::vector<FluxTally>& tallies = result.before_losses().tallies;
+    if (!tallies.front().leaf_area.empty())
         result.losses_by_randomisation =
             losses_by_randomisation(result, leaves, leaf_area_index);
     if (series.grows)
-        result.late_net = late_net(gross, leaves, leaf_area_index, series);
+        result.late_net = late_net(tallies, leaves, leaf_area_index, series);
     return result;
 }
 

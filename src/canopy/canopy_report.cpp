@@ -161,9 +161,15 @@ class Reporter {
             }
             if (result_.assimilation) {
                 one.assimilation.loss_by_randomisation = losses_of_row(row);
-                one.assimilation.gross = estimate(
-                    mapped(result_.assimilation->gross.tallies,
-                           [&](const FluxTally& t) { return t.rows[row]; }));
+                const auto of_row = [&](const FluxReport& flux) {
+                    return estimate(
+                        mapped(flux.tallies, [&](const FluxTally& tally) {
+                            return tally.rows[row];
+                        }));
+                };
+                one.assimilation.gross = of_row(result_.assimilation->gross);
+                one.assimilation.uptake =
+                    of_row(result_.assimilation->before_losses());
             }
             result_.rows.push_back(one);
         }
@@ -175,7 +181,7 @@ class Reporter {
         const AssimilationReport& all = *result_.assimilation;
         std::vector<CarbonLoss> losses(all.losses_by_randomisation.size());
         for (std::size_t r = 0; r < losses.size(); ++r) {
-            const FluxTally& tally = all.gross.tallies[r];
+            const FluxTally& tally = all.before_losses().tallies[r];
             const std::size_t groups = tally.leaf_area.size();
             for (std::size_t g = 0; g < groups; ++g)
                 if (tally.leaf_area[g] > 0)
@@ -204,9 +210,14 @@ class Reporter {
     void report_assimilation() {
         std::vector<double> leaf_area_index = found_.leaf_area_index;
         for (double& index : leaf_area_index) index /= found_.fields;
-        result_.assimilation =
-            ideotype::report(found_.fluxes.front(), shared_.leaves,
-                             leaf_area_index, scene_.light());
+        const bool have_temperature =
+            scene_.water && scene_.water->has_leaf_temperature;
+        result_.assimilation = ideotype::report(
+            found_.fluxes.front(),
+            have_temperature
+                ? found_.fluxes[static_cast<std::size_t>(LeafFlux::respiration)]
+                : std::vector<FluxTally>{},
+            shared_.leaves, leaf_area_index, scene_.light());
         if (found_.fluxes.size() > 1) {
             std::vector<double> layers = found_.leaf_area_of_layers;
             for (double& index : layers) index /= found_.fields;

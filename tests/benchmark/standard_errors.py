@@ -17,6 +17,7 @@ not.
 from __future__ import annotations
 
 import argparse
+import tomllib
 from pathlib import Path
 
 import numpy as np
@@ -71,7 +72,7 @@ def table_of(name: str, seeds: int) -> list[str]:
         stand.evaluate(stand.baseline, tolerance=tolerance, seed=seed)
         for seed in range(1, seeds + 1)
     ]
-    fields = stand.campaign["light"].get("fields", 1)
+    fields = tomllib.loads(stand.campaign)["light"].get("fields", 1)
     repetitions = fields if fields > 1 else RANDOMISATIONS
     capped = np.mean([float(each["capped"][0]) for each in found])
     lines = []

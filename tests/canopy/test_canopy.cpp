@@ -103,8 +103,12 @@ TEST_F(TwoLeaves, EveryNumberIsKnownByRandomisation) {
             EXPECT_NEAR(mean, estimated.mean, 1e-12 * scale) << quantity.name;
             EXPECT_NEAR(error, estimated.standard_error, 1e-9 * scale)
                 << quantity.name;
+            // Leaves as warm as the air respire in proportion to leaf area,
+            // which only several fields let differ.
+            const bool is_known =
+                fields == Fields::one && quantity.name == "respiration";
             EXPECT_EQ(error > 1e-9 * scale,
-                      quantity.certainty == Certainty::estimated)
+                      quantity.certainty == Certainty::estimated && !is_known)
                 << quantity.name;
         }
     }

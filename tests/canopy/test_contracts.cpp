@@ -295,7 +295,7 @@ TEST(Contracts, OfReportsAreNoticed) {
     const std::vector<Group>& groups = s.component().mesh.groups;
     std::vector<FluxTally> gross = s.fluxes().front();
     const AssimilationReport assimilation =
-        report(gross, s.leaves, areas, s.par().light);
+        report(gross, {}, s.leaves, areas, s.par().light);
     Scene built = s.request.scene;
     built.components[0].built = one;
     Photosynthesis eternal = *s.component().photosynthesis;
@@ -320,9 +320,16 @@ TEST(Contracts, OfReportsAreNoticed) {
         {"tallies.front().steps.size() == series.steps.size()",
          [&] { report(gross, LightSeries{}, seconds); }},
         {"leaves.size() == leaf_area_index.size()",
-         [&] { report(gross, s.leaves, one, s.par().light); }},
+         [&] { report(gross, {}, s.leaves, one, s.par().light); }},
+        {"respired.size() == uptake.size()",
+         [&] {
+             report(gross, std::vector<FluxTally>(1), s.leaves, areas,
+                    s.par().light);
+         }},
+        {"(this->*part).size() == (more.*part).size()",
+         [&] { gross.front() += FluxTally{}; }},
         {"photosynthesis->building_days > 0",
-         [&] { report(gross, leaves, areas, s.par().light); }},
+         [&] { report(gross, {}, leaves, areas, s.par().light); }},
         {"tallies.size() == leaf_fluxes",
          [&] { report(FluxTallies{gross}, areas, series); }},
         {"light.empty() || light.size() == more.light.size()",

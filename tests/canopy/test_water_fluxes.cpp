@@ -130,7 +130,8 @@ TEST_F(WaterOfTwoLeaves, FewPointsStandForAllAndTellTheirError) {
 }
 
 //! One field has the light of other paths in each run: means scatter as the
-//! errors state, also where few paths meet a place by chance.
+//! errors state, also where few paths meet a place by chance. Errors of leaf
+//! temperature lack that of the air, which all randomisations share.
 TEST_F(WaterOfTwoLeaves, ErrorsAreThoseOfLightInTheField) {
     constexpr int runs = 40;
     const Accuracy few{64, 16};
@@ -143,7 +144,9 @@ TEST_F(WaterOfTwoLeaves, ErrorsAreThoseOfLightInTheField) {
             errors[k].push_back(one[k].standard_error);
         }
     }
-    for (std::size_t k = 0; k < leaf_fluxes; ++k) {
+    for (const LeafFlux of : {LeafFlux::uptake, LeafFlux::transpiration,
+                              LeafFlux::sensible, LeafFlux::conductance}) {
+        const auto k = static_cast<std::size_t>(of);
         const double scatter =
             estimate(found[k]).standard_error * std::sqrt(runs);
         double squares = 0;
@@ -173,8 +176,7 @@ TEST_F(WaterOfTwoLeaves, FewPathsOfNearInfraredAreEnough) {
          {LeafFlux::transpiration, LeafFlux::conductance, LeafFlux::sensible}) {
         const auto k = static_cast<std::size_t>(of);
         EXPECT_NE(after[k].mean, before[k].mean);
-        EXPECT_NEAR(after[k].mean, before[k].mean,
-                    .5 * before[k].standard_error)
+        EXPECT_NEAR(after[k].mean, before[k].mean, before[k].standard_error)
             << k;
     }
 }
@@ -253,12 +255,12 @@ TEST_F(WaterOfTwoLeaves, Co2ShutsStomataAndWarms) {
     const auto warming = flux(LeafFlux::warming);
     const auto water = flux(LeafFlux::transpiration);
     const auto conductance = flux(LeafFlux::conductance);
-    const auto gross = flux(LeafFlux::gross);
+    const auto gross = flux(LeafFlux::uptake);
     request.scene.bands.front().light.series.co2 = 600;
     EXPECT_LT(flux(LeafFlux::conductance), .9 * conductance);
     EXPECT_LT(flux(LeafFlux::transpiration), .97 * water);
     EXPECT_GT(flux(LeafFlux::warming), warming);
-    EXPECT_GT(flux(LeafFlux::gross), gross);
+    EXPECT_GT(flux(LeafFlux::uptake), gross);
 }
 
 TEST_F(WaterOfTwoLeaves, WindAndNarrowLeavesBringThemTowardsTheAir) {

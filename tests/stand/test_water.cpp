@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -36,6 +38,50 @@ TEST(Water, LeavesOfTheTemperatureOfTheAirAssimilateAsBeforeToTheBit) {
         EXPECT_EQ(with.at(name), number) << name;
     EXPECT_GT(with.at("transpiration_0"), 2);
     EXPECT_EQ(with.at("leaf_warming_0"), 0);
+}
+
+//! Leaves without enzymes only respire, at their own temperature in light.
+TEST(Water, GrossAssimilationIsBeforeRespiration) {
+    const Campaign idle = week(balance, {"photosynthesis.vmax=0"});
+    const Outcome found = season_of(idle);
+    const OutcomeSchema schema =
+        outcome_schema(idle, cases(idle).at(0), idle.sampling);
+    const auto number = [&](const char* name) {
+        return find(schema, found, name).value();
+    };
+    const Estimate gross = number("gross_assimilation"),
+                   net = number("net_assimilation"),
+                   balance_of_carbon = number("carbon_balance"),
+                   respiration = number("respiration");
+    EXPECT_NEAR(gross.mean, 0, 1e-6);
+    EXPECT_LT(net.mean, 0);
+    EXPECT_GT(respiration.standard_error, 0);
+    // Respiration in the dark is that at the temperature of the air.
+    EXPECT_GT(respiration.mean, -net.mean);
+    EXPECT_LT(balance_of_carbon.mean, -respiration.mean);
+    const auto as_air = numbers(
+        week("[water]\nleaf_temperature = false\n", {"photosynthesis.vmax=0"}));
+    EXPECT_EQ(as_air.at("gross_assimilation_0"), 0);
+    EXPECT_GT(std::abs(as_air.at("respiration_0") / respiration.mean - 1),
+              1e-3);
+}
+
+TEST(Water, PartsOfGrossAssimilationSumUp) {
+    const auto found = numbers(week(balance));
+    const auto plain = numbers(week("[water]\nleaf_temperature = false\n"));
+    double leaves = 0, layers = 0;
+    for (const auto& [name, number] : found) {
+        if (name.starts_with("assimilation_by_leaf")) leaves += number;
+        if (name.starts_with("assimilation_by_layer")) layers += number;
+    }
+    const double gross = found.at("gross_assimilation_0");
+    EXPECT_NEAR(leaves, gross, 1e-9);
+    EXPECT_NEAR(layers, gross, 1e-9);
+    const double at_night = plain.at("net_assimilation_0") -
+                            plain.at("gross_assimilation_0") +
+                            plain.at("respiration_0");
+    EXPECT_NEAR(gross - found.at("net_assimilation_0"),
+                found.at("respiration_0") - at_night, 1e-9);
 }
 
 //! The ranges are those of maize in the field in a hot week.

@@ -29,6 +29,9 @@ struct FluxTally {
     //! randomisations have fields of their own.
     std::vector<double> leaf_area{}, leaf_area_of_rows{};
 
+    //! Adds another flux of the same leaves.
+    FluxTally& operator+=(const FluxTally& more);
+
     double sum() const;  //!< amount of all leaves
 };
 
@@ -58,21 +61,28 @@ struct CarbonLoss {
     //! Returns the loss if respiration and building are lowered to a share.
     CarbonLoss scaled(double share) const;
 
-    //! Returns the loss by which the carbon balance is less than gross
-    //! assimilation.
+    //! Returns the loss by which the carbon balance is less than
+    //! AssimilationReport::before_losses().
     double all() const { return in_light + at_night + building; }
 };
 
 //! Assimilation of the leaves of a canopy on a mean day [mol m-2 of ground
 //! day-1], or in a second if the light is that of an instant.
 struct AssimilationReport {
-    FluxReport gross;                //!< flux; hours in [umol m-2 s-1]
-    std::vector<CarbonLoss> losses;  //!< loss of each group of the mesh
+    FluxReport gross;  //!< flux; hours in [umol m-2 s-1]
+    //! Gross assimilation less the respiration in light that is not among the
+    //! losses, if leaves have their own temperature.
+    std::optional<FluxReport> uptake;
+    //! Loss of each group of the mesh; leaves respire as if as warm as the air.
+    std::vector<CarbonLoss> losses;
     //! Losses of groups by randomisation, if these have fields of their own.
     std::vector<std::vector<CarbonLoss>> losses_by_randomisation;
     //! Gross assimilation less respiration after silking by randomisation, if
     //! plants grow.
     std::vector<double> late_net;
+
+    //! Returns the flux by which losses are exceeded where leaves gain carbon.
+    const FluxReport& before_losses() const { return uptake ? *uptake : gross; }
 
     //! Returns the losses of groups in a randomisation.
     const std::vector<CarbonLoss>& losses_in(std::size_t randomisation) const {
@@ -88,6 +98,7 @@ CarbonLoss sum_of(const std::vector<CarbonLoss>& losses);
 //! Assimilation of one component or row, in units of AssimilationReport.
 struct ComponentAssimilation {
     Estimate gross;
+    Estimate uptake{};  //!< AssimilationReport::before_losses()
     CarbonLoss loss{};
     //! Loss by randomisation, if these have fields of their own.
     std::vector<CarbonLoss> loss_by_randomisation{};
@@ -117,10 +128,12 @@ std::vector<LeafGroup> leaf_groups(const Scene& scene,
                                    const std::vector<Group>& groups,
                                    const std::vector<double>& leaf_area_index);
 
-//! Reports assimilation, respiration and the building of leaves from tallies
-//! of gross assimilation.
+//! Reports assimilation, respiration and the building of leaves.
+//! @param uptake tallies of LeafFlux::uptake
+//! @param respired tallies of LeafFlux::respiration; empty: none
 //! @param leaves,leaf_area_index rates and area index of the mesh's groups
-AssimilationReport report(std::vector<FluxTally> tallies,
+AssimilationReport report(std::vector<FluxTally> uptake,
+                          const std::vector<FluxTally>& respired,
                           const std::vector<LeafGroup>& leaves,
                           const std::vector<double>& leaf_area_index,
                           const SeriesIllumination& light);

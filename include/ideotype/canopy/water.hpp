@@ -11,15 +11,20 @@ namespace ideotype {
 //! Fluxes between leaves and the air, and the state of leaves, each as a sum
 //! over leaf area per ground area.
 enum class LeafFlux : std::size_t {
-    gross,          //!< gross assimilation [umol m-2 s-1]
+    //! Net assimilation and what leaves as warm as the air would respire
+    //! [umol m-2 s-1].
+    uptake,
     transpiration,  //!< transpiration [mmol m-2 s-1]
     sensible,       //!< sensible heat [W m-2]
     warming,        //!< leaf less air temperature [K m2 m-2]
     conductance,    //!< stomatal conductance for vapour [mol m-2 s-1]
     hot,            //!< leaf area above LeafWater::hot [m2 m-2]
+    //! Respiration of leaves in light less that of leaves as warm as the air
+    //! [umol m-2 s-1].
+    respiration,
 };
 
-inline constexpr std::size_t leaf_fluxes = 6;
+inline constexpr std::size_t leaf_fluxes = 7;
 
 //! Returns the amount in a step over the flux: for assimilation [mol], water
 //! [mm], heat [MJ], hot leaf area [h], and for other fluxes the time [s].

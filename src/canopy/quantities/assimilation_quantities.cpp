@@ -12,18 +12,18 @@ constexpr double grams_of_co2 = 44.0095;
 //! Tonnes of carbohydrate per hectare for each mol of carbon per square metre.
 constexpr double tonnes = 30e-6 * 1e4;
 
-//! Returns gross assimilation lowered by a loss, times a scale.
-Randomised carbon(const CanopyReport& report, Loss loss = no_loss,
+//! Returns assimilation lowered by a loss, times a scale.
+Randomised carbon(const CanopyReport& report, Loss loss = Loss::none,
                   double scale = 1) {
     return scaled(assimilation_of_all(*report.assimilation, loss), scale);
 }
 
 Randomised net(const CanopyReport& report, double scale = 1) {
-    return carbon(report, loss_in_light, scale);
+    return carbon(report, Loss::in_light, scale);
 }
 
 Randomised balance(const CanopyReport& report, double scale = 1) {
-    return carbon(report, loss_of_carbon, scale);
+    return carbon(report, Loss::all, scale);
 }
 
 std::vector<Randomised> gross_of_groups(const CanopyReport& report) {
@@ -34,13 +34,15 @@ std::vector<Randomised> gross_of_groups(const CanopyReport& report) {
 //! Returns the assimilation of each leaf less its respiration in the light.
 std::vector<Randomised> net_by_leaf(const CanopyReport& report) {
     const AssimilationReport& all = *report.assimilation;
-    std::vector<Randomised> groups = gross_of_groups(report);
+    const FluxReport& flux = flux_before(all, Loss::in_light);
+    std::vector<Randomised> groups =
+        along(flux.tallies, flux.groups, &FluxTally::groups);
     for (std::size_t g = 0; g < groups.size(); ++g) {
         const auto losses = mapped(all.losses_by_randomisation,
                                    [&](const auto& each) { return each[g]; });
         groups[g] =
             lowered(groups[g].estimate, std::move(groups[g].by_randomisation),
-                    all.losses[g], losses, loss_in_light);
+                    all.losses[g], losses, Loss::in_light);
     }
     return of_leaves(report, groups);
 }
@@ -60,6 +62,29 @@ Randomised light_use(const CanopyReport& report) {
         });
 }
 
+//! Returns the respiration of leaves by day and night. Fields with more leaves
+//! respire more, and so do leaves that light warms.
+Randomised respired(const CanopyReport& report) {
+    const AssimilationReport& all = *report.assimilation;
+    const auto respiration = [](const std::vector<CarbonLoss>& losses) {
+        const CarbonLoss sum = sum_of(losses);
+        return sum.in_light + sum.at_night;
+    };
+    Randomised result = certain(report, respiration(all.losses));
+    if (!all.uptake && all.losses_by_randomisation.empty()) return result;
+    for (std::size_t r = 0; r < result.by_randomisation.size(); ++r) {
+        result.by_randomisation[r] = respiration(all.losses_in(r));
+        if (all.uptake)
+            result.by_randomisation[r] +=
+                all.gross.tallies[r].sum() - all.uptake->tallies[r].sum();
+    }
+    if (all.uptake)
+        result.estimate.mean += all.gross.sum.mean - all.uptake->sum.mean;
+    result.estimate.standard_error =
+        estimate(result.by_randomisation).standard_error;
+    return result;
+}
+
 Randomised after_silking(const CanopyReport& report) {
     const std::vector<double>& values = report.assimilation->late_net;
     return {estimate(values), values};
@@ -75,8 +100,8 @@ std::optional<Randomised> sunlit_lai(const CanopyReport& report) {
 }  // namespace
 
 Randomised assimilation_of_all(const AssimilationReport& report, Loss loss) {
-    return lowered(report.gross.sum,
-                   mapped(report.gross.tallies, &FluxTally::sum),
+    const FluxReport& flux = flux_before(report, loss);
+    return lowered(flux.sum, mapped(flux.tallies, &FluxTally::sum),
                    sum_of(report.losses),
                    mapped(report.losses_by_randomisation, sum_of), loss);
 }
@@ -104,19 +129,16 @@ std::vector<Declaration> assimilation_quantities() {
          [](const Report& r) { return balance(r); }},
         {{"gross_co2", "g m-2 day-1", "gross assimilation"},
          MeanOver::nothing,
-         [](const Report& r) { return carbon(r, no_loss, grams_of_co2); }},
+         [](const Report& r) { return carbon(r, Loss::none, grams_of_co2); }},
         {{"net_co2", "g m-2 day-1", "net assimilation"},
          MeanOver::nothing,
          [](const Report& r) { return net(r, grams_of_co2); }},
         {{"dry_matter", "t ha-1", "carbon balance of all days as carbohydrate"},
          MeanOver::nothing,
          [](const Report& r) { return balance(r, tonnes * r.days); }},
-        {exact({"respiration", rate, "respiration of leaves by day and night"}),
+        {{"respiration", rate, "respiration of leaves by day and night"},
          MeanOver::nothing,
-         [](const Report& r) {
-             const CarbonLoss sum = sum_of(r.assimilation->losses);
-             return certain(r, sum.in_light + sum.at_night);
-         }},
+         respired},
         {{"carbon_after_silking", rate,
           "gross assimilation after silking less what leaves respire then, day "
           "and night, over the days of the season"},

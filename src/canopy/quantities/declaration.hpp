@@ -127,32 +127,40 @@ inline std::vector<Randomised> randomised(
     return all;
 }
 
-//! A function that chooses what assimilation is lowered by [mol m-2 day-1].
-using Loss = double (*)(const CarbonLoss&);
+//! The respiration and building by which a number is less than gross
+//! assimilation.
+enum class Loss {
+    none,      //!< gross assimilation
+    in_light,  //!< net assimilation
+    all,       //!< carbon balance
+};
 
-inline double no_loss(const CarbonLoss&) {
-    return 0;
+//! Returns a loss, apart from respiration that
+//! AssimilationReport::before_losses() contains already [mol m-2 day-1].
+inline double amount(const CarbonLoss& losses, Loss loss) {
+    return loss == Loss::none       ? 0
+           : loss == Loss::in_light ? losses.in_light
+                                    : losses.all();
 }
 
-inline double loss_in_light(const CarbonLoss& loss) {
-    return loss.in_light;
+//! Returns the flux from which amount() of a loss is taken.
+inline const FluxReport& flux_before(const AssimilationReport& report,
+                                     Loss loss) {
+    return loss == Loss::none ? report.gross : report.before_losses();
 }
 
-inline double loss_of_carbon(const CarbonLoss& loss) {
-    return loss.all();
-}
-
-//! Returns gross assimilation lowered by losses. Fields with more leaves lose
-//! more, so that errors are those of differences.
-//! @param gross gross assimilation by randomisation
+//! Returns assimilation lowered by losses. Fields with more leaves lose more,
+//! so that errors are those of differences.
+//! @param mean,flux flux_before() the loss, and its values by randomisation
 //! @param losses losses by randomisation; none: all have the mean loss
-inline Randomised lowered(const Estimate& mean, std::vector<double> gross,
-                          const CarbonLoss& loss,
-                          const std::vector<CarbonLoss>& losses, Loss of) {
-    Randomised net{{mean.mean - of(loss), mean.standard_error},
-                   std::move(gross)};
+inline Randomised lowered(const Estimate& mean, std::vector<double> flux,
+                          const CarbonLoss& lost,
+                          const std::vector<CarbonLoss>& losses, Loss loss) {
+    Randomised net{{mean.mean - amount(lost, loss), mean.standard_error},
+                   std::move(flux)};
     for (std::size_t r = 0; r < net.by_randomisation.size(); ++r)
-        net.by_randomisation[r] -= of(losses.empty() ? loss : losses[r]);
+        net.by_randomisation[r] -=
+            amount(losses.empty() ? lost : losses[r], loss);
     if (!losses.empty())
         net.estimate.standard_error =
             estimate(net.by_randomisation).standard_error;

@@ -117,8 +117,8 @@ std::vector<Randomised> assimilation_by_component(const CanopyReport& report,
     for (const ComponentAssimilation& each :
          by_component(all, report.groups, report.components.size())) {
         parts.push_back(lowered(
-            each.gross,
-            mapped(all.gross.tallies,
+            loss == Loss::none ? each.gross : each.uptake,
+            mapped(flux_before(all, loss).tallies,
                    [&](const FluxTally& tally) {
                        return over_leaves(report, tally.groups, parts.size());
                    }),
@@ -254,15 +254,15 @@ std::vector<Declaration> part_quantities() {
          },
          has_components},
         assimilation("gross_assimilation_by_component",
-                     "CO2 that leaves take up per ground area", no_loss),
+                     "CO2 that leaves take up per ground area", Loss::none),
         assimilation("net_assimilation_by_component",
                      "gross assimilation less the respiration of leaves while "
                      "there is light",
-                     loss_in_light),
+                     Loss::in_light),
         assimilation("carbon_balance_by_component",
                      "gross assimilation less the respiration of leaves by day "
                      "and night and the carbon that builds them",
-                     loss_of_carbon),
+                     Loss::all),
         {{"invasion", "1",
           "excess of the mean plant of the first component over that of the "
           "second, relative to the latter: of net assimilation, or of absorbed "

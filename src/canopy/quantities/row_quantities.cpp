@@ -21,15 +21,15 @@ std::vector<Rows> light_of_rows(const CanopyReport& report) {
     });
 }
 
-//! Returns the gross assimilation of each row, lowered by a loss
+//! Returns the assimilation of each row, lowered by a loss
 //! [mol m-2 day-1 of all ground].
 Rows assimilation_of_rows(const CanopyReport& report, Loss loss) {
     Rows rows;
     for (std::size_t row = 0; row < report.rows.size(); ++row) {
         const ComponentAssimilation& all = report.rows[row].assimilation;
         rows.push_back(lowered(
-            all.gross,
-            mapped(report.assimilation->gross.tallies,
+            loss == Loss::none ? all.gross : all.uptake,
+            mapped(flux_before(*report.assimilation, loss).tallies,
                    [&](const FluxTally& tally) { return tally.rows[row]; }),
             all.loss, all.loss_by_randomisation, loss));
         rows.back().estimate = estimate(rows.back().by_randomisation);
@@ -149,15 +149,16 @@ std::vector<Declaration> row_quantities() {
             },
             true);
     };
-    add_assimilation("gross_assimilation", "CO2 that leaves take up", no_loss);
+    add_assimilation("gross_assimilation", "CO2 that leaves take up",
+                     Loss::none);
     add_assimilation("net_assimilation",
                      "gross assimilation less the respiration of leaves "
                      "while there is light",
-                     loss_in_light);
+                     Loss::in_light);
     add_assimilation("carbon_balance",
                      "gross assimilation less the respiration of leaves by day "
                      "and night and the carbon that builds them",
-                     loss_of_carbon);
+                     Loss::all);
     return all;
 }
 

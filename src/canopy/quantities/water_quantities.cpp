@@ -50,7 +50,7 @@ Randomised efficiency(const CanopyReport& report) {
     const AssimilationReport& carbon = *report.assimilation;
     const FluxReport& water = report.water->transpiration;
     if (!(water.sum.mean > 0)) return certain(report, 0);
-    const Randomised net = assimilation_of_all(carbon, loss_in_light);
+    const Randomised net = assimilation_of_all(carbon, Loss::in_light);
     const double ratio = grams_of_carbon * net.estimate.mean / water.sum.mean;
     return ratio_with_error(
         ratio, water.sum.mean, carbon.gross.tallies.size(), [&](std::size_t r) {

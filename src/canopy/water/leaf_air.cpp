@@ -251,14 +251,21 @@ LeafExchange LeafAir::solve(const Point& point,
 LeafAir::Fluxes LeafAir::fluxes_of(const LeafExchange& found,
                                    const Point& point) const {
     const Leaf& leaf = *leaf_[at_[point.place].group];
-    Expansion gross = found.net;
-    gross.value += leaf.respiration;
-    return {water_.has_leaf_temperature ? gross : point.gross,
+    Expansion uptake = found.net;
+    uptake.value += leaf.respiration;
+    const double more =
+        water_.has_leaf_temperature
+            ? dark_respiration(leaves_.leaves[at_[point.place].group].rates,
+                               found.temperature) -
+                  leaf.respiration
+            : 0;
+    return {water_.has_leaf_temperature ? uptake : point.gross,
             found.transpiration,
             {found.sensible, 0, 0},
             {found.temperature - leaf.above.temperature, 0, 0},
             {found.conductance, 0, 0},
-            {found.temperature > water_.hot ? 1. : 0., 0, 0}};
+            {found.temperature > water_.hot ? 1. : 0., 0, 0},
+            {more, 0, 0}};
 }
 
 }  // namespace ideotype

@@ -79,7 +79,8 @@ void WaterFluxes::add_nights() {
 //! Returns whether a flux is summed in a step: at night, only heat and water.
 //! Without a temperature of their own leaves assimilate as is known already.
 bool WaterFluxes::takes(LeafFlux flux, const StepLight* light) const {
-    if (flux == LeafFlux::gross) return light && air_.warms();
+    if (flux == LeafFlux::uptake || flux == LeafFlux::respiration)
+        return light && air_.warms();
     return light || flux == LeafFlux::transpiration ||
            flux == LeafFlux::sensible;
 }
@@ -148,7 +149,7 @@ void WaterFluxes::add_lines(std::size_t step, const StepLight* light) {
         const auto flux = static_cast<LeafFlux>(k);
         if (flux == LeafFlux::hot || !takes(flux, light)) continue;
         // Assimilation at the temperature of the air is known already.
-        const double known = flux == LeafFlux::gross ? 1 : 0;
+        const double known = flux == LeafFlux::uptake ? 1 : 0;
         const std::vector<double>& by =
             LeafLines::is_in_gross(flux) ? gross_ : absorbed_;
         auto& [mean, steps] = fluxes_[k];
@@ -247,10 +248,7 @@ void WaterFluxes::add_drawn(std::size_t step, const StepLight* light,
 void WaterFluxes::add_drawn_to(FluxTallies& all) const {
     for (std::size_t k = 0; k < all.size(); ++k)
         for (std::size_t r = 0; r < all[k].size(); ++r)
-            for (const auto part : {&FluxTally::groups, &FluxTally::layers,
-                                    &FluxTally::steps, &FluxTally::rows})
-                for (std::size_t i = 0; i < (all[k][r].*part).size(); ++i)
-                    (all[k][r].*part)[i] += (drawn_[k][r].*part)[i];
+            all[k][r] += drawn_[k][r];
 }
 
 //! Returns the contribution to a flux of a function of light on one of areas_.

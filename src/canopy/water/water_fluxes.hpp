@@ -49,8 +49,8 @@ class WaterFluxes {
     //! Adds the differences of drawn points from their lines.
     void add_drawn_to(FluxTallies& all) const;
 
-    //! Returns fluxes by LeafFlux. The first flux is the difference of gross
-    //! assimilation from that at the temperature of the air.
+    //! Returns fluxes by LeafFlux. The first flux is the difference of uptake
+    //! from the gross assimilation at the temperature of the air.
     const std::vector<Flux>& fluxes() const { return fluxes_; }
 
   private:

@@ -22,7 +22,8 @@ void scale(FluxReport& report, double factor) {
 double amount_of(LeafFlux flux, const TimeStep& step) {
     constexpr double millimetres = 1e-3 * 0.0180153, megajoules = 1e-6;
     switch (flux) {
-        case LeafFlux::gross:
+        case LeafFlux::uptake:
+        case LeafFlux::respiration:
             return step.seconds * mol_per_umol;
         case LeafFlux::transpiration:
             return step.seconds * millimetres;

@@ -25,13 +25,15 @@ Json assimilation_json(const Estimate& x, Span span) {
                                 : in_unit(x, "mol m-2 day-1");
 }
 
-Estimate lowered(Estimate gross, double loss) {
-    return {gross.mean - loss, gross.standard_error};
+Estimate lowered(Estimate flux, double loss) {
+    return {flux.mean - loss, flux.standard_error};
 }
 
-Json gross_and_net(const Estimate& gross, double loss, Span span) {
+//! @param uptake flux that exceeds net assimilation by the loss
+Json gross_and_net(const Estimate& gross, const Estimate& uptake, double loss,
+                   Span span) {
     return {{"gross", assimilation_json(gross, span)},
-            {"net", assimilation_json(lowered(gross, loss), span)}};
+            {"net", assimilation_json(lowered(uptake, loss), span)}};
 }
 
 bool has_stalks(const CanopyReport& report) {
@@ -100,17 +102,18 @@ Json quantities_json(const CanopyReport& report, Span span) {
 Json assimilation_json(const CanopyReport& report, Span span) {
     const AssimilationReport& all = *report.assimilation;
     const CarbonLoss loss = sum_of(all.losses);
-    Json json = gross_and_net(all.gross.sum, loss.in_light, span);
+    const FluxReport& uptake = all.before_losses();
+    Json json = gross_and_net(all.gross.sum, uptake.sum, loss.in_light, span);
     if (span == Span::day)
         json["carbon_balance"] =
-            assimilation_json(lowered(all.gross.sum, loss.all()), span);
+            assimilation_json(lowered(uptake.sum, loss.all()), span);
     Json groups = Json::object();
     for (std::size_t g = 0; g < report.groups.size(); ++g)
         if (report.groups[g].id.is_leaf())
             groups.get_ref<Json::object_t&>().emplace_back(
                 group_name(report, g),
-                gross_and_net(all.gross.groups[g], all.losses[g].in_light,
-                              span));
+                gross_and_net(all.gross.groups[g], uptake.groups[g],
+                              all.losses[g].in_light, span));
     json["groups"] = std::move(groups);
     if (report.light_classes)
         json["leaf_area_by_absorbed_ppfd"] =
@@ -144,7 +147,7 @@ Json components_json(const CanopyReport& report, Span span) {
         if (component.assimilates) {
             const ComponentAssimilation& all = assimilation[c];
             one["assimilation"] =
-                gross_and_net(all.gross, all.loss.in_light, span);
+                gross_and_net(all.gross, all.uptake, all.loss.in_light, span);
         }
         json[component.name] = std::move(one);
     }

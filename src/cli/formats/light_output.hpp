@@ -13,7 +13,7 @@ enum class Span { day, single };
 //! `incident` and, as fractions of it, what became of it: in all, by group,
 //! by layer, by hour; `quantities` that are single numbers; and `assimilation`
 //! of leaves per ground area: a rate of a single light, else that of a mean
-//! day. All of it has the standard error of `gross`.
+//! day. Net assimilation and carbon balance have one standard error.
 Json to_json(const CanopyReport& report, Span span);
 
 //! Tells what became of the light of each waveband, in fractions: by component,

@@ -18,7 +18,7 @@ from ideotype.analysis import open_history
 from ideotype.analysis.atlas import Atlas
 from ideotype.analysis.case import Case
 from ideotype.analysis.figures.atlas_figure import draw_atlas
-from ideotype.analysis.figures.figure_numbers import write_numbers
+from ideotype.analysis.figures.figure_numbers import numbers
 from ideotype.analysis.figures.style import answer_of
 
 ACROSS, UP = (0.0, 8.0, 4), (0.0, 90.0, 3)
@@ -94,7 +94,7 @@ def test_the_figure_shows_all_leaders(path: Path, tmp_path: Path) -> None:
     np.testing.assert_array_equal(table[y, x], atlas.leaders.objectives[:, 0])
     assert np.isfinite(table).sum() == len(atlas.leaders)
     assert f"of {len(atlas.leaders)} kinds" in answer_of(figure)
-    write_numbers(figure, tmp_path / "atlas.csv")
+    (tmp_path / "atlas.csv").write_text(numbers(figure))
     with (tmp_path / "atlas.csv").open() as file:
         lines = list(csv.DictReader(file))
     series = [line["series"] for line in lines]

@@ -13,7 +13,7 @@ from matplotlib.figure import Figure
 from ideotype._progress import bar
 from ideotype.analysis import HistoryError
 from ideotype.analysis.blocks import Drawing, Picture, Section
-from ideotype.analysis.figures.figure_numbers import HEADER, write_numbers
+from ideotype.analysis.figures.figure_numbers import HEADER, numbers
 from ideotype.analysis.figures.gallery import draw, draw_all
 from ideotype.analysis.figures.style import answer
 
@@ -51,7 +51,7 @@ def test_the_numbers_of_each_kind_of_mark_are_told(tmp_path: Path) -> None:
     first.plot([5, 6], [7, 8], label="line")
     second.barh([0, 1], [0.25, 0.5], label="parts")
     second.set_yticks([0, 1], ["ames", "oslo"])
-    write_numbers(figure, tmp_path / "numbers.csv")
+    (tmp_path / "numbers.csv").write_text(numbers(figure))
     with (tmp_path / "numbers.csv").open() as file:
         header, *rows = csv.reader(file)
     assert tuple(header) == HEADER

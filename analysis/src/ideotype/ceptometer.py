@@ -17,6 +17,13 @@ import pandas as pd
 
 from ._arrays import read_columns
 from ._errors import Error, printable_lines
+from ._output import (
+    REFUSED,
+    OutputRefused,
+    figure_path,
+    require_output,
+    save_figure,
+)
 from ._stand import Stand
 from .analysis.interval import student
 from .analysis.reading.estimate import NORMAL
@@ -224,12 +231,13 @@ def draw(found: pd.DataFrame, path: Path) -> None:
         ylabel="fraction of the model, with 95 % confidence intervals",
     )
     figure.colorbar(points, label="height above the soil [m]")
-    figure.savefig(path)
+    save_figure(figure, path)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Compares, prints and returns the exit code: 0, 1 if something failed, 2
-    for a wrong command line, 3 for a wrong campaign or table."""
+    """Compares, prints and returns the exit code: 0, 1 if the figure cannot be
+    written, 2 for a wrong command line, 3 for a wrong campaign or table, 4 for
+    a figure that is a symbolic link."""
     parser = argparse.ArgumentParser(
         prog="ideotype ceptometer",
         description="Compares light that was measured in a field with the "
@@ -245,19 +253,23 @@ def main(arguments: Sequence[str] | None = None) -> int:
     add("--set", action="append", default=[], metavar="KEY=VALUE")
     add("--case", type=int, default=0, metavar="N", help="of `check --cases`")
     add("--json", action="store_true", help="print JSON instead of text")
-    add("--figure", type=Path, metavar="FILE", help="PNG, PDF or SVG to draw")
+    add(
+        "--figure", type=figure_path, metavar="FILE",
+        help="PNG, PDF or SVG to draw",
+    )  # fmt: skip
     options = parser.parse_args(arguments)
     try:
+        if options.figure:
+            require_output(options.figure)
         table = read_table(options.table)
         stand = Stand.from_campaign(
             options.campaign, case=options.case, settings=options.set
         )
         found = compare(stand, table)
+    except OutputRefused as error:
+        return _fail(REFUSED, error)
     except Error as error:
-        print(
-            printable_lines(f"ideotype ceptometer: {error}"), file=sys.stderr
-        )
-        return 3
+        return _fail(3, error)
     if options.json:
         rows = json.loads(found.to_json(orient="records"))
         about = {**agreement(found), "days": days_of(stand)}
@@ -265,8 +277,18 @@ def main(arguments: Sequence[str] | None = None) -> int:
     else:
         print(page_of(stand, found))
     if options.figure:
-        draw(found, options.figure)
+        try:
+            draw(found, options.figure)
+        except (OutputRefused, OSError) as error:
+            return _fail(
+                REFUSED if isinstance(error, OutputRefused) else 1, error
+            )
     return 0
+
+
+def _fail(code: int, error: Exception) -> int:
+    print(printable_lines(f"ideotype ceptometer: {error}"), file=sys.stderr)
+    return code
 
 
 if __name__ == "__main__":

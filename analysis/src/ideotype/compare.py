@@ -16,6 +16,7 @@ import numpy as np
 import ideotype._core as _core
 
 from ._errors import Error, InputError, did_you_mean, printable_lines
+from ._output import REFUSED, OutputRefused, require_output, write_file
 from ._progress import Progress
 from ._settings import number_within
 from ._views.compared import (
@@ -135,16 +136,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
     history or an output file that exists."""
     options = _parser().parse_args(arguments)
     try:
-        if options.csv and options.csv.exists():
-            raise FileExistsError(
-                f"{options.csv}: this file exists already and is not "
-                "overwritten; name another"
-            )
+        if options.csv:
+            require_output(options.csv, replaces=False)
         return _compare(options)
     except InputError as error:
         return _fail(3, error)
-    except (HistoryError, FileExistsError) as error:
-        return _fail(4, error)
+    except (HistoryError, OutputRefused) as error:
+        return _fail(REFUSED, error)
     except (Error, OSError, MemoryError) as error:
         return _fail(1, error)
 
@@ -175,7 +173,8 @@ def _compare(options: argparse.Namespace) -> int:
         )
     if options.csv:
         columns = [x for x in found.table if not x.startswith("percent")]
-        found.table[columns].to_csv(options.csv, index=False, mode="x")
+        text = found.table[columns].to_csv(index=False)
+        write_file(options.csv, text, replaces=False)
     if options.json:
         import tomllib
 

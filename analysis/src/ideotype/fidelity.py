@@ -20,6 +20,14 @@ import tomli_w
 
 from .__main__ import compiled_program
 from ._errors import Error, printable_lines
+from ._output import (
+    REFUSED,
+    OutputRefused,
+    figure_path,
+    require_output,
+    save_figure,
+    write_file,
+)
 from ._settings import number_within
 from ._survey import FEWEST, OWN, Draw, Refused, Setting, Survey, result, words
 
@@ -170,7 +178,8 @@ def text(found: dict[str, Any], campaign: str) -> str:
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Measures, prints and returns the exit code: 0, 1 if something failed, 2
-    for a wrong command line, 3 for a wrong campaign, 5 after Ctrl-C."""
+    for a wrong command line, 3 for a wrong campaign, 4 for an output that is a
+    symbolic link, 5 after Ctrl-C."""
     parser = argparse.ArgumentParser(
         prog="ideotype fidelity",
         description="Measures error and time of evaluations with each key "
@@ -189,8 +198,16 @@ def main(arguments: Sequence[str] | None = None) -> int:
         help="to measure (default: 60)",
     )  # fmt: skip
     add("--json", type=Path, metavar="FILE", help="gets all figures")
-    add("--figure", type=Path, metavar="FILE", help="PNG, PDF or SVG to draw")
+    add(
+        "--figure", type=figure_path, metavar="FILE",
+        help="PNG, PDF or SVG to draw",
+    )  # fmt: skip
     options = parser.parse_args(arguments)
+    try:
+        for path in filter(None, (options.json, options.figure)):
+            require_output(path)
+    except OutputRefused as error:
+        return _fail(error)
     program = None
     code = 0
     # Both signals end the survey, even in a background job of a script, which
@@ -221,23 +238,29 @@ def main(arguments: Sequence[str] | None = None) -> int:
             + text(found, options.campaign.read_text())
         )
         if options.json:
-            options.json.write_text(json.dumps(found, indent=1) + "\n")
+            write_file(options.json, json.dumps(found, indent=1) + "\n")
         if options.figure:
             from .analysis.figures.fidelity import draw_fidelity
 
-            draw_fidelity(found).savefig(options.figure)
+            save_figure(draw_fidelity(found), options.figure)
     except KeyboardInterrupt:
         print(
             "ideotype fidelity: stopped, nothing is measured", file=sys.stderr
         )
         return 5
     except (Error, OSError) as error:
-        print(printable_lines(f"ideotype fidelity: {error}"), file=sys.stderr)
-        return error.code if isinstance(error, Refused) else 1
+        return _fail(error)
     finally:
         if program:
             program.end()
     return code
+
+
+def _fail(error: Exception) -> int:
+    print(printable_lines(f"ideotype fidelity: {error}"), file=sys.stderr)
+    if isinstance(error, OutputRefused):
+        return REFUSED
+    return error.code if isinstance(error, Refused) else 1
 
 
 if __name__ == "__main__":

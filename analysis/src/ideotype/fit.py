@@ -18,6 +18,7 @@ import tomli_w
 
 from ._errors import Error, printable_lines
 from ._geometry import Mesh
+from ._output import REFUSED, OutputRefused, require_output, write_file
 from ._scans.agreement import agreement
 from ._scans.blades import Blade
 from ._scans.plant_sources import read_crop, read_plant
@@ -168,7 +169,8 @@ def mesh_of(crop: dict[str, Any], folder: Path) -> Mesh:
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Fits, writes, prints and returns the exit code: 0, 2 for a wrong command
-    line, 3 for an input that cannot be read."""
+    line, 3 for an input that cannot be read, 4 for an output file that exists
+    or is a symbolic link."""
     parser = argparse.ArgumentParser(
         prog="ideotype fit",
         description="Makes a crop file of a plant that was digitised and tells "
@@ -195,6 +197,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     add("--json", action="store_true", help="print JSON instead of text")
     options = parser.parse_args(arguments)
     try:
+        require_output(options.to, replaces=False)
         blades = read_plant(
             options.source,
             options.plant,
@@ -206,12 +209,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
         name = options.name or options.to.stem
         crop = crop_of(blades, crop, name, options.form)
         found = agreement(blades, crop, mesh_of(crop, options.crop.parent))
-        with options.to.open("xb") as file:
-            tomli_w.dump(crop, file)
-    except FileExistsError:
-        print(f"ideotype fit: {options.to} exists; it is not overwritten",
-              file=sys.stderr)  # fmt: skip
-        return 3
+        write_file(options.to, tomli_w.dumps(crop), replaces=False)
+    except OutputRefused as error:
+        print(printable_lines(f"ideotype fit: {error}"), file=sys.stderr)
+        return REFUSED
     except (Error, OSError) as error:
         print(printable_lines(f"ideotype fit: {error}"), file=sys.stderr)
         return 3

@@ -17,6 +17,7 @@ from ._errors import Error, printable_lines
 from ._meteo.checks import check_clock, mend, place_of
 from ._meteo.formats import FORMATS, read
 from ._meteo.tables import COLUMNS, Readings
+from ._output import REFUSED, OutputRefused, require_output, write_file
 
 _HOUR = pd.Timedelta("1h")
 _LIGHT = ["global", "beam_normal", "diffuse"]
@@ -24,7 +25,8 @@ _LIGHT = ["global", "beam_normal", "diffuse"]
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Converts files and returns the exit code: 0, 1 if something failed, 2
-    for a wrong command line, 3 if the files cannot be believed."""
+    for a wrong command line, 3 if the files cannot be believed, 4 if the output
+    is a symbolic link."""
     parser = argparse.ArgumentParser(
         prog="ideotype weather",
         description="Converts weather files to the CSV file that campaigns "
@@ -76,7 +78,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
         with warnings.catch_warnings():
             # Warnings of this kind from readers are meant for programmers.
             warnings.simplefilter("ignore")
+            require_output(options.to)
             print(_convert(options, tell))
+    except OutputRefused as error:
+        tell(error)
+        return REFUSED
     except Error as error:
         tell(error)
         return 3
@@ -248,9 +254,7 @@ def _write(
     ]
     times = table.index.strftime("%Y-%m-%dT%H:%M:%S") + zone
     text = head + table.set_axis(times).to_csv(index_label="time")
-    part = options.to.with_name(options.to.name + ".part")
-    part.write_text(text)
-    part.replace(options.to)
+    write_file(options.to, text)
     first, last = frame.index[0].date(), frame.index[-1].date()
     return (
         f"{options.to}: {len(table)} steps of {step / _HOUR * 60:.4g} min\n"

@@ -11,13 +11,15 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from .._errors import printable_lines
+from .._output import REFUSED, OutputRefused
 from .._progress import Progress
 from .reading.file import HistoryError
 from .study import Study, open_study
 
 _EXIT_CODES = (
     "Exit codes: 0 ok, 1 failed, 2 wrong usage, 3 done without the histories "
-    "that can't be read, which are named."
+    "that can't be read, which are named, 4 the output is a symbolic link or a "
+    "special file."
 )
 
 
@@ -125,10 +127,10 @@ def guarded(
         # The reader of the output has closed the pipe.
         _drop_output()
         return 1
-    except (HistoryError, OSError) as error:
+    except (HistoryError, OutputRefused, OSError) as error:
         warn(error)
         _drop_output()
-        return 1
+        return REFUSED if isinstance(error, OutputRefused) else 1
 
 
 def _drop_output() -> None:

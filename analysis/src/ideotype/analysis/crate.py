@@ -16,6 +16,7 @@ from urllib.parse import quote
 
 import tomli_w
 
+from .._output import file_name, require_output, write_file
 from .case import Case
 from .commands import guarded
 from .reading.estimate import NORMAL
@@ -26,6 +27,12 @@ from .study import Study
 METADATA = "ro-crate-metadata.json"
 _INPUTS = "inputs"
 """The folder of the inputs with which histories were begun."""
+
+_PAGES = (
+    ("results.csv", "text/csv", "A line for each case."),
+    ("report.html", "text/html", "The report about all histories."),
+)
+"""Names, formats and meanings of the files of reports."""
 
 _SPECIFICATION = "https://w3id.org/ro/crate/1.1"
 _TOML = "application/toml"
@@ -77,8 +84,9 @@ def write_crate(
     the histories' inputs beside them; an earlier crate is replaced. Authors
     are "NAME" or "NAME, ORCID". Returns the path of the metadata.
 
-    Raises HistoryError if a history is not finished or lies elsewhere, OSError
-    if the folder can't be written."""
+    Raises HistoryError if a history is not finished, or a file of the crate
+    lies elsewhere; OutputRefused if a symbolic link is where a file or folder
+    is to be written; OSError if the folder can't be written."""
     folder = Path(folder)
     for history in study:
         if not history.state().finished:
@@ -86,11 +94,12 @@ def write_crate(
                 f"{history.path}: {history.state()}; a crate takes finished "
                 "histories only"
             )
-        if folder.resolve() not in history.path.resolve().parents:
-            raise HistoryError(
-                f"{history.path}: this history is not in {folder}; move it "
-                "there, or name another folder"
-            )
+        _require_inside(history.path, folder)
+    for path in (folder / METADATA, folder / _INPUTS / "any"):
+        require_output(path, folder)
+    for page, *_ in _PAGES:
+        for path in folder.rglob(page):
+            _require_inside(path, folder)
     every = list(_entities(study, folder, _people(authors, organisation)))
     bred = ", ".join(sorted({str(h.attributes["campaign"]) for h in study}))
     root = {
@@ -130,7 +139,7 @@ def write_crate(
         indent=2,
         ensure_ascii=False,
     )
-    path.write_text(text + "\n", encoding="utf-8")
+    write_file(path, text + "\n", folder)
     return path
 
 
@@ -160,10 +169,7 @@ def _entities(
             made = _action(history, inputs, program, result, makers)
             for each in (*inputs, program, result, made):
                 found[each["@id"]] = each
-    for page, kind, about in (
-        ("results.csv", "text/csv", "A line for each case."),
-        ("report.html", "text/html", "The report about all histories."),
-    ):
+    for page, kind, about in _PAGES:
         for path in sorted(folder.rglob(page)):
             each = _file(path, folder, kind, page, about)
             found[each["@id"]] = each
@@ -240,9 +246,8 @@ def _inputs(history: History, folder: Path) -> Iterator[_Entity]:
     for part, (text, about) in texts.items():
         # Campaigns with equal names may differ in content.
         digest = hashlib.sha256(text.encode()).hexdigest()[:8]
-        path = folder / _INPUTS / f"{campaign}{part}_{digest}.toml"
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(text, encoding="utf-8")
+        name = f"{file_name(campaign)}{part}_{digest}.toml"
+        write_file(path := folder / _INPUTS / name, text, folder)
         yield _file(path, folder, _TOML, f"{campaign}{part}", about)
 
 
@@ -259,6 +264,14 @@ def _history(case: Case, history: History, folder: Path) -> _Entity:
         history.path, folder, "application/x-hdf5",
         str(history.attributes["case"]), about,
     )  # fmt: skip
+
+
+def _require_inside(path: Path, folder: Path) -> None:
+    if folder.resolve() not in path.resolve().parents:
+        raise HistoryError(
+            f"{path}: this file is not in {folder}; move it there, or name "
+            "another folder"
+        )
 
 
 def _file(

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
 
+from .._output import require_output, write_file
 from . import tables
 from .answer import answer, leaf_table
 from .blocks import Section, Viewer
@@ -88,9 +89,14 @@ def write_report(
     few. `plants` are files of the user's own plants for the 3D view, as for
     own_plants().
 
-    Raises HistoryError if no history has an evaluation, OSError if the folder
-    can't be written."""
+    Raises HistoryError if no history has an evaluation, OutputRefused if a
+    symbolic link is where a file or folder is to be written, OSError if the
+    folder can't be written."""
     folder = Path(folder)
+    page, table = folder / "report.html", folder / "results.csv"
+    pictures = folder / "figures"
+    for path in (page, table, pictures / "any"):
+        require_output(path, folder)
     every = study.cases()
     cases = [case for case in every if not case.is_sensitivity]
     studies = [case for case in every if case.is_sensitivity]
@@ -130,16 +136,15 @@ def write_report(
             _about(cases, cross),
             _provenance(every, command),
         ]
-        figures = draw_all(sections, folder / "figures", run, tell, has_pdf)
-    results_of(cases).to_csv(folder / "results.csv", index=False)
-    page = folder / "report.html"
-    fresh = page.with_suffix(".html.part")
-    fresh.write_text(
+        figures = draw_all(sections, pictures, run, tell, has_pdf)
+    write_file(table, results_of(cases).to_csv(index=False), folder)
+    write_file(
+        page,
         render(
             _title(every), _subtitle(study), [s for s in sections if s.blocks]
-        )
+        ),
+        folder,
     )
-    fresh.replace(page)
     return Written(page, figures)
 
 

@@ -4,8 +4,8 @@
 from __future__ import annotations
 
 import csv
+import io
 from collections.abc import Iterator
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -26,16 +26,17 @@ RANGE = "range"
 _NO_BARS = ("",) * 4
 
 
-def write_numbers(figure: Figure, path: Path) -> None:
-    """Writes the numbers of a figure as CSV, a line for each point, bar or
+def numbers(figure: Figure) -> str:
+    """Returns the numbers of a figure as CSV, a line for each point, bar or
     cell of a map."""
-    with path.open("w", newline="", encoding="utf-8") as file:
-        writer = csv.writer(file)
-        writer.writerow(HEADER)
-        for panel, axes in enumerate(figure.axes, start=1):
-            title = _panel(axes) or str(panel)
-            for series, line in _lines(axes):
-                writer.writerow((title, series, *map(_text, line)))
+    text = io.StringIO(newline="")
+    writer = csv.writer(text)
+    writer.writerow(HEADER)
+    for panel, axes in enumerate(figure.axes, start=1):
+        title = _panel(axes) or str(panel)
+        for series, line in _lines(axes):
+            writer.writerow((title, series, *map(_text, line)))
+    return text.getvalue()
 
 
 def _panel(axes: Axes) -> str:

@@ -18,10 +18,11 @@ from matplotlib.backends.backend_svg import FigureCanvasSVG
 from matplotlib.figure import Figure
 from PIL import Image
 
+from ..._output import file_name, write_file
 from ..blocks import Block, Drawing, Note, Picture, Section
 from ..reading.file import HistoryError
 from ..workers import Map
-from .figure_numbers import write_numbers
+from .figure_numbers import numbers
 from .style import RC, answer_of
 
 _QUALITY = 80
@@ -35,11 +36,10 @@ def draw_all(
     tell: Callable[[int, int, str], object],
     has_pdf: bool,
 ) -> list[Path]:
-    """Puts pictures in the place of drawings, and returns their files: SVG,
-    the numbers as CSV and, if wanted, PDF. `run` is map() or a parallel map();
-    `tell` gets the number of drawn figures, the number of all figures, and the
-    kind of work."""
-    folder.mkdir(parents=True, exist_ok=True)
+    """Puts pictures in the place of drawings, and returns their files in the
+    folder "figures" of a report: SVG, the numbers as CSV and, if wanted, PDF.
+    `run` is map() or a parallel map(); `tell` gets the number of drawn figures,
+    the number of all figures, and the kind of work."""
     drawings = [b for s in sections for b in s.blocks if _is_drawing(b)]
     drawn = iter(run(partial(draw, folder, has_pdf), drawings))
     done = 0
@@ -75,14 +75,17 @@ def draw(folder: Path, has_pdf: bool, drawing: Drawing) -> Block:
         except HistoryError as reason:
             return Note(f"{drawing.question} Not drawn: {reason}.", True)
         svg = _svg(figure)
+        files: dict[str, str | bytes] = {"svg": svg, "csv": numbers(figure)}
         if has_pdf:
             # The figure is laid out once, so that both files are alike.
             figure.set_layout_engine("none")
+            pdf = io.BytesIO()
             FigureCanvasPdf(figure).print_pdf(  # type: ignore[no-untyped-call]
-                folder / f"{name}.pdf", metadata={"CreationDate": None}
+                pdf, metadata={"CreationDate": None}
             )
-    (folder / f"{name}.svg").write_text(svg, encoding="utf-8")
-    write_numbers(figure, folder / f"{name}.csv")
+            files["pdf"] = pdf.getvalue()
+    for end, content in files.items():
+        write_file(folder / f"{name}.{end}", content, folder.parent)
     data = base64.b64encode(svg.encode()).decode("ascii")
     return Picture(
         name, drawing.question, answer_of(figure), drawing.caption, data
@@ -112,9 +115,3 @@ def _smaller(png: str) -> str:
     return (
         "data:image/webp;base64," + base64.b64encode(out.getvalue()).decode()
     )
-
-
-def file_name(name: str) -> str:
-    """Returns a name in which characters other than letters, digits, - and _
-    are replaced by _."""
-    return re.sub(r"[^\w-]+", "_", name)

@@ -6,6 +6,7 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import json
+import os
 import re
 import subprocess
 import sys
@@ -28,6 +29,13 @@ class Served:
     address: str
     """The whole address, with the token."""
     process: subprocess.Popen[str]
+    errors: int
+    """The open file of the error output."""
+
+    def complaints(self) -> str:
+        """Returns the error output. Reading moves no position that the
+        program shares."""
+        return os.pread(self.errors, 1 << 20, 0).decode()
 
     @property
     def port(self) -> int:
@@ -69,7 +77,7 @@ def served(*words: object) -> Iterator[Served]:
                 process.wait(_ENDING)
                 errors.seek(0)
             assert found, line + errors.read()
-            yield Served(found[0], process)
+            yield Served(found[0], process, errors.fileno())
             process.terminate()
             process.wait(_ENDING)
         finally:
@@ -100,6 +108,10 @@ class Talk:
     def say(self, **message: Any) -> None:
         """Sends a message."""
         self._link.write_message(json.dumps(message))
+
+    def say_raw(self, data: str | bytes) -> None:
+        """Sends a text, or bytes, that need not be JSON."""
+        self._link.write_message(data, binary=isinstance(data, bytes))
 
     async def first(self, number: int) -> dict[str, Any]:
         """Returns the first numbers that answer a question."""

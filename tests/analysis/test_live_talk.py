@@ -10,6 +10,7 @@ import json
 import time
 import tomllib
 from pathlib import Path
+from typing import Any, cast
 
 import numpy as np
 import pytest
@@ -18,6 +19,7 @@ from live_page import CAMPAIGNS, Served, Talk, served, talk_with, token
 from ideotype import Stand
 from ideotype.live.numbers import ENOUGH, Samples
 from ideotype.live.opened import open_place
+from ideotype.live.session import Session
 
 pytestmark = pytest.mark.long
 
@@ -102,6 +104,95 @@ def test_nonsense_is_told_and_ends_nothing(day: Served) -> None:
         await talk.first(9)
 
     talk_with(day, ask)
+
+
+DEEP = "[" * 100_000
+LISTS = "[" * 400 + "1" + "]" * 400
+HUGE = "1" + "0" * 400
+HOSTILE = [
+    DEEP,
+    b"\xff\xfe\xff",
+    b"\x80",
+    "[]",
+    "null",
+    "{",
+    '{"kind": "show", "number": true}',
+    '{"kind": "show", "number": 1.0}',
+    *(
+        f'{{"kind": "{kind}", "number": 1, "genome": GENOME, {more}}}'
+        for kind in ("show", "improve")
+        for more in (
+            '"component": 0.0',
+            '"component": false',
+            '"component": []',
+            '"conditions": []',
+            f'"conditions": {{"density": {HUGE}}}',
+            f'"conditions": {{"day": {HUGE}}}',
+            '"conditions": {"density": NaN}',
+            '"conditions": {"panels": 1}',
+            f'"reference": [{HUGE}]',
+            f'"reference": {LISTS}',
+        )
+    ),
+    *(
+        f'{{"kind": "show", "number": 1, "genome": {genome}}}'
+        for genome in (f"[{HUGE}]", LISTS, '"1"', "{}", "[null]", "[Infinity]")
+    ),
+    f'{{"kind": {LISTS}, "number": 1, "genome": GENOME}}',
+]
+"""Messages that make no sense; GENOME is the plant of the page."""
+
+
+def test_hostile_messages_are_answered(day: Served) -> None:
+    """None ends the link or the work of the program, or leaves a traceback."""
+
+    async def ask(talk: Talk) -> None:
+        genome = json.dumps(talk.hello["genome"])
+        for message in HOSTILE:
+            data = (
+                message
+                if isinstance(message, bytes)
+                else message.replace("GENOME", genome)
+            )
+            talk.say_raw(data)
+            told = await talk.hear("problem")
+            assert told["text"], message[:60]
+        talk.say(kind="show", number=9, genome=talk.hello["genome"])
+        await talk.first(9)
+
+    talk_with(day, ask)
+    assert day.complaints() == ""
+
+
+def test_hostile_plants_are_not_saved(day: Served) -> None:
+    link = http.client.HTTPConnection("127.0.0.1", day.port, timeout=60)
+    own = f"http://127.0.0.1:{day.port}"
+    for message in HOSTILE:
+        body = message if isinstance(message, bytes) else message.encode()
+        for form in ("crop", "campaign"):
+            link.request(
+                "POST", f"/{token(day)}/save/{form}", body, {"Origin": own}
+            )
+            found = link.getresponse()
+            assert found.status == 400, message[:60]
+            assert found.read().startswith(b"It cannot be saved")
+    assert day.complaints() == ""
+
+
+def test_work_that_fails_for_an_unknown_reason_is_answered() -> None:
+    told: list[dict] = []
+
+    async def fail() -> None:
+        raise TypeError("a fault")
+
+    async def work() -> None:
+        session = Session(cast(Any, None), told.append)
+        session._start(fail())
+        await asyncio.sleep(0.1)
+
+    asyncio.run(work())
+    assert [each["kind"] for each in told] == ["problem"]
+    assert "a fault" in told[0]["text"]
 
 
 def test_a_denser_field_has_more_leaf(day: Served) -> None:

@@ -32,7 +32,9 @@ def real(given: ArrayLike, name: str) -> NDArray[np.float64]:
             )
         if not np.iscomplexobj(found):
             return np.asarray(found, float)
-    except (TypeError, ValueError) as error:
+    except (
+        TypeError, ValueError, OverflowError, RecursionError
+    ) as error:  # fmt: skip
         raise Error(f"{name} is no array of numbers: {error}") from error
     raise Error(
         f"{name} has complex numbers; give real ones, such as its .real"

@@ -6,7 +6,6 @@ from __future__ import annotations
 
 import copy
 import datetime
-import math
 from collections.abc import Mapping
 from dataclasses import dataclass, fields, replace
 from typing import Any
@@ -82,14 +81,15 @@ class Conditions:
             if field.name not in numbers:
                 continue
             value, kind = numbers[field.name], type(getattr(self, field.name))
-            if kind is float and type(value) is int:
-                value = float(value)
-            if type(value) is not kind or not _is_possible(field.name, value):
+            is_kind = type(value) in (
+                (int, float) if kind is float else (kind,)
+            )
+            if not is_kind or not _is_possible(field.name, value):
                 raise Error(
                     f"{field.name} is {value!r:.40}, which is impossible; "
                     "send a value of its range"
                 )
-            found[field.name] = value
+            found[field.name] = kind(value)
         return replace(self, **found)
 
 
@@ -113,7 +113,7 @@ def _is_possible(name: str, value: Any) -> bool:
     if isinstance(value, str):
         return value in ("season", "day", "hour")
     low, high = _RANGES[name]
-    return math.isfinite(value) and low <= value <= high
+    return low <= value <= high
 
 
 def _date(base: Tables) -> datetime.date:

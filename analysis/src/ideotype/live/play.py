@@ -20,7 +20,16 @@ from .._stand import Stand
 from .bench import Bench, Shown
 from .conditions import Tables, tables_under
 from .opened import CROPS, open_place
-from .server import Guarded, Socket, add_options, answer, application, serve
+from .server import (
+    UNUSABLE,
+    Guarded,
+    Socket,
+    add_options,
+    answer,
+    application,
+    read_message,
+    serve,
+)
 from .session import Session
 
 _SCRIPTS = (
@@ -39,12 +48,14 @@ class _Talk(Socket):
 
     def on_message(self, message: str | bytes) -> None:
         try:
-            told = json.loads(message)
-            if not isinstance(told, dict):
-                raise Error("a message is no object; load the page again")
-            self.session.hear(told)
-        except (Error, ValueError) as error:
-            self._tell({"kind": "problem", "text": str(error)})
+            self.session.hear(read_message(message))
+        except UNUSABLE as error:
+            text = (
+                str(error)
+                if isinstance(error, Error)
+                else f"a message makes no sense ({error}); load the page again"
+            )
+            self._tell({"kind": "problem", "text": text})
 
     def on_close(self) -> None:
         super().on_close()
@@ -69,10 +80,10 @@ class _Save(Guarded):
 
     def post(self, _token: str, form: str) -> None:
         try:
-            told = json.loads(self.request.body)
+            told = read_message(self.request.body)
             shown = Session(self.bench, lambda _: None).shown(told)
             text = saved(self.bench, shown, form)
-        except (Error, ValueError, AttributeError) as error:
+        except UNUSABLE as error:
             raise HTTPError(400, reason="It cannot be saved") from error
         self.set_header("Content-Type", "application/toml; charset=utf-8")
         self.finish(text)

@@ -11,6 +11,7 @@ from __future__ import annotations
 import argparse
 import asyncio
 import hmac
+import json
 import logging
 import mimetypes
 import secrets
@@ -53,6 +54,25 @@ _SHARED = {
     **dict.fromkeys(("base.js", "chart.js"), "ideotype.live.page"),
 }
 """The packages of the scripts that both pages load."""
+
+
+UNUSABLE = (Error, ValueError, TypeError, ArithmeticError, RecursionError)
+"""Exceptions of a message that makes no sense, such as numbers beyond the range
+of floating-point numbers or lists within thousands of lists."""
+
+
+def read_message(data: str | bytes) -> dict[str, Any]:
+    """Returns the object in a message of a page. Raises Error if the message
+    is no JSON, or no object."""
+    try:
+        found = json.loads(data)
+    except (ValueError, RecursionError) as error:
+        raise Error(
+            f"a message cannot be read ({error}); load the page again"
+        ) from None
+    if not isinstance(found, dict):
+        raise Error("a message is no object; load the page again")
+    return found
 
 
 class Guarded(RequestHandler):

@@ -82,7 +82,7 @@ class Session:
             self._stop()
             return
         number = message.get("number")
-        if not isinstance(number, int):
+        if type(number) is not int:
             raise Error("a message has no number; send one that counts up")
         shown = self.shown(message)
         if kind == "show":
@@ -104,7 +104,8 @@ class Session:
         conditions = message.get("conditions", {})
         component = message.get("component", 0)
         count = len(bench.place(bench.own).stand.components)
-        if not isinstance(conditions, dict) or component not in range(count):
+        is_component = type(component) is int and 0 <= component < count
+        if not isinstance(conditions, dict) or not is_component:
             raise Error(
                 "a message has conditions or a component that do not exist; "
                 "load the page again"
@@ -149,7 +150,19 @@ class Session:
     def _start(self, work: Any) -> None:
         task = asyncio.create_task(work)
         self._tasks.add(task)
-        task.add_done_callback(self._tasks.discard)
+        task.add_done_callback(self._end)
+
+    def _end(self, task: asyncio.Task) -> None:
+        """Answers a page even if its work has failed for an unknown reason."""
+        self._tasks.discard(task)
+        if not task.cancelled() and (error := task.exception()):
+            self._send(
+                {
+                    "kind": "problem",
+                    "text": f"this cannot be computed ({error!r:.200}); undo "
+                    "the last change, or load the page again",
+                }
+            )
 
     async def _answer(self, number: int, shown: Shown) -> None:
         begun, bench = time.monotonic(), self._bench

@@ -225,6 +225,16 @@ grep -q "repeats every 2.286000 m in x and 0.457200 m in y" field.obj ||
     fail "the field does not tell its period"
 expect 2 "$ideotype" export "$history" --best --paths 1 --to dark.vtp
 expect 4 "$ideotype" export "$history" --best --to plant.obj
+# No link leads a file elsewhere, even if nothing is there yet.
+for ending in csv toml obj vtp; do
+    ln -s elsewhere.txt "link.$ending"
+    expect 4 "$ideotype" export "$history" --best --to "link.$ending"
+    says "link.$ending: this is a symbolic link"
+done
+ln -s elsewhere.txt links.csv
+expect 4 "$ideotype" export "$history" --generations --to links.csv
+says "links.csv: this is a symbolic link"
+[ -L links.csv ] && [ ! -e elsewhere.txt ] || fail "a link was followed"
 expect 2 "$ideotype" export "$history" --best --to plant.doc
 
 # A second look at a finished case repeats its summary and evaluates nothing.

@@ -38,6 +38,14 @@ sum=$(cat own/* | sha256sum)
 expect 4 "$ideotype" new own/my.toml "${place[@]}" "${field[@]}" --plant maize
 says "own/my.toml: exists already and is not overwritten"
 [ "$(cat own/* | sha256sum)" = "$sum" ] || fail "something was overwritten"
+mkdir links
+for name in my maize; do
+    ln -s elsewhere.toml links/$name.toml
+    expect 4 "$ideotype" new links/my.toml "${place[@]}" "${field[@]}" --plant maize
+    says "links/$name.toml: this is a symbolic link"
+    [ ! -e links/elsewhere.toml ] || fail "a link was followed"
+    rm links/*
+done
 # A crop serves another campaign too; a changed crop is not taken for the
 # original.
 expect 0 "$ideotype" new own/second.toml "${place[@]}" "${field[@]}" \

@@ -2,8 +2,11 @@
 #include "output_file.hpp"
 
 #include <cerrno>
+#include <fcntl.h>
 #include <filesystem>
+#include <random>
 #include <system_error>
+#include <unistd.h>
 
 #include "ideotype/core/error.hpp"
 
@@ -11,44 +14,64 @@ namespace ideotype {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+//! Returns the name of an incomplete file that no other process uses.
+std::string name_of_part(const std::string& path) {
+    return fmt::format("{}.{:08x}.part", path, std::random_device{}());
+}
+
+//! Gives a complete file its name unless another file has it; returns whether
+//! this has succeeded, or sets errno.
+bool give_name(const std::string& part, const std::string& path) {
+    if (renameat2(AT_FDCWD, part.c_str(), AT_FDCWD, path.c_str(),
+                  RENAME_NOREPLACE) == 0)
+        return true;
+    if (errno == EEXIST) require_new(path);
+    // Some file systems, such as NFS, cannot refuse to replace a file.
+    if (errno != EINVAL && errno != ENOSYS) return false;
+    require_new(path);
+    return std::rename(part.c_str(), path.c_str()) == 0;
+}
+
+}  // namespace
+
 void require_new(const std::string& path) {
-    if (fs::exists(path))
+    std::error_code unknown;
+    const fs::file_type type = fs::symlink_status(path, unknown).type();
+    if (type == fs::file_type::symlink)
+        throw Error(path +
+                        ": this is a symbolic link, through which nothing is "
+                        "written; remove it, or choose another output",
+                    ExitCode::refused);
+    if (type != fs::file_type::not_found && type != fs::file_type::none)
         throw Error(path + ": exists already and is not overwritten",
                     ExitCode::refused);
 }
 
-OutputFile::OutputFile(const std::string& path) : path_(path), target_(path) {
-    std::error_code unknown;
-    if (fs::exists(path, unknown)) target_ = fs::canonical(path, unknown);
-    const bool is_special =
-        fs::exists(target_, unknown) && !fs::is_regular_file(target_, unknown);
-    written_ = is_special ? target_ : target_ + ".part";
-    // Removes the rest of a killed process, but never the target of a link.
-    if (!is_special) fs::remove(written_, unknown);
-    file_ = std::fopen(written_.c_str(), is_special ? "wb" : "wbx");
-    if (!file_) fail();
+OutputFile::OutputFile(const std::string& path)
+    : path_(path), part_(name_of_part(path)) {
+    require_new(path);
+    const int descriptor =
+        ::open(part_.c_str(),
+               O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+    if (descriptor < 0) fail();
+    file_ = fdopen(descriptor, "wb");
     std::setbuf(file_, nullptr);
 }
 
 OutputFile::~OutputFile() {
-    if (!file_) return;
-    std::fclose(file_);
-    std::error_code unknown;
-    if (written_ != target_) fs::remove(written_, unknown);
+    if (file_ != nullptr) std::fclose(file_);
+    if (!part_.empty()) unlink(part_.c_str());
 }
 
 void OutputFile::finish() {
     flush();
     // Some file systems report a full disk only when a file is closed.
-    if (std::fclose(std::exchange(file_, nullptr)) == 0 &&
-        (written_ == target_ ||
-         std::rename(written_.c_str(), target_.c_str()) == 0))
-        return;
-    const int reason = errno;
-    std::error_code unknown;
-    if (written_ != target_) fs::remove(written_, unknown);
-    errno = reason;
-    fail();
+    if (std::fclose(std::exchange(file_, nullptr)) != 0 ||
+        !give_name(part_, path_))
+        fail();
+    part_.clear();
 }
 
 void OutputFile::flush() {

@@ -11,15 +11,18 @@
 namespace ideotype {
 
 //! Checks that a path is free for a new file.
-//! @throws Error (refused) if anything exists at this path.
+//! @throws Error (refused) if anything exists at this path, even a symbolic
+//! link that leads nowhere.
 void require_new(const std::string& path);
 
-//! A new file, which gets its name when it is complete. An incomplete file has
-//! another name beside it, and is removed if writing fails. A pipe, or any
-//! other special file, is written directly.
+//! A new file, which gets its name when it is complete, and replaces no other
+//! file. An incomplete file has another name in the same folder, and is removed
+//! if writing fails. Every file that the program writes is written so, except
+//! histories.
 class OutputFile {
   public:
-    //! Opens the file. @throws Error if the file cannot be written.
+    //! Opens the file. @throws Error if the file cannot be written, or
+    //! (refused) by require_new().
     explicit OutputFile(const std::string& path);
     OutputFile(const OutputFile&) = delete;
     OutputFile& operator=(const OutputFile&) = delete;
@@ -34,7 +37,8 @@ class OutputFile {
         if (text_.size() >= block) flush();
     }
 
-    //! Gives the file its name. @throws Error if renaming fails.
+    //! Gives the file its name. @throws Error if the file cannot be written,
+    //! or (refused) if another file has got the name meanwhile.
     void finish();
 
   private:
@@ -42,8 +46,7 @@ class OutputFile {
     [[noreturn]] void fail() const;
 
     std::string path_;
-    std::string target_;   //!< path to which symbolic links lead
-    std::string written_;  //!< the target, or a file beside it
+    std::string part_;  //!< path of the incomplete file, "" when it is complete
     std::FILE* file_ = nullptr;
     fmt::memory_buffer text_;
 };

@@ -103,8 +103,7 @@ class ProgressLog::CaseWatcher : public Watcher {
         entry_.plants += plants;
         // The largest number of a study is no result of it.
         const bool is_study = log_.campaign_.search.design.has_value();
-        if (!is_study)
-            entry_.best = {summary.best, summary.best_standard_error};
+        if (!is_study) entry_.best = summary.expected_best;
         if (!std::isnan(summary.hypervolume))
             entry_.hypervolume = {summary.hypervolume,
                                   summary.hypervolume_standard_error};
@@ -213,7 +212,7 @@ std::string ProgressLog::time_left() const {
 
 std::string ProgressLog::best_of(const Entry& entry) const {
     return fmt::format(
-        "best {}{}",
+        "best about {}{}",
         with_unit(
             format(entry.best.value()),
             unit_of(campaign_, objectives_of(campaign_).front().quantity)),

@@ -8,6 +8,7 @@
 
 #include "progress.hpp"
 #include "search/order.hpp"
+#include "search/shrinkage.hpp"
 
 namespace ideotype {
 
@@ -172,9 +173,10 @@ CaseResult result_of(const History& history) {
         result.hypervolume = {last.hypervolume,
                               last.hypervolume_standard_error};
     if (result.is_evaluated_again || result.is_study) return result;
-    const Row best = history.row(
-        static_cast<std::uint32_t>(summaries.size() - 1), last.best_slot);
-    result.best = {last.best, last.best_standard_error};
+    const auto generation = static_cast<std::uint32_t>(summaries.size() - 1);
+    const Row best = history.row(generation, last.best_slot);
+    if (best.outcome.status == Status::done)
+        result.best = shrunken(history.generation(generation), last.best_slot);
     result.violation = best.outcome.violation;
     result.doubt = doubt_of("this plant", lai_of(history, best));
     return result;
@@ -188,7 +190,8 @@ std::string to_text(const CaseResult& result, const std::string& path,
         result.complete == 1 ? "" : "s");
     if (result.best)
         line += fmt::format(
-            ", best {} {}", with_unit(format(*result.best), result.unit),
+            ", best {}{} {}", result.is_evaluated_again ? "" : "about ",
+            with_unit(format(*result.best), result.unit),
             certainty(result.is_evaluated_again, result.violation));
     if (!result.gain.empty()) line += ", " + result.gain;
     if (result.complete > 0)

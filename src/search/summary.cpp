@@ -10,6 +10,7 @@
 
 #include "ideotype/core/contract.hpp"
 #include "order.hpp"
+#include "shrinkage.hpp"
 
 namespace ideotype {
 
@@ -89,6 +90,7 @@ GenerationSummary summarize(const Population& population,
         const double none = std::numeric_limits<double>::quiet_NaN();
         summary.best = summary.best_standard_error = summary.mean =
             summary.spread = summary.diversity = none;
+        summary.expected_best = {none, none};
         return summary;
     }
     summary.best_slot = best_distinct(population, 1, {sense}).front();
@@ -96,6 +98,7 @@ GenerationSummary summarize(const Population& population,
     summary.best = best.objectives.front().mean;
     summary.best_standard_error = best.objectives.front().standard_error;
     summary.violation = best.violation;
+    summary.expected_best = shrunken(population, summary.best_slot);
     std::vector<double> values;
     for (const Individual* each : succeeded)
         if (best.violation > 0 || each->violation == 0)

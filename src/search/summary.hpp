@@ -27,6 +27,9 @@ struct GenerationSummary {
     double wall_time = 0;  //!< time since the case began, over all sessions [s]
     //! Violation of the best row, which a history stores by row.
     double violation = 0;
+    //! Objective 0 of the best row without the luck of its choice, by
+    //! shrunken(); it is not stored.
+    Estimate expected_best{};
     //! The hypervolume of all rows so far; NaN if there is one objective.
     double hypervolume = std::numeric_limits<double>::quiet_NaN();
     double hypervolume_standard_error = hypervolume;

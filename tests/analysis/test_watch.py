@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import hashlib
+import re
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -72,6 +73,21 @@ def test_cases_are_told_and_their_best_plants_seen(phone: Phone) -> None:
     lines = "document.querySelectorAll('#convergence .line').length"
     assert phone.value(lines) == 2
     assert "±" in seen(phone, "#facts")
+
+
+def test_gains_that_are_not_re_evaluated_are_marked(phone: Phone) -> None:
+    stopped = seen(phone, "[data-file='stopped.h5']")
+    assert "best of generation about" in stopped
+    assert "not yet re-evaluated" in stopped
+    ended = seen(phone, "[data-file='case.h5']")
+    assert re.search(r"gain [+\N{MINUS SIGN}][\d.]+ ± [\d.]+ %", ended)
+    assert "about" not in ended and "not yet" not in ended
+    for file, label in (
+        ("stopped.h5", "best of generation, about"),
+        ("case.h5", "best, re-evaluated"),
+    ):
+        choose(phone, file)
+        assert label in seen(phone, "#facts")
 
 
 def test_broken_files_hide_no_others(phone: Phone) -> None:

@@ -10,10 +10,12 @@ from typing import Any
 import numpy as np
 
 from .._errors import Error
+from ..analysis.reading.estimate import NORMAL, Estimate, relative_gain
 from ..analysis.reading.file import HistoryError, Writer
 from ..analysis.reading.history import History, open_history
 from ..analysis.reading.names import distinct_names
-from ..analysis.reading.rows import Evaluation, Status
+from ..analysis.reading.rows import Status
+from ..analysis.shrinkage import shrunken
 
 RECENT = 5
 """The number of last generations that define the present rate."""
@@ -134,9 +136,34 @@ def case_of(history: History) -> dict[str, Any]:
                 state.finished, generations.wall_time.values,
                 generations.evaluations),
     }  # fmt: skip
-    baseline, best = history.baseline(), history.best()
-    told["baseline"], told["best"] = _plant(baseline), _plant(best)
+    told.update(_best(history))
     return told
+
+
+def _best(history: History) -> dict[str, Any]:
+    """Returns the first objective of the baseline and of the best plant with
+    standard errors, the gain with half of its 95 % interval [%], and whether
+    both plants were re-evaluated at the end. Before that, the best plant has
+    the value that its generation lets expect: the value by which it was chosen
+    is too good on average."""
+    pair = history.comparison()
+    is_final = pair is not None and pair.is_final
+    baseline = best = gain = None
+    if pair is not None:
+        baseline, best = pair.baseline.objective, pair.best.objective
+        if not is_final:
+            rows = history.latest().done
+            best = shrunken(rows, int(rows.ranking(1)[0]))
+        gain = pair.gain if is_final else relative_gain(best, baseline)
+        # Less of what is minimised is a gain, also where values are negative.
+        better = history.objectives[0].sign * np.sign(baseline.mean)
+        gain = gain.scaled(float(better), "%")
+    return {
+        "baseline": _pair(baseline),
+        "best": _pair(best),
+        "gain": gain and _numbers([gain.mean, NORMAL * gain.standard_error]),
+        "is_final": is_final,
+    }
 
 
 def _last_failure(history: History, failed: Any) -> str:
@@ -180,7 +207,7 @@ def _numbers(values: Any) -> list[float | None]:
     return [float(v) if np.isfinite(v) else None for v in values]
 
 
-def _plant(plant: Evaluation | None) -> list[float | None] | None:
-    if plant is None:
+def _pair(found: Estimate | None) -> list[float | None] | None:
+    if found is None:
         return None
-    return _numbers([plant.objective.mean, plant.objective.standard_error])
+    return _numbers([found.mean, found.standard_error])

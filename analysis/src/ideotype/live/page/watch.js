@@ -2,6 +2,9 @@
 // Cases of running campaigns, asked for again and again.
 
 const EVERY = 2000; // [ms]
+const PROVISIONAL = "The gain that the last generation lets expect of its best plant, with "
+  + "half of the 95 % interval. The value by which that plant was chosen is too good on average. "
+  + "At the end finalists are re-evaluated with independent random numbers, and may be better.";
 const seen = { told: null, chosen: null, plants: null, drawn: "", view: { ...START, turn: 0.75 } };
 
 async function ask() {
@@ -50,17 +53,22 @@ function showAll() {
   document.body.dataset.cases = cases.length;
 }
 
-// The gain of the best over the baseline, in per cent.
-function gainOf(each) {
-  if (!each.best || !each.baseline || !each.baseline[0]) return null;
-  return 100 * each.sign * (each.best[0] - each.baseline[0]) / Math.abs(each.baseline[0]);
+// The gain of the best plant in words, which differ until it is re-evaluated.
+function tellGain({ gain, is_final: isFinal }) {
+  if (!gain || gain[0] === null) return [];
+  const [value, half] = gain;
+  const digits = half >= 10 ? 0 : 1;
+  const told = `${tellSigned(value, digits)}${half === null ? "" : ` ± ${half.toFixed(digits)}`} %`;
+  return isFinal
+    ? [make("b", { class: "gain" }, `gain ${told}`)]
+    : [make("span", { class: "gain provisional", title: PROVISIONAL },
+      `best of generation about ${told}, not yet re-evaluated`)];
 }
 
 function boxOf(each) {
   if (each.problem)
     return make("div", { class: "bad-file" },
       make("span", { class: "state damaged" }, each.file), make("br"), each.problem);
-  const gain = gainOf(each);
   const words = [
     each.state === "finished" ? `ended after ${each.generation} generations`
       : `generation ${each.generation} of ${each.generations}`,
@@ -83,7 +91,7 @@ function boxOf(each) {
     value: each.state === "finished" ? each.generations : each.generation,
   }),
   make("span", { class: "told" },
-    ...(gain === null ? [] : [make("b", {}, `best ${tellSigned(gain, 1)} %`)]),
+    ...tellGain(each),
     ...words.map((word) => make("span", {}, word))));
 }
 
@@ -99,7 +107,8 @@ function showChosen() {
   byId("chosen-name").textContent = each.name;
   byId("facts").replaceChildren(
     fact("state", each.state_told), fact("evaluations", String(each.evaluations)),
-    fact("best", valueOf(each.best, each.unit)), fact("baseline", valueOf(each.baseline, each.unit)),
+    fact(each.is_final ? "best, re-evaluated" : "best of generation, about", valueOf(each.best, each.unit)),
+    fact("baseline", valueOf(each.baseline, each.unit)),
     fact("time so far", tellDuration(each.wall_time)), fact("left, at most", tellHours(each.core_hours_left)));
   byId("chart-name").textContent = `${each.objective.replace(/_/g, " ")}, by generation`;
   const [best, standardErrors, mean] = each.convergence;

@@ -4,6 +4,7 @@ files. test_live.py and test_talk.py talk with the program without a page."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -78,6 +79,92 @@ def test_a_slider_moves_shape_and_light_and_is_undone(phone: Phone) -> None:
     click(phone, "#again")
     settle(phone)
     assert phone.value("page.shown.genome") == genome
+
+
+def test_stop_is_readable_below_the_mouse(phone: Phone) -> None:
+    click(phone, "#improve")
+    phone.value("byId('improve').scrollIntoView({ block: 'center' })")
+    x, y = phone.value(
+        "(({ x, y, width, height }) => [x + width / 2, y + height / 2])"
+        "(byId('improve').getBoundingClientRect())"
+    )
+    phone.ask("Input.dispatchMouseEvent", type="mouseMoved", x=x, y=y)
+    assert phone.value("byId('improve').matches(':hover')")
+    assert text(phone, "#improve") == "Stop"
+    ink, paper = (
+        luminance(phone.value(f"getComputedStyle(byId('improve')).{name}"))
+        for name in ("color", "backgroundColor")
+    )
+    # Contrast by WCAG 2.1.
+    assert (max(ink, paper) + 0.05) / (min(ink, paper) + 0.05) > 4.5
+    phone.wait("byId('progress').value > 0", 60)
+    assert "provisional" in text(phone, "#improve-told")
+    click(phone, "#improve")
+    phone.wait("!search", 120)
+    assert "provisional" not in text(phone, "#improve-told")
+    assert "Light caught by leaves" in text(phone, "#improve-told")
+
+
+def luminance(color: str) -> float:
+    """Returns the relative luminance of a colour such as rgb(1, 2, 3)."""
+    parts = [int(x) / 255 for x in re.findall(r"\d+", color)[:3]]
+    red, green, blue = (
+        x / 12.92 if x <= 0.04045 else ((x + 0.055) / 1.055) ** 2.4
+        for x in parts
+    )
+    return 0.2126 * red + 0.7152 * green + 0.0722 * blue
+
+
+def test_no_button_covers_the_scale(phone: Phone) -> None:
+    for zoom in (0.5, 1.25, 2.0, 4.0):
+        phone.value(f"look({{ zoom: {zoom} }})")
+        view(phone)
+        view_box, *buttons = phone.value(
+            """[byId("view"), ...document.querySelectorAll(".looks button")]
+              .map((e) => { const r = e.getBoundingClientRect();
+                return [r.left, r.top, r.right, r.bottom]; })"""
+        )
+        metres, scale = phone.value(
+            "[Number(byId('view').dataset.metres), "
+            "Number(byId('view').dataset.scale)]"
+        )
+        end = view_box[0] + 12 + metres * scale
+        for left, top, _, _ in buttons:
+            assert left > end or top >= view_box[3]
+
+
+def test_the_sticky_box_shows_whole_lines(phone: Phone) -> None:
+    # A season has several goals.
+    phone.value(
+        "page.hello.goals = page.hello.quantities.slice(0, 3)"
+        ".map((q) => q.name); showStrip(field.numbers)"
+    )
+    cut = phone.value(
+        """(() => {
+          const box = byId("strip").getBoundingClientRect();
+          return [...byId("strip").children].filter((span) => {
+            const { top, bottom } = span.getBoundingClientRect();
+            return top < box.bottom && bottom > box.bottom;
+          }).map((span) => span.textContent);
+        })()"""
+    )
+    assert cut == []
+
+
+def test_names_and_hours_are_written_as_usual(phone: Phone) -> None:
+    phone.value("byId('all').open = true")
+    phone.wait("byId('all-numbers').children.length > 0")
+    names = phone.value(
+        "[...document.querySelectorAll('#all-numbers dt')]"
+        ".map((e) => e.textContent)"
+    )
+    assert "Absorbed PAR per leaf area" in names
+    assert not re.search(r"\b(par|Co2|co2|lai|nir)\b", " ".join(names))
+    ticks = phone.value(
+        "[...document.querySelectorAll('#by-hour .tick')]"
+        ".map((e) => e.textContent)"
+    )
+    assert len([each for each in ticks if re.fullmatch(r"\d+:00", each)]) > 3
 
 
 def test_single_leaves_are_behind_a_fold(phone: Phone) -> None:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A small chart of lines with bands of their 95 % confidence intervals.
 
-const CHART = { width: 420, height: 230, left: 46, right: 10, top: 8, bottom: 38 };
+const CHART = { width: 420, height: 230, left: 46, right: 20, top: 8, bottom: 38 };
 
 // Round numbers from low to high, about `count` of them, or whole ones.
 function ticks(low, high, isWhole = false, count = 4) {
@@ -14,10 +14,18 @@ function ticks(low, high, isWhole = false, count = 4) {
   return found;
 }
 
+// Full hours from low to high, at most seven of them.
+function hours(low, high) {
+  const step = [1, 2, 3, 4].find((s) => (high - low) / s < 7) || 6;
+  const found = [];
+  for (let t = Math.ceil(low / step) * step; t <= high; t += step) found.push(t);
+  return found;
+}
+
 // Draws lines, each with points [x, y, error], a class and a name, into an
 // <svg>. `isUpright`: y is what is known, such as height, and the error is
-// that of x.
-function drawChart(svg, { lines, xLabel, yLabel, isUpright, zero = true, isWhole, about }) {
+// that of x. `isClock`: x is hours.
+function drawChart(svg, { lines, xLabel, yLabel, isUpright, zero = true, isWhole, isClock, about }) {
   const { width, height, left, right, top, bottom } = CHART;
   const every = lines.flatMap((line) => line.points)
     .filter((p) => p[0] !== null && p[1] !== null);
@@ -38,10 +46,10 @@ function drawChart(svg, { lines, xLabel, yLabel, isUpright, zero = true, isWhole
   const atY = (y) => height - bottom - (y - y0) / (y1 - y0) * (height - top - bottom);
   const text = (content, x, y, anchor = "middle", kind = "tick") =>
     makeSvg("text", { x, y, "text-anchor": anchor, class: kind }, content);
-  for (const t of ticks(x0, x1, isWhole))
+  for (const t of isClock ? hours(x0, x1) : ticks(x0, x1, isWhole))
     svg.append(
       makeSvg("line", { class: "grid", x1: atX(t), x2: atX(t), y1: top, y2: height - bottom }),
-      text(String(t).replace("-", "−"), atX(t), height - bottom + 14));
+      text(isClock ? `${t}:00` : String(t).replace("-", "−"), atX(t), height - bottom + 14));
   for (const t of ticks(y0, y1))
     svg.append(
       makeSvg("line", { class: "grid", x1: left, x2: width - right, y1: atY(t), y2: atY(t) }),

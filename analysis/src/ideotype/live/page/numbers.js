@@ -88,7 +88,7 @@ function showNumbers(message) {
   showDay(message);
 }
 
-function chartOf(id, message, name, { isUpright, xLabel, title }) {
+function chartOf(id, message, name, { isUpright, isClock, xLabel, title }) {
   const mine = message.curves[name];
   // Rough answers lack some curves: those of before stay for a moment.
   if (message.is_rough && !mine) return;
@@ -109,7 +109,7 @@ function chartOf(id, message, name, { isUpright, xLabel, title }) {
       ...(other ? [{ points: pointsOf(other), kind: "other" }] : []),
       { points: pointsOf(mine), kind: "mine" },
     ],
-    isUpright, xLabel: isUpright ? unit : xLabel,
+    isUpright, isClock, xLabel: isUpright ? unit : xLabel,
     yLabel: isUpright ? "height (cm)" : unit,
     about: `${title}, in ${unit}`,
   });
@@ -123,7 +123,7 @@ function showCharts(message) {
   const hourly = message.curves[`${what}_by_hour`];
   if (hourly)
     chartOf("by-hour", message, `${what}_by_hour`,
-      { xLabel: "hour of the day", title: `${told} by hour` });
+      { isClock: true, xLabel: "time of day", title: `${told} by hour` });
   else if (!message.is_rough || message.curves.day_of_stage)
     byStage(message, what);
 }

@@ -15,7 +15,7 @@ function showImproved(message) {
   }
   if (!message.is_final) {
     byId("improve-told").textContent =
-      `${message.done} of ${message.of} plants tried …`;
+      `${message.done} of ${message.of} plants tried. Gains are provisional until the best plants are re-evaluated …`;
     return;
   }
   endSearch();
@@ -25,7 +25,7 @@ function showImproved(message) {
 function tellGain(message) {
   if (message.problem) return message.problem;
   const quantity = page.hello.quantities.find((q) => q.name === message.goal);
-  const name = quantity.label.toLowerCase();
+  const name = quantity.label;
   if (!message.is_better)
     return `No better plant was found for “${name}” in ${message.done} trials; yours is shown again.`;
   const error = halfWidth(message.standard_error);
@@ -39,7 +39,7 @@ function endSearch() {
   search = null;
   byId("progress").hidden = true;
   byId("improve").textContent = "Improve from here";
-  byId("improve").classList.remove("is-stop");
+  byId("improve").classList.replace("is-stop", "primary");
 }
 
 function improve() {
@@ -55,7 +55,7 @@ function improve() {
   byId("progress").value = 0;
   byId("progress").max = page.hello.evaluations;
   byId("improve").textContent = "Stop";
-  byId("improve").classList.add("is-stop");
+  byId("improve").classList.replace("primary", "is-stop");
   byId("improve-told").textContent = "The first plants are tried …";
   tell({ kind: "improve", number: searches, goal: byId("goal").value, ...page.shown });
 }

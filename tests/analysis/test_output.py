@@ -254,6 +254,20 @@ def test_every_option_for_an_output_refuses_links(
     assert precious.read_text() == "precious"
 
 
+def test_outputs_that_must_be_new_replace_nothing(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    to, no = tmp_path / "precious", str(tmp_path / "none.toml")
+    to.write_text("precious")
+    for main, words in (
+        (compare.main, [no, "--under", no, "--csv", str(to)]),
+        (fit.main, [no, "--crop", no, "--to", str(to)]),
+    ):
+        assert main(words) == 4
+        assert f"{to}: this file exists already" in capsys.readouterr().err
+    assert to.read_text() == "precious"
+
+
 def test_figures_are_written_in_the_format_of_their_name(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -246,4 +246,4 @@ def test_seeds_are_put_together_in_a_cross_evaluation() -> None:
     assert lonely[1].below == pytest.approx(0.0196)
     axes, _ = draw_cross(cross).axes
     texts = [text.get_text() for text in axes.texts]
-    assert texts[0] == "100.00\n±11.45" and len(texts) == 5
+    assert texts[0] == "100\n±11" and len(texts) == 5

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import csv
+import re
 from pathlib import Path
 
 import numpy as np
@@ -42,6 +43,22 @@ def test_a_figure_is_a_vector_file_that_is_the_same_again(
     assert "data:image/webp" in texts[0] and len(texts[0]) < 200_000
     draw(tmp_path, True, Drawing("some", "Is it?", "", make))
     assert (tmp_path / "some.pdf").read_bytes().startswith(b"%PDF")
+
+
+def test_words_of_a_figure_keep_their_digits(tmp_path: Path) -> None:
+    def make() -> Figure:
+        figure = Figure()
+        axes = figure.add_subplot()
+        axes.set_title("0.8012 ± 0.0039")
+        axes.set_xticks([0.0, 0.125, 0.25])
+        return figure
+
+    picture = draw(tmp_path, False, Drawing("some", "Is it?", "", make))
+    assert isinstance(picture, Picture)
+    text = (tmp_path / "some.svg").read_text()
+    assert ">0.8012 ± 0.0039</text>" in text
+    assert ">0.125</text>" in text
+    assert not re.search(r'="[^"<>]*\d\.\d{3,}', text)
 
 
 def test_the_numbers_of_each_kind_of_mark_are_told(tmp_path: Path) -> None:

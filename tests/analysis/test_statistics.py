@@ -11,7 +11,11 @@ import pytest
 
 from ideotype.analysis import Estimate
 from ideotype.analysis.figures.shape import circular_mean_and_deviation
-from ideotype.analysis.reading.estimate import difference, relative_gain
+from ideotype.analysis.reading.estimate import (
+    difference,
+    relative_gain,
+    with_interval,
+)
 
 
 def test_angles_are_averaged_on_the_circle() -> None:
@@ -44,6 +48,22 @@ def test_the_error_decides_the_digits(
     mean: float, error: float, text: str
 ) -> None:
     assert Estimate(mean, error).interval_text() == text
+
+
+@pytest.mark.parametrize(
+    ("below", "above", "text"),
+    [
+        (0.0039, 0.0039, "1.2800 ± 0.0039"),
+        (3e-8, 3e-8, "1.280000000 ± 0.000000030"),
+        (0.0, 0.003, "1.2800 \N{MINUS SIGN}0.0000 +0.0030"),
+        (0.0, 0.0, "1.28"),
+        (25.0, 25.0, "1 ± 25"),
+    ],
+)
+def test_no_error_is_rounded_to_nothing(
+    below: float, above: float, text: str
+) -> None:
+    assert with_interval(1.28, below, above) == text
 
 
 def test_the_error_of_a_gain_is_that_of_independent_figures() -> None:

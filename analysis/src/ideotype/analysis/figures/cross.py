@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from ..case import Case
 from ..interval import Interval, interval, meaning, over_searches
-from ..reading.estimate import Estimate, relative_gain
+from ..reading.estimate import Estimate, relative_gain, with_interval
 from ..reading.file import HistoryError
 from . import style
 
@@ -160,7 +160,7 @@ def draw_cross(cross: Cross) -> Figure:
         if np.isnan(value):
             continue
         axes.text(
-            j, i, f"{value:.2f}\n±{error[i, j]:.2f}",
+            j, i, _cell(float(value), float(error[i, j])),
             ha="center", va="center", fontsize=8,
             color="white" if value < middle else "black",
         )  # fmt: skip
@@ -181,3 +181,7 @@ def draw_cross(cross: Cross) -> Figure:
         f"{worst[robust]:.1f} % of the best there.",
     )
     return figure
+
+
+def _cell(value: float, error: float) -> str:
+    return with_interval(value, error, error).replace(" ± ", "\n±")

@@ -192,11 +192,11 @@ def _write(
     axes: Axes, x: int, y: int, found: Interval, norm: Normalize
 ) -> None:
     dark = abs(float(norm(found.mean)) - 0.5) > 0.33
-    minus = "\N{MINUS SIGN}"
-    errors = [f"{end:.1f}" for end in (found.below, found.above)]
-    told = "-{} +{}" if errors[0] != errors[1] else "±{}"
+    plus = "+" if found.mean > 0 else ""
+    number, _, rest = found.number().partition(" ")
+    text = f"{plus}{number}\n{rest.replace('± ', '±')}"
     axes.text(
-        x, y, f"{found.mean:+.1f}\n{told.format(*errors)}".replace("-", minus),
+        x, y, text.replace("-", "\N{MINUS SIGN}"),
         ha="center", va="center", fontsize=8,
         color="white" if dark else "black",
     )  # fmt: skip

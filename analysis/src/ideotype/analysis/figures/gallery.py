@@ -98,14 +98,17 @@ def _svg(figure: Figure) -> str:
     out = io.StringIO()
     canvas = FigureCanvasSVG(figure)
     canvas.print_svg(out, metadata={"Date": None})  # type: ignore[no-untyped-call]
-    # Coordinates in tenths of a point are finer than screens and printers.
-    text = re.sub(
-        r"\d+\.\d{3,}", lambda m: f"{float(m[0]):.2f}", out.getvalue()
-    )
+    text = re.sub("<[^>]+>", _with_short_numbers, out.getvalue())
     text = text.replace("'DejaVu Sans'", "'DejaVu Sans', Verdana, sans-serif")
     return re.sub(
         r"data:image/png;base64,([^\"]*)", lambda m: _smaller(m[1]), text
     )
+
+
+def _with_short_numbers(tag: re.Match[str]) -> str:
+    """Rounds the coordinates of a tag, but no words between tags: hundredths
+    of a point are finer than screens and printers."""
+    return re.sub(r"\d+\.\d{3,}", lambda m: f"{float(m[0]):.2f}", tag[0])
 
 
 def _smaller(png: str) -> str:

@@ -12,17 +12,22 @@ from numpy.typing import NDArray
 NORMAL = 1.960
 """Half the width of a 95 % interval over the standard error."""
 
+_EXACT = 1e-9
+"""The error over the number below which a number is exact."""
+
 DAILY_ENERGY = "MJ m-2 day-1"
 
 
 def with_interval(mean: float, below: float, above: float) -> str:
     """Returns "1.50 ± 0.06", or "1.50 -0.06 +0.20"; the smaller distance
-    decides the number of digits."""
+    decides the number of digits, so that none is rounded to 0. An exact number
+    has no interval."""
     if not math.isfinite(below + above):
         return f"{mean:.4g} ± ?"
-    digits = 2
-    if (least := min(below, above)) > 0:
-        digits = min(max(1 - math.floor(math.log10(least)), 0), 6)
+    known = [end for end in (below, above) if end > _EXACT * abs(mean)]
+    if not known:
+        return f"{mean:.4g}"
+    digits = max(1 - math.floor(math.log10(min(known))), 0)
     ends = [f"{end:.{digits}f}" for end in (below, above)]
     if ends[0] == ends[1]:
         return f"{mean:.{digits}f} ± {ends[0]}"
@@ -55,9 +60,9 @@ class Estimate:
     def interval_text(self) -> str:
         """Returns mean and half of the 95 % interval; an exact number, or a
         number without a known error, has no interval."""
-        half_width = NORMAL * self.standard_error
-        if not half_width > 1e-9 * abs(self.mean):
+        if not math.isfinite(self.standard_error):
             return f"{self.mean:.4g}"
+        half_width = NORMAL * self.standard_error
         return with_interval(self.mean, half_width, half_width)
 
     def __str__(self) -> str:

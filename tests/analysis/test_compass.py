@@ -4,12 +4,14 @@
 from __future__ import annotations
 
 import shutil
+from itertools import combinations
 from pathlib import Path
 
 import h5py
 import numpy as np
 import pytest
 from made_layout import seal
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from ideotype.analysis.figures.azimuths import draw_azimuths
@@ -40,6 +42,22 @@ def norths(figure: Figure) -> list[tuple[float, float]]:
         for text in axes.texts
         if text.get_gid() == "north" and text.get_text() == "N"
     ]
+
+
+@pytest.mark.parametrize("direction", [0.0, 20.0, 90.0, 180.0])
+def test_labels_of_the_compass_do_not_overlap(
+    finished: Path, tmp_path: Path, direction: float
+) -> None:
+    with open_study(turned(finished, tmp_path, direction)) as study:
+        figure = draw_azimuths(study.cases()[0])
+    canvas = FigureCanvasAgg(figure)
+    canvas.draw()
+    # The compass is the narrow panel, in which north is named.
+    (axes,) = (a for a in figure.axes if any(t.get_gid() for t in a.texts))
+    boxes = [t.get_window_extent() for t in axes.texts if t.get_text()]
+    assert len(boxes) == 3
+    for one, other in combinations(boxes, 2):
+        assert not one.overlaps(other)
 
 
 @pytest.mark.parametrize("direction", [0.0, 30.0, 90.0])

@@ -26,6 +26,7 @@ from ideotype.analysis.trend import (
     verdict,
 )
 
+
 def means(
     count: int, noise: float, rise: float = 0.0, seed: int = 1
 ) -> NDArray[np.float64]:
@@ -184,7 +185,10 @@ def test_the_sentence_follows_the_evidence(
 
 def test_a_race_of_searches_is_not_the_end(tmp_path: Path) -> None:
     flat = 11 + 1e-5 * np.sin(np.arange(15))
-    for optimizer, begin in (("ga", "Yes: "), ("auto", "Cannot tell: the race")):
+    for optimizer, begin in (
+        ("ga", "Yes: "),
+        ("auto", "Cannot tell: the race"),
+    ):
         folder = tmp_path / optimizer
         folder.mkdir()
         assert sentence(folder, [flat], optimizer).startswith(begin)
@@ -197,7 +201,9 @@ def test_a_race_of_searches_is_not_the_end(tmp_path: Path) -> None:
 def test_the_race_is_as_long_as_the_program_has_it() -> None:
     """The race follows a generation of designed plants."""
     source = Path(__file__).parents[2] / "src/search/cma_es/auto_search.cpp"
-    found = re.search(r"constexpr std::size_t race = (\d+)", source.read_text())
+    found = re.search(
+        r"constexpr std::size_t race = (\d+)", source.read_text()
+    )
     assert found and int(found[1]) + 1 == convergence.RACE
 
 

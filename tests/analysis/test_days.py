@@ -111,10 +111,22 @@ def test_a_gain_by_losing_less_is_named(tmp_path: Path) -> None:
     ("best", "error", "end"),
     [
         # Assimilation is known too badly to exclude that it is larger.
-        ((1.39, 0.42), 0.02, "less by respiration and the building of leaves."),
-        ((1.43, 0.47), 0.002, "less by respiration and the building of leaves."),
+        (
+            (1.39, 0.42),
+            0.02,
+            "less by respiration and the building of leaves.",
+        ),
+        (
+            (1.43, 0.47),
+            0.002,
+            "less by respiration and the building of leaves.",
+        ),
         ((1.50, 0.52), 0.002, "it gains by assimilating more."),
-        ((1.30, 0.45), 0.002, "less by respiration and the building of leaves."),
+        (
+            (1.30, 0.45),
+            0.002,
+            "less by respiration and the building of leaves.",
+        ),
     ],
 )
 def test_a_cause_is_named_only_if_numbers_show_it(

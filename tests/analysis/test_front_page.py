@@ -20,7 +20,7 @@ from made_numbers import (
     final_absorbed,
     genome,
 )
-from phone import HEIGHT, phone_with
+from phone import HEIGHT, WIDTH, phone_with
 from real_program import output_of, write_campaign
 
 import ideotype
@@ -100,6 +100,36 @@ def test_shapes_need_no_special_processor(tmp_path: Path) -> None:
     with open_study(path) as study:
         (case,) = study.cases()
         assert len(build_plants(case).members) == 3
+
+
+def test_a_hidden_view_is_drawn_when_it_shows(
+    history: Path, tmp_path: Path
+) -> None:
+    page = page_of(tmp_path, history)
+    panel = "document.getElementById('view-panel')"
+    frame = (
+        "new Promise((done) => requestAnimationFrame(() => setTimeout(done)))"
+    )
+    with phone_with(page, tmp_path, WIDTH) as phone:
+        phone.value(frame)
+        before = phone.value(LOOK)
+        phone.value(f"{panel}.style.display = 'none'")
+        phone.value("dispatchEvent(new Event('resize'))")
+        # While the view is hidden, keys and lists work.
+        phone.value(
+            "for (const id of ['view-quantity', 'view-right']) document"
+            ".getElementById(id).dispatchEvent(new Event('change'))"
+        )
+        phone.value(frame)
+        assert not phone.errors, phone.errors
+        phone.value(f"{panel}.style.cssText = 'width: 300px'")
+        narrow = (
+            "document.getElementById('view').width === 2 * 300 "
+            "&& Number(document.getElementById('view').dataset.faces) > 0"
+        )
+        phone.wait(narrow)
+        assert phone.value(LOOK) != before
+        assert not phone.errors, phone.errors
 
 
 @pytest.mark.parametrize("width", [390, 1280])

@@ -120,7 +120,9 @@ def test_a_read_only_file_in_a_read_only_folder_is_read(
     folder.chmod(0o555)
     try:
         with open_history(path) as history:
-            assert str(history.state()) == "finished (generations)"
+            assert (
+                str(history.state()) == "finished (reached stop.generations)"
+            )
     finally:
         folder.chmod(0o755)
     assert os.listdir(folder) == ["case.h5"]

@@ -63,7 +63,7 @@ def test_summaries_and_finals_are_read(sample: History) -> None:
     assert generations.best.values[3] == 10.59557139073501
     assert generations.mean.values[3] == 10.388675979723805
     assert sample.finalists().objectives[2, 0] == 10.274444431028046
-    assert str(sample.state()) == "finished (generations)"
+    assert str(sample.state()) == "finished (reached stop.generations)"
     (session,) = sample.sessions()
     assert session.command.endswith(
         "ideotype run sample.toml --isa avx2 --out new"

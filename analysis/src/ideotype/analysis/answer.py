@@ -10,8 +10,8 @@ import numpy as np
 
 from .._errors import Error
 from .._labels import words
-from .bounds import bounds_in_words
 from .blocks import Answer, Block, Note, Table
+from .bounds import bounds_in_words
 from .case import Case
 from .figures.comparison import known_cases
 from .figures.style import unit_label
@@ -204,6 +204,11 @@ def _listed(words_of: Sequence[str]) -> str:
     return f"{', '.join(others)} and {last}" if others else last
 
 
+def _shown(measure: str, value: float) -> float:
+    """Returns a measure as it is printed: azimuths are below 360."""
+    return round(value) % 360 if measure == "azimuth" else value
+
+
 def leaf_table(case: Case) -> Block:
     """Returns the leaves of the best plant, the highest first, with the leaves
     of the baseline in brackets; or the reason why leaves are not known."""
@@ -223,10 +228,14 @@ def leaf_table(case: Case) -> Block:
     rows = []
     for leaf in best.index[::-1]:
         cells = [
-            f"{factor * best[name][leaf]:.{digits}f} "
-            f"({factor * baseline[name][leaf]:.{digits}f})"
+            " ".join(
+                form.format(f"{_shown(name, factor * measures[leaf]):.{digits}f}")
+                for form, measures in (
+                    ("{}", best[name]), ("({})", baseline[name]),
+                )
+            )
             for name, _, factor, digits in shown
-        ]
+        ]  # fmt: skip
         rows.append([str(leaf), *cells])
     return Table(
         ("leaf", *(title for _, title, *_ in shown)),

@@ -53,6 +53,9 @@ class Table:
     header: Sequence[str]
     rows: Sequence[Sequence[str]]
     caption: str = ""
+    has_long_cells: bool = False
+    """Whether cells have long texts, so that a narrow screen shows them below
+    each other."""
 
 
 @dataclass(frozen=True)

@@ -93,6 +93,4 @@ def bounds_in_words(cases: Sequence[Case]) -> str:
     if not found:
         return ""
     limit = "the bound" if len(found) == 1 else "these bounds"
-    return (
-        f"{', '.join(map(str, found))}; the gain may be limited by {limit}"
-    )
+    return f"{', '.join(map(str, found))}; the gain may be limited by {limit}"

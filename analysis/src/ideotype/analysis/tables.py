@@ -5,8 +5,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 
-from .bounds import bounds_in_words
 from .blocks import Block, Note, Table
+from .bounds import bounds_in_words
 from .case import Case
 from .figures.comparison import ELITE, intervals_of
 from .figures.cross import Cross

@@ -59,9 +59,7 @@ def direction_words(case: Case, trait: str) -> tuple[str, str]:
     for each in declared:
         if each["name"] == trait:
             measures = [m for e in _EFFECTS for m in each.get(e, [])]
-    return next(
-        (_DIRECTIONS[m] for m in measures if m in _DIRECTIONS), _OTHER
-    )
+    return next((_DIRECTIONS[m] for m in measures if m in _DIRECTIONS), _OTHER)
 
 
 def change_in(case: Case, trait: str) -> TraitChange:

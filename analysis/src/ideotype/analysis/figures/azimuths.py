@@ -131,9 +131,16 @@ def _draw_compass(axes: Axes, case: Case) -> None:
     axes.set_axis_off()
     axes.set_aspect("equal")
     axes.set_anchor("N")
-    axes.set(xlim=(-1.5, 1.5), ylim=(-1.75, 1.5))
+    axes.set(xlim=(-1.5, 1.5), ylim=(-2.4, 2.1))
     axes.plot([0, 0], [-1, 1], color=style.QUIET, linestyle="--")
-    axes.text(0, 1.1, "row, 0°", ha="center", va="bottom", fontsize=8)
+    direction = row_direction(case)
+    # The N of the arrow is at 1.12, and may be at the end of the row.
+    cosine = 0.0 if direction is None else np.cos(np.deg2rad(direction))
+    is_near, is_far = cosine > 0.7, cosine < -0.7
+    axes.text(
+        0, 1.55 if is_near else 1.1, "row, 0°", ha="center", va="bottom",
+        fontsize=8, gid="row",
+    )  # fmt: skip
     turn = np.deg2rad(np.linspace(10, 80, 30))
     x, y = 0.62 * np.sin(turn), 0.62 * np.cos(turn)
     axes.plot(x, y, color=style.QUIET)
@@ -142,9 +149,9 @@ def _draw_compass(axes: Axes, case: Case) -> None:
         arrowprops=_ARROW | {"color": style.QUIET},
     )  # fmt: skip
     axes.text(
-        0, -1.1, "azimuths\nclockwise", ha="center", va="top", fontsize=8
-    )
-    direction = row_direction(case)
+        0, -1.55 if is_far else -1.1, "azimuths\nclockwise", ha="center",
+        va="top", fontsize=8,
+    )  # fmt: skip
     if direction is None:
         return
     north = -np.deg2rad(direction)

@@ -82,7 +82,7 @@ CASE_FIGURES: dict[str, CaseFigure] = {
     "assimilation": CaseFigure(
         draw_assimilation,
         "When do the leaves assimilate, and which of them?",
-        "CO2 that leaves take up, gross by hour, and gross and net of their "
+        "CO₂ that leaves take up, gross by hour, and gross and net of their "
         "respiration by leaf rank, per area of ground.",
     ),
     "days": CaseFigure(

@@ -31,6 +31,10 @@ _PARTS = {
 }
 """The parts of the light: colour and hatch."""
 
+_SEEN = 0.01
+"""Half of the shortest interval that is drawn on a part of the light: shorter
+ones are dots on the bar."""
+
 _ORGANS = {"stalk": "stalks", "sheath": "sheaths"}
 
 
@@ -220,7 +224,7 @@ def _draw_balance(
                 axes.barh(
                     y, share.mean, 0.34, left=start, color=color, hatch=hatch,
                     edgecolor="white", linewidth=0.5,
-                    xerr=bars([share]),
+                    xerr=bars([share]) if share.above > _SEEN else None,
                     error_kw={"elinewidth": 1, "capsize": 2}, label=part,
                 )  # fmt: skip
                 start += share.mean

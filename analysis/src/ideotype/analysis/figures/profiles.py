@@ -53,7 +53,8 @@ class Course:
 def course_of(case: Case, name: str) -> Course:
     """Returns a quantity of a history as a course."""
     return Course(
-        title_of(name), {who: getattr(case, who).profile(name) for who in PLANTS}
+        title_of(name),
+        {who: getattr(case, who).profile(name) for who in PLANTS},
     )
 
 
@@ -159,7 +160,8 @@ def _draw_course(axes: Axes, course: Course) -> None:
             half_width(found.standard_error),
             **looks | _SIZE,
         )
-    axes.set_ylim(bottom=min(0.0, min(map(_lowest, course.plants.values()))))
+    lowest = min(map(_lowest, course.plants.values()))
+    axes.set_ylim(bottom=min(0.0, 1.1 * lowest))
     if found.labels.dtype.kind == "U":
         days = _instants(found)[:: -(-len(found.labels) // 4)]
         axes.set_xticks(days, [f"{day:%-d %b}" for day in days.tolist()])
@@ -209,8 +211,8 @@ def draw_layers(case: Case) -> Figure:
     at the middle of their layers."""
     names = names_along(case, "layer", "height layer")
     figure, panels = _draw_along(case, names)
-    for axes in panels:
-        axes.set_ylim(bottom=0)
+    for axes, name in zip(panels, names):
+        axes.set_ylim(0, _top(case, name))
         axes.set_ylabel("height above the soil [m]")
     heights = []
     for plant in (case.best, case.baseline):
@@ -223,6 +225,19 @@ def draw_layers(case: Case) -> Figure:
         f"plant, and {heights[1]} by the baseline.",
     )
     return figure
+
+
+def _top(case: Case, name: str) -> float:
+    """Returns the height of the lowest layer that is above both plants."""
+    heights: NDArray[np.float64] = case.best.profile(name).labels
+    reached = [
+        np.flatnonzero(getattr(case, who).profile(name).values)
+        for who in PLANTS
+    ]
+    top = max((int(each[-1]) for each in reached if len(each)), default=0)
+    if top + 1 < len(heights):
+        return float(heights[top + 1])
+    return float(heights[-1] + np.diff(heights, prepend=0.0)[-1])
 
 
 def _draw_along(case: Case, names: list[str]) -> tuple[Figure, NDArray]:

@@ -174,9 +174,10 @@ function rasterOf(canvas, width, height) {
 // Draws plants beside each other, each with its case, which may have `objects`
 // and say how `paler` neighbours are, and the values of its groups. Returns how
 // many of their faces were drawn, the pixels of a metre, and the length of the
-// scale.
+// scale. A canvas without a size, as while it is hidden, stays as it is.
 function drawScene(canvas, shown, view, hasNeighbours) {
   const [width, height] = [canvas.clientWidth, canvas.clientHeight];
+  if (!width || !height) return { faces: 0, scale: 0, metres: 0 };
   // two pixels a point have smooth edges; too many are slow to turn
   const dense = Math.min(
     Math.max(window.devicePixelRatio || 1, 2),

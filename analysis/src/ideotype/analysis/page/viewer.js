@@ -178,7 +178,9 @@ for (const list of sides) list.addEventListener("change", choose);
 pairList.addEventListener("change", drawFront);
 quantityList.addEventListener("change", draw);
 neighbours.addEventListener("change", draw);
-window.addEventListener("resize", drawAll);
+// Parts that were hidden have no size until they show.
+const sizes = new ResizeObserver(() => requestAnimationFrame(drawAll));
+for (const name of ["", "-chart"]) sizes.observe(part(name));
 const ramp = STOPS.map((color) => `rgb(${color.join()})`).join();
 part("-ramp").style.background = `linear-gradient(to right, ${ramp})`;
 for (const list of sides) fillPlants(list);

@@ -50,6 +50,7 @@ def provenance(cases: Sequence[Case]) -> list[Block]:
             ("file", "started (UTC)", "host", "ranks", "command"),
             starts,
             "Starts of the program",
+            has_long_cells=True,
         ),
     ]
     shown: set[str] = set()

@@ -11,6 +11,17 @@ from numpy.typing import NDArray
 from .file import Writer
 from .quantity import Quantity
 
+_REASONS = {
+    "generations": "reached stop.generations",
+    "room": "reached stop.generations",
+    "evaluations": "reached stop.evaluations",
+    "wall_time": "reached stop.wall_time",
+    "no_gain": "gained no more, by stop.no_gain",
+}
+"""The reasons for an end in words, as in the state of a file. An optimiser with
+generations of changing sizes may fill the room of its file before the number
+of generations is reached."""
+
 
 @dataclass(frozen=True)
 class State:
@@ -25,7 +36,7 @@ class State:
 
     def __str__(self) -> str:
         if self.finished:
-            return f"finished ({self.reason})"
+            return f"finished ({_REASONS.get(self.reason, self.reason)})"
         return {
             Writer.WRITING: "running",
             Writer.CLOSED: "stopped; ideotype run --resume goes on with it",

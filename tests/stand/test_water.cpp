@@ -53,7 +53,8 @@ TEST(Water, GrossAssimilationIsBeforeRespiration) {
                    net = number("net_assimilation"),
                    balance_of_carbon = number("carbon_balance"),
                    respiration = number("respiration");
-    EXPECT_NEAR(gross.mean, 0, 1e-6);
+    // Temperatures of solved leaves are known to some 0.003 K.
+    EXPECT_LT(std::abs(gross.mean), 1e-4 * std::abs(net.mean));
     EXPECT_LT(net.mean, 0);
     EXPECT_GT(respiration.standard_error, 0);
     // Respiration in the dark is that at the temperature of the air.

@@ -74,7 +74,7 @@ def test_a_fall_is_no_convergence() -> None:
 
 
 def test_intervals_hold_the_true_gain() -> None:
-    """Of 400 searches with a known trend, 95 % of intervals hold it."""
+    """Intervals of 95 % of 400 searches with a known trend include it."""
     count, rise = 60, 0.003
     held = 0
     for seed in range(400):

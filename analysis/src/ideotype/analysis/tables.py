@@ -48,8 +48,8 @@ def gains(cases: Sequence[Case], cross: Cross | None) -> list[Block]:
             f"{_unit(cases)}.",
         )
     ]
-    blocks += _at_bounds(cases)
     blocks += [Note(text) for text in _remarks(cases, cross)]
+    blocks += _at_bounds(cases)
     return blocks
 
 

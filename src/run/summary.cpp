@@ -184,10 +184,10 @@ CaseResult result_of(const History& history) {
 
 std::string to_text(const CaseResult& result, const std::string& path,
                     const std::string& state) {
-    std::string line = fmt::format(
-        "{}: {}{}, {} of {} plants in {} generation{}", path, state,
-        ended_by(result), result.plants, result.most_plants, result.complete,
-        result.complete == 1 ? "" : "s");
+    std::string line =
+        fmt::format("{}: {}{}, {} of {} plants in {} generation{}", path, state,
+                    ended_by(result), result.plants, result.most_plants,
+                    result.complete, result.complete == 1 ? "" : "s");
     if (result.best)
         line += fmt::format(
             ", best {}{} {}", result.is_evaluated_again ? "" : "about ",

@@ -206,7 +206,9 @@ def _curves(layout: Layout, mean: Array, error: Array) -> dict[str, Any]:
         name: {
             "at": list(layout.axes[layout.places[name][1][0]]),
             "values": [_json(v) for v in mean[layout.places[name][0]]],
-            "standard_errors": [_json(v) for v in error[layout.places[name][0]]],
+            "standard_errors": [
+                _json(v) for v in error[layout.places[name][0]]
+            ],
             "unit": layout.about[name]["unit"],
         }
         for name in _CURVES

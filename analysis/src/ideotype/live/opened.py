@@ -146,7 +146,9 @@ def _map_of(
             {
                 "cell": atlas.cells[i, :2].tolist(),
                 "value": float(leaders.objectives[i, 0]),
-                "standard_error": float(leaders.objectives_standard_error[i, 0]),
+                "standard_error": float(
+                    leaders.objectives_standard_error[i, 0]
+                ),
                 "is_confirmed": bool(atlas.is_confirmed[i]),
                 "genome": complete(leaders.genome[i]).tolist(),
             }

@@ -105,11 +105,11 @@ TEST(SkyChecks, ThereIsNothingToWarnOfInTheCampaigns) {
 TEST(Light, FewPathsThatCannotDetermineAssimilationAreWarnedOf) {
     const auto warnings = [](const std::string& objective, int paths,
                              const std::string& more = "") {
-        return warnings_of(
-            sample_text("", fmt::format("[photosynthesis]\n[objective]\n"
-                                        "maximise = \"{}\"\n[light]\n"
-                                        "paths = {}\n{}",
-                                        objective, paths, more)));
+        return warnings_of(sample_text(
+            "", fmt::format("[photosynthesis]\namax = 50\n[objective]\n"
+                            "maximise = \"{}\"\n[light]\n"
+                            "paths = {}\n{}",
+                            objective, paths, more)));
     };
     EXPECT_THAT(warnings("net_assimilation", 71),
                 testing::HasSubstr("too few to determine the objective"));

@@ -91,7 +91,7 @@ wait_for_end() {
 
 committed() {
     [ -e "$1" ] || { echo 0; return; }
-    "$ideotype" status "$1" | sed -n 's/.*, \([0-9]*\) of [0-9]* generations.*/\1/p'
+    "$ideotype" status "$1" | sed -n 's/.*, \([0-9]*\) of [0-9]* plants in .*/\1/p'
 }
 
 # Counts what is wrong with the file of a killed run.
@@ -104,9 +104,9 @@ look() {
         unreadable=$((unreadable + 1))
         return
     fi
-    reported=$(sed -n "s/.*  generation [0-9]*, \([0-9]*\) of .*/\1/p" "$log" | tail -1)
+    reported=$(sed -n "s/.*  generation [0-9]*, \([0-9]*\) of [0-9]* plants.*/\1/p" "$log" | tail -1)
     if [ "$(committed "$history")" -lt "${reported:-0}" ]; then
-        echo "lost: the log had $reported generations; $text" >&2
+        echo "lost: the log had $reported plants; $text" >&2
         lost=$((lost + 1))
     fi
     [ -n "$python" ] || return 0
@@ -192,7 +192,7 @@ while [ $done_kills -lt "$kills" ]; do
         after=$(committed "$history")
         if [ ! -e "$history" ]; then
             place=start
-        elif [ "$after" -eq "$generations" ]; then
+        elif [ "$after" -eq $((generations * population)) ]; then
             place=finals
         elif [ "$after" -eq "$before" ]; then
             place=resume

@@ -41,8 +41,8 @@ def main() -> int:
         expected, found = whole.evaluations(), killed.evaluations()
         count = whole.generations().count
         committed = len(killed.generations())
-    if len(found) < count[: max(int(reported), committed)].sum():
-        print(f"lost: {len(found)} rows, {reported} generations reported")
+    if len(found) < max(int(reported), count[:committed].sum()):
+        print(f"lost: {len(found)} rows, {reported} plants reported")
         return 4
     same = values(expected.take(found.row))
     for a, b in zip(same, values(found), strict=True):

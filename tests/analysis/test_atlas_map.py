@@ -33,7 +33,9 @@ def run(folder: Path, *axes: tuple[str, tuple[float, float, int]]) -> Path:
         f"range = [{low}, {high}]\ncells = {cells}\n"
         for name, (low, high, cells) in axes
     )
-    told = campaign.read_text().replace("population = 6\n", search)
+    told = campaign.read_text().replace(
+        'optimizer = "ga"\npopulation = 6\n', search
+    )
     campaign.write_text(told.replace("candidates = 2\n", ""))
     output = output_of("run", campaign, "--out", folder)
     (path,) = (folder / "tiny").glob("*.h5")

@@ -154,7 +154,8 @@ def test_plants_that_grow_are_there_as_they_stood(tmp_path: Path) -> None:
         word
         for key in (
             *("light.stages=3", "light.paths=64", "light.randomisations=4"),
-            *("search.population=4", "stop.generations=1"),
+            *("search.optimizer=ga", "search.population=4"),
+            "stop.generations=1",
             *(
                 "final.paths=64",
                 "final.randomisations=4",

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import io
 from pathlib import Path
 
 import matplotlib
@@ -26,7 +27,7 @@ from matplotlib.figure import Figure
 from ideotype.analysis import HistoryError
 from ideotype.analysis.figures.azimuths import draw_azimuths
 from ideotype.analysis.figures.convergence import draw_convergence
-from ideotype.analysis.figures.figure_numbers import write_numbers
+from ideotype.analysis.figures.figure_numbers import numbers
 from ideotype.analysis.figures.profiles import (
     draw_hours,
     draw_layers,
@@ -76,7 +77,7 @@ def test_convergence_shows_best_mean_spread_and_baseline(
     assert len(level["mean"]) == 6
     light = "absorbed PAR [MJ m⁻² day⁻¹ of ground]"
     assert {"generation", light} <= labels(figure)
-    assert "mean ± standard deviation" in labels(figure)
+    assert "standard deviation about the mean" in labels(figure)
 
 
 def test_traits_show_ten_plants_and_bounds(finished: Path) -> None:
@@ -99,14 +100,12 @@ def test_traits_show_ten_plants_and_bounds(finished: Path) -> None:
     assert "baseline" in labels(figure) and "bounds" in labels(figure)
 
 
-def test_numbers_of_bounds_are_their_ends(
-    finished: Path, tmp_path: Path
-) -> None:
+def test_numbers_of_bounds_are_their_ends(finished: Path) -> None:
     with open_study(finished) as study:
         case = study.cases()[0]
-        write_numbers(draw_traits(case), tmp_path / "traits.csv")
+        text = numbers(draw_traits(case))
         genes = case.genes
-    table = pandas.read_csv(tmp_path / "traits.csv")
+    table = pandas.read_csv(io.StringIO(text))
     found = table[table.series == "bounds"]
     assert found.x.isna().all()
     columns = genes.columns("length")
@@ -186,7 +185,7 @@ def test_azimuths_are_polar_and_averaged_on_the_circle(
     (mean,) = [
         line
         for line in axes.lines
-        if line.get_label() == "circular mean ± deviation"
+        if line.get_label() == "circular mean and deviation"
     ]
     first = np.rad2deg(mean.get_xdata()[0])
     # Slots 11 ... 6 and 4 ... 1 have 355 + slot deg.

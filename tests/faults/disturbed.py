@@ -259,9 +259,9 @@ def wrong_rows(group: str, whole: Numbers, found: Numbers) -> list[str]:
 def lost_rows(found: Numbers, output: str) -> list[str]:
     """Returns the rows that were reported but are missing."""
     reported = [
-        int(n) for n in re.findall(r"generation \d+, (\d+) of", output)
+        int(n)
+        for n in re.findall(r"generation \d+, (\d+) of \d+ plants", output)
     ]
-    count = found["generations/count"]
-    rows = int(count[: max(reported, default=0)].sum())
+    rows = max(reported, default=0)
     done = np.isin(found["evaluations/status"][:rows], _DONE)
     return [] if done.all() else ["a reported row is lost"]

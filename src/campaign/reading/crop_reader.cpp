@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 void CropReader::read_key(const toml::node& baseline, const std::string& key) {
     if (const toml::table* table = baseline.as_table())
-        return read_plant(*table, file_);
+        return read_crop(*table, file_);
     const bool is_path = baseline.is_string();
     if (!is_path || source_ == PlantSource::table)
         return problems_.add(
@@ -34,21 +34,6 @@ void CropReader::read_key(const toml::node& baseline, const std::string& key) {
 }
 
 void CropReader::read_crop(const toml::table& table, const std::string& file) {
-    // Campaigns have this table as [field.variation], so that what a crop file
-    // has of it changes no campaign.
-    draft_.crop_variation.reset();
-    std::vector<Table> of_file;
-    CropVariation unused;
-    if (table.contains("variation")) draft_.crop_variation.emplace();
-    of_file.push_back(
-        one_table(crop_variation_section(
-                      draft_.crop_variation ? *draft_.crop_variation : unused))
-            .optional());
-    read_plant(table, file, of_file);
-}
-
-void CropReader::read_plant(const toml::table& table, const std::string& file,
-                            const std::vector<Table>& of_file) {
     draft_.has_growth = table.contains("growth");
     // The bounds of the usual traits do not apply to other traits.
     if (table.contains("trait")) draft_.bounds.clear();
@@ -56,7 +41,15 @@ void CropReader::read_plant(const toml::table& table, const std::string& file,
     const TableReader tables(file, of_crop_), shared(file, problems_);
     std::vector<Table> own = plant_tables(draft_);
     const std::vector<Table> defaults = crop_defaults(draft_);
-    own.insert(own.end(), of_file.begin(), of_file.end());
+    // Campaigns have this table as [field.variation], so that a crop's own
+    // variation changes no campaign.
+    draft_.crop_variation.reset();
+    CropVariation unused;
+    if (table.contains("variation")) draft_.crop_variation.emplace();
+    own.push_back(one_table(crop_variation_section(draft_.crop_variation
+                                                       ? *draft_.crop_variation
+                                                       : unused))
+                      .optional());
     std::vector<Table> all = own;
     all.insert(all.end(), defaults.begin(), defaults.end());
     tables.read(table, plant_file_section(plant), all);

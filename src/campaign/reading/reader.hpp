@@ -59,9 +59,6 @@ class CropReader {
     void read_plant_file(const std::string& file, const std::string& named_by,
                          const Location& named_at);
     void read_crop_of_table(const std::string& file, const Location& named_at);
-    //! Reads the tables of a crop, with others that only crop files have.
-    void read_plant(const toml::table& table, const std::string& file,
-                    const std::vector<Table>& of_file = {});
     void read_crop(const std::string& text, const std::string& file);
 
     std::vector<std::string> tables_above_;  //!< each names the next as crop

@@ -148,8 +148,7 @@ def draw_cross(cross: Cross) -> Figure:
         for what in ("mean", "below")
     )
     best = np.nanmax(mean, axis=0)
-    share = 100 * mean / best
-    error = style.half_width(100 * error / best)
+    share, error = 100 * mean / best, 100 * error / best
     width = max(style.WIDTH, 2.0 + 0.62 * len(cross.cases))
     figure = style.new_figure(width, 2.8 + 0.5 * len(table))
     axes = figure.add_subplot()

@@ -6,14 +6,14 @@ source "$(dirname "$0")/common.sh"
 # Writes the blocks of that page to one file each.
 awk '/^```[a-z]/{name = "block" ++n; next} /^```/{name = ""} name{print > name}' \
     "$project/docs/crop.md"
-cat block1 block2 >millet.toml
-mv block3 dryland.toml
-[ "$(wc -l <block4)" -eq 5 ] || fail "not the five commands"
+cat block1 block2 block3 >millet.toml
+mv block4 dryland.toml
+[ "$(wc -l <block5)" -eq 5 ] || fail "not the five commands"
 PATH=$(dirname "$ideotype"):$PATH
 export IDEOTYPE_PYTHON=${IDEOTYPE_PYTHON:-$project/.venv/bin/python}
 while read -r command; do
     expect 0 bash -c "$command"
-done <block4
+done <block5
 says "better_millet"
 grep -q '^name = "better_millet"' better_millet.toml || fail "no crop file"
 grep -q '^g sheath' better_millet.obj || fail "no sheaths"

@@ -16,6 +16,7 @@
 #include "disk/open.hpp"
 #include "generations.hpp"
 #include "history.hpp"
+#include "ideotype/core/contract.hpp"
 #include "ideotype/core/error.hpp"
 #include "journal.hpp"
 
@@ -53,10 +54,13 @@ struct History::File {
         fail(fmt::format("generation {} is not complete", generation));
     }
 
+    //! Reads, and refuses what a file that is truncated meanwhile gives.
     template <class Action>
     auto read(Action action) const {
         require_whole();
-        return with_name_of(path, std::move(action));
+        auto found = with_name_of(path, std::move(action));
+        require_whole();
+        return found;
     }
 
     template <class Action>
@@ -71,6 +75,9 @@ struct History::File {
             action();
         } catch (const Hdf5Error& error) {
             fail_to_write(error);
+        } catch (const ContractError&) {
+            require_whole();  // a truncated file gives zeros, which break it
+            throw;
         }
         is_broken = false;
     }

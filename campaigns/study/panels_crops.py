@@ -185,6 +185,8 @@ def bred(options: Options) -> None:
         "below modules": tables_of("agrivoltaic", options, **common),
         "the open": tables_of("agrivoltaic", options, **common, panel=[]),
     }
+    for tables in places.values():
+        tables["search"] = {**tables["search"], "optimizer": "ga"}
     stands = {name: Stand(tables) for name, tables in places.items()}
     plants: dict[str, list[Numbers]] = {
         "baseline": [stands["the open"].baseline]

@@ -64,7 +64,7 @@ def front(options: Options, alone: float) -> None:
     single = {
         **tables,
         "objective": {"maximise": "net_assimilation"},
-        "search": {},
+        "search": {"optimizer": "ga"},
     }
     grown = [
         Stand(
@@ -119,7 +119,7 @@ def power_over_soil(tables: Mapping[str, Any], pitch: float) -> float:
             **tables,
             "spacing": [{"row": row, "plant": 10, "row_direction": 0}],
             "field": {"rows": 4, "plants": 1},
-            "search": {},
+            "search": {"optimizer": "ga"},
             "objective": {"maximise": "net_assimilation"},
         }
     )

@@ -174,7 +174,8 @@ def test_plants_that_grow_are_compared_over_their_stages(
         for key in (
             *("light.stages=4", "light.paths=256", "final.paths=256"),
             *("light.randomisations=4", "final.randomisations=4"),
-            *("search.population=6", "stop.generations=1"),
+            *("search.optimizer=ga", "search.population=6"),
+            *("search.elites=2", "stop.generations=1"),
         )
         for word in ("--set", key)
     ]

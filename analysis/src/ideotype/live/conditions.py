@@ -128,6 +128,10 @@ def one_case(tables: Tables, names: Mapping[str, str]) -> Tables:
     for axis in names:
         if entries := cut.get(axis):
             cut[axis] = [e for e in entries if e["name"] == names[axis]]
+    if "search" not in cut:
+        # A sensitivity study: it has one generation and searches for nothing.
+        for table in ("sensitivity", "stop"):
+            cut.pop(table, None)
     cut.get("search", {}).pop("keys", None)
     kept = {axis: cut[axis][0]["name"] for axis in ("site", "climate")
             if axis in cut}  # fmt: skip

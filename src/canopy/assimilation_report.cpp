@@ -25,6 +25,65 @@ std::vector<std::size_t> leaves_of(const std::vector<Group>& groups,
     return leaf;
 }
 
+//! Sets the groups of a component's organs besides leaves.
+void set_organs(const Component& component, std::uint32_t number,
+                const std::vector<Group>& groups,
+                const std::vector<double>& area_index,
+                std::vector<LeafGroup>& result) {
+    if (!component.plant) return;
+    const std::vector<PlantOrgan> organs = organs_of(*component.plant);
+    std::size_t next = 0;
+    std::uint32_t present = 0;
+    for (const PlantOrgan& organ : organs) {
+        const std::size_t place = next++;
+        if (!organ.is_present) continue;
+        ++present;
+        if (!organ.tissue.is_living()) continue;
+        const auto is_own = [&](std::size_t g) {
+            return groups[g].id.component == number &&
+                   groups[g].id.organ == present;
+        };
+        double area = 0;
+        for (std::size_t g = 0; g < groups.size(); ++g)
+            if (is_own(g)) area += area_index[g];
+        for (std::size_t g = 0; g < groups.size(); ++g) {
+            if (!is_own(g)) continue;
+            // Where each face is a group, the mass is shared by area.
+            const double share = (area > 0 ? area_index[g] / area : 0) /
+                                 component.ground_per_plant;
+            LeafGroup& group = result[g];
+            group.photosynthesis = &*component.photosynthesis;
+            group.organ = {organ.tissue, share * organ.mass};
+            group.rates = without_respiration(scaled(
+                component.photosynthesis->rates.back(), organ.tissue.capacity));
+            if (!component.built_organs.empty())
+                group.built = share * component.built_organs.at(place);
+        }
+    }
+}
+
+//! Returns the amount of a group that respires: leaf area index, or dry mass
+//! per ground area [kg m-2].
+double respiring(const LeafGroup& group, double leaf_area_index) {
+    return group.organ ? group.organ->mass : leaf_area_index;
+}
+
+//! Returns the rate at which a leaf [umol m-2 s-1] or the dry mass of an organ
+//! [umol kg-1 s-1] respires in the dark.
+double respiration_rate(const LeafGroup& group, double temperature) {
+    return group.organ ? maintenance_respiration(
+                             group.organ->tissue.maintenance, temperature)
+                       : dark_respiration(group.rates, temperature);
+}
+
+//! Returns the carbon that building leaf area [mol m-2] or the dry mass of an
+//! organ costs [mol kg-1].
+double building_cost(const LeafGroup& group) {
+    return group.organ
+               ? group.organ->tissue.construction * carbon_per_carbohydrate
+               : group.photosynthesis->building_cost;
+}
+
 }  // namespace
 
 std::vector<LeafGroup> leaf_groups(const Scene& scene,
@@ -35,6 +94,7 @@ std::vector<LeafGroup> leaf_groups(const Scene& scene,
     for (std::uint32_t c = 0; c < scene.components.size(); ++c) {
         const auto& photosynthesis = scene.components[c].photosynthesis;
         if (!photosynthesis) continue;
+        set_organs(scene.components[c], c, groups, leaf_area_index, result);
         std::vector<std::size_t> own;
         bool is_ranked = true;
         for (std::size_t g = 0; g < groups.size(); ++g) {
@@ -58,7 +118,7 @@ std::vector<LeafGroup> leaf_groups(const Scene& scene,
         const std::vector<double>& built = scene.components[c].built;
         IDEOTYPE_EXPECT(built.empty() || built.size() >= index.size());
         for (std::size_t i = 0; i < own.size(); ++i) {
-            result[own[i]] = {rates[leaf[i]], &*photosynthesis};
+            result[own[i]] = {rates[leaf[i]], &*photosynthesis, {}, {}};
             if (!built.empty())
                 result[own[i]].built =
                     built[leaf[i]] / scene.components[c].ground_per_plant;
@@ -134,27 +194,26 @@ double FluxTally::sum() const {
 
 namespace {
 
-//! Returns the dark respiration of leaves in one step of a mean day.
-double respiration(const LeafRates& rates, double leaf_area_index,
-                   const LightSeries& series, const TimeStep& step,
-                   const Photosynthesis& photosynthesis) {
-    return mol_per_umol * leaf_area_index / static_cast<double>(series.days) *
-           step.seconds *
-           dark_respiration(rates, air_of(step, photosynthesis).temperature);
+//! Returns the respiration of leaves, or of an organ, in one step of a mean
+//! day.
+double respiration(const LeafGroup& group, double leaf_area_index,
+                   const LightSeries& series, const TimeStep& step) {
+    return mol_per_umol * respiring(group, leaf_area_index) /
+           static_cast<double>(series.days) * step.seconds *
+           respiration_rate(group,
+                            air_of(step, *group.photosynthesis).temperature);
 }
 
-//! Returns the dark respiration of leaves over a mean day.
-CarbonLoss respiration(const LeafRates& rates, double leaf_area_index,
-                       const LightSeries& series,
-                       const Photosynthesis& photosynthesis) {
-    if (!(leaf_area_index > 0)) return {};
-    const double scale =
-        mol_per_umol * leaf_area_index / static_cast<double>(series.days);
+//! Returns the respiration of leaves, or of an organ, over a mean day.
+CarbonLoss respiration(const LeafGroup& group, double leaf_area_index,
+                       const LightSeries& series) {
+    if (!(respiring(group, leaf_area_index) > 0)) return {};
+    const double scale = mol_per_umol * respiring(group, leaf_area_index) /
+                         static_cast<double>(series.days);
     CarbonLoss result;
     double known = 0;
     for (const TimeStep& step : series.steps) {
-        const double amount =
-            respiration(rates, leaf_area_index, series, step, photosynthesis);
+        const double amount = respiration(group, leaf_area_index, series, step);
         if (step.is_lit())
             result.in_light += amount;
         else
@@ -165,7 +224,7 @@ CarbonLoss respiration(const LeafRates& rates, double leaf_area_index,
     // Nights that the series leaves out have no weather.
     constexpr double day = 86400;
     result.at_night += scale * std::max(0., series.days * day - known) *
-                       dark_respiration(rates, Air{}.temperature);
+                       respiration_rate(group, Air{}.temperature);
     return result;
 }
 
@@ -193,11 +252,11 @@ std::vector<double> late_net(const std::vector<FluxTally>& tallies,
             gross[r] +=
                 mol_per_umol * tallies[r].steps[i] * step.seconds / series.days;
         for (std::size_t g = 0; g < leaves.size(); ++g) {
-            if (!leaves[g].photosynthesis || !(leaf_area_index[g] > 0))
+            if (!leaves[g].photosynthesis ||
+                !(respiring(leaves[g], leaf_area_index[g]) > 0))
                 continue;
             const double loss =
-                respiration(leaves[g].rates, leaf_area_index[g], series, step,
-                            *leaves[g].photosynthesis);
+                respiration(leaves[g], leaf_area_index[g], series, step);
             for (std::size_t r = 0; r < tallies.size(); ++r)
                 lost[r] += loss * share_of_area(tallies[r], g, leaf_area_index);
         }
@@ -285,14 +344,16 @@ AssimilationReport report(std::vector<FluxTally> uptake,
         result.uptake = report(std::move(uptake), series, amount);
     }
     for (std::size_t g = 0; g < leaves.size(); ++g) {
-        const auto& [rates, photosynthesis, built] = leaves[g];
+        const LeafGroup& group = leaves[g];
         CarbonLoss& loss = result.losses.emplace_back();
-        if (!photosynthesis) continue;
+        if (!group.photosynthesis) continue;
+        const Photosynthesis* photosynthesis = group.photosynthesis;
         IDEOTYPE_EXPECT(photosynthesis->building_days > 0);
-        loss = respiration(rates, leaf_area_index[g], series, *photosynthesis);
-        loss.building = photosynthesis->building_cost *
-                        built.value_or(leaf_area_index[g]) /
-                        (built ? series.days : photosynthesis->building_days);
+        loss = respiration(group, leaf_area_index[g], series);
+        loss.building =
+            building_cost(group) *
+            group.built.value_or(respiring(group, leaf_area_index[g])) /
+            (group.built ? series.days : photosynthesis->building_days);
     }
     const std::vector<FluxTally>& tallies = result.before_losses().tallies;
     if (!tallies.front().leaf_area.empty())

@@ -42,6 +42,7 @@ class Reporter {
         result_.layers = shared_.layers;
         result_.days = scene_.light().series.days;
         result_.grows = scene_.light().series.grows;
+        result_.has_living_organs = scene_.has_living_organs();
         result_.groups = lines_.groups;
         result_.boundary = scene_.cell.boundary;
         result_.ground_area = scene_.cell.ground_area;
@@ -153,7 +154,8 @@ class Reporter {
             for (std::size_t g = 0; g < groups; ++g) {
                 const double area = found_.areas_of_rows[row * groups + g];
                 if (!(area > 0)) continue;
-                one.lai += area / found_.fields;
+                if (lines_.groups[g].id.is_leaf())
+                    one.lai += area / found_.fields;
                 if (!result_.assimilation) continue;
                 const AssimilationReport& all = *result_.assimilation;
                 one.assimilation.loss +=

@@ -31,7 +31,7 @@ class Referee {
         : scene_(lit.scene),
           leaves_(mesh,
                   [&](std::uint32_t group) {
-                      return mesh.groups[group].id.is_leaf() &&
+                      return mesh.groups[group].assimilates() &&
                              lit.leaves[group].photosynthesis;
                   }),
           backward_(lit.scene, mesh.groups, lit.par.optics,
@@ -44,7 +44,8 @@ class Referee {
         for (const TimeStep& step : light_.series.steps)
             amount_.push_back(step.seconds * mol_per_umol / light_.series.days);
         for (std::size_t g = 0; g < lit.leaves.size(); ++g) {
-            const auto& [rates, photosynthesis, built] = lit.leaves[g];
+            const LeafRates& rates = lit.leaves[g].rates;
+            const Photosynthesis* photosynthesis = lit.leaves[g].photosynthesis;
             absorbed_.push_back(
                 lit.par.optics.of(mesh.groups[g].material).most_absorbed() *
                 lit.photons);

@@ -86,6 +86,10 @@ class Classification {
         return result;
     }
 
+    bool is_leaf(std::size_t place) const {
+        return !lit_leaves_.leaves[places_.group[place]].organ;
+    }
+
     std::vector<Hit> hits_of(int beam) const {
         std::vector<Hit> hits;
         if (beam < 0) return hits;
@@ -96,15 +100,17 @@ class Classification {
         std::vector<std::size_t> number(scene.surfaces().normals.size());
         for (std::size_t r = 0; r < tallies_.size(); ++r)
             for (const auto& [t, energy] : tallies_[r].leaf_light[s].beam) {
+                const std::uint32_t place =
+                    places_.of[scene.surfaces().face_group[t / 2]];
+                if (!is_leaf(place)) continue;
                 const double cosine = beam_cosine(scene, t, *source.direction);
                 if (!(cosine > 0)) continue;
                 if (number[t] == 0) {
-                    hits.push_back(
-                        {places_.of[scene.surfaces().face_group[t / 2]], cosine,
-                         beam_absorptance(scene, lit_leaves_.groups,
-                                          lit_leaves_.par.optics, t,
-                                          *source.direction),
-                         std::vector<double>(tallies_.size())});
+                    hits.push_back({place, cosine,
+                                    beam_absorptance(scene, lit_leaves_.groups,
+                                                     lit_leaves_.par.optics, t,
+                                                     *source.direction),
+                                    std::vector<double>(tallies_.size())});
                     number[t] = hits.size();
                 }
                 Hit& hit = hits[number[t] - 1];
@@ -131,7 +137,8 @@ class Classification {
             add_source(light_.sky_of[i], par.diffuse);
             LightClasses& classes = classes_[r];
             for (std::size_t p = 0; p < shaded.size(); ++p)
-                add(classes.shaded, shaded[p], weight * places_.index[p]);
+                if (is_leaf(p))
+                    add(classes.shaded, shaded[p], weight * places_.index[p]);
             for (const Hit& hit : hits) {
                 const double area = weight * hit.area[r];
                 add(classes.shaded, shaded[hit.place], -area);

@@ -13,6 +13,16 @@ bool Scene::assimilates() const {
     });
 }
 
+bool Scene::has_living_organs() const {
+    return std::ranges::any_of(components, [](const Component& each) {
+        return each.photosynthesis && each.plant &&
+               std::ranges::any_of(
+                   organs_of(*each.plant), [](const PlantOrgan& organ) {
+                       return organ.is_present && organ.tissue.is_living();
+                   });
+    });
+}
+
 std::vector<Group> groups_of(const Scene& scene, std::span<const Mesh> lines) {
     IDEOTYPE_EXPECT(lines.empty() || lines.size() == scene.components.size());
     std::vector<Group> groups;

@@ -181,6 +181,15 @@ void unfold(Leaf& leaf, const Blade& blade, double visible, double faded) {
 
 }  // namespace
 
+void age_organs(const Growth& growth, double thermal_time, Plant& plant) {
+    for (Organ& organ : plant.organs)
+        if (organ.senescence > 0 &&
+            thermal_time >= silking_time(growth) + organ.senescence) {
+            organ.material = PlantMaterial::stalk;
+            organ.capacity = organ.maintenance = 0;
+        }
+}
+
 Plant plant_at(const Growth& growth, const Plant& plant, double thermal_time) {
     constexpr double last = 100, least_height = 0.001;
     const std::vector<LeafDates> dates = leaf_dates(growth);
@@ -210,6 +219,7 @@ Plant plant_at(const Growth& growth, const Plant& plant, double thermal_time) {
         for (double* length : {&organ.offset, &organ.spread, &organ.length})
             if (size < 1) *length *= size;
     }
+    age_organs(growth, thermal_time, grown);
     return grown;
 }
 

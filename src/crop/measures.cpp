@@ -17,10 +17,14 @@ void for_each_kind(Plant& plant, const Visit& visit) {
     visit("leaf", true, leaf_measures, leaves);
     visit("blade", false, blade_measures, std::array{&plant.blade});
     visit("stalk", false, stalk_measures, std::array{&plant.stalk});
+    visit("stalk", false, tissue_measures<Stalk>, std::array{&plant.stalk});
     visit("sheath", false, sheath_measures, std::array{&plant.sheath});
+    visit("sheath", false, tissue_measures<Sheath>, std::array{&plant.sheath});
     visit("petiole", false, petiole_measures, std::array{&plant.petiole});
-    for (Organ& organ : plant.organs)
+    for (Organ& organ : plant.organs) {
         visit(organ.name, false, organ_measures, std::array{&organ});
+        visit(organ.name, false, tissue_measures<Organ>, std::array{&organ});
+    }
 }
 
 template <class Part, class Parts>
@@ -47,7 +51,7 @@ std::optional<MeasureInfo> find_measure(Plant& plant, const std::string& name) {
     const std::string_view key = std::string_view(name).substr(dot + 1);
     for_each_kind(plant, [&](std::string_view owner, bool is_of_leaves,
                              const auto& declared, const auto& parts) {
-        if (found || owner != own) return;
+        if (owner != own) return;
         for (const auto& each : declared)
             if (each.name == key)
                 found = info_of(name, each, is_of_leaves, parts);

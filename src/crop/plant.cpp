@@ -60,20 +60,22 @@ struct Section {
 
 //! Returns the parts of the stalk that show, from the soil up.
 std::vector<Section> sections(const Plant& plant) {
-    const auto& [is_present, length, thickness] = plant.sheath;
-    if (!is_present) return {{0, plant.stalk.height, false}};
+    const Sheath& sheath = plant.sheath;
+    if (!sheath.is_present) return {{0, plant.stalk.height, false}};
+    // Light is even over a surface that assimilates, so each has one sheath.
+    const bool joins = !(sheath.capacity > 0);
     std::vector<Section> all;
     const auto add = [&](double upper, bool is_sheath) {
         const double lower = all.empty() ? 0 : all.back().upper;
         constexpr double least = 1e-6;  // shortest part, far above rounding
         if (upper <= lower + least) return;
-        if (!all.empty() && all.back().is_sheath == is_sheath)
+        if (joins && !all.empty() && all.back().is_sheath == is_sheath)
             all.back().upper = upper;
         else
             all.push_back({lower, upper, is_sheath});
     };
     for (const Leaf& leaf : plant.leaves) {
-        add(leaf.insertion_height - length, false);
+        add(leaf.insertion_height - sheath.length, false);
         add(leaf.insertion_height, true);
     }
     add(plant.stalk.height, false);
@@ -164,15 +166,38 @@ double Stalk::radius(double z) const {
     return (base_diameter + part * (at_top - base_diameter)) / 2;
 }
 
+std::vector<PlantOrgan> organs_of(const Plant& plant) {
+    const auto cone = [](double length, double base, double top) {
+        return std::numbers::pi / 12 * length *
+               (base * base + base * top + top * top);
+    };
+    const Stalk& stalk = plant.stalk;
+    const Sheath& sheath = plant.sheath;
+    double sheaths = 0;
+    for (const Leaf& leaf : plant.leaves)
+        sheaths += 2 * std::numbers::pi * stalk.radius(leaf.insertion_height) *
+                   std::min(sheath.length, leaf.insertion_height) *
+                   (1 - leaf.hidden) * sheath.thickness;
+    std::vector<PlantOrgan> organs{
+        {"stalk", stalk.is_present, stalk,
+         cone(stalk.height, 2 * stalk.radius(0),
+              2 * stalk.radius(stalk.height))},
+        {"sheath", sheath.is_present, sheath, sheaths},
+        {"petiole", plant.petiole.is_present && has_petioles(plant)},
+        {"dead_leaves", has_dead_leaves(plant)}};
+    for (const Organ& organ : plant.organs)
+        organs.push_back({organ.name, organ.is_present, organ,
+                          organ.count * cone(organ.length, organ.base_diameter,
+                                             organ.top_diameter)});
+    for (PlantOrgan& organ : organs)
+        organ.mass *= organ.is_present ? organ.tissue.density : 0;
+    return organs;
+}
+
 std::vector<std::string> organ_names(const Plant& plant) {
     std::vector<std::string> names;
-    if (plant.stalk.is_present) names.push_back("stalk");
-    if (plant.sheath.is_present) names.push_back("sheath");
-    if (plant.petiole.is_present && has_petioles(plant))
-        names.push_back("petiole");
-    if (has_dead_leaves(plant)) names.push_back("dead_leaves");
-    for (const Organ& organ : plant.organs)
-        if (organ.is_present) names.push_back(organ.name);
+    for (PlantOrgan& organ : organs_of(plant))
+        if (organ.is_present) names.push_back(std::move(organ.name));
     return names;
 }
 
@@ -218,10 +243,12 @@ Mesh build_plant(const Plant& plant, const Tessellation& tessellation) {
     Mesh mesh;
     std::uint32_t organs = 0;
     const auto begin = [&](const std::string& name, PlantMaterial material,
-                           std::uint32_t rank = 0) {
+                           std::uint32_t rank = 0, double capacity = 0) {
         mesh.groups.push_back({name,
                                {0, rank > 0 ? 0 : ++organs, rank},
-                               static_cast<std::uint32_t>(material)});
+                               static_cast<std::uint32_t>(material),
+                               0,
+                               capacity > 0});
         return static_cast<std::uint32_t>(mesh.groups.size() - 1);
     };
     for (const Leaf& leaf : plant.leaves) {
@@ -232,11 +259,11 @@ Mesh build_plant(const Plant& plant, const Tessellation& tessellation) {
     }
     const int sides = tessellation.stalk_sides;
     if (plant.stalk.is_present) {
-        begin("stalk", PlantMaterial::stalk);
+        begin("stalk", PlantMaterial::stalk, 0, plant.stalk.capacity);
         add_sections(mesh, plant, false, sides);
     }
     if (plant.sheath.is_present) {
-        begin("sheath", PlantMaterial::sheath);
+        begin("sheath", PlantMaterial::sheath, 0, plant.sheath.capacity);
         add_sections(mesh, plant, true, sides);
     }
     if (plant.petiole.is_present && has_petioles(plant)) {
@@ -250,7 +277,7 @@ Mesh build_plant(const Plant& plant, const Tessellation& tessellation) {
     }
     for (const Organ& organ : plant.organs) {
         if (!organ.is_present) continue;
-        begin(group_name(organ), organ.material);
+        begin(group_name(organ), organ.material, 0, organ.capacity);
         add_organ(mesh, plant, organ);
     }
     return mesh;

@@ -78,12 +78,17 @@ SunlitFractions sunlit_fractions(const std::vector<Tally>& tallies,
         const double share =
             scene.ground_area() / (leaf_area * sources[s].energy);
         for (std::size_t r = 0; r < tallies.size(); ++r)
-            for (const auto& [triangle, energy] : tallies[r].leaf_light[s].beam)
+            for (const auto& [triangle, energy] :
+                 tallies[r].leaf_light[s].beam) {
+                const std::uint32_t group =
+                    scene.surfaces().face_group[triangle / 2];
+                if (!groups[group].id.is_leaf()) continue;
                 result.fractions[r][s] +=
                     share * energy /
                     (beam_absorptance(scene, groups, optics, triangle, *sun) *
                      std::max(beam_cosine(scene, triangle, *sun),
                               least_cosine));
+            }
         IDEOTYPE_EXPECT(tallies.front().resolution != nullptr);
         result.steps[s] = share * tallies.front().resolution->path_energy[s];
     }

@@ -69,6 +69,17 @@ LeafRates scaled(const LeafRates& leaf, double factor) {
         leaf);
 }
 
+LeafRates without_respiration(LeafRates leaf) {
+    std::visit([](auto& each) { each.respiration = 0; }, leaf);
+    return leaf;
+}
+
+double maintenance_respiration(double maintenance, double temperature) {
+    constexpr double umol_per_mol = 1e6, day = 86400;
+    return maintenance * carbon_per_carbohydrate * umol_per_mol / day *
+           q10(temperature, 25);
+}
+
 Hyperbola hyperbola_at(const HyperbolaLeaf& leaf, double temperature) {
     Hyperbola response = leaf.response;
     response.amax *=

@@ -61,6 +61,23 @@ void complete_rates(Component& component, std::size_t own) {
     rates.insert(rates.begin(), all - own, LeafRates(rates.front()));
 }
 
+//! Sets the dry mass of organs that a component builds in the time of a stage.
+//! @param before age at the stage before; below 0: there is none
+void set_built_organs(const Growth* growth, const Plant& plant, double age,
+                      double before, Component& component) {
+    const auto organs_at = [&](double time) {
+        return organs_of(growth ? plant_at(*growth, plant, time) : plant);
+    };
+    component.built_organs.clear();
+    for (const PlantOrgan& organ : organs_at(age))
+        component.built_organs.push_back(organ.mass);
+    if (before < 0) return;
+    const std::vector<PlantOrgan> then = organs_at(before);
+    for (std::size_t i = 0; i < then.size(); ++i)
+        component.built_organs[i] =
+            std::max(0., component.built_organs[i] - then[i].mass);
+}
+
 //! Sets a component to a full-grown plant, or to its plant at a stage.
 void set_grown(const Campaign& campaign, const Case& in, std::size_t number,
                const Plant& plant, Component& component) {
@@ -77,6 +94,7 @@ void set_grown(const Campaign& campaign, const Case& in, std::size_t number,
     const std::vector<double> areas = face_areas(mesh);
     const std::vector<LeafDates> dates =
         growth ? leaf_dates(*growth) : std::vector<LeafDates>{};
+    set_built_organs(growth, plant, age, before, component);
     component.built.assign(growth ? dates.size() : plant.leaves.size(), 0);
     for (std::size_t f = 0; f < areas.size(); ++f) {
         const std::size_t leaf = mesh.face_group[f];

@@ -154,7 +154,7 @@ TEST_F(TwoLeaves, EachSunHasAPathHoweverFewThereAre) {
 TEST_F(TwoLeaves, SheathsHaveOpticsOfTheirOwn) {
     Component& component = request.scene.components[0];
     Plant plant = *component.plant;
-    plant.sheath = {true, 1, .001};
+    plant.sheath = {{}, true, 1, .001};
     set_plant(component, plant);
     Optics& optics = request.scene.bands[0].optics;
     optics = {};

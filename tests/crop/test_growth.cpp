@@ -114,7 +114,7 @@ TEST(Growth, APlantWithAllLeavesFullAndGreenIsTheGrownOneToTheBit) {
     growth.lower_death = 3000;
     growth.upper_death = 3000;
     Plant plant = sample_plant();
-    plant.organs.push_back({"ear", true, PlantMaterial::stalk, 2});
+    plant.organs.push_back({{}, "ear", true, PlantMaterial::stalk, 2});
     plant.organs.back().length = 0.2;
     plant.organs.back().base_diameter = 0.02;
     const Mesh grown = build_plant(plant, {});
@@ -124,6 +124,25 @@ TEST(Growth, APlantWithAllLeavesFullAndGreenIsTheGrownOneToTheBit) {
     EXPECT_EQ(at.face_group, grown.face_group);
     const Mesh young = build_plant(plant_at(growth, plant, 100), {});
     EXPECT_NE(young.vertices, grown.vertices);
+}
+
+TEST(Growth, ATasselDiesSomeTimeAfterSilking) {
+    Plant plant = sample_plant();
+    Organ tassel;
+    tassel.material = PlantMaterial::sheath;
+    tassel.length = tassel.base_diameter = 0.1;
+    tassel.capacity = 0.1;
+    tassel.maintenance = 0.015;
+    tassel.senescence = 100;
+    plant.organs = {tassel};
+    const double silking = silking_time(hybrid);
+    const Organ green = plant_at(hybrid, plant, silking + 99).organs[0];
+    EXPECT_EQ(green.material, PlantMaterial::sheath);
+    EXPECT_EQ(green.capacity, 0.1);
+    const Organ dead = plant_at(hybrid, plant, silking + 100).organs[0];
+    EXPECT_EQ(dead.material, PlantMaterial::stalk);
+    EXPECT_EQ(dead.capacity, 0);
+    EXPECT_EQ(dead.maintenance, 0);
 }
 
 TEST(Growth, APlantWithMoreLeavesThanGrowIsRefused) {

@@ -92,7 +92,7 @@ TEST(Plant, StalkIsOptional) {
 
 TEST(Plant, StalksTaper) {
     Plant sample = sample_plant();
-    sample.stalk = {true, 1.6, 0.024, 0.011, LeafBase::axis};
+    sample.stalk = {{}, true, 1.6, 0.024, 0.011, LeafBase::axis};
     EXPECT_DOUBLE_EQ(sample.stalk.radius(0), 0.012);
     EXPECT_DOUBLE_EQ(sample.stalk.radius(0.8), 0.00875);
     EXPECT_DOUBLE_EQ(sample.stalk.radius(9), 0.0055);
@@ -120,11 +120,48 @@ TEST(Plant, LeavesBeginAtTheSurfaceOfTheStalk) {
                 1, 1e-9);
 }
 
+TEST(Plant, TheMassOfSheathsDoesNotShrinkWithTheStalk) {
+    Plant sample = sample_plant();
+    sample.leaves[0].insertion_height = 0.5;
+    sample.stalk = {{}, true, 2, 0.03, 0.01, LeafBase::surface};
+    sample.sheath = {{}, true, 0.2, 0.001};
+    sample.stalk.density = 100;
+    sample.sheath.density = 90;
+    const std::vector<PlantOrgan> organs = organs_of(sample);
+    ASSERT_EQ(organs.size(), 4u);
+    EXPECT_EQ(organs[2].name, "petiole");
+    EXPECT_FALSE(organs[2].is_present);
+    // A truncated cone of 13 (cm2) pi / 12 times its height.
+    EXPECT_NEAR(organs[0].mass, 100 * std::numbers::pi / 12 * 2 * 13e-4, 1e-12);
+    const double around = 2 * (0.025 + 0.021 + 0.014) / 2 * std::numbers::pi;
+    EXPECT_NEAR(organs[1].mass, 90 * around * 0.2 * 0.001, 1e-12);
+    Plant shorter = sample;
+    shorter.stalk.height *= 0.7;
+    for (Leaf& leaf : shorter.leaves) leaf.insertion_height *= 0.7;
+    EXPECT_NEAR(organs_of(shorter)[0].mass, 0.7 * organs[0].mass, 1e-12);
+    EXPECT_NEAR(organs_of(shorter)[1].mass, organs[1].mass, 1e-12);
+    sample.sheath.is_present = false;
+    EXPECT_EQ(organs_of(sample)[1].mass, 0);
+}
+
+TEST(Plant, EachGreenSheathHasFacesOfItsOwn) {
+    Plant sample = sample_plant();
+    sample.stalk = {{}, true, 1.6, 0.02, 0.02, LeafBase::surface};
+    sample.sheath = {{}, true, 0.81, 0.001};
+    const Mesh dead = build_plant(sample, {});
+    sample.sheath.capacity = 0.1;
+    const Mesh green = build_plant(sample, {});
+    EXPECT_GT(green.faces.size(), dead.faces.size());
+    EXPECT_TRUE(green.groups.back().assimilates());
+    EXPECT_FALSE(dead.groups.back().assimilates());
+    EXPECT_TRUE(dead.groups.front().assimilates());
+}
+
 TEST(Plant, SheathsCoverTheStalkBelowEachLeafAndAreNoLeaves) {
     Plant sample = sample_plant();
     const double leaves = plant_area(build_plant(sample, {})).leaves;
-    sample.stalk = {true, 1.6, 0.02, 0.02, LeafBase::surface};
-    sample.sheath = {true, 0.5, 0.001};
+    sample.stalk = {{}, true, 1.6, 0.02, 0.02, LeafBase::surface};
+    sample.sheath = {{}, true, 0.5, 0.001};
     Mesh mesh = build_plant(sample, {});
     EXPECT_EQ(organ_names(sample),
               (std::vector<std::string>{"stalk", "sheath"}));
@@ -151,7 +188,7 @@ TEST(Plant, SheathsCoverTheStalkBelowEachLeafAndAreNoLeaves) {
 
 TEST(Plant, OtherOrgansStandOnTheStalkOrAtALeaf) {
     Plant sample = sample_plant();
-    sample.stalk = {true, 1.6, 0.02, 0.02, LeafBase::surface};
+    sample.stalk = {{}, true, 1.6, 0.02, 0.02, LeafBase::surface};
     Organ branches;
     branches.name = "branches";
     branches.count = 3;

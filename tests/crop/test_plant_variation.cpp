@@ -127,7 +127,7 @@ TEST(PlantVariation, KeepsTheFacesOfTheLine) {
     // Each sheath ends where the leaf below begins, but for rounding.
     Plant line = sample_plant();
     line.stalk.base_diameter = .02;
-    line.sheath = {true, .18, .001};
+    line.sheath = {{}, true, .18, .001};
     line.leaves[0].insertion_height = 1.06;
     line.leaves[1].insertion_height = 1.24;
     line.leaves[2].insertion_height = 1.42;

@@ -7,6 +7,7 @@
 #include "ideotype/canopy/pieces.hpp"
 #include "ideotype/canopy/scene.hpp"
 #include "ideotype/core/estimate.hpp"
+#include "ideotype/crop/plant.hpp"
 #include "ideotype/light/band.hpp"
 #include "ideotype/light/layers.hpp"
 #include "ideotype/light/ray_scene.hpp"
@@ -110,19 +111,35 @@ std::vector<ComponentAssimilation> by_component(
     const AssimilationReport& report, const std::vector<Group>& groups,
     std::size_t components);
 
-//! The rates of the leaves of a group of a mesh.
+//! The dry mass and tissue of an organ besides leaves in a group of a mesh.
+struct OrganGroup {
+    Tissue tissue{};
+    double mass = 0;  //!< dry mass per ground area [kg m-2]
+};
+
+//! The rates of the leaves, or of an organ, of a group of a mesh.
 struct LeafGroup {
     LeafRates rates{};
-    //! Photosynthesis of the component; null: the leaves do not assimilate.
+    //! Photosynthesis of the component; null: the group neither assimilates nor
+    //! costs carbon.
     const Photosynthesis* photosynthesis = nullptr;
-    //! Leaf area per ground area that was built, see Component::built.
+    //! Leaf area, or dry mass [kg m-2] of an organ, per ground area that was
+    //! built, see Component::built.
     std::optional<double> built{};
+    std::optional<OrganGroup> organ{};  //!< none: the group is of leaves
+
+    //! Returns whether leaves of the group exchange heat and water with the
+    //! air. Other organs have few stomata, and exchange neither.
+    bool exchanges_water() const { return photosynthesis && !organ; }
 };
 
 //! Tells how the leaves of each group of a scene assimilate, by their rank.
 //! If any leaf of a component has no rank, all its leaves count as one leaf.
+//! Organs have the response of the highest leaf, with their share of its
+//! capacity and without its respiration, which follows from their mass.
 //! @param groups groups of the scene
-//! @param leaf_area_index leaf area index of each group
+//! @param leaf_area_index leaf area index of each group, or the outer surface
+//! of an organ per ground area
 //! @throws Error if leaves that differ have no rank.
 std::vector<LeafGroup> leaf_groups(const Scene& scene,
                                    const std::vector<Group>& groups,

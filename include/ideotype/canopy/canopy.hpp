@@ -147,6 +147,7 @@ struct CanopyReport {
     double lai = 0;  //!< one-sided leaf area over ground [m2 m-2]
     double plant_area_index = 0;  //!< lai and half the surface of other organs
     bool grows = false;           //!< whether plants grow; this is one stage
+    bool has_living_organs = false;  //!< see Scene::has_living_organs()
     double dead_area_index = 0;   //!< area of dead leaves per ground [m2 m-2]
     double assimilating_lai = 0;  //!< leaf area index of assimilating leaves
     //! Leaf area index of the field of each randomisation.

@@ -11,7 +11,8 @@
 
 namespace ideotype {
 
-//! Leaves cut into pieces; diffuse light is taken as even over each piece.
+//! Leaves and organs that assimilate, cut into pieces; diffuse light is taken
+//! as even over each piece.
 struct Pieces {
     //! The surfaces, with pieces as the first groups and the unchanged groups
     //! of all other surfaces behind them.
@@ -39,7 +40,8 @@ inline constexpr std::size_t pieces_of_blade = 48;
 
 //! Cuts each blade along and across: its faces are halved by area, repeatedly,
 //! across the longer extent of their centres. A blade is the faces of one group
-//! that are joined by vertices at the same place.
+//! that are joined by vertices at the same place. Organs that assimilate are
+//! cut in the same way, into pieces of four faces.
 Pieces cut_leaves(const Mesh& mesh, std::size_t per_blade = pieces_of_blade);
 
 //! Cuts a mesh from elsewhere, whose leaves may have only a few faces each.

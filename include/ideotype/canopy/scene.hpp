@@ -73,6 +73,9 @@ struct Component {
     //! plant], if plants grow. Empty: all leaf area, built in the number of
     //! days that photosynthesis gives.
     std::vector<double> built{};
+    //! The dry mass of each of organs_of() the plant that was built in that
+    //! time [kg per plant], where `built` is not empty.
+    std::vector<double> built_organs{};
     Stomata stomata{};  //!< stomata, for leaves that exchange water
 
     //! Returns the number of plants in a field, missing plants included.
@@ -127,6 +130,10 @@ struct Scene {
     }
     //! Returns whether leaves of any component assimilate.
     bool assimilates() const;
+
+    //! Returns whether organs besides leaves of any component that assimilates
+    //! are living tissue.
+    bool has_living_organs() const;
 };
 
 //! Returns the groups of all components, then those of objects, each with the

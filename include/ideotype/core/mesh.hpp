@@ -36,6 +36,10 @@ struct Group {
     //! Number of the pose of a surface that moves with the sun, which only
     //! light from sources of this pose meets; 0 for fixed surfaces.
     std::uint32_t pose = 0;
+    bool is_green = false;  //!< whether an organ besides leaves assimilates
+
+    //! Returns whether the surface assimilates if plants of its component do.
+    bool assimilates() const { return id.is_leaf() || is_green; }
 };
 
 //! Surfaces as quadrilaterals with vertices in [m], z up. A triangle repeats

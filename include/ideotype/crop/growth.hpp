@@ -98,6 +98,9 @@ std::vector<double> collar_heights(const Growth& growth,
 //! @throws Error as final_collar_heights()
 Plant complete_plant(const Growth& growth, const Plant& plant);
 
+//! Lets the organs die that are past their Organ::senescence.
+void age_organs(const Growth& growth, double thermal_time, Plant& plant);
+
 //! Returns a plant at a thermal time, with all of its leaves, out or not. The
 //! insertion angle of a blade of which the share v is visible is multiplied by
 //! 0.3 + 0.7 v, and its curvature by v; the tip of a dead blade hangs by 40 deg

@@ -87,6 +87,19 @@ inline constexpr std::array sheath_measures{
             "below covers does not show"),
     measure("thickness", "m", 0, 0.01, &Sheath::thickness, "around the stalk")};
 
+//! Measures of the tissue of stalks, sheaths and further organs.
+template <class Part>
+inline constexpr std::array tissue_measures{
+    measure<Part>("capacity", "1", 0, 1, &Part::capacity,
+                  "capacity of gross assimilation per area of outer surface "
+                  "over that of the highest leaf"),
+    measure<Part>("density", "kg m-3", 0, 1000, &Part::density,
+                  "dry mass per volume"),
+    measure<Part>("maintenance", "d-1", 0, 0.1, &Part::maintenance,
+                  "carbohydrate that dry mass respires at 25 deg C"),
+    measure<Part>("construction", "1", 1, 5, &Part::construction,
+                  "carbohydrate over the dry mass that is built of it")};
+
 inline constexpr std::array petiole_measures{measure(
     "diameter", "m", 0.0001, 0.1, &Petiole::diameter, "of all petioles")};
 

@@ -74,8 +74,25 @@ struct Petiole {
 //! The place where the midribs of leaves begin.
 enum class LeafBase { surface, axis };
 
+//! The tissue of an organ other than a leaf. Without a capacity its surface
+//! assimilates nothing; without a density it neither respires nor costs carbon.
+struct Tissue {
+    //! Capacity of gross assimilation per area of outer surface, over that of
+    //! the highest leaf per one-sided area.
+    double capacity = 0;
+    double density = 0;  //!< dry mass per volume [kg m-3]
+    //! Respiration at 25 deg C: carbohydrate per dry mass [kg kg-1 d-1].
+    double maintenance = 0;
+    //! Carbohydrate per dry mass that is built [kg kg-1]: 1 / 0.658 of stems
+    //! (WOFOST, CVS).
+    double construction = 1.52;
+
+    //! Returns whether the tissue assimilates, or respires and costs carbon.
+    bool is_living() const { return capacity > 0 || density > 0; }
+};
+
 //! A truncated cone that stands on the soil.
-struct Stalk {
+struct Stalk : Tissue {
     bool is_present = true;
     double height = 2.0;           //!< height [m]
     double base_diameter = 0.024;  //!< diameter at the soil [m]
@@ -88,7 +105,7 @@ struct Stalk {
 
 //! The sheath of each leaf, around the stalk below its blade. Only the part of
 //! a sheath above the insertion of the next lower leaf shows.
-struct Sheath {
+struct Sheath : Tissue {
     bool is_present = false;
     double length = 0.18;      //!< length down from the insertion [m]
     double thickness = 0.001;  //!< thickness [m]
@@ -101,7 +118,7 @@ inline constexpr std::uint32_t plant_materials = 3;
 
 //! Another organ: one or more truncated cones, on top of the stalk or at the
 //! insertion of a leaf.
-struct Organ {
+struct Organ : Tissue {
     std::string name;
     bool is_present = true;
     PlantMaterial material = PlantMaterial::stalk;  //!< material of its surface
@@ -116,6 +133,9 @@ struct Organ {
     //! Azimuth of the first cone [deg]; 0 is along the row or along the leaf.
     double azimuth = 0;
     int sides = 6;  //!< faces around each cone
+    //! Thermal time after silking at which the organ dies [deg C d]: it then
+    //! has the optics of the stalk, and does not assimilate; 0: it stays green.
+    double senescence = 0;
 };
 
 //! One plant, described by the measures of its organs.
@@ -143,9 +163,22 @@ struct Tessellation {
     int stalk_sides = 8;
 };
 
-//! Returns the names of a plant's present organs besides its leaves, in the
-//! order of their groups: "stalk", "sheath", "petiole", "dead_leaves", then
-//! further organs.
+//! An organ besides leaves: all sheaths together count as one organ, as do all
+//! petioles and all dead parts of leaves.
+struct PlantOrgan {
+    std::string name;
+    bool is_present = false;
+    Tissue tissue{};
+    double mass = 0;  //!< dry mass [kg]; 0 if the organ is not present
+};
+
+//! Returns all organs of a plant besides its leaves, in the order of their
+//! groups: "stalk", "sheath", "petiole", "dead_leaves", then further organs.
+//! Sheaths have a mass over their whole length, which grows as their blades
+//! come out; upper sheaths hide parts of lower ones.
+std::vector<PlantOrgan> organs_of(const Plant& plant);
+
+//! Returns the names of the organs of organs_of() that are present.
 std::vector<std::string> organ_names(const Plant& plant);
 
 //! Returns whether any leaf has a petiole, even if petioles are not present.

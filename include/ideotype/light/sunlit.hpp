@@ -35,10 +35,10 @@ SunlitFractions sunlit_fractions(const RayScene& scene, const Mesh& mesh,
                                  const Randomness& randomness);
 
 //! Returns the sunlit part of the area of pieces of leaves, from the absorbed
-//! light of first hits. Leaves that absorb no light are left out.
+//! light of first hits. Leaves that absorb no light and organs are left out.
 //! @param tallies results of a simulation with the light of pieces
 //! @param groups all groups of the scene's mesh
-//! @param leaf_area area of all pieces [m2]
+//! @param leaf_area area of all pieces of leaves [m2]
 SunlitFractions sunlit_fractions(const std::vector<Tally>& tallies,
                                  const RayScene& scene,
                                  const std::vector<Group>& groups,

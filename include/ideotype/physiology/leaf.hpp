@@ -33,6 +33,9 @@ struct Air {
 //! respiration of so many times.
 LeafRates scaled(const LeafRates& leaf, double factor);
 
+//! Returns the leaf without respiration.
+LeafRates without_respiration(LeafRates leaf);
+
 //! Returns the hyperbola at a temperature [deg C]: amax g(T) / g(30), with g of
 //! c4_temperature_response(). phi does not change.
 Hyperbola hyperbola_at(const HyperbolaLeaf& leaf, double temperature);
@@ -56,6 +59,14 @@ void gross(const LeafResponse& response, std::span<const double> absorbed,
 //! Returns the assimilation with its first two derivatives.
 void expand(const LeafResponse& response, std::span<const double> absorbed,
             double* assimilation, double* slope, double* curvature);
+
+//! Carbon in carbohydrate, CH2O [mol kg-1].
+inline constexpr double carbon_per_carbohydrate = 1000. / 30;
+
+//! Returns the respiration of dry mass that maintains itself [umol kg-1 s-1]:
+//! m 2^((T - 25) / 10), as in WOFOST.
+//! @param maintenance m, carbohydrate per dry mass at 25 deg C [kg kg-1 d-1]
+double maintenance_respiration(double maintenance, double temperature);
 
 //! Carbon that building a leaf costs, once [mol m-2 of leaf]: 45 g m-2 (of 29
 //! to 62 in WOFOST) of 1.39 g of CH2O each, at 30 g mol-1.

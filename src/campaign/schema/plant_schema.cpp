@@ -14,6 +14,15 @@ void add_measures(Section& section, const auto& measures, Part& part) {
     }
 }
 
+//! Adds the keys of a tissue, which dead tissue leaves out.
+template <class Part>
+void add_tissue(Section& section, Part& part) {
+    for (const Measure<Part>& each : tissue_measures<Part>) {
+        section.add(each.name, &(part.*each.value));
+        section.keys.back().written_if(part.*each.value != Part{}.*each.value);
+    }
+}
+
 //! Returns the section of a part that a plant has at most once.
 template <class Part>
 Section part_section(const std::string& name, const auto& measures,
@@ -25,9 +34,16 @@ Section part_section(const std::string& name, const auto& measures,
 
 Section stalk_section(Stalk& stalk) {
     Section section = part_section("stalk", stalk_measures, stalk);
+    add_tissue(section, stalk);
     section.add("leaf_base",
                 choice(stalk.leaf_base, {{"surface", LeafBase::surface},
                                          {"axis", LeafBase::axis}}));
+    return section;
+}
+
+Section sheath_section(Sheath& sheath) {
+    Section section = part_section("sheath", sheath_measures, sheath);
+    add_tissue(section, sheath);
     return section;
 }
 
@@ -79,6 +95,9 @@ Section organ_section(Organ& organ) {
                   {"count", &organ.count},
                   {"sides", &organ.sides}});
     add_measures(section, organ_measures, organ);
+    add_tissue(section, organ);
+    section.add("senescence", &organ.senescence);
+    section.keys.back().written_if(organ.senescence > 0);
     return section;
 }
 
@@ -200,7 +219,7 @@ std::vector<Table> plant_tables(Draft& draft) {
     Plant& plant = draft.campaign.crop.baseline;
     return {
         one_table(stalk_section(plant.stalk)),
-        one_table(part_section("sheath", sheath_measures, plant.sheath)),
+        one_table(sheath_section(plant.sheath)),
         one_table(part_section("petiole", petiole_measures, plant.petiole))
             .left_out_if(!has_petioles(plant)),
         one_table(blade_section(plant.blade)),

@@ -35,16 +35,19 @@ class Joined {
     std::vector<std::uint32_t> parent_;
 };
 
-//! Returns whether a face belongs to a leaf.
-inline bool is_leaf(const Mesh& mesh, std::uint32_t face) {
-    return mesh.groups[mesh.face_group[face]].id.is_leaf();
+//! Returns whether a face belongs to a surface that is cut: a leaf, or an organ
+//! that assimilates.
+inline bool is_cut(const Mesh& mesh, std::uint32_t face) {
+    return mesh.groups[mesh.face_group[face]].assimilates();
 }
 
-//! Joins the faces of leaves that have vertices at the same place.
+//! Joins the faces of surfaces that are cut and have vertices at the same
+//! place.
 //! @param part part of each group: only faces of equal parts are joined
 Joined joined_faces(const Mesh& mesh, const Faces& part);
 
-//! Returns the faces of each blade, in the order of groups and first faces.
+//! Returns the faces of each blade, and of each part of an organ that is cut,
+//! in the order of groups and first faces.
 std::vector<Faces> blades(const Mesh& mesh);
 
 }  // namespace ideotype

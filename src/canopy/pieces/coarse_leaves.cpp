@@ -79,7 +79,7 @@ std::vector<std::size_t> coarse_blades(const Mesh& mesh) {
     for (std::uint32_t f = 0; f < count.size(); ++f) ++count[joined.first(f)];
     for (std::uint32_t f = 0; f < count.size(); ++f) {
         const std::size_t faces = count[joined.first(f)];
-        result.push_back(is_leaf(mesh, f) && faces < fine_enough ? faces : 0);
+        result.push_back(is_cut(mesh, f) && faces < fine_enough ? faces : 0);
     }
     return result;
 }

@@ -19,7 +19,7 @@ Joined joined_faces(const Mesh& mesh, const Faces& part) {
         std::tuple<std::uint32_t, double, double, double, std::uint32_t>;
     std::vector<Corner> corners;
     for (std::uint32_t f = 0; f < mesh.faces.size(); ++f) {
-        if (!is_leaf(mesh, f)) continue;
+        if (!is_cut(mesh, f)) continue;
         for (const std::uint32_t v : mesh.faces[f]) {
             const glm::dvec3& p = mesh.vertices[v];
             corners.emplace_back(part[mesh.face_group[f]], p.x, p.y, p.z, f);
@@ -43,7 +43,7 @@ std::vector<Faces> blades(const Mesh& mesh) {
     Joined joined = joined_faces(mesh, groups);
     std::vector<std::pair<std::uint32_t, std::uint32_t>> order;
     for (std::uint32_t f = 0; f < mesh.faces.size(); ++f)
-        if (is_leaf(mesh, f)) order.emplace_back(joined.first(f), f);
+        if (is_cut(mesh, f)) order.emplace_back(joined.first(f), f);
     std::sort(order.begin(), order.end());
     std::stable_sort(
         order.begin(), order.end(), [&](const auto& a, const auto& b) {
@@ -113,7 +113,7 @@ class Cutter {
         std::iota(result_.like.begin(), result_.like.end(), 0u);
         std::vector<std::uint32_t> place(mesh.groups.size(), none);
         for (std::uint32_t f = 0; f < mesh.faces.size(); ++f) {
-            if (is_leaf(mesh, f)) continue;
+            if (is_cut(mesh, f)) continue;
             std::uint32_t& group = place[mesh.face_group[f]];
             if (group == none) group = add_group(mesh, mesh.face_group[f]);
             result_.mesh.face_group[f] = group;
@@ -155,10 +155,17 @@ Pieces cut_leaves(const Mesh& mesh, std::size_t per_blade) {
     IDEOTYPE_EXPECT(per_blade > 0);
     // Blades of very fine meshes have more pieces, of this number of faces.
     constexpr std::size_t faces_of_piece = 16;
+    // A sheath is round and its light far from even; a tenth of its capacity
+    // makes few pieces enough.
+    constexpr std::size_t faces_of_organ_piece = 4;
     Cutter cutter(mesh);
-    for (Faces& blade : blades(mesh))
-        cutter.cut(mesh, blade.data(), blade.data() + blade.size(),
-                   std::max(per_blade, blade.size() / faces_of_piece));
+    for (Faces& part : blades(mesh)) {
+        const bool is_leaf =
+            mesh.groups[mesh.face_group[part.front()]].id.is_leaf();
+        cutter.cut(mesh, part.data(), part.data() + part.size(),
+                   is_leaf ? std::max(per_blade, part.size() / faces_of_piece)
+                           : part.size() / faces_of_organ_piece);
+    }
     return cutter.result(mesh);
 }
 

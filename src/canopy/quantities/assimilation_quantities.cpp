@@ -85,6 +85,57 @@ Randomised respired(const CanopyReport& report) {
     return result;
 }
 
+//! Returns numbers of the leaves together and of each other organ, component by
+//! component, from numbers of groups.
+Values by_organ(const CanopyReport& report, const auto& sum_of_groups) {
+    Values organs;
+    for (std::uint32_t c = 0; c < report.components.size(); ++c) {
+        std::vector<std::size_t> leaves;
+        for (std::size_t g = 0; g < report.groups.size(); ++g)
+            if (report.groups[g].id.component == c &&
+                report.groups[g].id.is_leaf())
+                leaves.push_back(g);
+        organs.push_back(sum_of_groups(leaves));
+        for (std::size_t g = 0; g < report.groups.size(); ++g)
+            if (report.groups[g].id.component == c &&
+                !report.groups[g].id.is_leaf())
+                organs.push_back(sum_of_groups(std::vector{g}));
+    }
+    return organs;
+}
+
+Values gross_by_organ(const CanopyReport& report) {
+    const std::vector<FluxTally>& tallies = report.assimilation->gross.tallies;
+    return by_organ(report, [&](const std::vector<std::size_t>& groups) {
+        return estimate(mapped(tallies, [&](const FluxTally& tally) {
+            double sum = 0;
+            for (const std::size_t g : groups) sum += tally.groups[g];
+            return sum;
+        }));
+    });
+}
+
+Values loss_by_organ(const CanopyReport& report) {
+    const AssimilationReport& all = *report.assimilation;
+    return by_organ(report, [&](const std::vector<std::size_t>& groups) {
+        const auto of = [&](const std::vector<CarbonLoss>& losses) {
+            double sum = 0;
+            for (const std::size_t g : groups) sum += losses[g].all();
+            return sum;
+        };
+        Estimate loss{of(all.losses), 0};
+        if (!all.losses_by_randomisation.empty())
+            loss.standard_error =
+                estimate(mapped(all.losses_by_randomisation, of))
+                    .standard_error;
+        return loss;
+    });
+}
+
+bool has_living_organs(const Scope& scope) {
+    return scope.has_living_organs;
+}
+
 Randomised after_silking(const CanopyReport& report) {
     const std::vector<double>& values = report.assimilation->late_net;
     return {estimate(values), values};
@@ -110,12 +161,11 @@ std::vector<Declaration> assimilation_quantities() {
     using Report = CanopyReport;
     return {
         {{"gross_assimilation", rate,
-          "CO2 that leaves take up per ground area"},
+          "CO2 that leaves and green organs take up per ground area"},
          MeanOver::nothing,
          [](const Report& r) { return carbon(r); }},
         {{"net_assimilation", rate,
-          "gross assimilation less the respiration of leaves while there is "
-          "light"},
+          "gross assimilation less respiration while there is light"},
          MeanOver::nothing,
          [](const Report& r) { return net(r); }},
         {{"net_assimilation_per_leaf_area", rate,
@@ -123,8 +173,8 @@ std::vector<Declaration> assimilation_quantities() {
          MeanOver::leaf_area,
          [](const Report& r) { return per_leaf_area(r, net(r)); }},
         {{"carbon_balance", rate,
-          "gross assimilation less the respiration of leaves by day and night "
-          "and the carbon that builds them"},
+          "gross assimilation less respiration by day and night and the carbon "
+          "that builds leaves and other organs"},
          MeanOver::nothing,
          [](const Report& r) { return balance(r); }},
         {{"gross_co2", "g m-2 day-1", "gross assimilation"},
@@ -136,12 +186,13 @@ std::vector<Declaration> assimilation_quantities() {
         {{"dry_matter", "t ha-1", "carbon balance of all days as carbohydrate"},
          MeanOver::nothing,
          [](const Report& r) { return balance(r, tonnes * r.days); }},
-        {{"respiration", rate, "respiration of leaves by day and night"},
+        {{"respiration", rate,
+          "respiration of leaves and other organs by day and night"},
          MeanOver::nothing,
          respired},
         {{"carbon_after_silking", rate,
-          "gross assimilation after silking less what leaves respire then, day "
-          "and night, over the days of the season"},
+          "gross assimilation less respiration after silking, day and night, "
+          "over the days of the season"},
          MeanOver::nothing,
          after_silking,
          [](const Scope& scope) { return scope.grows; }},
@@ -170,8 +221,18 @@ std::vector<Declaration> assimilation_quantities() {
         {by({"leaf"}, {"net_assimilation_by_leaf", rate,
                        "net assimilation of each leaf"}),
          MeanOver::nothing, net_by_leaf},
+        {by({"organ"},
+            {"assimilation_by_organ", rate,
+             "gross assimilation of leaves together and of each other organ"}),
+         MeanOver::nothing, gross_by_organ, has_living_organs},
+        {by({"organ"},
+            {"carbon_loss_by_organ", rate,
+             "carbon that leaves together and each other organ respire and are "
+             "built of, at the temperature of the air"}),
+         MeanOver::nothing, loss_by_organ, has_living_organs},
         {by({"layer"}, {"assimilation_by_layer", rate,
-                        "gross assimilation of leaves in each layer"}),
+                        "gross assimilation of leaves and green organs in each "
+                        "layer"}),
          MeanOver::nothing,
          [](const Report& r) {
              return along(r.assimilation->gross.tallies,

@@ -55,6 +55,7 @@ struct Scope {
     bool has_panels = false;
     bool grows = false;
     bool has_water = false;
+    bool has_living_organs = false;
 
     bool has_band(const std::string& name) const {
         return std::find(bands.begin(), bands.end(), name) != bands.end();

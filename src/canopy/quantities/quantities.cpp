@@ -43,7 +43,7 @@ std::vector<const Declaration*> declared(const Scope& scope) {
 namespace {
 
 const Scope everything = [] {
-    Scope all{2, {}, true, true, true, true, true, true, true, true};
+    Scope all{2, {}, true, true, true, true, true, true, true, true, true};
     for (const Waveband& each : wavebands) all.bands.push_back(each.name);
     return all;
 }();
@@ -58,7 +58,8 @@ Scope scope_of(const CanopyReport& report) {
             !report.objects.empty(),
             has_panels(report.objects),
             report.grows,
-            report.water.has_value()};
+            report.water.has_value(),
+            report.has_living_organs};
 }
 
 std::vector<const Declaration*> declared(const CanopyReport& report) {

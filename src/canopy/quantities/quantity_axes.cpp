@@ -16,7 +16,8 @@ Scope scope_of(const Scene& scene, const Details& details) {
             scene.assimilates(),        details.form,
             details.lines.has_value(),  !scene.cell.row_ground.empty(),
             !scene.objects.empty(),     has_panels(scene.objects),
-            scene.light().series.grows, scene.water.has_value()};
+            scene.light().series.grows, scene.water.has_value(),
+            scene.has_living_organs()};
 }
 
 Axis layer_axis(const Layers& layers) {

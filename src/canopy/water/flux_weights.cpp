@@ -12,7 +12,7 @@ void WaterFluxes::weigh_hot(const StepLight& light, double amount,
     const auto is_hot = [&](std::size_t area) {
         const LeafAir::Point at = point(&light, area);
         const std::uint32_t group = places_.group[at.place];
-        return lit_.leaves[group].photosynthesis
+        return lit_.leaves[group].exchanges_water()
                    ? lines_->at(LeafFlux::hot, group, at)
                    : Expansion{};
     };
@@ -30,7 +30,7 @@ void WaterFluxes::weigh(LeafFlux flux, const StepLight& light,
     if (flux == LeafFlux::hot) return weigh_hot(light, amounts_[k], all);
     std::vector<double> slopes;
     for (std::uint32_t g = 0; g < lit_.leaves.size(); ++g)
-        slopes.push_back(lit_.leaves[g].photosynthesis
+        slopes.push_back(lit_.leaves[g].exchanges_water()
                              ? amounts_[k] * lines_->line(flux, g).back()
                              : 0);
     const std::vector<PairLight::Bin>& bins = light.pair.bins();

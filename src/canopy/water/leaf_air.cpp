@@ -91,7 +91,7 @@ void LeafAir::find_classes() {
     std::vector<double> all(components), below(components);
     const auto for_each = [&](const auto& take) {
         for (std::uint32_t g = 0; g < index_.size(); ++g)
-            if (leaves_.leaves[g].photosynthesis && index_[g] > 0)
+            if (leaves_.leaves[g].exchanges_water() && index_[g] > 0)
                 take(g, leaves_.groups[g].id.component);
     };
     for_each([&](std::uint32_t g, std::uint32_t of) { all[of] += index_[g]; });
@@ -115,7 +115,7 @@ void LeafAir::take_means(std::initializer_list<double Place::*> parts) {
             at_[mean_place(c)].*part = 0;
         for (std::size_t p = 0; p < places_->count(); ++p) {
             const std::uint32_t g = at_[p].group, of = class_[g];
-            if (leaves_.leaves[g].photosynthesis && means_[of].area > 0)
+            if (leaves_.leaves[g].exchanges_water() && means_[of].area > 0)
                 at_[mean_place(of)].*part +=
                     places_->index[p] / means_[of].area * at_[p].*part;
         }
@@ -160,7 +160,7 @@ void LeafAir::begin(std::size_t number) {
     leaf_.clear();
     for (std::uint32_t g = 0; g < leaves_.leaves.size(); ++g) {
         leaf_.emplace_back();
-        if (leaves_.leaves[g].photosynthesis && index_[g] > 0)
+        if (leaves_.leaves[g].exchanges_water() && index_[g] > 0)
             leaf_.back() = leaf_in(number, g);
     }
     set_air({});

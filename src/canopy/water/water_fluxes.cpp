@@ -117,7 +117,7 @@ void WaterFluxes::find_lines(const StepLight* light) {
     double all = 0;
     const auto add = [&](std::size_t place, double ppfd, double cosine) {
         const std::uint32_t group = places_.group[place];
-        if (lit_.leaves[group].photosynthesis) {
+        if (lit_.leaves[group].exchanges_water()) {
             const double area = areas_[chances_.size()];
             lines_->add(group, ppfd, cosine, area);
             brightest_ = std::max(brightest_, ppfd);
@@ -136,7 +136,8 @@ void WaterFluxes::find_lines(const StepLight* light) {
         for (std::size_t p = 0; p < places_.count(); ++p) {
             absorbed_[p] = places_.index[p] * light->shaded.light[p];
             gross_[p] = light->of_places[p] / amounts_.front();
-            lines_->add_gross(places_.group[p], gross_[p]);
+            if (lit_.leaves[places_.group[p]].exchanges_water())
+                lines_->add_gross(places_.group[p], gross_[p]);
         }
         for (const PairLight::Bin& bin : bins)
             absorbed_[bin.place] += light->scales.of_sun * bin.moments.one;
@@ -156,7 +157,7 @@ void WaterFluxes::add_lines(std::size_t step, const StepLight* light) {
         for (std::size_t p = 0, last = 0; p < places_.count(); p = last) {
             const std::uint32_t group = places_.group[p];
             last = p + 1;
-            if (!lit_.leaves[group].photosynthesis) continue;
+            if (!lit_.leaves[group].exchanges_water()) continue;
             const auto [constant, slope] = lines_->line(flux, group);
             double of_group = 0;
             for (last = p;
@@ -182,7 +183,7 @@ void WaterFluxes::add_hot(std::size_t step, const StepLight* light) {
     for (std::size_t j = 0; j < areas_.size(); ++j) {
         const LeafAir::Point each = point(light, j);
         const std::uint32_t group = places_.group[each.place];
-        if (!lit_.leaves[group].photosynthesis ||
+        if (!lit_.leaves[group].exchanges_water() ||
             lines_->at(LeafFlux::hot, group, each).value == 0)
             continue;
         all += areas_[j];

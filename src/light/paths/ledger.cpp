@@ -80,6 +80,7 @@ void Ledger::keep(std::uint32_t group, double height, bool is_adaxial,
     if (!id.is_leaf()) {
         if (!id.is_object()) {
             part_.organs += energy;
+            keep_of_piece(group, energy, direct);
             return;
         }
         part_.objects += energy;
@@ -92,6 +93,11 @@ void Ledger::keep(std::uint32_t group, double height, bool is_adaxial,
     if (direct) part_.unscattered += energy;
     tally_.layers[counted_.layers.at(height)] += energy;
     (is_adaxial ? tally_.adaxial : tally_.abaxial) += energy;
+    keep_of_piece(group, energy, direct);
+}
+
+void Ledger::keep_of_piece(std::uint32_t group, double energy,
+                           const FirstHit* direct) {
     if (!leaf_light_ || group >= counted_.pieces) return;
     if (direct && beam_)
         beam_->add(direct->triangle, energy);

@@ -83,6 +83,8 @@ class Ledger {
   private:
     void keep(std::uint32_t group, double height, bool is_adaxial,
               double energy, const FirstHit* direct);
+    void keep_of_piece(std::uint32_t group, double energy,
+                       const FirstHit* direct);
     Budget& next();
 
     const Counted& counted_;

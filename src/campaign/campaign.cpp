@@ -280,8 +280,9 @@ std::string crop_text(const Campaign& campaign, const Plant& baseline,
     return resolved_plant_text(own);
 }
 
-Campaign parse_campaign(const std::string& text, const std::string& file) {
-    return parse(text, file, PlantSource::table);
+Campaign parse_campaign(const std::string& text, const std::string& file,
+                        const std::vector<std::string>& settings) {
+    return parse(text, file, PlantSource::table, settings);
 }
 
 Campaign at_keys(const Campaign& campaign, Genome& genome) {

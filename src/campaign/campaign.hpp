@@ -202,8 +202,10 @@ Campaign read_study(const std::string& path,
 
 //! Parses the text of a resolved campaign; messages name the file.
 //! parse_campaign(c.resolved, f).resolved == c.resolved.
+//! @param settings "table.key=value", each replacing a value of the text
 //! @throws InputError with all problems.
-Campaign parse_campaign(const std::string& text, const std::string& file);
+Campaign parse_campaign(const std::string& text, const std::string& file,
+                        const std::vector<std::string>& settings = {});
 
 //! Checks the baseline.
 //! @throws InputError if the baseline is outside its bounds.

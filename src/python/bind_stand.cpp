@@ -43,12 +43,14 @@ std::unique_ptr<CaseStand> stand_at(const Campaign& campaign,
     return nullptr;
 }
 
-//! Makes the stand of a history from its resolved campaign.
+//! Makes the stand of a history from its resolved campaign, in which settings
+//! replace values.
 std::unique_ptr<CaseStand> from_history(const std::string& text,
                                         const std::string& path,
                                         const std::string& name, Genome genome,
+                                        const Settings& settings,
                                         const std::string& isa) {
-    const Campaign campaign = parse_campaign(text, path);
+    const Campaign campaign = parse_campaign(text, path, settings);
     if (auto found = stand_at(campaign, name, genome, isa)) return found;
     throw Error(path + ": the campaign in this history has no case " + name);
 }
@@ -194,7 +196,7 @@ void bind_stand(nb::module_& module) {
                     nb::arg("isa"))
         .def_static("from_history", &from_history, Released(), nb::arg("text"),
                     nb::arg("path"), nb::arg("case"), nb::arg("genome"),
-                    nb::arg("isa"))
+                    nb::arg("settings"), nb::arg("isa"))
         .def_prop_ro("name", [](const CaseStand& x) { return x.chosen().name; })
         .def_prop_ro("entries", &entries)
         .def_prop_ro(

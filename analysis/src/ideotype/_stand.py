@@ -80,12 +80,16 @@ class Stand(StandViews):
         path: str | PathLike[str],
         genome: ArrayLike = (),
         *,
+        settings: Settings = (),
         same_isa: bool = True,
     ) -> Self:
         """Returns the stand that the plants of a history were evaluated in. A
         sensitivity study and `[[search.keys]]` also vary keys of the campaign:
         the stand has the keys of the row with this genome, without it those of
         the campaign; genomes of rows are evaluated with their own keys.
+
+        `settings`: replace keys of the history's campaign, such as
+        {"plant.organs": []}.
 
         `same_isa`: whether to use the instruction set of the history, without
         which light differs in its last digits, or else the widest set of this
@@ -102,6 +106,7 @@ class Stand(StandViews):
                     os.fspath(path),
                     str(history.attributes["case"]),
                     real(genome, "genome").tolist(),
+                    words_of(settings),
                     str(history.attributes["isa"]) if same_isa else "",
                 )
             )
@@ -221,7 +226,7 @@ class Stand(StandViews):
 
 def _restored(campaign: str, case: str, isa: str) -> Stand:
     return Stand._of(
-        _core.CaseStand.from_history(campaign, "a stand", case, [], isa)
+        _core.CaseStand.from_history(campaign, "a stand", case, [], [], isa)
     )
 
 

@@ -40,9 +40,8 @@ def _run(name: str, *arguments: object) -> subprocess.CompletedProcess[str]:
 def test_gains_are_a_table_with_a_line_for_each_case(sweep: Path) -> None:
     done = summary(sweep)
     assert (done.returncode, done.stderr) == (0, "")
-    table = [
-        x.split("|") for x in done.stdout.split("\n") if x.startswith("|")
-    ]
+    parts = done.stdout.split("\n\n")
+    table = [x.split("|") for x in parts[0].split("\n")]
     assert [word.strip() for word in table[0][1:4]] == [
         "case",
         "searches",
@@ -51,8 +50,10 @@ def test_gains_are_a_table_with_a_line_for_each_case(sweep: Path) -> None:
     assert all(len(row) == len(table[0]) for row in table)
     assert {row[2].strip() for row in table[2:]} == {"2"} and len(table) == 4
     assert all("±" in row[3] for row in table[2:])
-    # The table, its caption and the note about traits at a bound.
-    assert len(done.stdout.splitlines()) == 8
+    # The table and the split of the gains, with captions, and the note about
+    # traits at a bound.
+    assert len(parts) == 5
+    assert parts[2].startswith("| case ") and "leaves alone" in parts[2]
     lines = summary(sweep, "--csv").stdout.splitlines()
     assert len(lines) == 3 and lines[0].startswith("case,campaign,site,")
 

@@ -4,7 +4,7 @@ this plant beside the leaves of the baseline."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 
@@ -16,6 +16,7 @@ from .case import Case
 from .figures.comparison import known_cases
 from .figures.style import unit_label
 from .interval import ENOUGH, ONE_SEED
+from .organ_split import Split, in_words
 from .reading.coordinates import short_names
 from .reading.file import HistoryError
 from .results import evaluations_of
@@ -35,14 +36,18 @@ _MEASURES = (
 """Measures of leaves: name, title, factor and digits."""
 
 
-def answer(cases: Sequence[Case]) -> Answer:
-    """Tells which plant is best and how certain the gain is, the costs of the
-    plant, and the limits of the search.
+def answer(
+    cases: Sequence[Case], splits: Mapping[str, Split | Note] = {}
+) -> Answer:
+    """States which plant is best and how certain the gain is, the split of the
+    gain if splits by the names of cases are given, the costs of the plant, and
+    the limits of the search.
 
     Raises HistoryError if nothing is evaluated yet."""
     known = known_cases(cases)
     tell = _of_one if len(known) == 1 else _of_many
     better, cost = tell(known)
+    better += in_words([splits.get(case.name) for case in known])
     return Answer(
         (
             ("How much better, and how sure?", better),

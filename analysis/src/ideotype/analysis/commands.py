@@ -34,6 +34,7 @@ def summary(arguments: Sequence[str] | None = None) -> int:
         epilog=_EXIT_CODES,
     )
     _add_results(parser)
+    _add_split(parser)
     parser.add_argument(
         "--csv",
         action="store_true",
@@ -59,6 +60,7 @@ def report(arguments: Sequence[str] | None = None) -> int:
         epilog=_EXIT_CODES,
     )
     _add_results(parser)
+    _add_split(parser)
     add = parser.add_argument
     add(
         "-o", "--output", type=Path, default=Path("report"), metavar="DIR",
@@ -104,6 +106,17 @@ def _add_results(parser: argparse.ArgumentParser) -> None:
     )
 
 
+def _add_split(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "--no-split",
+        dest="has_split",
+        action="store_false",
+        help="do not evaluate the best plant of each case and its baseline "
+        "again with leaves alone, which shows the part of the gain that is "
+        "light taken from other organs",
+    )
+
+
 def guarded(
     parser: argparse.ArgumentParser,
     arguments: Sequence[str] | None,
@@ -140,16 +153,28 @@ def _drop_output() -> None:
 
 
 def _summarize(options: argparse.Namespace, study: Study) -> None:
-    if options.csv:
-        print(printable_lines(study.results().to_csv(index=False)), end="")
-        return
-    # The import stands here, so that wrong command lines need not wait for the
+    # The imports stand here, so that wrong command lines need not wait for the
     # plotting library.
-    from .tables import gains, markdown, on_a_screen
+    from .organ_split import splits_of, table_of
+    from .results import results_of
+    from .tables import ends_of, gains, markdown, on_a_screen
 
     cases = study.cases()
-    found = gains(cases, None) if options.all else on_a_screen(cases)
-    print(printable_lines(markdown(found)))
+    if options.csv:
+        cases = [case for case in cases if not case.is_sensitivity]
+    is_whole = options.all or options.csv
+    splits = {}
+    if options.has_split:
+        with Progress("cases split") as progress:
+            splits = splits_of(
+                cases if is_whole else ends_of(cases), progress.tell
+            )
+    if options.csv:
+        table = results_of(cases, splits)
+        print(printable_lines(table.to_csv(index=False)), end="")
+        return
+    first, *others = gains(cases, None) if options.all else on_a_screen(cases)
+    print(printable_lines(markdown([first, *table_of(splits), *others])))
 
 
 def _report(options: argparse.Namespace, study: Study) -> None:
@@ -173,6 +198,7 @@ def _report(options: argparse.Namespace, study: Study) -> None:
             jobs=options.jobs or len(os.sched_getaffinity(0)),
             figures_of=options.figures,
             plants=options.plant,
+            has_split=options.has_split,
         )
     size = written.page.stat().st_size / 1e6
     folder = written.page.parent

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
@@ -11,7 +11,7 @@ from pathlib import Path
 from .._output import require_output, write_file
 from . import tables
 from .answer import answer, leaf_table
-from .blocks import Section, Viewer
+from .blocks import Note, Section, Viewer
 from .case import Case
 from .case_section import plants_of, section_of
 from .figures.comparison import draw_energy, draw_gains, intervals_of
@@ -22,6 +22,7 @@ from .figures.places import draw_latitudes, draw_spacings
 from .figures.scene import Plants, scene_of
 from .indices import draw_indices
 from .light_tables import balance, organs
+from .organ_split import Split, by_name, split_of, table_of
 from .page import render
 from .reading.file import HistoryError
 from .reading.provenance import provenance
@@ -78,6 +79,7 @@ def write_report(
     jobs: int = 1,
     figures_of: Sequence[str] | None = None,
     plants: Sequence[str | Path] = (),
+    has_split: bool = True,
 ) -> Written:
     """Writes report.html, results.csv and figures/ into the folder, over those
     of an earlier report. `command` is the command that the page names as its
@@ -87,7 +89,8 @@ def write_report(
     __name__ == "__main__":`. Cases whose name contains one of the words
     `figures_of` get separate figures; without words all cases do if there are
     few. `plants` are files of the user's own plants for the 3D view, as for
-    own_plants().
+    own_plants(). With `has_split` the best plant of each case and its baseline
+    are evaluated again with leaves alone.
 
     Raises HistoryError if no history has an evaluation, OutputRefused if a
     symbolic link is where a file or folder is to be written, OSError if the
@@ -110,6 +113,7 @@ def write_report(
         case.remember()
     single = _with_figures(cases, figures_of)
     with workers(jobs) as run:
+        splits = by_name(cases, run(split_of, cases)) if has_split else {}
         own = [Path(path) for path in plants]
         built = list(run(partial(plants_of, own=own), cases))
         shapes = [
@@ -118,8 +122,8 @@ def write_report(
             if isinstance(found, Plants) or case.fronts
         ]
         searched = [
-            _answer(study, cases),
-            _gains(cases, cross),
+            _answer(study, cases, splits),
+            _gains(cases, cross, splits),
             _places(cases, cross),
             _view(shapes),
             *(
@@ -137,7 +141,7 @@ def write_report(
             _provenance(every, command),
         ]
         figures = draw_all(sections, pictures, run, tell, has_pdf)
-    write_file(table, results_of(cases).to_csv(index=False), folder)
+    write_file(table, results_of(cases, splits).to_csv(index=False), folder)
     write_file(
         page,
         render(
@@ -179,13 +183,15 @@ def _subtitle(study: Study) -> str:
     )
 
 
-def _answer(study: Study, cases: Sequence[Case]) -> Section:
+def _answer(
+    study: Study, cases: Sequence[Case], splits: Mapping[str, Split | Note]
+) -> Section:
     """Returns the answer with which the page begins."""
     section = Section("The answer")
     for error in study.damaged:
         section.note(f"A history is left out. {error}.")
     if known := [case for case in cases if case.pairs]:
-        section.blocks.append(answer(cases))
+        section.blocks.append(answer(cases, splits))
         section.note(_READING)
         best = max(known, key=lambda case: case.relative_gain().mean)
         if len(known) > 1:
@@ -198,7 +204,11 @@ def _answer(study: Study, cases: Sequence[Case]) -> Section:
     return section
 
 
-def _gains(cases: Sequence[Case], cross: Cross | None) -> Section:
+def _gains(
+    cases: Sequence[Case],
+    cross: Cross | None,
+    splits: Mapping[str, Split | Note],
+) -> Section:
     section = Section("Gains")
     section.draw(
         "gains",
@@ -212,7 +222,8 @@ def _gains(cases: Sequence[Case], cross: Cross | None) -> Section:
         "Parts of the incident PAR.",
         partial(draw_energy, cases),
     )
-    section.blocks += [*tables.gains(cases, cross)[:1], *scenarios(cases)]
+    section.blocks += tables.gains(cases, cross)[:1]
+    section.blocks += [*table_of(splits), *scenarios(cases)]
     return section
 
 

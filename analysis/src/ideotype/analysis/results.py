@@ -4,11 +4,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
+from .blocks import Note
 from .case import Case
 from .interval import Interval, interval
+from .organ_split import Split, columns_of
 from .reading.file import HistoryError
 from .reading.history import History
 
@@ -38,14 +40,17 @@ _UNITS = {
 }
 
 
-def results_of(cases: Sequence[Case]) -> pandas.DataFrame:
+def results_of(
+    cases: Sequence[Case], splits: Mapping[str, Split | Note] = {}
+) -> pandas.DataFrame:
     """Returns a table with a line for each case: coordinates, baseline, best,
-    gain with the ends of its 95 % interval, leaf area index and number of
-    searches; unknown numbers are NaN. Units are in .attrs["units"]."""
+    gain with the ends of its 95 % interval, leaf area index, number of
+    searches, and the split of the gain if splits by the names of cases are
+    given; unknown numbers are NaN. Units are in .attrs["units"]."""
     # pandas is imported at its use, because its import takes long.
     import pandas
 
-    lines = [_line(case) for case in cases]
+    lines = [_line(case) | columns_of(splits.get(case.name)) for case in cases]
     table = pandas.DataFrame(lines)
     units = {name: unit for name, unit in _UNITS.items() if name in table}
     table.attrs["units"] = units

@@ -6,19 +6,21 @@ interventions.py FOLDER [--fields N] [--generations N] [--seeds N] [--rough]
 
 Gives each trait that quickstart.toml breeds other values, half way to its
 bounds and at them, while all other traits stay those of the baseline. Prints
-the change of the season's carbon and of the PAR that leaves absorb, with
-stalk, sheaths, peduncle, tassel and ear and with leaves alone
-(`plant.organs = []`), and the light that other organs and dead leaves take;
-then the same of height in the hybrid that grows in 2011 at Bondville. Breeds
-quickstart.toml in FOLDER and prints the gains of the best plants of its
-searches in the same four ways: with and without other organs, with their own
-height and with that of the baseline. All plants stand in the same N fields
-with the same random numbers. ± is half of a 95 % interval.
+the change of the season's carbon and of the PAR that leaves absorb in each
+variant of `ideotype.analysis.organ_split`: with stalk, sheaths, peduncle,
+tassel and ear and with leaves alone (`plant.organs = []`); the difference
+between successive variants; and the light that other organs and dead leaves
+take. Prints the same of height in the hybrid that grows in 2011 at Bondville.
+Breeds quickstart.toml in FOLDER and prints the gains of the best plants of its
+searches in each variant, with their height and with that of the baseline. All
+plants stand in the same N fields with common random numbers. ± is half of a
+95 % interval of paired differences.
 """
 
 from __future__ import annotations
 
 import argparse
+import tomllib
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -26,7 +28,7 @@ from typing import Any
 import numpy as np
 import pandas as pd
 from climates import growth
-from estimates import Estimate, gain, interval_of, print_table, told
+from estimates import Estimate, interval_of, print_table, told
 from shared import (
     BREEDABLE,
     ROUGH,
@@ -40,19 +42,21 @@ from shared import (
 
 import ideotype
 from ideotype import Stand
+from ideotype.analysis.organ_split import Split, Variant, split, variants_of
+from ideotype.analysis.reading.estimate import Estimate as Figure
 
 STEPS = (-1.0, -0.5, 0.5, 1.0)
 """The parts of the way from the baseline to the lower (-) or upper bound."""
-LEAVES_ALONE = "leaves alone"
-WAYS: dict[str, dict[str, Any]] = {
-    "all organs": {},
-    LEAVES_ALONE: {"plant.organs": []},
-}
 #: Two objectives, so that both are known in each randomisation.
 MEASURED = {
     "objective.maximise": ["carbon_balance", "absorbed_par"],
     "search.optimizer": "nsga2",
 }
+
+
+CARBON = "mol m-2 day-1"
+Stands = list[tuple[Variant, Stand]]
+"""The variants of a campaign, first with all organs, and their stands."""
 
 
 @dataclass(frozen=True)
@@ -77,10 +81,40 @@ def evaluate(stand: Stand, genomes: Sequence[Numbers]) -> Evaluated:
     return Evaluated(carbon, par, 100 * found.stalk_fraction.to_numpy())
 
 
-def gains(values: Numbers) -> list[Estimate]:
-    """Returns the gains of all plants over the first one [%]."""
-    first, *others = values.tolist()
-    return [gain(first, other) for other in others]
+def splits(
+    variants: Sequence[Variant], values: Sequence[Numbers], unit: str
+) -> list[Split]:
+    """Returns the split of the gain of each plant over the first one. `values`
+    are those of all plants in each variant [plants, randomisations]."""
+    return [
+        split(variants, [each[[0, k]] for each in values], unit)
+        for k in range(1, len(values[0]))
+    ]
+
+
+def pair_of(figure: Figure) -> Estimate:
+    return figure.mean, figure.standard_error
+
+
+def titles_of(variants: Sequence[Variant], quantity: str) -> list[str]:
+    """Returns the titles of the columns of cells()."""
+    return [
+        *(f"{quantity} {v.title} [%]" for v in variants),
+        *(
+            f"{quantity} by {v.removed} [points]"
+            for v in variants
+            if v.removed
+        ),
+    ]
+
+
+def cells(found: Split) -> list[str]:
+    """Returns the gain in each variant, and the differences between successive
+    variants."""
+    unit = "" if found.unit == "%" else f" {found.unit.partition(' ')[0]}"
+    return [
+        told(pair_of(x), 2, "+") + unit for x in (*found.gains, *found.parts)
+    ]
 
 
 def named(trait: str, unit: str, value: float) -> str:
@@ -110,32 +144,32 @@ def changes(stand: Stand, only: str = "") -> Iterator[tuple[str, Numbers]]:
             yield name, plant.to_numpy()
 
 
-def print_changes(stands: dict[str, Stand], only: str = "") -> None:
+def print_changes(stands: Stands, only: str = "") -> None:
     """Prints the effect of each trait alone, or of `only` this one."""
-    names, plants = zip(*changes(stands[LEAVES_ALONE], only), strict=True)
-    found = {}
-    for way, stand in stands.items():
-        say(f"traits, {way}")
-        found[way] = evaluate(stand, [stand.baseline, *plants])
-    columns = [
-        [told(x, 2, "+") for x in gains(values)]
-        for each in (
-            [x.carbon for x in found.values()],
-            [x.par for x in found.values()],
+    variants = [variant for variant, _ in stands]
+    names, plants = zip(*changes(stands[0][1], only), strict=True)
+    found = []
+    for variant, stand in stands:
+        say(f"traits, {variant.title}")
+        found.append(evaluate(stand, [stand.baseline, *plants]))
+    carbon = splits(variants, [each.carbon for each in found], CARBON)
+    par = splits(variants, [each.par for each in found], "MJ m-2 day-1")
+    light = [f"{x:.2f}" for x in found[0].others]
+    titles = titles_of(variants, "season's carbon")
+    titles += titles_of(variants, "PAR of leaves")
+    rows = [
+        [name, *cells(one), *cells(other), share]
+        for name, one, other, share in zip(
+            names, carbon, par, light[1:], strict=True
         )
-        for values in each
     ]
-    light = [f"{x:.2f}" for x in next(iter(found.values())).others]
-    titles = [
-        f"{quantity}, {way} [%]"
-        for quantity in ("season's carbon", "PAR of leaves")
-        for way in found
-    ]
-    titles += ["light of other organs and dead leaves [% of incident]"]
-    rows = zip(names, *columns, light[1:], strict=True)
     print_table(
-        ["the baseline with", *titles],
-        [["no change", *[""] * len(columns), light[0]], *rows],
+        [
+            "the baseline with",
+            *titles,
+            "light of other organs and dead leaves [% of incident]",
+        ],
+        [["no change", *[""] * len(titles), light[0]], *rows],
     )
 
 
@@ -145,17 +179,30 @@ def with_own_height(stand: Stand, plant: Numbers) -> Numbers:
     return np.where(is_height, stand.baseline, plant)
 
 
-def print_best(stands: dict[str, Stand], plants: Sequence[Numbers]) -> None:
-    """Prints the gains of bred plants with and without other organs."""
-    columns = {}
-    for way, stand in stands.items():
-        say(f"bred plants, {way}")
+def print_best(stands: Stands, plants: Sequence[Numbers]) -> None:
+    """Prints the gains of bred plants in each variant."""
+    variants = [variant for variant, _ in stands]
+    values = []
+    for variant, stand in stands:
+        say(f"bred plants, {variant.title}")
         equally_high = [with_own_height(stand, plant) for plant in plants]
-        found = evaluate(stand, [stand.baseline, *plants, *equally_high])
-        both = gains(found.carbon)
-        columns[way] = both[: len(plants)]
-        columns[f"{way}, height of the baseline"] = both[len(plants) :]
-    genes = stands[LEAVES_ALONE].genes
+        genomes = [stand.baseline, *plants, *equally_high]
+        values.append(evaluate(stand, genomes).carbon)
+    both = splits(variants, values, CARBON)
+    columns: dict[str, list[Estimate]] = {}
+    for height, found in (
+        ("", both[: len(plants)]),
+        (", height of the baseline", both[len(plants) :]),
+    ):
+        for k, variant in enumerate(variants):
+            columns[f"gain {variant.title}{height} [%]"] = [
+                pair_of(each.gains[k]) for each in found
+            ]
+        for k, variant in enumerate(variants[1:]):
+            columns[f"by {variant.removed}{height} [points]"] = [
+                pair_of(each.parts[k]) for each in found
+            ]
+    genes = stands[0][1].genes
     heights = [plant[genes.trait == "height"][0] for plant in plants]
     rows = [
         [str(seed), f"x {height:.2f}", *(told(x, 1, "+") for x in row)]
@@ -163,10 +210,10 @@ def print_best(stands: dict[str, Stand], plants: Sequence[Numbers]) -> None:
             zip(heights, zip(*columns.values(), strict=True), strict=True), 1
         )
     ]
-    print_table(["seed", "height", *(f"{x} [%]" for x in columns)], rows)
+    print_table(["seed", "height", *columns], rows)
     print("\nMeans over the searches:")
-    for name, values in columns.items():
-        print(f"{name}: {interval_of(values)}")
+    for name, gains in columns.items():
+        print(f"{name.partition(' [')[0]}: {interval_of(gains)}")
 
 
 def tables_of(options: argparse.Namespace) -> dict[str, Any]:
@@ -178,16 +225,15 @@ def tables_of(options: argparse.Namespace) -> dict[str, Any]:
     return tables
 
 
-def stands_of(tables: dict[str, Any], fields: int) -> dict[str, Stand]:
-    """Returns the stand of a campaign with all organs and with leaves alone,
-    in which plants are evaluated in so many fields."""
-    return {
-        way: Stand(
-            tables,
-            settings={**MEASURED, "final.randomisations": fields, **settings},
-        )
-        for way, settings in WAYS.items()
-    }
+def stands_of(tables: dict[str, Any], fields: int) -> Stands:
+    """Returns the stand of each variant of a campaign, in which plants are
+    evaluated in so many fields."""
+    settings = {**MEASURED, "final.randomisations": fields}
+    resolved = tomllib.loads(Stand(tables, settings=settings).campaign)
+    return [
+        (each, Stand(resolved, settings=each.settings))
+        for each in variants_of(resolved)
+    ]
 
 
 def main() -> None:

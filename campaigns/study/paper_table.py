@@ -17,7 +17,9 @@ evolution from pymoo; both ask for plants through the Python module, and run
 only if --search names them. Evaluates the best plants again, all with the same
 random numbers, and prints gains over the baseline [%] with 95 % intervals,
 leaf area, and the gain per leaf area; differences in the unit of the objective
-where the baseline is not above zero by three standard errors. With --alike all
+where the baseline is not above zero by three standard errors. Evaluates the
+same plants without other organs, and prints the gain with leaves alone and the
+part of the gain that is light of other organs. With --alike all
 plants of a field are the same while they are bred; a second table tells what
 those champions gain where plants differ. Also tells after how many core-seconds
 (by the clock of the wall: leave other work aside) the first seed had a plant
@@ -32,6 +34,7 @@ from __future__ import annotations
 
 import json
 import math
+import tomllib
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import product
@@ -61,12 +64,14 @@ from shared import (
     breed_tables,
     gains_over_baseline,
     guard,
+    light,
     parser_of_searches,
     say,
 )  # fmt: skip
 
 from ideotype import Stand
 from ideotype.analysis.figures.style import new_figure, series
+from ideotype.analysis.organ_split import Split, split, variants_of
 
 TITLES_OF_SEARCHES = {
     "random": "random search",
@@ -97,6 +102,9 @@ class Found:
     varied_gains: dict[str, list[Estimate]]
     """The gains where plants differ, if plants are alike while they are bred
     [%]."""
+    splits: dict[str, list[Split]]
+    """The gains with and without other organs; empty if the plants have no
+    other organs."""
     seconds: dict[str, float]
     """The core-seconds that each search takes to find a plant with 90 % of the
     largest gain."""
@@ -150,6 +158,24 @@ def seconds_until(history: Path, stand: Stand, least: float) -> float:
     return math.nan
 
 
+def splits_of(stand: Stand, genomes: Numbers, values: Numbers) -> list[Split]:
+    """Returns the split of the gain of each plant over the first one. `values`
+    are the objective with all organs [plants, randomisations]."""
+    resolved = tomllib.loads(stand.campaign)
+    variants = variants_of(resolved)
+    if not variants:
+        return []
+    found = [values]
+    for variant in variants[1:]:
+        changed = Stand(resolved, settings=variant.settings)
+        found.append(light(changed, genomes))
+    unit = UNITS[next(iter(stand.objectives))]
+    return [
+        split(variants, [each[[0, k]] for each in found], unit)
+        for k in range(1, len(genomes))
+    ]
+
+
 def find(
     tables: dict[str, Any],
     folder: Path,
@@ -183,6 +209,7 @@ def find(
     baseline = estimate(values[0].tolist())
     has_percent = baseline[0] > 3 * baseline[1]
     gains = compared(values, gain if has_percent else difference)
+    splits = dict(zip(keys, splits_of(stand, genomes, values)))
     least = 0.9 * max(mean for each in gains.values() for mean, _ in each)
     is_timed = has_percent and tables["name"].endswith(FIRST.name)
     return Found(
@@ -199,6 +226,11 @@ def find(
         else compared(
             np.asarray(varied.objective_by_randomisation[:, 0]), gain
         ),
+        splits={
+            search: [x for (name, _), x in splits.items() if name == search]
+            for search in searches
+            if splits
+        },
         seconds={
             search: seconds_until(
                 searched(tables, search, 1, count, folder), stand, least
@@ -226,6 +258,38 @@ def row(where: Condition, found: Found, unit: str) -> list[str]:
         *changes,
         f"{found.lai:.1f}",
         told(found.gain_per_leaf_area, sign="+") if found.has_percent else "",
+        *(cell for each in found.splits.values() for cell in parts(each)),
+    ]
+
+
+def parts(splits: Sequence[Split]) -> list[str]:
+    """Returns the means over seeds of the gain in each variant but the first,
+    and of the differences between successive variants."""
+    unit = splits[0].unit
+    is_percent = unit == "%"
+    return [
+        told(
+            mean_over_seeds([(x.mean, x.standard_error) for x in each]),
+            1 if is_percent else 3,
+            "+",
+        )
+        + ("" if is_percent else f" {unit.partition(' ')[0]}")
+        for each in (
+            *zip(*(x.gains[1:] for x in splits), strict=True),
+            *zip(*(x.parts for x in splits), strict=True),
+        )
+    ]
+
+
+def titles_of_parts(found: Found) -> list[str]:
+    """Returns the titles of the columns of parts() of all searches."""
+    return [
+        f"{TITLES_OF_SEARCHES[search]} {title}"
+        for search, (some, *_) in found.splits.items()
+        for title in (
+            *(f"{v.title} [%]" for v in some.variants[1:]),
+            *(f"by {v.removed} [points]" for v in some.variants[1:]),
+        )
     ]
 
 
@@ -237,6 +301,7 @@ def tell(results: dict[tuple[str, Condition], Found]) -> None:
         titles = ["condition", f"baseline [{UNITS[objective]}]"]
         titles += [f"{search} [%]" for search in searches]
         titles += ["LAI of the best", "its gain per leaf area [%]"]
+        titles += titles_of_parts(some)
         print_table(
             titles,
             [

@@ -233,9 +233,37 @@ def test_gains_over_a_loss_are_told_in_the_unit(tmp_path: Path) -> None:
         *("paper_table.py", tmp_path, "--rough", "--evaluations", 200),
         *("--search", "auto", "--plant", os.path.relpath(MAIZE), *words),
     )
-    row = re.search(r"\| 15 x 3 \| (\S+) ± \S+ \| (\S+) ± (\S+) mol \|", table)
+    cell = r" (\S+) ± (\S+) mol \|"
+    row = re.search(
+        rf"\| 15 x 3 \| (\S+) ± \S+ \|{cell} \S+ \|  \|{cell}{cell}", table
+    )
     assert row is not None, table
-    assert float(row[1]) < 0 < float(row[2]) and float(row[3]) > 0
+    baseline, gain, error, alone, _, part, _ = map(float, row.groups())
+    assert baseline < 0 < gain and error > 0
+    assert part == pytest.approx(gain - alone, abs=0.0016)
+
+
+def test_gains_are_split_into_leaves_and_light_of_other_organs(
+    tmp_path: Path,
+) -> None:
+    words = ["--condition", "all", "--search", "ga", "--seeds", 2]
+    table = run(
+        "paper_table.py", tmp_path, "--rough", "--evaluations", 40, *words
+    )
+    titles = "with leaves alone [%] | genetic algorithm by light of other"
+    assert table.count(titles) == 3, table
+    cell = r" (\S+) ± (\S+) \|"
+    rows = re.findall(
+        rf"(?m)^\| all traits[^|]* \|{2 * cell} \S+ \|[^|]*\|{2 * cell}$",
+        table,
+    )
+    assert len(rows) == 3, table
+    for row in rows:
+        gain, _, alone, _, part, _ = map(float, row[2:])
+        assert part == pytest.approx(gain - alone, abs=0.16)
+    light = dict(zip(("gain", "alone", "part"), map(float, rows[0][2::2])))
+    # The bred plants gain by light of other organs.
+    assert light["part"] > float(rows[0][7])
 
 
 def test_the_best_known_is_as_near_as_triples_of_searches_say(

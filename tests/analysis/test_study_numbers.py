@@ -87,11 +87,15 @@ def test_each_bred_trait_is_changed_alone_in_both_directions(
         assert found == pytest.approx([height])
 
     table = tables_of(tmp_path, ["interventions"])
-    cell = r" ([+-]\d+\.\d\d) ± \d+\.\d\d \|"
+    cell = r" ([+-]\d+\.\d\d) ± \d+\.\d\d(?: mol)? \|"
     rows = re.findall(
-        rf"(?m)^\| (.* (?:x \S+|deg\S*)[^|]*) \|{4 * cell}", table
+        rf"(?m)^\| (.* (?:x \S+|deg\S*)[^|]*) \|{6 * cell}", table
     )
     assert {row[0] for row in rows[: len(plants)]} == set(plants)
+    for row in rows:
+        for k in (1, 4):
+            whole, alone, part = map(float, row[k : k + 3])
+            assert part == pytest.approx(whole - alone, abs=0.016)
     assert table.count("| height x 0.7 |") == 2
     assert len(re.findall(r"(?m)^\| [12] \| x \d\.\d\d \|", table)) == 2
 
@@ -102,10 +106,12 @@ def test_leaves_alone_have_no_other_organs(
     interventions = module("interventions", monkeypatch)
     shared = module("shared", monkeypatch)
     tables = shared.campaign_of("quickstart", **shared.ROUGH)
-    for way, stand in interventions.stands_of(tables, 4).items():
+    stands = interventions.stands_of(tables, 4)
+    assert [each.name for each, _ in stands] == ["all_organs", "leaves_alone"]
+    for variant, stand in stands:
         found = interventions.evaluate(stand, [stand.baseline])
         assert found.carbon.shape == found.par.shape == (1, 4)
-        assert (found.others[0] > 5) == (way != interventions.LEAVES_ALONE)
+        assert (found.others[0] > 5) == (variant.name == "all_organs")
 
 
 def test_the_sign_of_height_is_that_of_its_interventions() -> None:

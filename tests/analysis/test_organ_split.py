@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 import pytest
-from real_program import output_of, write_campaign
+from real_program import output_of, run_with, write_campaign
 
 import ideotype
 from ideotype.analysis import open_study, organ_split
@@ -71,6 +71,28 @@ def test_the_gain_of_leaves_is_that_of_plants_without_other_organs(
     assert part.mean == pytest.approx(whole.mean - alone.mean)
 
 
+def test_rows_with_keys_of_a_search_are_split_with_their_keys(
+    tmp_path: Path,
+) -> None:
+    keys = '[[search.keys]]\nkey = "spacing.row"\nrange = [0.5, 1.0]\n'
+    path = run_with(tmp_path, keys)
+    with open_study(path) as study:
+        (case,) = study.cases()
+        found = split_of(case)
+        gain = case.best_pair.gain
+        genomes = [x.row.genome[0] for x in (case.baseline, case.best)]
+    assert isinstance(found, Split)
+    assert found.gains[0].mean == pytest.approx(gain.mean, rel=1e-4)
+    stand = ideotype.Stand.from_history(
+        path, settings=LEAVES_ALONE.settings, same_isa=False
+    )
+    seen = stand.evaluate(genomes, ["stalk_fraction", "lai"])
+    assert (seen.stalk_fraction == 0).all()
+    bare = stand.evaluate(np.array(genomes)[:, :-1], ["lai"])
+    assert genomes[1][-1] != pytest.approx(0.762)
+    assert seen.lai[1] != pytest.approx(bare.lai[1].item())
+
+
 def test_the_history_has_the_settings_of_its_stand(own: Path) -> None:
     settings = {"plant.organs": ["stalk"], "final.randomisations": 3}
     stand = ideotype.Stand.from_history(own, settings=settings, same_isa=False)
@@ -116,7 +138,7 @@ def test_parts_of_all_variants_add_up_to_the_gain() -> None:
     )
     two = split([AS_SHIPPED, LEAVES_ALONE], values[::2], "mol")
     table, note = table_of(
-        {"a": found, "b": two, "c": Note("The gain of c is not split.")}
+        {"b": two, "a": found, "c": Note("The gain of c is not split.")}
     )
     assert isinstance(table, Table) and isinstance(note, Note)
     assert table.header == (
@@ -127,7 +149,7 @@ def test_parts_of_all_variants_add_up_to_the_gain() -> None:
         "by carbon of other organs [points]",
         "by light of other organs [points]",
     )
-    assert [bool(cell) for cell in table.rows[1]] == [
+    assert [bool(cell) for cell in table.rows[0]] == [
         *(True, True, False, True, False, True),
     ]  # fmt: skip
     columns = columns_of(found)

@@ -47,6 +47,8 @@ class Variant:
     removed: str = ""
     """The source of the gain that this variant lacks and the one before it
     has; none of the first."""
+    meaning: str = ""
+    """A sentence that explains the variant."""
 
 
 AS_SHIPPED = Variant("all_organs", "with all organs", {})
@@ -55,6 +57,7 @@ LEAVES_ALONE = Variant(
     "with leaves alone",
     {"plant.organs": []},
     "light of other organs",
+    "Plants with leaves alone have no other organs (plant.organs = []).",
 )
 
 
@@ -73,7 +76,11 @@ def variants_of(resolved: Mapping[str, Any]) -> list[Variant]:
     dead = _without_carbon(plant.get("baseline", {}))
     between = [
         Variant(
-            "dead_organs", "with dead organs", dead, "carbon of other organs"
+            "dead_organs",
+            "with dead organs",
+            dead,
+            "carbon of other organs",
+            "Dead organs take light, but neither assimilate nor cost carbon.",
         )
     ]
     return [AS_SHIPPED, *(between if dead else ()), LEAVES_ALONE]
@@ -225,9 +232,8 @@ def table_of(splits: Mapping[str, Split | Note]) -> list[Block]:
     notes: list[Block] = [x for x in splits.values() if isinstance(x, Note)]
     if not known:
         return notes
-    variants = list(
-        {v.name: v for each in known.values() for v in each.variants}.values()
-    )
+    # Cases have all or some of the same variants.
+    variants = max((x.variants for x in known.values()), key=len)
     titles = [f"gain {v.title} [%]" for v in variants]
     titles += [f"by {v.removed} [points]" for v in variants if v.removed]
     rows = [[case, *_cells(each, variants)] for case, each in known.items()]
@@ -238,11 +244,10 @@ def table_of(splits: Mapping[str, Split | Note]) -> list[Block]:
             "The best plant of each case against the baseline, evaluated again "
             "in the same fields with common random numbers. Gains are in % of "
             "the baseline with the same organs, and differences between them "
-            "are in percentage points. Plants with leaves alone have no other "
-            "organs (plant.organs = []); dead organs take light, but neither "
-            "assimilate nor cost carbon. A plant gains by light of other "
-            "organs if these take less light from its leaves than those of "
-            "the baseline do. The 95 % intervals are those of paired "
+            "are in percentage points. "
+            + "".join(f"{v.meaning} " for v in variants if v.meaning)
+            + "A plant gains by light of other organs if these take less "
+            "light from its leaves than those of the baseline do. The 95 % intervals are those of paired "
             "differences, without the differences between searches.",
         ),
         *notes,

@@ -30,6 +30,7 @@ from ideotype import Stand
 CAMPAIGNS = Path(__file__).parents[1]
 MAIZE = CAMPAIGNS / "crops" / "maize.toml"
 HYBRID = CAMPAIGNS / "crops" / "maize_hybrid.toml"
+HYBRID_1980S = CAMPAIGNS / "plants" / "maize_hybrid_1980s.toml"
 PLANT_AREA = 0.3991
 """The leaf area of the plant in this file [m2]."""
 #: The [field.variation] of inbred lines, and of plants of fields as they were
@@ -53,6 +54,7 @@ FIELD_PLANTS = {
     "across_row": 0.7,
     "missing": 0.045,
     "late": 0.04,
+    "position": 0.035,
 }
 #: The [field] and [light] of searches where plants differ: several small
 #: fields, so that errors of rows contain differences between fields.

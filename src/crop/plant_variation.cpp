@@ -8,8 +8,6 @@ namespace ideotype {
 
 namespace {
 
-constexpr double most_deviations = 3;
-
 //! Draws a number of a Laplace distribution whose standard deviation is 1.
 double laplace(RandomStream& random) {
     const double x = random.uniform(-1, 1);
@@ -28,15 +26,20 @@ bool PlantVariation::is_any() const {
         return std::any_of(spread.begin(), spread.end(),
                            [](double each) { return each > 0; });
     };
-    return length > 0 || width > 0 || height > 0 || missing > 0 || late > 0 ||
-           is_wide(insertion_angle) || is_wide(azimuth) || is_wide(curvature) ||
-           is_wide(roll) || is_wide(twist);
+    return position > 0 || position_across > 0 || length > 0 || width > 0 ||
+           height > 0 || missing > 0 || late > 0 || is_wide(insertion_angle) ||
+           is_wide(azimuth) || is_wide(curvature) || is_wide(roll) ||
+           is_wide(twist);
+}
+
+double cut_deviation(double deviation) {
+    return std::clamp(deviation, -most_deviations, most_deviations);
 }
 
 Plant deviating(Plant plant, const PlantVariation& variation,
                 RandomStream& random, double side) {
     const auto cut = [&](double deviation) {
-        return side * std::clamp(deviation, -most_deviations, most_deviations);
+        return side * cut_deviation(deviation);
     };
     const double higher = 1 + variation.height * cut(random.normal()[0]);
     plant.stalk.height *= higher;

@@ -57,6 +57,25 @@ TEST(Settings, ATableReplacesTheWholeTableOfTheFile) {
               Spacing{}.row_direction);
 }
 
+TEST(Settings, OfPositionsThatReachTheNeighbourAreWarnedOf) {
+    const auto read = [](const std::string& position) {
+        return read_campaign(ames, {"field.variation.position=" + position});
+    };
+    const Campaign usual = read("0.035");
+    EXPECT_TRUE(usual.field.variation.is_any());
+    EXPECT_EQ(parse_campaign(usual.resolved, "c").field.variation.position,
+              0.035);
+    EXPECT_TRUE(usual.warnings.empty());
+    const std::vector<Problem> warnings = read("0.06").warnings;
+    ASSERT_EQ(warnings.size(), 1U);
+    EXPECT_THAT(warnings.front().what,
+                testing::HasSubstr("field.variation.position is 0.06 m (plants "
+                                   "reach the places of their neighbours, "
+                                   "0.1524 m away;"));
+    EXPECT_THROW(read("-0.01"), InputError);
+    EXPECT_THROW(read("0.4"), InputError);
+}
+
 TEST(Settings, OfATableAndItsKeysCountInTheirOrder) {
     const std::string file = IDEOTYPE_CAMPAIGNS "/agrivoltaic.toml";
     const std::string table = "field={rows=8, plants=4}";

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <set>
 
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 #include "field_of_two_leaves.hpp"
@@ -98,6 +99,112 @@ TEST(Field, OfManyMissingPlantsOneStays) {
     FieldForm two{2, 1, {0.762, 0.1524}, 10};
     two.variation.missing = 1;
     EXPECT_FALSE(drawn(sample, two, {1, 0, 0}).mesh.faces.empty());
+}
+
+std::vector<Place> places(const FieldForm& in, const Randomness& randomness) {
+    Scene scene;
+    set_places(scene.components.emplace_back(), in);
+    return draw_places(scene, randomness).front();
+}
+
+TEST(Field, PositionsDeviateByTheirStandardDeviationsFromTheLattice) {
+    FieldForm many{50, 40, {0.762, 0.1524}, 10};
+    const std::vector<Place> lattice = places(many, {1, 0, 0});
+    many.variation.position = 0.03;
+    many.variation.position_across = 0.01;
+    const std::vector<Place> drawn = places(many, {1, 0, 0});
+    const auto count = static_cast<double>(drawn.size());
+    double along = 0, across = 0, both = 0, furthest = 0;
+    for (std::size_t p = 0; p < drawn.size(); ++p) {
+        EXPECT_EQ(drawn[p].row, lattice[p].row);
+        const double y = (drawn[p].y - lattice[p].y) / 0.03;
+        const double x = (drawn[p].x - lattice[p].x) / 0.01;
+        along += y * y / count;
+        across += x * x / count;
+        both += x * y / count;
+        furthest = std::max({furthest, std::abs(x), std::abs(y)});
+    }
+    // A normal distribution cut at three has a variance of .995; the bounds are
+    // four standard errors.
+    EXPECT_NEAR(along, 0.995, 4 * std::sqrt(2 / count));
+    EXPECT_NEAR(across, 0.995, 4 * std::sqrt(2 / count));
+    EXPECT_NEAR(both, 0, 4 / std::sqrt(count));
+    EXPECT_LE(furthest, 3 + 1e-9);
+    EXPECT_GT(furthest, 2.5);
+}
+
+std::vector<double> y_of(const std::vector<Place>& drawn) {
+    std::vector<double> y;
+    for (const Place& place : drawn) y.push_back(place.y);
+    return y;
+}
+
+TEST(Field, PositionsAreCommonToAllPlantsOfAGeneration) {
+    FieldForm varied = form;
+    varied.variation.position = 0.03;
+    const std::vector<double> first = y_of(places(varied, {1, 0, 0}));
+    EXPECT_NE(y_of(places(varied, {1, 1, 0})), first);
+    EXPECT_NE(y_of(places(varied, {1, 0, 1})), first);
+    EXPECT_NE(y_of(places(varied, {2, 0, 0})), first);
+    // They depend on no other variation.
+    varied.variation.missing = 0.1;
+    varied.variation.length = 0.2;
+    varied.variation.across_row = 0.7;
+    varied.variation.position_across = 0.01;
+    EXPECT_EQ(y_of(places(varied, {1, 0, 0})), first);
+}
+
+//! Returns the points of each plant from its first point.
+std::vector<glm::dvec3> points_from_the_first(const Field& field) {
+    std::vector<glm::dvec3> points;
+    glm::dvec3 first(0);
+    for (std::size_t f = 0; f < field.mesh.faces.size(); ++f) {
+        const glm::dvec3 v = field.mesh.vertices[field.mesh.faces[f][0]];
+        if (f == 0 || field.face_plant[f] != field.face_plant[f - 1]) first = v;
+        points.push_back(v - first);
+    }
+    return points;
+}
+
+TEST(Field, PositionsChangeNoOtherDraw) {
+    FieldForm varied = form;
+    varied.variation = {.length = .2, .width = .2, .azimuth = {20}};
+    varied.variation.missing = 0.1;
+    varied.variation.late = 0.2;
+    varied.variation.across_row = 0.7;
+    const Field on_the_lattice = drawn(sample_plant(), varied, {1, 0, 0});
+    varied.variation.position = 0.03;
+    const Field moved = drawn(sample_plant(), varied, {1, 0, 0});
+    EXPECT_EQ(moved.face_plant, on_the_lattice.face_plant);
+    EXPECT_EQ(moved.plant_row, on_the_lattice.plant_row);
+    const auto before = points_from_the_first(on_the_lattice);
+    const auto after = points_from_the_first(moved);
+    ASSERT_EQ(before.size(), after.size());
+    bool has_moved = false;
+    for (std::size_t i = 0; i < before.size(); ++i)
+        EXPECT_NEAR(glm::distance(before[i], after[i]), 0, 1e-12);
+    for (std::size_t v = 0; v < moved.mesh.vertices.size(); ++v) {
+        EXPECT_EQ(moved.mesh.vertices[v].x, on_the_lattice.mesh.vertices[v].x);
+        EXPECT_EQ(moved.mesh.vertices[v].z, on_the_lattice.mesh.vertices[v].z);
+        has_moved |=
+            moved.mesh.vertices[v].y != on_the_lattice.mesh.vertices[v].y;
+    }
+    EXPECT_TRUE(has_moved);
+}
+
+TEST(Field, ACutPlotKeepsTheLeafAreaOfPlantsThatLeaveTheirPlaces) {
+    FieldForm plot{8, 8, {0.762, 0.1524}, 10};
+    plot.boundary = Boundary::isolated;
+    plot.border_rows = 2;
+    plot.variation.position = 0.05;
+    const double line = plant_area(build_plant(sample_plant(), {})).leaves;
+    double area = 0;
+    constexpr int fields = 50;
+    for (std::uint32_t generation = 0; generation < fields; ++generation)
+        area += plant_area(drawn(sample_plant(), plot, {1, generation, 0}).mesh)
+                    .leaves /
+                (16 * line * fields);
+    EXPECT_NEAR(area, 1, .03);
 }
 
 TEST(Field, TurningByAnAngleEqualsChangingTheLeafAzimuths) {
@@ -233,6 +340,25 @@ TEST_F(TwoLeaves, PlantsThatDifferHaveTheMeanLeafAreaOfTheirFields) {
     EXPECT_NE(many.lai, one);
     request.randomness.generation = 1;
     EXPECT_NE(evaluated().lai, one);
+}
+
+//! A cell of one plant repeats, so that its position in the cell, or beyond its
+//! edge, changes no light.
+TEST_F(TwoLeaves, APlantThatLeavesTheCellHasTheSameLight) {
+    request.accuracy = {1 << 14, 16};
+    const FieldForm single{1, 1, {.76, .15, 90}};
+    request.scene.cell = cell_of(single);
+    Component& component = request.scene.components[0];
+    set_places(component, single);
+    const CanopyReport inside = evaluated(Fields::each);
+    component.variation.position = .15;
+    const CanopyReport anywhere = evaluated(Fields::each);
+    const Estimate before = inside.par().light.day.leaves;
+    const Estimate after = anywhere.par().light.day.leaves;
+    EXPECT_NE(before.mean, after.mean);
+    EXPECT_NEAR(before.mean, after.mean,
+                4 * std::hypot(before.standard_error, after.standard_error));
+    EXPECT_NEAR(inside.lai, anywhere.lai, 1e-9);
 }
 
 //! The standard error contains the differences between fields.

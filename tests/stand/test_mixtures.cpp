@@ -32,6 +32,27 @@ TEST_F(Mixtures, StandPlantByPlantInANewOrderInEachField) {
     EXPECT_NEAR(scene.components[0].ground_per_plant, 2 / 8., 1e-12);
 }
 
+TEST_F(Mixtures, PlantsDeviateFromThePlacesThatTheyHaveInAMixture) {
+    const auto places = [](const std::string& variation) {
+        const Campaign campaign =
+            read_campaign(IDEOTYPE_CAMPAIGNS "/mixture.toml",
+                          {"field.variation={" + variation + "}"});
+        return draw_places(scene_of(campaign, cases(campaign).front()), {1, 0});
+    };
+    const auto drawn = places("position=0.02"), lattice = places("");
+    for (std::size_t c = 0; c < 2; ++c) {
+        ASSERT_EQ(drawn[c].size(), lattice[c].size());
+        for (std::size_t p = 0; p < lattice[c].size(); ++p) {
+            EXPECT_EQ(drawn[c][p].row, lattice[c][p].row);
+            EXPECT_EQ(drawn[c][p].x, lattice[c][p].x);
+            EXPECT_NE(drawn[c][p].y, lattice[c][p].y);
+            EXPECT_NEAR(drawn[c][p].y, lattice[c][p].y, .06 + 1e-9);
+        }
+    }
+    // Components have deviations of their own.
+    EXPECT_NE(drawn[0][0].y - lattice[0][0].y, drawn[1][0].y - lattice[1][0].y);
+}
+
 //! A mixture of one kind of plant equals a field of this kind.
 TEST_F(Mixtures, PlantByPlantOfOneKindAreThatKind) {
     std::vector<std::string> settings = alike;

@@ -84,8 +84,11 @@ std::vector<double> draw_plant_azimuths(const Component& component,
                                         const Randomness& randomness,
                                         std::uint32_t number = 0);
 
-//! Draws which places each component of a mixture has in a field. Components in
-//! rows have all of their places.
+//! Draws where the plants of each component stand in a field. Components in
+//! rows have all of their places, those of a mixture a random part. Plants then
+//! deviate from their places along and across the row, each by itself, and by
+//! random numbers that depend on no other variation. A plant that leaves the
+//! cell or comes close to its neighbour stays there.
 //! @return places by component
 std::vector<std::vector<Place>> draw_places(const Scene& scene,
                                             const Randomness& randomness);

@@ -25,6 +25,7 @@ enum class Purpose : std::uint32_t {
     stream = 13,
     mixture = 14,
     leaf_point = 15,
+    position = 16,
 };
 
 //! Selects the random numbers of an evaluation, which are a function of all

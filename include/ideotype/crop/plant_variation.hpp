@@ -35,10 +35,18 @@ struct PlantVariation {
     //! Fraction of plants whose leaves point across the row, within 45 deg;
     //! none: plants have only the random turn of the field.
     std::optional<double> across_row{};
+    double position = 0;         //!< place along the row [m], normal
+    double position_across = 0;  //!< place across the row [m], normal
 
     //! Returns whether plants differ in more than their direction.
     bool is_any() const;
 };
+
+//! Deviations of normal distributions are cut at this many standard deviations.
+inline constexpr double most_deviations = 3;
+
+//! Returns a deviation, in standard deviations, that is cut on both sides.
+double cut_deviation(double deviation);
 
 //! Returns one plant of a line. The number of random numbers that are drawn
 //! does not depend on the variation, so that a change of one deviation keeps

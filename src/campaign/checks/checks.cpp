@@ -122,6 +122,25 @@ void check_spacing(const Spacing& spacing, const Problems& problems) {
                      "plants per square metre");
 }
 
+//! Warns of positions that reach the neighbour's place in the row.
+void check_positions(const Campaign& campaign, const Problems& problems) {
+    const double position = campaign.field.variation.position;
+    for (const Named<Spacing>& each : campaign.spacings)
+        if (const double distance = each.value.plant;
+            distance > 0 && most_deviations * position > distance) {
+            problems.in("field")
+                .in("variation")
+                .warn("position",
+                      "field.variation.position is {} m (plants reach the "
+                      "places of "
+                      "their neighbours, {:.4g} m away; modern planters have "
+                      "0.035 "
+                      "m); check it and the spacing",
+                      position, distance);
+            return;
+        }
+}
+
 //! Warns of stands in which the baseline has more leaves than fields have.
 void check_leaf_area(const Campaign& campaign, const Problems& problems) {
     const double area =
@@ -217,6 +236,7 @@ void check_draft(Draft& draft, const Problems& problems) {
     check_growing(draft, problems);
     check_objects(draft, problems);
     check_field(campaign.field, problems.in("field"));
+    check_positions(campaign, problems);
     if (draft.is_crop_known) check_faces(campaign, problems);
     check_light(campaign.sampling,
                 campaign.photosynthesis || asks_for_assimilation(campaign),

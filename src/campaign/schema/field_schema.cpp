@@ -107,7 +107,9 @@ Section variation_section(PlantVariation& variation, const std::string& name) {
              {"across_row", &variation.across_row},
              {"missing", &variation.missing},
              {"late", &variation.late},
-             {"late_size", &variation.late_size}},
+             {"late_size", &variation.late_size},
+             {"position", &variation.position},
+             {"position_across", &variation.position_across}},
             "field.variation"};
 }
 

@@ -191,6 +191,21 @@ void reserve(Field& field, const Scene& scene) {
 
 }  // namespace
 
+namespace {
+
+//! Moves the plants of a component from their places on the lattice.
+void deviate(std::vector<Place>& places, const PlantVariation& variation,
+             RandomStream stream) {
+    if (!(variation.position > 0 || variation.position_across > 0)) return;
+    for (Place& place : places) {
+        const auto [along, across] = stream.normal();
+        place.x += variation.position_across * cut_deviation(across);
+        place.y += variation.position * cut_deviation(along);
+    }
+}
+
+}  // namespace
+
 std::vector<std::vector<Place>> draw_places(const Scene& scene,
                                             const Randomness& randomness) {
     std::vector<std::vector<Place>> all;
@@ -207,6 +222,9 @@ std::vector<std::vector<Place>> draw_places(const Scene& scene,
             all.back().push_back(shared.back());
             shared.pop_back();
         }
+        const auto number = static_cast<std::uint32_t>(all.size() - 1);
+        deviate(all.back(), each.variation,
+                stream_of(randomness, Purpose::position, number));
     }
     return all;
 }

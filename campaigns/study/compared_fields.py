@@ -62,6 +62,7 @@ STEPS: dict[str, dict[str, Any]] = {
     "capacity by rank": {"plant": "capacity"},
     "stalk, ear and tassel": {"plant": "tassel"},
     "gaps": {"variation": "gaps"},
+    "positions": {"variation": "positions"},
     "all together: crops/maize.toml": {"plant": "maize", "variation": "field"},
     "the hybrid": {"plant": "hybrid", "variation": "field"},
 }
@@ -76,6 +77,9 @@ CHANGES: dict[str, dict[str, Any]] = {
     "rows from north to south": {"direction": 0},
     "no gaps": {"variation": "without gaps"},
     "twice the gaps": {"variation": "twice the gaps"},
+    "plants at exact positions": {"variation": "exact positions"},
+    "positions of surveys": {"variation": "positions of surveys"},
+    "the hybrid of the 1980s": {"plant": "hybrid of the 1980s"},
     "optics of ADEL, 0.09 and 0.04": {"plant": "optics of ADEL"},
     "leaves without other organs": {"plant": "leaves alone"},
     "capacity alike in all leaves": {"more": ("photosynthesis.profile=none",)},

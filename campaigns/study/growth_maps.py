@@ -47,6 +47,7 @@ from measured_seasons import compare_seasons
 from shared import (
     FIELD_PLANTS,
     HYBRID,
+    HYBRID_1980S,
     ROUGH,
     SEVERAL_FIELDS,
     Numbers,
@@ -249,10 +250,11 @@ def best_plants(options: Options) -> None:
 
 
 def seasons(options: Options) -> None:
-    """Compares the hybrid with seasons that were measured."""
+    """Compares a hybrid of their time with seasons that were measured."""
     compare_seasons(
         {
             **tables(paths=256 if options.rough else 4096),
+            "plant": {"baseline": str(HYBRID_1980S)},
             "field": {"rows": 2, "plants": 2, "variation": FIELD_PLANTS},
         },
         ROW,

@@ -4,8 +4,8 @@
 
 plant_shapes.py FOLDER [--to FILE.png]
 
-Draws fields of crops/maize.toml and crops/maize_hybrid.toml with FIELD_PLANTS
-of shared.py in FOLDER, and compares their leaves with those of 11 plants of
+Draws fields of crops/maize.toml, crops/maize_hybrid.toml and the hybrid of the
+1980s with FIELD_PLANTS of shared.py in FOLDER, and compares their leaves with those of 11 plants of
 Iowa (measured/README.md).
 """
 
@@ -30,6 +30,7 @@ from shared import (
     CAMPAIGNS,
     FIELD_PLANTS,
     HYBRID,
+    HYBRID_1980S,
     MAIZE,
     Numbers,
     breed_tables,
@@ -62,6 +63,7 @@ PLANTS = {
     "version 0.2": (V02, {}),
     "as measured, all alike": (MAIZE, {}),
     "as measured, in the field": (MAIZE, FIELD_PLANTS),
+    "hybrid of the 1980s, in the field": (HYBRID_1980S, FIELD_PLANTS),
     "hybrid, in the field": (HYBRID, FIELD_PLANTS),
 }
 
@@ -119,6 +121,7 @@ def field_of(
     folder: Path,
     size: tuple[int, int] = (ROWS, ROWS),
     spacing: tuple[float, float] = (0.76, 0.15),
+    seed: int = 0,
 ) -> Mesh:
     """Returns the field of a plant's first generation, the baseline, as drawn:
     with these numbers of rows and of plants in a row, at these distances
@@ -126,6 +129,7 @@ def field_of(
     tables = {
         **ANYWHERE,
         "name": re.sub("[^a-z0-9]+", "_", name),
+        "seed": seed,
         "spacing": [dict(zip(("row", "plant"), spacing, strict=True))],
         "field": {
             "rows": size[0],

@@ -45,6 +45,25 @@ def test_erect_leaves_pay_only_where_plants_stand_close() -> None:
         assert float(row[1]) < -2 and float(row[2]) > 2
 
 
+def test_the_hybrid_of_today_is_more_erect_and_lets_more_light_through() -> (
+    None
+):
+    told = run("modern_plant.py", "--rough")
+    cell = r" (\S+) ± \S+ \|"
+
+    def rows(start: str, count: int) -> list[list[float]]:
+        found = re.findall(rf"(?m)^\| {start}.*?\|{count * cell}$", told)
+        return [[float(x) for x in row] for row in found]
+
+    former, now = rows("hybrid", 4)[:2]
+    assert now[0] > former[0] + 2 and now[3] > former[3] + 5, told
+    (iowa,) = rows("11 plants of Iowa", 4)
+    assert iowa[0] == pytest.approx(53.9, abs=0.05)
+    by_day = [row[0] for row in rows("hybrid.*plants", 3)]
+    assert len(by_day) == 9, told
+    assert sum(by_day[3:6]) < sum(by_day[:3]), told
+
+
 def test_neighbours_share_land_and_are_invaded(tmp_path: Path) -> None:
     told = tables_of(tmp_path, ["strips", "invaders"])
     assert (tmp_path / "study" / "strip_rows.png").stat().st_size > 10_000

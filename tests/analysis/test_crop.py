@@ -17,6 +17,8 @@ import ideotype
 ROOT = Path(__file__).parents[2]
 DATA = ROOT / "tests/data/growth"
 HYBRID = ROOT / "campaigns/crops/maize_hybrid.toml"
+#: The hybrid of the time of the measured seasons, 1982 and 1999.
+FORMER = ROOT / "campaigns/plants/maize_hybrid_1980s.toml"
 
 
 def read(name: str) -> list[list[str]]:
@@ -32,7 +34,7 @@ def hours(largest: float, smallest: float) -> NDArray[np.float64]:
 
 
 def test_a_hybrid_has_the_areas_of_the_reference() -> None:
-    crop = ideotype.Crop.from_file(HYBRID)
+    crop = ideotype.Crop.from_file(FORMER)
     given = json.loads((DATA / "growth_given.json").read_text())
     assert crop.silking == given["silking"]
     assert crop.maturity == given["maturity"]
@@ -49,7 +51,7 @@ def test_a_hybrid_has_the_areas_of_the_reference() -> None:
 
 def test_a_stand_has_silking_and_maturity_of_gainesville_1982() -> None:
     """Both were measured, on days 132 and 185 of the year."""
-    crop = ideotype.Crop.from_file(HYBRID)
+    crop = ideotype.Crop.from_file(FORMER)
     weather = {
         x[0]: (float(x[2]), float(x[3]))
         for x in read("ufga1982_weather_daily.csv")
@@ -79,7 +81,7 @@ def test_a_stand_has_silking_and_maturity_of_gainesville_1982() -> None:
 
 
 def test_leaf_area_follows_bondville_1999() -> None:
-    crop = ideotype.Crop.from_file(HYBRID)
+    crop = ideotype.Crop.from_file(FORMER)
     hourly = [
         float(x[1])
         for x in read("bondville_1999_temperature.csv")
@@ -92,6 +94,13 @@ def test_leaf_area_follows_bondville_1999() -> None:
     ]
     assert len(errors) == 15
     assert np.sqrt(np.mean(np.square(errors))) < 0.35
+
+
+def test_a_hybrid_of_today_has_larger_leaves_than_a_former_one() -> None:
+    now, before = (ideotype.Crop.from_file(x) for x in (HYBRID, FORMER))
+    assert now.silking == before.silking
+    ratio = now.at(900).green_area / before.at(900).green_area
+    np.testing.assert_allclose(ratio.dropna("rank"), 0.0784 / 0.07)
 
 
 def test_a_plant_has_its_green_area_as_surfaces() -> None:
@@ -138,7 +147,7 @@ def test_ten_stages_have_the_carbon_of_twenty() -> None:
         assert one.sizes["stage"] == stages
         # The area of lower leaves, which only growing plants have, follows the
         # area of the leaves of the full-grown plant.
-        assert one.lai_by_stage.max() == pytest.approx(3.84, rel=0.05)
+        assert one.lai_by_stage.max() == pytest.approx(5.05, rel=0.05)
         assert one.dead_area_index_by_stage[0, -1] > 1
     (ten, ten_error), (twenty, twenty_error) = found
     spread = 3 * np.hypot(ten_error, twenty_error)

@@ -95,12 +95,46 @@ TEST(Campaign, ElitePlantIsLargerAndInsideThePaperBounds) {
     }
 }
 
+TEST(Campaign, TheHybridOfTodayIsMoreErectAndLargerThanThatOfThe1980s) {
+    const Plant now =
+        read_crop(IDEOTYPE_CAMPAIGNS "/crops/maize_hybrid.toml").baseline;
+    const Plant before =
+        read_crop(IDEOTYPE_CAMPAIGNS "/plants/maize_hybrid_1980s.toml")
+            .baseline;
+    ASSERT_EQ(now.leaves.size(), before.leaves.size());
+    double sum = 0, area = 0;
+    std::vector<double> change;
+    for (std::size_t i = 0; i < now.leaves.size(); ++i) {
+        const Leaf& leaf = now.leaves[i];
+        change.push_back(before.leaves[i].insertion_angle -
+                         leaf.insertion_angle);
+        sum += change.back();
+        area += 0.7455 * leaf.length * leaf.width;
+        EXPECT_EQ(leaf.insertion_height, before.leaves[i].insertion_height);
+        // Sizes grow alike in all leaves.
+        EXPECT_NEAR(leaf.length / before.leaves[i].length, 1.147, .002);
+        EXPECT_NEAR(leaf.width / before.leaves[i].width, 1.147, .002);
+    }
+    EXPECT_NEAR(sum / 11, 6, .01);
+    EXPECT_NEAR(change.back() / change[5], 8, .05);
+    EXPECT_NEAR(change.front(), change[5], .01);
+    EXPECT_NEAR(area, .630, .001);
+}
+
 TEST(Campaign, EveryCropAndMeasuredPlantOfTheProjectIsAPlant) {
-    const std::map<std::string, std::size_t> leaves{
-        {"maize", 10},     {"maize_hybrid", 11}, {"sorghum", 16},
-        {"soybean", 12},   {"cowpea", 10},       {"elite", 10},
-        {"maize_v02", 10}, {"Dea_2008", 11},     {"F331_S1", 11},
-        {"iowa_T8", 10},   {"iowa_JN3208-1", 9}, {"iowa_JN3801-1", 12}};
+    const std::map<std::string, std::size_t> leaves{{"maize", 10},
+                                                    {"maize_hybrid", 11},
+                                                    {"sorghum", 16},
+                                                    {"soybean", 12},
+                                                    {"cowpea", 10},
+                                                    {"elite", 10},
+                                                    {"maize_v02", 10},
+                                                    {"Dea_2008", 11},
+                                                    {"F331_S1", 11},
+                                                    {"iowa_T8", 10},
+                                                    {"iowa_JN3208-1", 9},
+                                                    {"iowa_JN3801-1", 12},
+                                                    {"maize_hybrid_1980s", 11}};
     std::size_t found = 0;
     for (const char* place : {"/crops", "/plants"})
         for (const auto& file : std::filesystem::directory_iterator(

@@ -83,8 +83,8 @@ CHANGES: dict[str, dict[str, Any]] = {
     "optics of ADEL, 0.09 and 0.04": {"plant": "optics of ADEL"},
     "leaves without other organs": {"plant": "leaves alone"},
     "capacity alike in all leaves": {"more": ("photosynthesis.profile=none",)},
-    "capacity of 60 umol m-2 s-1 in place of 50": {
-        "more": ("photosynthesis.amax=60",)
+    "amax of 50 umol m-2 s-1 in place of 64": {
+        "more": ("photosynthesis.amax=50",)
     },
 }
 

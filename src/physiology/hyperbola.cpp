@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ideotype/physiology/hyperbola.hpp"
 
+#include "ideotype/core/contract.hpp"
+
 namespace ideotype {
 
 double smooth_minimum_slope(double curvature, double a, double b) {
@@ -11,6 +13,12 @@ double smooth_minimum_slope(double curvature, double a, double b) {
     const double x = smooth_minimum(curvature, a, b);
     if (root == 0) return 0.5;  // a kink: q is 1 and a is b
     return (b - x) / root;
+}
+
+double Hyperbola::amax_for(double absorbed, double gross) const {
+    const double most = phi * absorbed;
+    IDEOTYPE_EXPECT(gross >= 0 && gross < most);
+    return gross * (most - theta * gross) / (most - gross);
 }
 
 double Hyperbola::slope(double absorbed) const {

@@ -116,8 +116,9 @@ def test_check(folder: Path, tmp_path: Path) -> None:
     assert {x["name"]: x["values"] for x in leaves["numbers"]} == {
         "phi": [0.06],
         "theta": [0.7],
-        "amax": [50],
-        "rd": [],
+        "amax": [pytest.approx(63.929, abs=1e-3)],
+        "rate_2000": [52],
+        "rd": [2],
     }
     assert document["search"]["first_generation"] == 24
     cost = {**document["cost"], "evaluation_s": None}

@@ -159,6 +159,78 @@ TEST(Campaign, CropsTellTheOpticsAndTheCapacityOfTheirLeaves) {
     EXPECT_FALSE(ames().photosynthesis);
 }
 
+//! Returns the rates of the leaves of the sample with this [photosynthesis].
+std::vector<LeafRates> rates_with(const std::string& table) {
+    return sample("", "[photosynthesis]\n" + table).photosynthesis->rates;
+}
+
+//! Returns the first problem of the sample with this [photosynthesis].
+std::string problem_with(const std::string& table) {
+    try {
+        rates_with(table);
+    } catch (const InputError& error) {
+        return to_string(error.problems().front());
+    }
+    return "";
+}
+
+TEST(Campaign, ARateInFullLightGivesTheCapacity) {
+    const auto leaf = std::get<HyperbolaLeaf>(
+        rates_with("phi = 0.067\ntheta = 0.83\nrate_2000 = 50\n").front());
+    EXPECT_NEAR(leaf.response.gross(2000), 50, 1e-12);
+    EXPECT_NEAR(leaf.response.amax, 55.06, 0.005);
+    // Each leaf has its own rate.
+    const std::vector<LeafRates> leaves =
+        rates_with("rate_2000 = [30]\nphi = [0.05]\n");
+    EXPECT_NEAR(std::get<HyperbolaLeaf>(leaves.back()).response.gross(2000), 30,
+                1e-12);
+    const Campaign stated = sample("", "[photosynthesis]\nrate_2000 = 52\n");
+    const auto number = [&](const std::string& name) {
+        for (const LeafNumber& each : stated.leaves.front().numbers)
+            if (each.name == name) return each;
+        return LeafNumber{};
+    };
+    EXPECT_NEAR(number("amax").values.at(0), 63.929, 1e-3);
+    EXPECT_EQ(number("amax").file, number("rate_2000").file);
+    EXPECT_EQ(number("rate_2000").values, std::vector{52.});
+    EXPECT_EQ(parse_campaign(stated.resolved, "again.toml").resolved,
+              stated.resolved);
+    EXPECT_NE(problem_with("amax = 50\nrate_2000 = 40\n")
+                  .find("photosynthesis.rate_2000 is given with "
+                        "photosynthesis.amax (each follows from the other); "
+                        "remove one of them"),
+              std::string::npos);
+    EXPECT_NE(problem_with("rate_2000 = 120\n")
+                  .find("photosynthesis.rate_2000 is 120 (the quantum yield "
+                        "photosynthesis.phi of 0.06 gives less than 120 at "
+                        "2000 umol m-2 s-1, whatever the capacity); use less, "
+                        "or a larger phi"),
+              std::string::npos);
+    EXPECT_NE(problem_with("model = \"collatz\"\nrate_2000 = 40\n")
+                  .find("photosynthesis.rate_2000 is no number of the model "
+                        "\"collatz\""),
+              std::string::npos);
+}
+
+TEST(Campaign, KeysOfACampaignReplaceTheCapacityOfItsCrop) {
+    const auto leaf_with = [](const std::string& setting) {
+        return read_campaign(IDEOTYPE_CAMPAIGNS "/quickstart.toml", {setting})
+            .photosynthesis->rates.front();
+    };
+    const auto amax_with = [&](const std::string& setting) {
+        return std::get<HyperbolaLeaf>(leaf_with(setting)).response.amax;
+    };
+    EXPECT_NEAR(amax_with("seed=1"), 63.929, 1e-3);
+    EXPECT_EQ(amax_with("photosynthesis.amax=50"), 50);
+    EXPECT_NEAR(amax_with("photosynthesis.rate_2000=50"), 60.714, 1e-3);
+    EXPECT_NE(amax_with("photosynthesis.theta=0.8"), 50);
+    // Numbers of the crop's model are no numbers of another.
+    const auto collatz =
+        std::get<CollatzLeaf>(leaf_with("photosynthesis.model=\"collatz\""));
+    EXPECT_EQ(collatz.vmax, CollatzLeaf{}.vmax);
+    EXPECT_EQ(collatz.respiration, CollatzLeaf{}.respiration);
+}
+
 TEST(Campaign, CropsWithoutPhotosynthesisAreWarnedOfWhereCarbonCounts) {
     const auto warnings = [](const std::string& more,
                              const std::string& top = "") {

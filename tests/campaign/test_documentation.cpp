@@ -153,6 +153,8 @@ TEST(Documentation, ResolvedTextHasExactlyTheDeclaredKeys) {
     // Models of leaves have keys of their own.
     const std::string hyperbola =
         "[photosynthesis]\nphi = 0.05\ntheta = 0.8\namax = 40\nrd = 1\n";
+    // A rate in full light is given in place of amax.
+    const std::string rate = "[photosynthesis]\nrate_2000 = 40\n";
     const std::string collatz =
         "[photosynthesis]\nmodel = \"collatz\"\nvmax = 30\nalpha = 0.06\n"
         "beta = 0.9\nk = 0.6\n";
@@ -182,6 +184,9 @@ TEST(Documentation, ResolvedTextHasExactlyTheDeclaredKeys) {
         "[plant.baseline.blade]\nleaflets = 3\nleaflet_divergence = 80\n"
         "[plant.baseline.growth]\n";
     auto lines = lines_of(parse_campaign(twisted, "sample.toml"));
+    for (const std::string& line :
+         lines_of(parse_campaign(sample_text("", rate), "sample.toml")))
+        lines.push_back(line);
     // A campaign has days or climates, one scenario or several, and one
     // objective or a front of them.
     const std::string text =

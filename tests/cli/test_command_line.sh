@@ -79,7 +79,7 @@ expect 0 "$ideotype" check "${bare[@]}" --set photosynthesis.amax=40
 says "^leaves    hyperbola (default), amax 40 (--set photosynthesis.amax=40), 30 deg C on clear days$"
 ! grep -q "has no .photosynthesis." out.log || fail "stated leaves are warned of: $(cat out.log)"
 expect 0 "$ideotype" check campaigns/verbs.toml --set objective.maximise=carbon_balance
-says "^leaves    hyperbola (maize.toml), amax 50 (default), 30 deg C on clear days$"
+says "^leaves    hyperbola, amax 63.9294, rate_2000 52 (maize.toml), 30 deg C on clear days$"
 # The first generation of auto is larger, and the log counts plants as check does.
 auto=(--set search.optimizer=auto --set search.population=8 --set stop.generations=5)
 expect 0 "$ideotype" check campaigns/verbs.toml "${auto[@]}"

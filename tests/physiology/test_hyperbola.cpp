@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "derivatives.hpp"
+#include "ideotype/core/contract.hpp"
 #include "ideotype/physiology/hyperbola.hpp"
 
 namespace ideotype {
@@ -55,6 +56,21 @@ TEST(Hyperbola, IsTheMinimumWithFullCurvature) {
     EXPECT_DOUBLE_EQ(f.gross(2000), 50);
     EXPECT_DOUBLE_EQ(f.slope(500), .06);
     EXPECT_DOUBLE_EQ(f.slope(2000), 0);
+}
+
+TEST(Hyperbola, ReachesARateWithTheCapacityForIt) {
+    // The numbers were computed by hand: 50 (120 - 0.7 50) / (120 - 50).
+    EXPECT_NEAR((Hyperbola{.06, .7}.amax_for(2000, 50)), 60.7142857, 1e-6);
+    for (const double theta : {0., .5, .7, 1.})
+        for (const double rate : {0., 3., 52., 119.}) {
+            Hyperbola f{.06, theta};
+            f.amax = f.amax_for(2000, rate);
+            EXPECT_NEAR(f.gross(2000), rate, 1e-11 * (1 + f.amax))
+                << theta << ' ' << rate;
+        }
+#ifdef IDEOTYPE_CONTRACTS
+    EXPECT_THROW(Hyperbola{}.amax_for(2000, 120), ContractError);
+#endif
 }
 
 TEST(Hyperbola, IsProportionalToLightWithoutSaturation) {

@@ -60,8 +60,9 @@ struct Hyperbola {
     //! Curvature [-], 0 to 1: 0.7 (von Caemmerer 2021,
     //! doi:10.1093/jxb/erab266), of 0.5 to 0.83 in models of maize.
     double theta = 0.7;
-    //! Assimilation in saturating light [umol m-2 s-1]: 50, that of Collatz et
-    //! al. 1992 (39 at 25 deg C) at 30 deg C.
+    //! Asymptote of assimilation in strong light [umol m-2 s-1]: 50, that of
+    //! Collatz et al. 1992 (39 at 25 deg C) at 30 deg C. At an absorbed PPFD
+    //! of 2000 the leaf then assimilates 42.9; amax_for() starts from a rate.
     double amax = 50;
 
     //! Returns the gross assimilation of CO2 per area of leaf [umol m-2 s-1].
@@ -69,6 +70,13 @@ struct Hyperbola {
     double gross(double absorbed) const {
         return smooth_minimum(theta, phi * absorbed, amax);
     }
+
+    //! Returns the `amax` with which leaves of this phi and theta reach a gross
+    //! assimilation f in light I [umol m-2 s-1]. The equation of the hyperbola,
+    //! theta f^2 - (phi I + A) f + phi I A = 0, is linear in A, so that
+    //! A = f (phi I - theta f) / (phi I - f).
+    //! @param gross assimilation, less than phi I
+    double amax_for(double absorbed, double gross) const;
 
     //! Returns the derivative of gross() [mol mol-1].
     double slope(double absorbed) const;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -49,6 +50,7 @@ class DraftReader : CropReader {
         read_components(top);
         draft_.has_climate = top.contains("climate");
         if (top["plant"]["bounds"].is_table()) draft_.rule.clear();
+        drop_replaced_leaves(top);
         const std::vector<Table> tables = campaign_tables(draft_);
         tables_.read(top, top_section(campaign), tables);
         for (const Table& table : tables) tables_.read(top, table);
@@ -108,6 +110,16 @@ class DraftReader : CropReader {
     }
 
   private:
+    //! Removes the numbers of the crop's leaves that the campaign replaces.
+    void drop_replaced_leaves(const toml::table& top) {
+        const toml::table* leaves = top["photosynthesis"].as_table();
+        if (!leaves) return;
+        std::set<std::string> keys;
+        for (const auto& [key, value] : *leaves) keys.emplace(key.str());
+        drop_replaced_numbers(draft_, keys,
+                              (*leaves)["model"].value_or<std::string>(""));
+    }
+
     //! Derives from the crop what must be known to read the campaign.
     //! @param rule rule by which bounds are chosen
     void prepare(const std::string& rule) {

@@ -16,12 +16,18 @@ namespace {
 using All = PhotosynthesisTable;
 using Numbers = std::vector<double> All::*;
 
+//! The absorbed PPFD of `rate_2000` [umol m-2 s-1].
+constexpr double full_light = 2000;
+
 //! Calls a function with each list of numbers of a model's leaves and the
 //! member of a leaf that holds such a number; each model has an overload.
 void each_number(HyperbolaLeaf& leaf, const auto& with) {
     with(&All::phi, leaf.response.phi);
     with(&All::theta, leaf.response.theta);
     with(&All::amax, leaf.response.amax);
+    std::optional<double> rate;
+    with(&All::rate_2000, rate);
+    if (rate) leaf.response.amax = leaf.response.amax_for(full_light, *rate);
     with(&All::rd, leaf.respiration);
 }
 
@@ -87,12 +93,19 @@ struct LeafKey {
 };
 
 constexpr LeafKey leaf_keys[] = {
-    {"phi", &All::phi},           {"theta", &All::theta},
-    {"amax", &All::amax, true},   {"rd", &All::rd},
-    {"vmax", &All::vmax, true},   {"alpha", &All::alpha},
-    {"beta", &All::beta},         {"k", &All::k},
-    {"vcmax", &All::vcmax, true}, {"jmax", &All::jmax, true},
-    {"tpu", &All::tpu},           {"g1", &All::g1},
+    {"phi", &All::phi},
+    {"theta", &All::theta},
+    {"amax", &All::amax, true},
+    {"rate_2000", &All::rate_2000, true},
+    {"rd", &All::rd},
+    {"vmax", &All::vmax, true},
+    {"alpha", &All::alpha},
+    {"beta", &All::beta},
+    {"k", &All::k},
+    {"vcmax", &All::vcmax, true},
+    {"jmax", &All::jmax, true},
+    {"tpu", &All::tpu},
+    {"g1", &All::g1},
 };
 
 std::size_t leaves_of(const PhotosynthesisTable& table) {
@@ -122,6 +135,14 @@ std::vector<double> default_of(const Model& model, Numbers numbers) {
     return values;
 }
 
+//! Returns `amax` of the leaves of a hyperbola.
+std::vector<double> capacities_of(const PhotosynthesisTable& table) {
+    std::vector<double> values;
+    for (const LeafRates& leaf : to_photosynthesis(table).rates)
+        values.push_back(std::get<HyperbolaLeaf>(leaf).response.amax);
+    return values;
+}
+
 StatedLeaves stated_leaves_of(const Draft& draft) {
     const PhotosynthesisTable& table = draft.photosynthesis;
     const Model& model = model_of(table);
@@ -132,6 +153,12 @@ StatedLeaves stated_leaves_of(const Draft& draft) {
     for (const LeafKey& key : leaf_keys) {
         if (!has(model, key.numbers)) continue;
         const std::vector<double>& numbers = table.*key.numbers;
+        if (key.numbers == &All::rate_2000 && numbers.empty()) continue;
+        if (key.numbers == &All::amax && !table.rate_2000.empty()) {
+            leaves.numbers.push_back({key.name, capacities_of(table),
+                                      file_of(draft, "rate_2000"), true});
+            continue;
+        }
         leaves.numbers.push_back(
             {key.name,
              numbers.empty() ? default_of(model, key.numbers) : numbers,
@@ -140,27 +167,58 @@ StatedLeaves stated_leaves_of(const Draft& draft) {
     return leaves;
 }
 
-//! Returns whether the model of leaves, or a number of the model, is stated.
-bool is_stated(const StatedLeaves& leaves) {
-    return !leaves.file.empty() ||
-           std::ranges::any_of(leaves.numbers, [](const LeafNumber& number) {
-               return !number.file.empty();
-           });
+//! Returns whether a file states the model of leaves, or a number of the model.
+bool is_stated(const Draft& draft) {
+    if (!file_of(draft, "model").empty()) return true;
+    const Model& model = model_of(draft.photosynthesis);
+    return std::ranges::any_of(leaf_keys, [&](const LeafKey& key) {
+        return has(model, key.numbers) && !file_of(draft, key.name).empty();
+    });
 }
 
 //! Warns of a crop with leaves that assimilate by default.
 //! @param own problems of the keys of the crop
 void warn_of_default(const Draft& draft, const Problems& own) {
     if (!draft.is_crop_known || !own.usable({"name"})) return;
-    const StatedLeaves leaves = stated_leaves_of(draft);
-    if (is_stated(leaves)) return;
+    if (is_stated(draft)) return;
     own.warn("name",
              "the crop \"{}\" has no [photosynthesis] (its leaves assimilate "
              "by the default, which is right for C4 crops such as maize, not "
              "for C3 crops such as wheat); add the table to the crop file, "
              "with model = \"farquhar\" for a C3 crop, or \"hyperbola\" or "
              "\"collatz\" for a C4 crop",
-             leaves.crop);
+             draft.campaign.crop.baseline.name);
+}
+
+//! Reports rates in full light that are stated with amax, or that no amax
+//! reaches.
+//! @param problems problems of the table
+void check_full_light(const PhotosynthesisTable& table,
+                      const Problems& problems) {
+    if (table.rate_2000.empty() || table.model != LeafModel::hyperbola ||
+        !problems.usable({"rate_2000", "amax", "phi"}))
+        return;
+    if (!table.amax.empty())
+        return problems.add("rate_2000",
+                            "photosynthesis.rate_2000 is given with "
+                            "photosynthesis.amax (each follows from the "
+                            "other); remove one of them");
+    const std::vector<double> phi =
+        table.phi.empty() ? std::vector{Hyperbola{}.phi} : table.phi;
+    for (std::size_t i = 0; i < leaves_of(table); ++i) {
+        const auto of_leaf = [&](const std::vector<double>& numbers) {
+            return numbers[numbers.size() == 1 ? 0 : i];
+        };
+        const double most = full_light * of_leaf(phi);
+        if (of_leaf(table.rate_2000) < most) continue;
+        return problems.add("rate_2000",
+                            "photosynthesis.rate_2000 is {} (the quantum yield "
+                            "photosynthesis.phi of {} gives less than {} at "
+                            "{} umol m-2 s-1, whatever the capacity); use "
+                            "less, or a larger phi",
+                            of_leaf(table.rate_2000), of_leaf(phi), most,
+                            full_light);
+    }
 }
 
 }  // namespace
@@ -189,6 +247,7 @@ void check_photosynthesis(const PhotosynthesisTable& table, std::size_t leaves,
                           const Problems& root) {
     const Problems problems = root.in("photosynthesis");
     const std::size_t count = leaves > 0 ? leaves : leaves_of(table);
+    bool are_usable = true;
     for (const LeafKey& key : leaf_keys) {
         const std::vector<double>& numbers = table.*key.numbers;
         if (numbers.empty() || !problems.usable({key.name})) continue;
@@ -205,7 +264,25 @@ void check_photosynthesis(const PhotosynthesisTable& table, std::size_t leaves,
                          "one number, or one for each leaf",
                          key.name, numbers.size(),
                          leaves > 0 ? "the plant" : "another list", count);
+        else
+            continue;
+        are_usable = false;
     }
+    if (are_usable) check_full_light(table, problems);
+}
+
+void drop_replaced_numbers(Draft& draft, const std::set<std::string>& keys,
+                           const std::string& model) {
+    const bool is_other =
+        !model.empty() && model != model_of(draft.photosynthesis).name;
+    const bool has_capacity =
+        keys.contains("amax") || keys.contains("rate_2000");
+    for (const LeafKey& key : leaf_keys)
+        if (is_other || (has_capacity && (key.numbers == &All::amax ||
+                                          key.numbers == &All::rate_2000))) {
+            (draft.photosynthesis.*key.numbers).clear();
+            draft.leaf_files.erase(key.name);
+        }
 }
 
 PhotosynthesisTable photosynthesis_of_meshes() {

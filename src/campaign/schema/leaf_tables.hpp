@@ -2,6 +2,8 @@
 #pragma once
 
 #include <optional>
+#include <set>
+#include <string>
 #include <vector>
 
 #include "campaign/entries.hpp"
@@ -21,8 +23,10 @@ enum class LeafModel { hyperbola, collatz, farquhar };
 //! leaves, or one for each, the lowest first; empty: the model's default.
 struct PhotosynthesisTable {
     LeafModel model = LeafModel::hyperbola;
-    std::vector<double> theta, rd;             //!< numbers of all models
-    std::vector<double> phi, amax;             //!< numbers of the hyperbola
+    std::vector<double> theta, rd;  //!< numbers of all models
+    std::vector<double> phi, amax;  //!< numbers of the hyperbola
+    //! Gross assimilation at an absorbed PPFD of 2000, in place of amax.
+    std::vector<double> rate_2000;
     std::vector<double> vmax, alpha, beta, k;  //!< numbers of Collatz
     //! Numbers of Farquhar, with beta.
     std::vector<double> vcmax, jmax, tpu, g1;
@@ -38,6 +42,14 @@ struct PhotosynthesisTable {
 //! Returns the defaults of the table for meshes: leaves do not differ by depth
 //! and do not follow the weather.
 PhotosynthesisTable photosynthesis_of_meshes();
+
+//! Removes numbers that a campaign replaces from the [photosynthesis] of its
+//! crop: all numbers if the campaign names another model, and `amax` or
+//! `rate_2000`, which follow from each other, if it states either.
+//! @param keys keys of the campaign's table
+//! @param model model that the campaign names; "": none
+void drop_replaced_numbers(Draft& draft, const std::set<std::string>& keys,
+                           const std::string& model);
 
 //! Returns the photosynthesis that a table describes.
 //! @param table table without problems

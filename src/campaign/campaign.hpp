@@ -102,6 +102,10 @@ struct Campaign {
     FieldForm field;  //!< field; each case sets its spacing
     Crop crop;
     std::vector<Range> bounds;  //!< bounds of trait_numbers(crop)
+    //! Development stage of plants that do not grow, from emergence (0) over
+    //! silking (1) to maturity (2); it fixes the capacity of leaves by the
+    //! ageing of their crop, and nothing else.
+    double stage = 1;
     double reach = 0;  //!< height that no leaf within the bounds exceeds [m]
     Tessellation tessellation;
     ByBand<PlantOptics> optics = usual_optics;  //!< optics of plants

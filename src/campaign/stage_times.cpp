@@ -10,9 +10,10 @@ namespace ideotype {
 namespace {
 
 //! A rough description of a canopy at an age: the part of light that green
-//! leaves intercept, and the height and angles relative to full growth.
+//! leaves intercept, the height and angles relative to full growth, and the
+//! capacity of leaves over that before silking.
 struct Shape {
-    double interception = 0, height = 0, unfolded = 0;
+    double interception = 0, height = 0, unfolded = 0, capacity = 1;
 };
 
 //! The shapes of the canopy of a crop's baseline over time.
@@ -44,7 +45,8 @@ class Shapes {
         return {1 - std::exp(-extinction * index_ * green),
                 collar_heights(growth_, heights_, sheath_, time).back() /
                     heights_.back(),
-                visible > 0 ? unfolded / visible : 0};
+                visible > 0 ? unfolded / visible : 0,
+                capacity_factor(growth_, time)};
     }
 
     //! Returns the time at which half of the first leaf is out.
@@ -63,8 +65,9 @@ class Shapes {
 //! them are nearest to all values (dynamic programming).
 std::vector<std::size_t> best_knots(const std::vector<Shape>& values,
                                     std::size_t count) {
-    // Heights and angles affect carbon less than leaf area does.
-    constexpr double of_form = 0.5;
+    // Heights and angles affect carbon less than leaf area does. Canopies of
+    // the hybrid lose 5 % of a clear day's assimilation with 10 % of capacity.
+    constexpr double of_form = 0.5, of_capacity = 0.5;
     const std::size_t n = values.size();
     const auto error = [&](std::size_t a, std::size_t b) {
         double sum = 0;
@@ -78,7 +81,8 @@ std::vector<std::size_t> best_knots(const std::vector<Shape>& values,
             };
             sum += off(&Shape::interception) +
                    of_form * values[i].interception *
-                       (off(&Shape::height) + off(&Shape::unfolded));
+                       (off(&Shape::height) + off(&Shape::unfolded)) +
+                   of_capacity * values[i].interception * off(&Shape::capacity);
         }
         return sum;
     };

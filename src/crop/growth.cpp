@@ -7,7 +7,9 @@
 
 #include <fmt/format.h>
 
+#include "ideotype/core/contract.hpp"
 #include "ideotype/core/error.hpp"
+#include "ideotype/core/points.hpp"
 #include "ideotype/crop/leaf_surface.hpp"
 
 namespace ideotype {
@@ -48,6 +50,17 @@ double death(const Growth& growth, int rank) {
            growth.upper_interval * (rank - lower - 1);
 }
 
+//! Returns the value at a thermal time between points at equal steps from
+//! silking to maturity; before silking it is that of the first point.
+double after_silking(const Growth& growth, std::span<const double> points,
+                     double thermal_time) {
+    IDEOTYPE_EXPECT(!points.empty());
+    const double share =
+        ramp(thermal_time, silking_time(growth), maturity_time(growth));
+    return value_between(points,
+                         share * static_cast<double>(points.size() - 1));
+}
+
 //! Returns the number of leaves below those that a plant has.
 //! @throws Error if the plant has more leaves than grow.
 std::size_t leaves_below(const Growth& growth, const Plant& plant) {
@@ -69,6 +82,25 @@ double silking_time(const Growth& growth) {
 
 double maturity_time(const Growth& growth) {
     return silking_time(growth) + growth.maturity;
+}
+
+double development_stage(const Growth& growth, double thermal_time) {
+    const double silking = silking_time(growth);
+    return ramp(thermal_time, 0, silking) +
+           ramp(thermal_time, silking, maturity_time(growth));
+}
+
+double thermal_time_of(const Growth& growth, double stage) {
+    return stage <= 1 ? stage * silking_time(growth)
+                      : silking_time(growth) + (stage - 1) * growth.maturity;
+}
+
+double capacity_factor(const Growth& growth, double thermal_time) {
+    return after_silking(growth, growth.ageing, thermal_time);
+}
+
+double maintenance_factor(const Growth& growth, double thermal_time) {
+    return after_silking(growth, growth.maintenance, thermal_time);
 }
 
 std::vector<LeafDates> leaf_dates(const Growth& growth) {

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ideotype/physiology/photosynthesis.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include <fmt/format.h>
 
 #include "ideotype/core/contract.hpp"
 #include "ideotype/core/error.hpp"
+#include "ideotype/core/points.hpp"
 
 namespace ideotype {
 
@@ -17,14 +15,10 @@ namespace {
 double at_rank(const std::vector<double>& points, std::size_t leaf,
                std::size_t leaves) {
     IDEOTYPE_EXPECT(!points.empty());
-    const std::size_t last = points.size() - 1;
-    const double place = leaves < 2 ? 0
-                                    : static_cast<double>(leaf * last) /
-                                          static_cast<double>(leaves - 1);
-    const std::size_t below = std::min(static_cast<std::size_t>(place), last);
-    const std::size_t above = std::min(below + 1, last);
-    return std::lerp(points[below], points[above],
-                     place - static_cast<double>(below));
+    return value_between(
+        points, leaves < 2 ? 0
+                           : static_cast<double>(leaf * (points.size() - 1)) /
+                                 static_cast<double>(leaves - 1));
 }
 
 std::vector<double> capacities(const Photosynthesis& photosynthesis,

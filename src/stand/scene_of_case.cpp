@@ -106,6 +106,20 @@ void set_grown(const Campaign& campaign, const Case& in, std::size_t number,
     }
 }
 
+//! Scales the capacity and the respiration of leaves to the age of a component
+//! (0: the campaign's crop), by the ageing of its crop.
+void age_leaves(const Campaign& campaign, const Case& chosen,
+                std::size_t number, Component& component) {
+    const Growth* const growth = growth_of(campaign, number);
+    if (!growth || !component.photosynthesis) return;
+    const double factor = capacity_factor(
+        *growth, chosen.stage ? chosen.stage->ages[number]
+                              : thermal_time_of(*growth, campaign.stage));
+    if (factor == 1) return;
+    for (LeafRates& rates : component.photosynthesis->rates)
+        rates = scaled(rates, factor);
+}
+
 //! Returns the optics of all components, panels and objects in a waveband, in
 //! this order.
 Optics optics_in(const Campaign& campaign, std::size_t band) {
@@ -171,6 +185,7 @@ Scene scene_of(const Campaign& campaign, const Case& chosen) {
         set_grown(campaign, chosen, 0, campaign.crop.baseline, bred);
         complete_rates(bred, campaign.crop.baseline.leaves.size());
     }
+    age_leaves(campaign, chosen, 0, bred);
     const SeriesIllumination par =
         illuminate(light_of(campaign, chosen), campaign.sky_model,
                    chosen.spacing.row_direction,
@@ -200,6 +215,7 @@ Scene scene_of(const Campaign& campaign, const Case& chosen) {
         set_grown(campaign, chosen, scene.components.size() - 1,
                   each.crop.baseline, component);
         complete_rates(component, each.crop.baseline.leaves.size());
+        age_leaves(campaign, chosen, scene.components.size() - 1, component);
         stand_in(component, form, campaign, each.standing);
     }
     add_objects(scene, campaign, form.spacing);

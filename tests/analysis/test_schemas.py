@@ -98,6 +98,7 @@ def test_check(folder: Path, tmp_path: Path) -> None:
     assert document["field"]["rows"] == 2
     assert document["cost"]["evaluations_per_case"] == 12
     assert document["leaves"] == [] and not document["grows"]
+    assert document["development_stage"] == 1
     assert document["search"] == {
         "optimizer": "ga",
         "population": 6,

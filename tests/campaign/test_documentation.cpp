@@ -182,7 +182,10 @@ TEST(Documentation, ResolvedTextHasExactlyTheDeclaredKeys) {
         "petiole_length = 0.1\npetiole_angle = 9\ninternode = 0.2\n");
     twisted +=
         "[plant.baseline.blade]\nleaflets = 3\nleaflet_divergence = 80\n"
-        "[plant.baseline.growth]\n";
+        "[plant.baseline.growth]\nageing = [1, 0.5]\n"
+        "maintenance = [1, 0.3]\n";
+    const std::string plant = "[plant]\n";
+    twisted.insert(twisted.find(plant) + plant.size(), "stage = 1.5\n");
     auto lines = lines_of(parse_campaign(twisted, "sample.toml"));
     for (const std::string& line :
          lines_of(parse_campaign(sample_text("", rate), "sample.toml")))

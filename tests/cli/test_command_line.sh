@@ -34,7 +34,7 @@ says "LAI 3.44"
 says "^advice    plants are all alike; "
 says "^next: ideotype run campaigns/verbs.toml$"
 says "^leaves    absorb light; assimilation is not evaluated$"
-says "^growth    none: plants are those of the crop file on all days$"
+says "^growth    none: plants are those of the crop file on all days, with leaves as at silking$"
 says "^search    ga, generations of 6 plants, at most 12 plants$"
 says "Ames  *42 N 93.6 W  *0807  *1  *64.2 deg  *0.2 %  *+1.24 h  *UTC-5  *06:19  *13:20  *20:20"
 sed -e 's/^start = .*/start = 01:00:00/' -e 's/^end = .*/end = 05:00:00/' \
@@ -80,6 +80,9 @@ says "^leaves    hyperbola (default), amax 40 (--set photosynthesis.amax=40), 30
 ! grep -q "has no .photosynthesis." out.log || fail "stated leaves are warned of: $(cat out.log)"
 expect 0 "$ideotype" check campaigns/verbs.toml --set objective.maximise=carbon_balance
 says "^leaves    hyperbola, amax 63.9294, rate_2000 52 (maize.toml), 30 deg C on clear days$"
+hybrid=(--set plant.baseline=crops/maize_hybrid.toml --set plant.bounds=traits --set plant.stage=1.75)
+expect 0 "$ideotype" check campaigns/verbs.toml "${hybrid[@]}"
+says "on all days, with leaves as at development stage 1.75 (0.7 of the capacity at silking)$"
 # The first generation of auto is larger, and the log counts plants as check does.
 auto=(--set search.optimizer=auto --set search.population=8 --set stop.generations=5)
 expect 0 "$ideotype" check campaigns/verbs.toml "${auto[@]}"

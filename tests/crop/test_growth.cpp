@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <array>
 #include <fstream>
+#include <map>
 #include <numeric>
 
 #include <gtest/gtest.h>
@@ -39,6 +40,43 @@ TEST(Growth, HasTheGreenAreaTipsAndCollarsOfTheReference) {
         }
         EXPECT_EQ(tips, one["tips"].get<int>()) << tau;
         EXPECT_EQ(collars, one["collars"].get<int>()) << tau;
+    }
+}
+
+TEST(Growth, DevelopmentIsOneAtSilkingAndTwoAtMaturity) {
+    const double silking = silking_time(hybrid);
+    EXPECT_EQ(development_stage(hybrid, -1), 0);
+    EXPECT_EQ(development_stage(hybrid, silking / 2), 0.5);
+    EXPECT_EQ(development_stage(hybrid, silking), 1);
+    EXPECT_DOUBLE_EQ(
+        development_stage(hybrid, silking + 0.75 * hybrid.maturity), 1.75);
+    EXPECT_EQ(development_stage(hybrid, 1e5), 2);
+    for (const double stage : {0., 0.3, 1., 1.4, 2.})
+        EXPECT_DOUBLE_EQ(
+            development_stage(hybrid, thermal_time_of(hybrid, stage)), stage);
+}
+
+TEST(Growth, LeavesAndOrgansAgeFromSilkingOn) {
+    // Tables of WOFOST for temperate maize.
+    Growth growth;
+    growth.ageing = {1, 1, 0.9, 0.7, 0.3};
+    growth.maintenance = {1, 1, 1, 0.75, 0.25};
+    const std::map<double, std::pair<double, double>> factors{
+        {0, {1, 1}},         {0.9, {1, 1}},       {1, {1, 1}},
+        {1.25, {1, 1}},      {1.375, {0.95, 1}},  {1.5, {0.9, 1}},
+        {1.75, {0.7, 0.75}}, {1.875, {0.5, 0.5}}, {2, {0.3, 0.25}}};
+    for (const auto& [stage, factor] : factors) {
+        const double time = thermal_time_of(growth, stage);
+        EXPECT_NEAR(capacity_factor(growth, time), factor.first, 1e-12)
+            << stage;
+        EXPECT_NEAR(maintenance_factor(growth, time), factor.second, 1e-12)
+            << stage;
+    }
+    EXPECT_EQ(capacity_factor(growth, 1e5), 0.3);
+    // Without ageing factors are 1 to the last bit.
+    for (double time = 0; time < 2500; time += 37) {
+        EXPECT_EQ(capacity_factor(hybrid, time), 1);
+        EXPECT_EQ(maintenance_factor(hybrid, time), 1);
     }
 }
 

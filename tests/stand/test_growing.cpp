@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "ideotype/core/error.hpp"
@@ -145,6 +147,144 @@ TEST(GrowingSeason, StripsThatEmergeLaterHaveLess) {
     EXPECT_LT(all.at("carbon_balance_by_component_1"),
               0.8 * all.at("carbon_balance_by_component_0"));
     EXPECT_GT(all.at("carbon_balance_by_component_1"), 0);
+}
+
+//! Returns the first leaf of a component in a scene of a campaign.
+const LeafRates& first_leaf(const Scene& scene, std::size_t component) {
+    return scene.components.at(component).photosynthesis->rates.front();
+}
+
+double gross_in_full_light(const LeafRates& leaf) {
+    const std::array light{2000.};
+    double rate = 0;
+    gross(response(leaf, {}), light, &rate);
+    return rate;
+}
+
+TEST(GrowingSeason, LeavesOfEachStageHaveTheCapacityOfTheirAge) {
+    const std::string relay =
+        "[[component]]\nname = \"relay\"\nrows = [3, 4]\nlater = 15\n"
+        "crop = \"crops/maize_hybrid.toml\"\n";
+    for (const char* model : {"hyperbola", "collatz", "farquhar"}) {
+        const Campaign ageing = read_campaign_text(
+            growing().source + relay,
+            std::string(IDEOTYPE_CAMPAIGNS) + "/relay.toml",
+            {"objective.over=[]", "light.paths=256", "field.rows=4",
+             fmt::format("photosynthesis.model=\"{}\"", model)});
+        Campaign young = ageing;
+        young.crop.growth->ageing =
+            young.components[0].crop.growth->ageing = {1};
+        const Case chosen = cases(ageing).at(0);
+        for (const Case& each : chosen.stages) {
+            const Scene scene = scene_of(ageing, each);
+            const Scene like = scene_of(young, each);
+            for (const std::size_t c : {0u, 1u}) {
+                const double factor =
+                    capacity_factor(*growth_of(ageing, c), each.stage->ages[c]);
+                const LeafRates expected = scaled(first_leaf(like, c), factor);
+                EXPECT_EQ(gross_in_full_light(first_leaf(scene, c)),
+                          gross_in_full_light(expected))
+                    << model << ' ' << each.stage->at;
+                EXPECT_EQ(dark_respiration(first_leaf(scene, c), 30),
+                          dark_respiration(expected, 30));
+            }
+        }
+        // At the last stage the crop is older than the plants of the relay.
+        const Scene last = scene_of(ageing, chosen.stages.back());
+        EXPECT_LT(gross_in_full_light(first_leaf(last, 0)),
+                  0.99 * gross_in_full_light(first_leaf(last, 1)))
+            << model;
+    }
+}
+
+TEST(GrowingSeason, StagesStandWhereCapacityFalls) {
+    Campaign campaign = growing({"light.stages=8"});
+    const double last = maturity_time(*campaign.crop.growth);
+    const auto times = [&] {
+        std::vector<double> all;
+        for (const StageTime& each : stage_times(campaign, 1 / 7.5, last))
+            all.push_back(each.at);
+        return all;
+    };
+    //! Largest error of capacity on straight lines between stages.
+    const auto error = [&](const std::vector<double>& stages) {
+        const Growth& growth = *campaign.crop.growth;
+        double most = 0;
+        for (std::size_t k = 1; k < stages.size(); ++k)
+            for (const double share : {0.25, 0.5, 0.75})
+                most = std::max(
+                    most,
+                    std::abs(
+                        capacity_factor(growth, std::lerp(stages[k - 1],
+                                                          stages[k], share)) -
+                        std::lerp(capacity_factor(growth, stages[k - 1]),
+                                  capacity_factor(growth, stages[k]), share)));
+        return most;
+    };
+    const std::vector<double> aware = times();
+    const Growth ageing = *campaign.crop.growth;
+    campaign.crop.growth->ageing = {1};
+    const std::vector<double> unaware = times();
+    campaign.crop.growth = ageing;
+    EXPECT_LT(error(aware), 0.07);
+    EXPECT_GT(error(unaware), error(aware));
+}
+
+TEST(GrowingSeason, AgeingLowersCarbonAndLeavesLightAlone) {
+    for (const char* model : {"hyperbola", "collatz", "farquhar"}) {
+        Campaign campaign =
+            growing({"light.stages=4",
+                     fmt::format("photosynthesis.model=\"{}\"", model)});
+        campaign.crop.growth->ageing = {1};
+        const auto young = numbers(campaign);
+        // Leaves without any capacity are no error.
+        campaign.crop.growth->maturity = 400;
+        campaign.crop.growth->ageing = {1, 0};
+        const auto old = numbers(campaign);
+        EXPECT_LT(old.at("gross_assimilation_0"),
+                  0.9 * young.at("gross_assimilation_0"));
+        EXPECT_LT(old.at("respiration_0"), young.at("respiration_0"));
+        for (const auto& [name, value] : old)
+            EXPECT_TRUE(std::isfinite(value)) << model << ' ' << name;
+    }
+}
+
+TEST(GrowingSeason, PlantsThatDoNotGrowHaveTheCapacityOfTheirStage) {
+    Campaign plain = growing();
+    plain.climates.front().value.emergence = {0, 1, 1};
+    const Case chosen = cases(plain).at(0);
+    ASSERT_TRUE(chosen.stages.empty());
+    const auto rate = [&] {
+        return gross_in_full_light(first_leaf(scene_of(plain, chosen), 0));
+    };
+    const auto at_silking = numbers(plain);
+    const double full = rate();
+    plain.stage = 1.75;
+    EXPECT_LT(rate(), 0.75 * full);
+    const auto aged = numbers(plain);
+    EXPECT_LT(aged.at("gross_assimilation_0"),
+              0.95 * at_silking.at("gross_assimilation_0"));
+    for (const char* light : {"absorbed_par_0", "lai_0", "fapar_0"})
+        EXPECT_EQ(aged.at(light), at_silking.at(light)) << light;
+    plain.crop.growth->ageing = {1};
+    EXPECT_EQ(rate(), full);
+    EXPECT_EQ(numbers(plain), at_silking);
+}
+
+TEST(GrowingSeason, AStageOfPlantsThatGrowIsAnError) {
+    EXPECT_THROW(growing({"plant.stage=1.5"}), InputError);
+    const Campaign hybrid =
+        read_campaign(IDEOTYPE_CAMPAIGNS "/ames_quick.toml",
+                      {"plant.baseline=\"crops/maize_hybrid.toml\"",
+                       "plant.bounds=\"traits\"", "plant.stage=1.5"});
+    EXPECT_EQ(hybrid.stage, 1.5);
+    EXPECT_EQ(parse_campaign(hybrid.resolved, "again.toml").stage, 1.5);
+    EXPECT_TRUE(hybrid.warnings.empty());
+    // Leaves that do not age have the same capacity at all stages.
+    const Campaign line = read_campaign(IDEOTYPE_CAMPAIGNS "/ames_quick.toml",
+                                        {"plant.stage=1.5"});
+    ASSERT_EQ(line.warnings.size(), 1u);
+    EXPECT_TRUE(line.warnings[0].what.starts_with("plant.stage is 1.5 (no "));
 }
 
 TEST(GrowingSeason, AClimateThatPlantsCannotGrowInIsAnError) {

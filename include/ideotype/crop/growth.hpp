@@ -35,6 +35,10 @@ struct Growth {
     double maturity = 970;          //!< time after silking [deg C d]
     double internode_rate = 0.002;  //!< growth of an internode [m / (deg C d)]
     double base = 8, cap = 34;      //!< limits of thermal time [deg C]
+    //! Capacity of leaves over that before silking, and maintenance respiration
+    //! of other organs per mass over that before silking, at equal steps of
+    //! development_stage() from silking to maturity, linear in between.
+    std::vector<double> ageing{1}, maintenance{1};
 
     bool operator==(const Growth&) const = default;
 };
@@ -57,6 +61,24 @@ double silking_time(const Growth& growth);
 
 //! Returns the thermal time from emergence to maturity [deg C d].
 double maturity_time(const Growth& growth);
+
+//! Returns the development stage at a thermal time since emergence: 0 at
+//! emergence, 1 at silking, 2 at maturity and after it, linear in thermal time
+//! in between, as DVS of WOFOST.
+double development_stage(const Growth& growth, double thermal_time);
+
+//! Returns the thermal time of a development stage from 0 to 2 [deg C d].
+double thermal_time_of(const Growth& growth, double stage);
+
+//! Returns the capacity of green leaves, and with it their respiration, over
+//! that before silking. In WOFOST it falls to 0.3 at maturity (AMAXTB of
+//! temperate maize, github.com/ajwdewit/WOFOST_crop_parameters).
+double capacity_factor(const Growth& growth, double thermal_time);
+
+//! Returns the maintenance respiration of stalks, ears and roots per mass over
+//! that before silking (RFSETB of the same file: 1, 0.75, 0.25 at the stages
+//! 1.5, 1.75 and 2).
+double maintenance_factor(const Growth& growth, double thermal_time);
 
 //! Returns the dates of each leaf from the lowest up. Areas are
 //! A exp(-a x^2 + b x^3) with x = (n - m) / (m - 1), where m is the rank of the

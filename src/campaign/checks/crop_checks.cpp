@@ -97,6 +97,38 @@ void check_growth(const Draft& draft, const Problems& problems) {
                          "growth.{} is {} (a rank below the second of {} "
                          "leaves); use more than {:.3g}",
                          name, share, growth.leaves, 1. / growth.leaves);
+    for (const auto& [name, points] :
+         {std::pair("ageing", &growth.ageing),
+          std::pair("maintenance", &growth.maintenance)})
+        if (problems.usable({name}) && points->front() != 1)
+            problems.add(name,
+                         "growth.{} begins with {} (it is relative to plants "
+                         "before silking, where it begins); begin with 1",
+                         name, points->front());
+}
+
+//! Reports a development stage of plants that grow, and warns of one that
+//! changes nothing.
+void check_stage(const Draft& draft, const Problems& problems) {
+    const double stage = draft.campaign.stage;
+    if (stage == Campaign().stage || !problems.usable({"plant.stage"})) return;
+    if (plants_grow(draft.campaign))
+        return problems.add("plant.stage",
+                            "plant.stage is {} (plants pass through all "
+                            "stages from climate.emergence on); remove it",
+                            stage);
+    const auto ages = [](const Draft& crop) {
+        return !crop.is_crop_known ||
+               (crop.has_growth && crop.growth.ageing.size() > 1);
+    };
+    if (!ages(draft) &&
+        std::ranges::none_of(draft.components,
+                             [&](const auto& each) { return ages(*each); }))
+        problems.warn("plant.stage",
+                      "plant.stage is {} (no crop file has growth.ageing, so "
+                      "that leaves do not age); give it to the crop file, or "
+                      "remove plant.stage",
+                      stage);
 }
 
 //! Reports emergence outside of its period, or without weather to grow by.
@@ -172,6 +204,7 @@ void check_plant(Draft& draft, const Problems& problems) {
 void check_growing(const Draft& draft, const Problems& problems) {
     const auto& climates = draft.campaign.climates;
     const bool grows = plants_grow(draft.campaign);
+    check_stage(draft, problems);
     for (std::size_t i = 0; i < climates.size(); ++i) {
         const Problems own = problems.in("climate", i);
         if (climates[i].value.grows())

@@ -48,28 +48,33 @@ Section sheath_section(Sheath& sheath) {
 }
 
 Section growth_section(Growth& growth) {
-    return {"growth",
-            {{"leaves", &growth.leaves},
-             {"interval", &growth.interval},
-             {"largest_area", &growth.largest_area},
-             {"largest", &growth.largest},
-             {"narrowing", &growth.narrowing},
-             {"skewness", &growth.skewness},
-             {"first_extension", &growth.first_extension},
-             {"longest_extension", &growth.longest_extension},
-             {"last_extension", &growth.last_extension},
-             {"slowest", &growth.slowest},
-             {"lower_leaves", &growth.lower_leaves},
-             {"lower_death", &growth.lower_death},
-             {"lower_interval", &growth.lower_interval},
-             {"upper_death", &growth.upper_death},
-             {"upper_interval", &growth.upper_interval},
-             {"fading", &growth.fading},
-             {"silking", &growth.silking},
-             {"maturity", &growth.maturity},
-             {"internode_rate", &growth.internode_rate},
-             {"base", &growth.base},
-             {"cap", &growth.cap}}};
+    Section section("growth", {{"leaves", &growth.leaves},
+                               {"interval", &growth.interval},
+                               {"largest_area", &growth.largest_area},
+                               {"largest", &growth.largest},
+                               {"narrowing", &growth.narrowing},
+                               {"skewness", &growth.skewness},
+                               {"first_extension", &growth.first_extension},
+                               {"longest_extension", &growth.longest_extension},
+                               {"last_extension", &growth.last_extension},
+                               {"slowest", &growth.slowest},
+                               {"lower_leaves", &growth.lower_leaves},
+                               {"lower_death", &growth.lower_death},
+                               {"lower_interval", &growth.lower_interval},
+                               {"upper_death", &growth.upper_death},
+                               {"upper_interval", &growth.upper_interval},
+                               {"fading", &growth.fading},
+                               {"silking", &growth.silking},
+                               {"maturity", &growth.maturity},
+                               {"internode_rate", &growth.internode_rate},
+                               {"base", &growth.base},
+                               {"cap", &growth.cap},
+                               {"ageing", &growth.ageing},
+                               {"maintenance", &growth.maintenance}});
+    const Growth usual;
+    section["ageing"].written_if(growth.ageing != usual.ageing);
+    section["maintenance"].written_if(growth.maintenance != usual.maintenance);
+    return section;
 }
 
 Section blade_section(Blade& blade) {
@@ -165,10 +170,12 @@ Section plant_section(Draft& draft) {
     Section section("plant", {{"baseline", {}},
                               {"bounds", place_of_rule(draft)},
                               {"organs", &draft.organs},
+                              {"stage", &draft.campaign.stage},
                               {"cells_along", &faces.cells_along},
                               {"stalk_sides", &faces.stalk_sides}});
     section["bounds"].one_of(rule_names(draft));
     section["organs"].one_of(all_organs(draft.campaign.crop.baseline));
+    section["stage"].written_if(draft.campaign.stage != Campaign().stage);
     section["cells_along"].trades({6, 8, 12, 16, 24});
     section["stalk_sides"].trades({3, 6, 12}, !draft.organs.empty());
     return section;

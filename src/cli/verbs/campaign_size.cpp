@@ -143,6 +143,20 @@ std::string temperature_text(const Campaign& campaign) {
     return "with the temperature of the air";
 }
 
+//! Returns the development stage of plants that do not grow, and the capacity
+//! of the crop's leaves if these have aged.
+std::string static_age_text(const Campaign& campaign) {
+    const double stage = campaign.stage;
+    std::string text =
+        stage == 1 ? "silking" : fmt::format("development stage {:g}", stage);
+    if (const auto& growth = campaign.crop.growth)
+        if (const double capacity =
+                capacity_factor(*growth, thermal_time_of(*growth, stage));
+            capacity != 1)
+            text += fmt::format(" ({:g} of the capacity at silking)", capacity);
+    return text;
+}
+
 }  // namespace
 
 //! The fastest of a few evaluations counts, since the first warms up and other
@@ -312,8 +326,10 @@ Json leaves_of(const Campaign& campaign) {
 std::string growth_text(const Campaign& campaign, const Case& chosen) {
     const Case& first = scenarios(chosen).front();
     if (first.stages.empty())
-        return "growth    none: plants are those of the crop file on all "
-               "days\n";
+        return fmt::format(
+            "growth    none: plants are those of the crop file on all days, "
+            "with leaves as at {}\n",
+            static_age_text(campaign));
     return fmt::format(
         "growth    from emergence on {} to maturity, at {} "
         "stages\n",

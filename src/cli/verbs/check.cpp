@@ -133,6 +133,7 @@ Findings look_at(const Campaign& campaign) {
 Json to_json(const CheckOptions& options, const Campaign& campaign,
              const Findings& found) {
     const std::vector<Case> all = cases(campaign);
+    const bool grows = !scenarios(all.front()).front().stages.empty();
     return {{"file", options.campaign_path},
             {"is_valid", true},
             {"warnings", to_json(campaign.warnings)},
@@ -162,7 +163,8 @@ Json to_json(const CheckOptions& options, const Campaign& campaign,
               {"diffuse_fraction",
                found.light.diffuse() / found.light.incident()}}},
             {"leaves", leaves_of(campaign)},
-            {"grows", !scenarios(all.front()).front().stages.empty()},
+            {"grows", grows},
+            {"development_stage", grows ? Json() : Json(campaign.stage)},
             {"search", search_of(campaign)},
             {"genes", found.genes},
             {"free_genes", found.free_genes},

@@ -285,6 +285,24 @@ def test_gains_are_split_into_leaves_and_light_of_other_organs(
     assert light["part"] > float(rows[0][7])
 
 
+def test_strong_light_and_age_change_the_efficiency_of_a_season() -> None:
+    leaf = run("strong_light.py", "--rough", "--only", "leaf")
+    rates = re.findall(r"(?m)^\| (?:default|rate).*\| (\S+) \|$", leaf)
+    # Anchored at the rate that was measured in full light.
+    assert rates == ["40.1", "48.7"]
+    found = run("strong_light.py", "--rough", "--only", "efficiency")
+    rows = re.findall(
+        r"(?m)^\| season.*\| (\S+ \S+ \S+) \| ((?:no )?ageing) \| (\S+) ",
+        found,
+    )
+    assert len(rows) >= 4, found
+    young, old = (
+        np.array([float(x) for _, leaves, x in rows if leaves == name])
+        for name in ("no ageing", "ageing")
+    )
+    assert (old < young).all() and (old > 0.8 * young).all()
+
+
 def test_the_best_known_is_as_near_as_triples_of_searches_say(
     tmp_path: Path,
 ) -> None:

@@ -214,12 +214,17 @@ void unfold(Leaf& leaf, const Blade& blade, double visible, double faded) {
 }  // namespace
 
 void age_organs(const Growth& growth, double thermal_time, Plant& plant) {
-    for (Organ& organ : plant.organs)
+    const double factor = maintenance_factor(growth, thermal_time);
+    plant.stalk.maintenance *= factor;
+    plant.sheath.maintenance *= factor;
+    for (Organ& organ : plant.organs) {
+        organ.maintenance *= factor;
         if (organ.senescence > 0 &&
             thermal_time >= silking_time(growth) + organ.senescence) {
             organ.material = PlantMaterial::stalk;
             organ.capacity = organ.maintenance = 0;
         }
+    }
 }
 
 Plant plant_at(const Growth& growth, const Plant& plant, double thermal_time) {

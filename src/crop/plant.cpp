@@ -89,12 +89,13 @@ void add_sections(Mesh& mesh, const Plant& plant, bool is_sheath, int sides) {
     for (const Section& each : all) {
         if (each.is_sheath != is_sheath) continue;
         const bool is_last = &each == &all.back();
+        const bool is_below_sheath = !is_last && (&each + 1)->is_sheath;
         add_frustum(mesh, group,
                     {{0, 0, each.lower},
                      {0, 0, each.upper},
                      plant.stalk.radius(each.lower) + around,
                      plant.stalk.radius(each.upper) + around},
-                    sides, is_sheath || is_last);
+                    sides, is_last || (is_sheath && !is_below_sheath));
     }
 }
 

@@ -62,17 +62,16 @@ void complete_rates(Component& component, std::size_t own) {
 }
 
 //! Sets the dry mass of organs that a component builds in the time of a stage.
+//! @param plant full-grown plant
 //! @param before age at the stage before; below 0: there is none
-void set_built_organs(const Growth* growth, const Plant& plant, double age,
-                      double before, Component& component) {
-    const auto organs_at = [&](double time) {
-        return organs_of(growth ? plant_at(*growth, plant, time) : plant);
-    };
+void set_built_organs(const Growth* growth, const Plant& plant, double before,
+                      Component& component) {
     component.built_organs.clear();
-    for (const PlantOrgan& organ : organs_at(age))
+    for (const PlantOrgan& organ : organs_of(*component.plant))
         component.built_organs.push_back(organ.mass);
     if (before < 0) return;
-    const std::vector<PlantOrgan> then = organs_at(before);
+    const std::vector<PlantOrgan> then =
+        organs_of(growth ? plant_at(*growth, plant, before) : plant);
     for (std::size_t i = 0; i < then.size(); ++i)
         component.built_organs[i] =
             std::max(0., component.built_organs[i] - then[i].mass);
@@ -81,8 +80,13 @@ void set_built_organs(const Growth* growth, const Plant& plant, double age,
 //! Sets a component to a full-grown plant, or to its plant at a stage.
 void set_grown(const Campaign& campaign, const Case& in, std::size_t number,
                const Plant& plant, Component& component) {
-    if (!in.stage) return set_plant(component, plant, first_material(number));
     const Growth* const growth = growth_of(campaign, number);
+    if (!in.stage) {
+        Plant aged = plant;
+        if (growth)
+            age_organs(*growth, thermal_time_of(*growth, campaign.stage), aged);
+        return set_plant(component, aged, first_material(number));
+    }
     const double age = in.stage->ages[number];
     const double before = in.stage->ages_before[number];
     set_plant(component, growth ? plant_at(*growth, plant, age) : plant,
@@ -94,7 +98,7 @@ void set_grown(const Campaign& campaign, const Case& in, std::size_t number,
     const std::vector<double> areas = face_areas(mesh);
     const std::vector<LeafDates> dates =
         growth ? leaf_dates(*growth) : std::vector<LeafDates>{};
-    set_built_organs(growth, plant, age, before, component);
+    set_built_organs(growth, plant, before, component);
     component.built.assign(growth ? dates.size() : plant.leaves.size(), 0);
     for (std::size_t f = 0; f < areas.size(); ++f) {
         const std::size_t leaf = mesh.face_group[f];

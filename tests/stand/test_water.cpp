@@ -70,13 +70,15 @@ TEST(Water, GrossAssimilationIsBeforeRespiration) {
 TEST(Water, PartsOfGrossAssimilationSumUp) {
     const auto found = numbers(week(balance));
     const auto plain = numbers(week("[water]\nleaf_temperature = false\n"));
-    double leaves = 0, layers = 0;
+    double leaves = 0, organs = 0, layers = 0;
     for (const auto& [name, number] : found) {
         if (name.starts_with("assimilation_by_leaf")) leaves += number;
+        if (name.starts_with("assimilation_by_organ")) organs += number;
         if (name.starts_with("assimilation_by_layer")) layers += number;
     }
     const double gross = found.at("gross_assimilation_0");
-    EXPECT_NEAR(leaves, gross, 1e-9);
+    EXPECT_NEAR(leaves, found.at("assimilation_by_organ_0"), 1e-9);
+    EXPECT_NEAR(organs, gross, 1e-9);
     EXPECT_NEAR(layers, gross, 1e-9);
     const double at_night = plain.at("net_assimilation_0") -
                             plain.at("gross_assimilation_0") +

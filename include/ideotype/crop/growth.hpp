@@ -120,7 +120,8 @@ std::vector<double> collar_heights(const Growth& growth,
 //! @throws Error as final_collar_heights()
 Plant complete_plant(const Growth& growth, const Plant& plant);
 
-//! Lets the organs die that are past their Organ::senescence.
+//! Lets the organs die that are past their Organ::senescence, and lowers the
+//! maintenance of all by maintenance_factor().
 void age_organs(const Growth& growth, double thermal_time, Plant& plant);
 
 //! Returns a plant at a thermal time, with all of its leaves, out or not. The

@@ -14,12 +14,12 @@ void add_measures(Section& section, const auto& measures, Part& part) {
     }
 }
 
-//! Adds the keys of a tissue, which dead tissue leaves out.
+//! Adds the keys of a tissue, which are written if it is living.
 template <class Part>
 void add_tissue(Section& section, Part& part) {
     for (const Measure<Part>& each : tissue_measures<Part>) {
         section.add(each.name, &(part.*each.value));
-        section.keys.back().written_if(part.*each.value != Part{}.*each.value);
+        section.keys.back().written_if(part.is_living());
     }
 }
 

@@ -47,16 +47,24 @@ std::vector<Randomised> net_by_leaf(const CanopyReport& report) {
     return of_leaves(report, groups);
 }
 
-//! Returns gross assimilation over absorbed light, with errors to first order.
+//! Returns the assimilation of leaves over the light that they absorb, with
+//! errors to first order.
 Randomised light_use(const CanopyReport& report) {
     const AssimilationReport& all = *report.assimilation;
+    const auto of_leaves = [&](const FluxTally& tally) {
+        double sum = 0;
+        for (std::size_t g = 0; g < report.groups.size(); ++g)
+            if (report.groups[g].id.is_leaf()) sum += tally.groups[g];
+        return sum;
+    };
+    const double gross = estimate(mapped(all.gross.tallies, of_leaves)).mean;
     const double light =
         report.par().light.day.leaves.mean / joule_per_megajoule;
     if (!(light > 0)) return certain(report, 0);
-    const double ratio = grams_of_carbon * all.gross.sum.mean / light;
+    const double ratio = grams_of_carbon * gross / light;
     return ratio_with_error(
         ratio, light, all.gross.tallies.size(), [&](std::size_t r) {
-            return grams_of_carbon * all.gross.tallies[r].sum() -
+            return grams_of_carbon * of_leaves(all.gross.tallies[r]) -
                    ratio * report.par().budget_by_randomisation[r].leaves /
                        joule_per_megajoule;
         });
@@ -211,7 +219,8 @@ std::vector<Declaration> assimilation_quantities() {
              return hours;
          }},
         {{"light_use_efficiency", "g MJ-1",
-          "carbon of gross assimilation over absorbed PAR"},
+          "carbon of the gross assimilation of leaves over the PAR that they "
+          "absorb"},
          MeanOver::absorbed_light,
          light_use},
         {by({"leaf"},

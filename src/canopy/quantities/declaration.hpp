@@ -240,6 +240,17 @@ inline double over_leaves(const CanopyReport& report,
     return sum;
 }
 
+//! Sums numbers of groups over all organs of a component.
+inline double over_plants(const CanopyReport& report,
+                          const std::vector<double>& groups,
+                          std::size_t component) {
+    IDEOTYPE_EXPECT(groups.size() == report.groups.size());
+    double sum = 0;
+    for (std::size_t g = 0; g < groups.size(); ++g)
+        if (report.groups[g].id.component == component) sum += groups[g];
+    return sum;
+}
+
 //! Returns the numbers of the groups that are leaves.
 template <class Number>
 std::vector<Number> of_leaves(const CanopyReport& report,

@@ -120,7 +120,7 @@ std::vector<Randomised> assimilation_by_component(const CanopyReport& report,
             loss == Loss::none ? each.gross : each.uptake,
             mapped(flux_before(all, loss).tallies,
                    [&](const FluxTally& tally) {
-                       return over_leaves(report, tally.groups, parts.size());
+                       return over_plants(report, tally.groups, parts.size());
                    }),
             each.loss, each.loss_by_randomisation, loss));
     }

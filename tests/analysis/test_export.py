@@ -31,7 +31,7 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 ABSORBED = "absorbed_par [MJ m-2 day-1]"
 ERROR = "standard_error [MJ m-2 day-1]"
-FACES = 10 * 24 + 16 + 48 + 2 * 12 + 8 + 7 * 6
+FACES = 10 * 24 + 16 + (10 + 3) * 8 + 2 * 12 + 8 + 7 * 6
 """The number of faces of a plant: leaves of 12 x 2 cells, stalk, sheaths,
 peduncle and ear, spike, and seven branches of three sides, each of which has a
 cover of as many faces as sides."""

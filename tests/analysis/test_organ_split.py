@@ -53,8 +53,10 @@ def test_the_gain_of_leaves_is_that_of_plants_without_other_organs(
         gain = case.best_pair.gain
         plants = [x.row.genome[0] for x in (case.baseline, case.best)]
     assert isinstance(found, Split)
-    assert found.variants == (AS_SHIPPED, LEAVES_ALONE)
-    whole, alone = found.gains
+    first, dead, last = found.variants
+    assert (first, last) == (AS_SHIPPED, LEAVES_ALONE)
+    assert dead.name == "dead_organs"
+    whole, same_light, alone = found.gains
     # The evaluations of the search are repeated.
     assert whole.mean == pytest.approx(gain.mean, rel=1e-4)
     assert whole.standard_error == pytest.approx(gain.standard_error, rel=1e-3)
@@ -67,8 +69,9 @@ def test_the_gain_of_leaves_is_that_of_plants_without_other_organs(
     assert alone.mean == pytest.approx(
         100 * (values[1].mean() / values[0].mean() - 1), rel=1e-4
     )
-    (part,) = found.parts
-    assert part.mean == pytest.approx(whole.mean - alone.mean)
+    # The light of leaves does not depend on the carbon of other organs.
+    assert same_light.mean == pytest.approx(whole.mean, rel=1e-4)
+    assert found.parts[1].mean == pytest.approx(same_light.mean - alone.mean)
 
 
 def test_rows_with_keys_of_a_search_are_split_with_their_keys(
@@ -207,9 +210,9 @@ def test_summary_and_report_show_the_split(
     cells = [x.interval_text() for x in (*found.gains, *found.parts)]
     assert summary([str(own)]) == 0
     told = capsys.readouterr().out
-    (row,) = (x for x in told.splitlines() if x.count("|") == 5 and name in x)
+    (row,) = (x for x in told.splitlines() if x.count("|") == 7 and name in x)
     assert [
-        x.strip().replace("\N{MINUS SIGN}", "-") for x in row.split("|")[2:5]
+        x.strip().replace("\N{MINUS SIGN}", "-") for x in row.split("|")[2:7]
     ] == cells
     assert summary([str(own), "--no-split"]) == 0
     assert told.splitlines()[0] in (bare := capsys.readouterr().out)
@@ -219,10 +222,10 @@ def test_summary_and_report_show_the_split(
     table = pd.read_csv(io.StringIO(capsys.readouterr().out))
     assert report([str(own), "-o", str(tmp_path), "--figures", name]) == 0
     for line in (table, pd.read_csv(tmp_path / "results.csv")):
-        assert line.gain_leaves_alone[0] == pytest.approx(found.gains[1].mean)
+        assert line.gain_leaves_alone[0] == pytest.approx(found.gains[2].mean)
         assert line.gain_by_light_of_other_organs_standard_error[
             0
-        ] == pytest.approx(found.parts[0].standard_error)
+        ] == pytest.approx(found.parts[1].standard_error)
     page = (tmp_path / "report.html").read_text(encoding="utf-8")
     assert "Evaluated again with leaves alone, the best plant gains" in page
     assert "by light of other organs [points]" in page

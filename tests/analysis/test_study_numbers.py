@@ -89,13 +89,14 @@ def test_each_bred_trait_is_changed_alone_in_both_directions(
     table = tables_of(tmp_path, ["interventions"])
     cell = r" ([+-]\d+\.\d\d) ± \d+\.\d\d(?: mol)? \|"
     rows = re.findall(
-        rf"(?m)^\| (.* (?:x \S+|deg\S*)[^|]*) \|{6 * cell}", table
+        rf"(?m)^\| (.* (?:x \S+|deg\S*)[^|]*) \|{10 * cell}", table
     )
     assert {row[0] for row in rows[: len(plants)]} == set(plants)
     for row in rows:
-        for k in (1, 4):
-            whole, alone, part = map(float, row[k : k + 3])
-            assert part == pytest.approx(whole - alone, abs=0.016)
+        for k in (1, 6):
+            whole, dead, alone, *parts = map(float, row[k : k + 5])
+            assert parts[0] == pytest.approx(whole - dead, abs=0.016)
+            assert parts[1] == pytest.approx(dead - alone, abs=0.016)
     assert table.count("| height x 0.7 |") == 2
     assert len(re.findall(r"(?m)^\| [12] \| x \d\.\d\d \|", table)) == 2
 
@@ -107,11 +108,12 @@ def test_leaves_alone_have_no_other_organs(
     shared = module("shared", monkeypatch)
     tables = shared.campaign_of("quickstart", **shared.ROUGH)
     stands = interventions.stands_of(tables, 4)
-    assert [each.name for each, _ in stands] == ["all_organs", "leaves_alone"]
+    names = [each.name for each, _ in stands]
+    assert names == ["all_organs", "dead_organs", "leaves_alone"]
     for variant, stand in stands:
         found = interventions.evaluate(stand, [stand.baseline])
         assert found.carbon.shape == found.par.shape == (1, 4)
-        assert (found.others[0] > 5) == (variant.name == "all_organs")
+        assert (found.others[0] > 5) == (variant.name != "leaves_alone")
 
 
 def test_the_sign_of_height_is_that_of_its_interventions() -> None:

@@ -28,7 +28,6 @@ std::vector<std::size_t> leaves_of(const std::vector<Group>& groups,
 //! Sets the groups of a component's organs besides leaves.
 void set_organs(const Component& component, std::uint32_t number,
                 const std::vector<Group>& groups,
-                const std::vector<double>& area_index,
                 std::vector<LeafGroup>& result) {
     if (!component.plant) return;
     const std::vector<PlantOrgan> organs = organs_of(*component.plant);
@@ -43,16 +42,17 @@ void set_organs(const Component& component, std::uint32_t number,
             return groups[g].id.component == number &&
                    groups[g].id.organ == present;
         };
-        double area = 0;
+        std::size_t parts = 0;
         for (std::size_t g = 0; g < groups.size(); ++g)
-            if (is_own(g)) area += area_index[g];
+            parts += is_own(g) ? 1 : 0;
         for (std::size_t g = 0; g < groups.size(); ++g) {
             if (!is_own(g)) continue;
-            // Where each face is a group, the mass is shared by area.
-            const double share = (area > 0 ? area_index[g] / area : 0) /
-                                 component.ground_per_plant;
+            // Where each face is a group, all have equal shares of the mass.
+            const double share =
+                1 / (static_cast<double>(parts) * component.ground_per_plant);
             LeafGroup& group = result[g];
             group.photosynthesis = &*component.photosynthesis;
+            group.component = number;
             group.organ = {organ.tissue, share * organ.mass};
             group.rates = without_respiration(scaled(
                 component.photosynthesis->rates.back(), organ.tissue.capacity));
@@ -86,6 +86,20 @@ double building_cost(const LeafGroup& group) {
 
 }  // namespace
 
+double share_of_area(const std::vector<LeafGroup>& leaves, std::size_t group,
+                     std::span<const double> part,
+                     std::span<const double> whole) {
+    double own = part[group], all = whole[group];
+    if (leaves[group].organ)
+        for (std::size_t g = 0; g < leaves.size(); ++g)
+            if (!leaves[g].organ &&
+                leaves[g].component == leaves[group].component) {
+                own += part[g];
+                all += whole[g];
+            }
+    return all > 0 ? own / all : 1;
+}
+
 std::vector<LeafGroup> leaf_groups(const Scene& scene,
                                    const std::vector<Group>& groups,
                                    const std::vector<double>& leaf_area_index) {
@@ -94,7 +108,7 @@ std::vector<LeafGroup> leaf_groups(const Scene& scene,
     for (std::uint32_t c = 0; c < scene.components.size(); ++c) {
         const auto& photosynthesis = scene.components[c].photosynthesis;
         if (!photosynthesis) continue;
-        set_organs(scene.components[c], c, groups, leaf_area_index, result);
+        set_organs(scene.components[c], c, groups, result);
         std::vector<std::size_t> own;
         bool is_ranked = true;
         for (std::size_t g = 0; g < groups.size(); ++g) {
@@ -118,7 +132,7 @@ std::vector<LeafGroup> leaf_groups(const Scene& scene,
         const std::vector<double>& built = scene.components[c].built;
         IDEOTYPE_EXPECT(built.empty() || built.size() >= index.size());
         for (std::size_t i = 0; i < own.size(); ++i) {
-            result[own[i]] = {rates[leaf[i]], &*photosynthesis, {}, {}};
+            result[own[i]] = {rates[leaf[i]], &*photosynthesis, {}, {}, c};
             if (!built.empty())
                 result[own[i]].built =
                     built[leaf[i]] / scene.components[c].ground_per_plant;
@@ -228,13 +242,13 @@ CarbonLoss respiration(const LeafGroup& group, double leaf_area_index,
     return result;
 }
 
-//! Returns the leaf area index of a group in a randomisation over its mean.
-double share_of_area(const FluxTally& tally, std::size_t group,
+//! Returns the leaf area of a group in a randomisation over its mean.
+double share_of_area(const std::vector<LeafGroup>& leaves,
+                     const FluxTally& tally, std::size_t group,
                      const std::vector<double>& leaf_area_index) {
-    if (tally.leaf_area.empty()) return 1;
-    return leaf_area_index[group] > 0
-               ? tally.leaf_area[group] / leaf_area_index[group]
-               : 0;
+    return tally.leaf_area.empty()
+               ? 1
+               : share_of_area(leaves, group, tally.leaf_area, leaf_area_index);
 }
 
 //! Returns net assimilation less respiration at night after silking by
@@ -258,7 +272,8 @@ std::vector<double> late_net(const std::vector<FluxTally>& tallies,
             const double loss =
                 respiration(leaves[g], leaf_area_index[g], series, step);
             for (std::size_t r = 0; r < tallies.size(); ++r)
-                lost[r] += loss * share_of_area(tallies[r], g, leaf_area_index);
+                lost[r] += loss * share_of_area(leaves, tallies[r], g,
+                                                leaf_area_index);
         }
     }
     for (std::size_t r = 0; r < tallies.size(); ++r) gross[r] -= lost[r];
@@ -274,7 +289,8 @@ std::vector<std::vector<CarbonLoss>> losses_by_randomisation(
     for (const FluxTally& tally : report.before_losses().tallies) {
         std::vector<CarbonLoss>& losses = all.emplace_back();
         for (std::size_t g = 0; g < leaves.size(); ++g) {
-            const double share = share_of_area(tally, g, leaf_area_index);
+            const double share =
+                share_of_area(leaves, tally, g, leaf_area_index);
             losses.push_back(report.losses[g].scaled(share));
             if (leaves[g].built)
                 losses.back().building = report.losses[g].building;

@@ -28,8 +28,8 @@ Scene with_a_group_per_face(Scene scene) {
     return scene;
 }
 
-//! Returns the leaf area index of each group of a scene, or the outer surface
-//! of an organ per ground area, for plants that do not deviate from their line.
+//! Returns the leaf area index of each group of a scene, for plants that do not
+//! deviate from their line.
 std::vector<double> leaf_area_of_lines(const Scene& scene, std::size_t groups) {
     std::vector<double> index;
     index.reserve(groups);
@@ -38,8 +38,9 @@ std::vector<double> leaf_area_of_lines(const Scene& scene, std::size_t groups) {
         const std::size_t first = index.size();
         index.resize(first + each.mesh.groups.size());
         for (std::size_t f = 0; f < of_faces.size(); ++f)
-            index[first + each.mesh.face_group[f]] +=
-                of_faces[f] / each.ground_per_plant;
+            if (each.mesh.groups[each.mesh.face_group[f]].id.is_leaf())
+                index[first + each.mesh.face_group[f]] +=
+                    of_faces[f] / each.ground_per_plant;
     }
     index.resize(groups);
     return index;

@@ -151,15 +151,13 @@ class Reporter {
             const double ground = cell.row_ground[row];
             RowReport one{component_of_row(row), cell.rows[row],
                           ground / cell.period_y, ground};
+            const std::span areas(&found_.areas_of_rows[row * groups], groups);
             for (std::size_t g = 0; g < groups; ++g) {
-                const double area = found_.areas_of_rows[row * groups + g];
-                if (!(area > 0)) continue;
-                if (lines_.groups[g].id.is_leaf())
-                    one.lai += area / found_.fields;
+                one.lai += areas[g] / found_.fields;
                 if (!result_.assimilation) continue;
                 const AssimilationReport& all = *result_.assimilation;
-                one.assimilation.loss +=
-                    all.losses[g].scaled(area / found_.leaf_area_index[g]);
+                one.assimilation.loss += all.losses[g].scaled(share_of_area(
+                    shared_.leaves, g, areas, found_.leaf_area_index));
             }
             if (result_.assimilation) {
                 one.assimilation.loss_by_randomisation = losses_of_row(row);
@@ -186,10 +184,10 @@ class Reporter {
             const FluxTally& tally = all.before_losses().tallies[r];
             const std::size_t groups = tally.leaf_area.size();
             for (std::size_t g = 0; g < groups; ++g)
-                if (tally.leaf_area[g] > 0)
-                    losses[r] += all.losses_in(r)[g].scaled(
-                        tally.leaf_area_of_rows[row * groups + g] /
-                        tally.leaf_area[g]);
+                losses[r] += all.losses_in(r)[g].scaled(share_of_area(
+                    shared_.leaves, g,
+                    {&tally.leaf_area_of_rows[row * groups], groups},
+                    tally.leaf_area));
         }
         return losses;
     }

@@ -100,6 +100,20 @@ TEST_F(Organs, RespireAndAreBuiltByTheirMass) {
               balance);
 }
 
+TEST_F(Organs, CostAsMuchWhereTheyDoNotShow) {
+    plant.stalk.density = 100;
+    set(plant);
+    const double shown = evaluated().assimilation->losses[stalk].building;
+    plant.sheath.length = 3;
+    plant.leaves[1].insertion_height = 2;
+    set(plant);
+    const CanopyReport report = evaluated(Fields::each);
+    EXPECT_EQ(report.par().light.groups[stalk].mean, 0);
+    EXPECT_NEAR(report.assimilation->losses[stalk].building, shown, 1e-12);
+    for (std::size_t r = 0; r < 8; ++r)
+        EXPECT_GT(report.assimilation->losses_in(r)[stalk].building, 0);
+}
+
 TEST_F(Organs, LoseByTheFieldInWhichPlantsAreMissing) {
     plant.stalk.density = 100;
     plant.stalk.maintenance = .015;

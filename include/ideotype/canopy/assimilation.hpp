@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "ideotype/canopy/pieces.hpp"
@@ -127,19 +129,27 @@ struct LeafGroup {
     //! built, see Component::built.
     std::optional<double> built{};
     std::optional<OrganGroup> organ{};  //!< none: the group is of leaves
+    std::uint32_t component = 0;        //!< component of a living group
 
     //! Returns whether leaves of the group exchange heat and water with the
     //! air. Other organs have few stomata, and exchange neither.
     bool exchanges_water() const { return photosynthesis && !organ; }
 };
 
+//! Returns the part of the leaf area of a group that is in some field or row;
+//! of an organ, that of all leaves of its component, so that organs that do not
+//! show are where plants are.
+//! @param part,whole leaf area by group in the field or row, and in all
+double share_of_area(const std::vector<LeafGroup>& leaves, std::size_t group,
+                     std::span<const double> part,
+                     std::span<const double> whole);
+
 //! Tells how the leaves of each group of a scene assimilate, by their rank.
 //! If any leaf of a component has no rank, all its leaves count as one leaf.
 //! Organs have the response of the highest leaf, with their share of its
 //! capacity and without its respiration, which follows from their mass.
 //! @param groups groups of the scene
-//! @param leaf_area_index leaf area index of each group, or the outer surface
-//! of an organ per ground area
+//! @param leaf_area_index leaf area index of each group
 //! @throws Error if leaves that differ have no rank.
 std::vector<LeafGroup> leaf_groups(const Scene& scene,
                                    const std::vector<Group>& groups,

@@ -105,7 +105,7 @@ class FieldPass {
         found_.areas_of_rows.resize(pieces_.rows * groups);
         for (std::size_t f = 0; f < of_faces.size(); ++f)
             if (const std::uint32_t group = mesh.face_group[f];
-                !mesh.groups[group].id.is_object())
+                mesh.groups[group].id.is_leaf())
                 found_.areas_of_rows[pieces_.row[group] * groups +
                                      pieces_.group[group]] +=
                     of_faces[f] / scene_.cell.ground_area;
@@ -156,9 +156,9 @@ class FieldPass {
         const std::vector<Tally>& tallies = bands.front();
         found_.leaf_area_index.resize(lines_.groups.size());
         for (std::size_t v = 0; v < pieces_.count; ++v)
-            found_.leaf_area_index[pieces_.group[v]] +=
-                pieces_.area[v] / scene_.cell.ground_area;
-        measure_organs(mesh);
+            if (lines_.groups[pieces_.group[v]].id.is_leaf())
+                found_.leaf_area_index[pieces_.group[v]] +=
+                    pieces_.area[v] / scene_.cell.ground_area;
         LitLeaves leaves = lit(surfaces, mesh);
         std::optional<LeafAir> air;
         if (scene_.water) {
@@ -206,19 +206,6 @@ class FieldPass {
         return leaves;
     }
 
-    //! Adds the outer surface of organs that are not cut, by group.
-    void measure_organs(const Mesh& mesh) {
-        const std::vector<double> areas = face_areas(mesh);
-        for (std::size_t f = 0; f < areas.size(); ++f) {
-            const std::uint32_t group = mesh.face_group[f];
-            if (group < pieces_.count || mesh.groups[group].id.is_object())
-                continue;
-            found_.leaf_area_index[lines_.are_cut ? pieces_.group[group]
-                                                  : group] +=
-                areas[f] / scene_.cell.ground_area;
-        }
-    }
-
     //! Measures the leaf area of each layer whose leaves assimilate.
     void measure_layers() {
         found_.leaf_area_of_layers.resize(shared_.layers.count);
@@ -234,7 +221,7 @@ class FieldPass {
         const std::vector<double> areas = face_areas(mesh);
         found_.leaf_area_index.resize(lines_.groups.size());
         for (std::size_t f = 0; f < areas.size(); ++f)
-            if (!mesh.groups[mesh.face_group[f]].id.is_object())
+            if (mesh.groups[mesh.face_group[f]].id.is_leaf())
                 found_.leaf_area_index[mesh.face_group[f]] +=
                     areas[f] / scene_.cell.ground_area;
         ExactAssimilation exact = ideotype::assimilate_exactly(

@@ -153,10 +153,12 @@ def print_changes(stands: Stands, only: str = "") -> None:
         say(f"traits, {variant.title}")
         found.append(evaluate(stand, [stand.baseline, *plants]))
     carbon = splits(variants, [each.carbon for each in found], CARBON)
-    par = splits(variants, [each.par for each in found], "MJ m-2 day-1")
+    # Light does not depend on the carbon of other organs.
+    ends = [variants[0], variants[-1]]
+    par = splits(ends, [found[0].par, found[-1].par], "MJ m-2 day-1")
     light = [f"{x:.2f}" for x in found[0].others]
     titles = titles_of(variants, "season's carbon")
-    titles += titles_of(variants, "PAR of leaves")
+    titles += titles_of(ends, "PAR of leaves")
     rows = [
         [name, *cells(one), *cells(other), share]
         for name, one, other, share in zip(

@@ -28,6 +28,8 @@ struct Stage {
     //! Thermal time of each component since its own emergence at this stage,
     //! and at the stage before [deg C d]; the campaign's crop is the first.
     std::vector<double> ages{}, ages_before{};
+    //! Component::ear_share of each component; empty: 0.
+    std::vector<double> ear_shares{};
     double share = 1;            //!< approximate share of the season's carbon
     std::optional<Date> date{};  //!< only date of the stage, if given
 };

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
 #include "campaign.hpp"
+#include "ideotype/canopy/assimilation.hpp"
 #include "problems.hpp"
 
 namespace ideotype {
@@ -98,6 +100,64 @@ double weight(const Stage& stage, double time) {
                : 1;
 }
 
+//! Returns the part of the carbon that a component assimilates in each step
+//! that its ears respire later, 0 before silking. The dry mass M of ears gains
+//! dM/dt = e N - e m' M, where N is the carbon that fills them, e dry matter
+//! per carbon, and m' [mol kg-1 d-1] their maintenance. So of the carbon of a
+//! time t the part exp(-R) is left at maturity, R being the integral of e m'
+//! since t: this part does not depend on N, so that the steps of all stages are
+//! apart.
+//! @param ages thermal times of the component
+std::vector<double> respired_by_ears(const Growth& growth, const Season& season,
+                                     const std::vector<double>& ages,
+                                     const Photosynthesis& photosynthesis,
+                                     const LightSeries& series) {
+    std::vector<double> shares(ages.size());
+    double left = 0;  // R
+    for (std::size_t i = season.end; i-- > season.begin;) {
+        const TimeStep& step = series.steps[i];
+        if (ages[i] <= silking_time(growth)) break;
+        shares[i] = 1 - std::exp(-left);
+        if (ages[i] > maturity_time(growth)) continue;
+        left +=
+            dry_matter_per_carbon * mol_per_umol * step.seconds *
+            maintenance_respiration(
+                growth.ear_maintenance * maintenance_factor(growth, ages[i]),
+                air_of(step, photosynthesis).temperature);
+    }
+    return shares;
+}
+
+//! Sets Stage::ear_shares of all stages: those of their steps, by light.
+void set_ear_shares(const Campaign& campaign, const Season& season,
+                    const std::vector<std::vector<double>>& ages,
+                    const LightSeries& series, Case& one) {
+    for (std::size_t c = 0; c <= campaign.components.size(); ++c) {
+        const Growth* const growth = growth_of(campaign, c);
+        const auto& photosynthesis =
+            c == 0 ? campaign.photosynthesis
+                   : campaign.components[c - 1].photosynthesis;
+        const bool respires =
+            growth && growth->ear_maintenance > 0 && photosynthesis;
+        const std::vector<double> shares =
+            respires ? respired_by_ears(*growth, season, ages[c],
+                                        *photosynthesis, series)
+                     : std::vector<double>(ages[c].size());
+        for (Case& each : one.stages) {
+            double sum = 0, all = 0;
+            for (std::size_t i = season.begin; i < season.end; ++i) {
+                const TimeStep& step = series.steps[i];
+                const double light = weight(*each.stage, season.times[i]) *
+                                     step.seconds *
+                                     (step.par.beam + step.par.diffuse);
+                sum += light * shares[i];
+                all += light;
+            }
+            each.stage->ear_shares.push_back(all > 0 ? sum / all : 0);
+        }
+    }
+}
+
 }  // namespace
 
 const Climate& climate_of(const Campaign& campaign, const Case& chosen) {
@@ -154,6 +214,7 @@ void add_stages(const Campaign& campaign, Case& one) {
         one.stages.back().stage = std::move(stage);
     }
     for (Case& each : one.stages) each.stage->share /= sum;
+    set_ear_shares(campaign, season, ages, series, one);
 }
 
 Stage stage_on(const Campaign& campaign, const Case& one,

@@ -53,6 +53,8 @@ void set_organs(const Component& component, std::uint32_t number,
             LeafGroup& group = result[g];
             group.photosynthesis = &*component.photosynthesis;
             group.component = number;
+            group.roots = component.roots;
+            group.ear_share = component.ear_share;
             group.organ = {organ.tissue, share * organ.mass};
             group.rates = without_respiration(scaled(
                 component.photosynthesis->rates.back(), organ.tissue.capacity));
@@ -68,20 +70,40 @@ double respiring(const LeafGroup& group, double leaf_area_index) {
     return group.organ ? group.organ->mass : leaf_area_index;
 }
 
+//! Returns the dry mass of leaves [kg m-2], or 1, that of a mass of an organ.
+double unit_mass(const LeafGroup& group) {
+    constexpr double kg_per_g = 1e-3;
+    return group.organ ? 1 : group.photosynthesis->leaf_mass * kg_per_g;
+}
+
 //! Returns the rate at which a leaf [umol m-2 s-1] or the dry mass of an organ
-//! [umol kg-1 s-1] respires in the dark.
+//! [umol kg-1 s-1] respires in the dark, with its roots.
 double respiration_rate(const LeafGroup& group, double temperature) {
-    return group.organ ? maintenance_respiration(
-                             group.organ->tissue.maintenance, temperature)
-                       : dark_respiration(group.rates, temperature);
+    const double rate = group.organ
+                            ? maintenance_respiration(
+                                  group.organ->tissue.maintenance, temperature)
+                            : dark_respiration(group.rates, temperature);
+    if (!(group.roots.share > 0)) return rate;
+    return rate +
+           group.roots.share * unit_mass(group) *
+               maintenance_respiration(group.roots.maintenance, temperature);
 }
 
 //! Returns the carbon that building leaf area [mol m-2] or the dry mass of an
-//! organ costs [mol kg-1].
+//! organ costs [mol kg-1], with its roots.
 double building_cost(const LeafGroup& group) {
-    return group.organ
-               ? group.organ->tissue.construction * carbon_per_carbohydrate
-               : group.photosynthesis->building_cost;
+    // WOFOST, temperate maize: CVR.
+    constexpr double of_roots = carbon_per_carbohydrate / 0.69;
+    const double cost =
+        group.organ ? group.organ->tissue.construction * carbon_per_carbohydrate
+                    : leaf_building_cost(group.photosynthesis->leaf_mass);
+    return cost + group.roots.share * unit_mass(group) * of_roots;
+}
+
+//! Returns the leaf area, or the dry mass of an organ, per ground area that is
+//! built: all, unless plants grow.
+double built(const LeafGroup& group, double leaf_area_index) {
+    return group.built.value_or(respiring(group, leaf_area_index));
 }
 
 }  // namespace
@@ -132,7 +154,13 @@ std::vector<LeafGroup> leaf_groups(const Scene& scene,
         const std::vector<double>& built = scene.components[c].built;
         IDEOTYPE_EXPECT(built.empty() || built.size() >= index.size());
         for (std::size_t i = 0; i < own.size(); ++i) {
-            result[own[i]] = {rates[leaf[i]], &*photosynthesis, {}, {}, c};
+            result[own[i]] = {rates[leaf[i]],
+                              &*photosynthesis,
+                              {},
+                              {},
+                              scene.components[c].roots,
+                              scene.components[c].ear_share,
+                              c};
             if (!built.empty())
                 result[own[i]].built =
                     built[leaf[i]] / scene.components[c].ground_per_plant;
@@ -153,11 +181,13 @@ CarbonLoss& CarbonLoss::operator+=(const CarbonLoss& more) {
     in_light += more.in_light;
     at_night += more.at_night;
     building += more.building;
+    of_ears += more.of_ears;
     return *this;
 }
 
 CarbonLoss CarbonLoss::scaled(double share) const {
-    return {share * in_light, share * at_night, share * building};
+    return {share * in_light, share * at_night, share * building,
+            share * of_ears};
 }
 
 CarbonLoss sum_of(const std::vector<CarbonLoss>& losses) {
@@ -299,6 +329,28 @@ std::vector<std::vector<CarbonLoss>> losses_by_randomisation(
     return all;
 }
 
+//! Adds the respiration of ears, which follows the carbon that fills them.
+void add_ears(const std::vector<LeafGroup>& leaves,
+              AssimilationReport& report) {
+    if (std::ranges::none_of(
+            leaves, [](const LeafGroup& x) { return x.ear_share > 0; }))
+        return;
+    const std::vector<FluxTally>& tallies = report.before_losses().tallies;
+    auto& by_randomisation = report.losses_by_randomisation;
+    if (by_randomisation.empty())
+        by_randomisation.assign(tallies.size(), report.losses);
+    for (std::size_t g = 0; g < leaves.size(); ++g) {
+        double sum = 0;
+        for (std::size_t r = 0; r < tallies.size(); ++r) {
+            CarbonLoss& loss = by_randomisation[r][g];
+            loss.of_ears =
+                leaves[g].ear_share * (tallies[r].groups[g] - loss.respired());
+            sum += loss.of_ears;
+        }
+        report.losses[g].of_ears = sum / static_cast<double>(tallies.size());
+    }
+}
+
 }  // namespace
 
 FluxReport report(std::vector<FluxTally> tallies, const LightSeries& series,
@@ -362,21 +414,27 @@ AssimilationReport report(std::vector<FluxTally> uptake,
     for (std::size_t g = 0; g < leaves.size(); ++g) {
         const LeafGroup& group = leaves[g];
         CarbonLoss& loss = result.losses.emplace_back();
+        result.dry_mass.push_back(0);
         if (!group.photosynthesis) continue;
         const Photosynthesis* photosynthesis = group.photosynthesis;
         IDEOTYPE_EXPECT(photosynthesis->building_days > 0);
         loss = respiration(group, leaf_area_index[g], series);
+        const double amount_built = built(group, leaf_area_index[g]);
+        result.dry_mass.back() = unit_mass(group) * amount_built;
         loss.building =
-            building_cost(group) *
-            group.built.value_or(respiring(group, leaf_area_index[g])) /
+            building_cost(group) * amount_built /
             (group.built ? series.days : photosynthesis->building_days);
     }
     const std::vector<FluxTally>& tallies = result.before_losses().tallies;
     if (!tallies.front().leaf_area.empty())
         result.losses_by_randomisation =
             losses_by_randomisation(result, leaves, leaf_area_index);
-    if (series.grows)
+    add_ears(leaves, result);
+    if (series.grows) {
         result.late_net = late_net(tallies, leaves, leaf_area_index, series);
+        for (std::size_t r = 0; r < tallies.size(); ++r)
+            result.late_net[r] -= sum_of(result.losses_in(r)).of_ears;
+    }
     return result;
 }
 

@@ -182,12 +182,16 @@ class Reporter {
         std::vector<CarbonLoss> losses(all.losses_by_randomisation.size());
         for (std::size_t r = 0; r < losses.size(); ++r) {
             const FluxTally& tally = all.before_losses().tallies[r];
-            const std::size_t groups = tally.leaf_area.size();
+            // Randomisations of one field have its leaf area.
+            const bool is_own = !tally.leaf_area.empty();
+            const std::vector<double>&area =
+                      is_own ? tally.leaf_area : found_.leaf_area_index,
+                  &areas =
+                      is_own ? tally.leaf_area_of_rows : found_.areas_of_rows;
+            const std::size_t groups = area.size();
             for (std::size_t g = 0; g < groups; ++g)
                 losses[r] += all.losses_in(r)[g].scaled(share_of_area(
-                    shared_.leaves, g,
-                    {&tally.leaf_area_of_rows[row * groups], groups},
-                    tally.leaf_area));
+                    shared_.leaves, g, {&areas[row * groups], groups}, area));
         }
         return losses;
     }

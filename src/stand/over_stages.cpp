@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <set>
 #include <utility>
 
 #include "across_scenarios.hpp"
@@ -20,14 +19,24 @@ using Names = std::vector<std::string>;
 const Names told_by_stage{"lai",          "dead_area_index",  "fapar",
                           "absorbed_par", "net_assimilation", "carbon_balance"};
 
-Axis days_of_all(const std::vector<QuantitySet>& sets) {
-    Axis axis = sets.front().axis("day");
-    std::set<std::string> days;
-    for (const QuantitySet& set : sets) {
-        const auto& own = std::get<Names>(set.axis("day").coordinates);
-        days.insert(own.begin(), own.end());
-    }
-    axis.coordinates = Names(days.begin(), days.end());
+//! Returns whether stages have different coordinates on an axis, which are
+//! matched by name: some days have no stage, and young plants lack organs.
+bool is_matched(const std::string& axis) {
+    return axis == "day" || axis == "organ";
+}
+
+//! Returns an axis with the names of all stages: days in their order, and then
+//! organs that full-grown plants lack.
+Axis axis_of_all(const std::vector<QuantitySet>& sets,
+                 const std::string& name) {
+    Axis axis = sets.back().axis(name);
+    auto names = std::get<Names>(axis.coordinates);
+    for (const QuantitySet& set : sets)
+        for (const std::string& each :
+             std::get<Names>(set.axis(name).coordinates))
+            if (std::ranges::count(names, each) == 0) names.push_back(each);
+    if (name == "day") std::ranges::sort(names);
+    axis.coordinates = std::move(names);
     return axis;
 }
 
@@ -35,31 +44,32 @@ Axis days_of_all(const std::vector<QuantitySet>& sets) {
 
 void OverStages::add(const Quantity& quantity,
                      const std::vector<QuantitySet>& sets) {
-    const bool is_by_day = quantity.axes == Names{"day"};
+    const bool is_by_name =
+        quantity.axes.size() == 1 && is_matched(quantity.axes.front());
     if (std::ranges::count(quantity.axes, "hour") > 0) return;
     Summed summed{mean_over(quantity.name), 0, {}, {}};
     std::map<std::string, std::size_t> place_of;
-    if (is_by_day)
-        for (const std::string& day :
-             std::get<Names>(measured_.axis("day").coordinates))
-            place_of.emplace(day, place_of.size());
+    if (is_by_name)
+        for (const std::string& name :
+             std::get<Names>(measured_.axis(quantity.axes.front()).coordinates))
+            place_of.emplace(name, place_of.size());
     for (const QuantitySet& set : sets) {
         if (!set.has(quantity.name)) return;
         for (const std::string& axis : quantity.axes)
-            if (!is_by_day &&
+            if (!is_by_name &&
                 set.axis(axis).coordinates != sets[0].axis(axis).coordinates)
                 return;
         summed.begins.push_back(set.offset(quantity.name));
         std::vector<std::size_t>& places = summed.places.emplace_back();
-        if (is_by_day)
-            for (const std::string& day :
-                 std::get<Names>(set.axis("day").coordinates))
-                places.push_back(place_of.at(day));
+        if (is_by_name)
+            for (const std::string& name :
+                 std::get<Names>(set.axis(quantity.axes.front()).coordinates))
+                places.push_back(place_of.at(name));
         else
             for (std::size_t i = 0; i < sets[0].size(quantity); ++i)
                 places.push_back(i);
     }
-    summed.size = is_by_day ? place_of.size() : sets[0].size(quantity);
+    summed.size = is_by_name ? place_of.size() : sets[0].size(quantity);
     measured_.quantities.push_back(quantity);
     summed_.push_back(std::move(summed));
 }
@@ -86,7 +96,7 @@ OverStages::OverStages(const Campaign& campaign, const Case& chosen)
     }
     measured_.axes = sets.front().axes;
     for (Axis& axis : measured_.axes)
-        if (axis.name == "day") axis = days_of_all(sets);
+        if (is_matched(axis.name)) axis = axis_of_all(sets, axis.name);
     for (const Quantity& each : sets.front().quantities) add(each, sets);
     std::erase_if(measured_.axes, [&](const Axis& axis) {
         return std::ranges::none_of(

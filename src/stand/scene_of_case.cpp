@@ -124,6 +124,20 @@ void age_leaves(const Campaign& campaign, const Case& chosen,
         rates = scaled(rates, factor);
 }
 
+//! Sets the roots of a component that grows, and the part of its carbon that
+//! its ears respire later.
+void set_sinks(const Campaign& campaign, const Case& chosen, std::size_t number,
+               Component& component) {
+    const Growth* const growth = growth_of(campaign, number);
+    if (!growth || !chosen.stage) return;
+    component.roots = {
+        growth->root_share,
+        root_maintenance *
+            maintenance_factor(*growth, chosen.stage->ages[number])};
+    if (!chosen.stage->ear_shares.empty())
+        component.ear_share = chosen.stage->ear_shares[number];
+}
+
 //! Returns the optics of all components, panels and objects in a waveband, in
 //! this order.
 Optics optics_in(const Campaign& campaign, std::size_t band) {
@@ -190,6 +204,7 @@ Scene scene_of(const Campaign& campaign, const Case& chosen) {
         complete_rates(bred, campaign.crop.baseline.leaves.size());
     }
     age_leaves(campaign, chosen, 0, bred);
+    set_sinks(campaign, chosen, 0, bred);
     const SeriesIllumination par =
         illuminate(light_of(campaign, chosen), campaign.sky_model,
                    chosen.spacing.row_direction,
@@ -220,6 +235,7 @@ Scene scene_of(const Campaign& campaign, const Case& chosen) {
                   each.crop.baseline, component);
         complete_rates(component, each.crop.baseline.leaves.size());
         age_leaves(campaign, chosen, scene.components.size() - 1, component);
+        set_sinks(campaign, chosen, scene.components.size() - 1, component);
         stand_in(component, form, campaign, each.standing);
     }
     add_objects(scene, campaign, form.spacing);

@@ -184,7 +184,8 @@ TEST(Documentation, ResolvedTextHasExactlyTheDeclaredKeys) {
     twisted +=
         "[plant.baseline.blade]\nleaflets = 3\nleaflet_divergence = 80\n"
         "[plant.baseline.growth]\nageing = [1, 0.5]\n"
-        "maintenance = [1, 0.3]\n";
+        "maintenance = [1, 0.3]\nroot_share = 0.2\n"
+        "ear_maintenance = 0.01\n";
     const std::string plant = "[plant]\n";
     twisted.insert(twisted.find(plant) + plant.size(), "stage = 1.5\n");
     auto lines = lines_of(parse_campaign(twisted, "sample.toml"));

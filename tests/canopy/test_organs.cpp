@@ -114,6 +114,65 @@ TEST_F(Organs, CostAsMuchWhereTheyDoNotShow) {
         EXPECT_GT(report.assimilation->losses_in(r)[stalk].building, 0);
 }
 
+TEST_F(Organs, HaveRootsThatRespireAndAreBuiltWithThem) {
+    plant.stalk.density = 100;
+    set(plant);
+    Component& component = request.scene.components[0];
+    const CanopyReport bare = evaluated();
+    component.roots = {.2, .015};
+    const CanopyReport rooted = evaluated();
+    const double stalk_mass = 100 * std::numbers::pi / 4 * .027 * .027 * 2 /
+                              component.ground_per_plant;
+    const auto more = [&](std::size_t group, double CarbonLoss::*part) {
+        return rooted.assimilation->losses[group].*part -
+               bare.assimilation->losses[group].*part;
+    };
+    const auto respired = [&](std::size_t group) {
+        return more(group, &CarbonLoss::in_light) +
+               more(group, &CarbonLoss::at_night);
+    };
+    // A mol of CH2O is 0.030 kg; leaves have 45 g m-2.
+    const double per_mass = .2 * .015 / .030 * std::exp2(.5);
+    EXPECT_NEAR(respired(stalk), stalk_mass * per_mass, 1e-9);
+    EXPECT_NEAR(respired(0) + respired(1), .045 * bare.lai * per_mass, 1e-9);
+    EXPECT_NEAR(
+        more(stalk, &CarbonLoss::building),
+        .2 * stalk_mass / .69 / .030 / component.photosynthesis->building_days,
+        1e-9);
+    EXPECT_EQ(respired(sheath), 0);
+    EXPECT_EQ(rooted.assimilation->dry_mass[stalk],
+              bare.assimilation->dry_mass[stalk]);
+    EXPECT_NEAR(bare.assimilation->dry_mass[stalk], stalk_mass, 1e-9);
+    EXPECT_NEAR(bare.assimilation->dry_mass[0] + bare.assimilation->dry_mass[1],
+                .045 * bare.lai, 1e-9);
+}
+
+TEST_F(Organs, FillEarsThatRespireAPartOfTheirCarbon) {
+    plant.stalk.density = 100;
+    plant.stalk.maintenance = .015;
+    set(plant);
+    const auto number = [](const char* name, const CanopyReport& report) {
+        return measure_objective(name, report).estimate.mean;
+    };
+    for (const Fields fields : {Fields::one, Fields::each}) {
+        request.scene.components[0].ear_share = 0;
+        const CanopyReport bare = evaluated(fields);
+        request.scene.components[0].ear_share = .1;
+        const CanopyReport full = evaluated(fields);
+        const double growth =
+            number("gross_assimilation", bare) - number("respiration", bare);
+        EXPECT_NEAR(number("respiration", full),
+                    number("respiration", bare) + .1 * growth, 1e-9);
+        EXPECT_NEAR(number("carbon_balance", full),
+                    number("carbon_balance", bare) - .1 * growth, 1e-9);
+        EXPECT_EQ(number("net_assimilation", full),
+                  number("net_assimilation", bare));
+        // 30 g of CH2O make 20.1 g of dry matter; 1 g m-2 is 0.01 t ha-1.
+        EXPECT_NEAR(number("dry_matter", bare), .201 * growth, 1e-9);
+        EXPECT_NEAR(number("dry_matter", full), .9 * .201 * growth, 1e-9);
+    }
+}
+
 TEST_F(Organs, LoseByTheFieldInWhichPlantsAreMissing) {
     plant.stalk.density = 100;
     plant.stalk.maintenance = .015;

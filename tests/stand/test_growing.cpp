@@ -39,6 +39,8 @@ TEST(GrowingSeason, AStageOfFullGreenPlantsIsTheCropWithoutGrowthToTheBit) {
     grown.crop.growth->leaves = 11;
     grown.crop.growth->maturity = 1e4;
     grown.crop.growth->lower_death = grown.crop.growth->upper_death = 1e4;
+    // Roots and ears count only where plants grow.
+    grown.crop.growth->root_share = grown.crop.growth->ear_maintenance = 0;
     for (Organ& organ : grown.crop.baseline.organs) organ.senescence = 0;
     Campaign plain = grown;
     plain.climates.front().value.emergence = {0, 1, 1};
@@ -48,8 +50,8 @@ TEST(GrowingSeason, AStageOfFullGreenPlantsIsTheCropWithoutGrowthToTheBit) {
     std::size_t compared = 0;
     for (const auto& [name, number] : a) {
         // Organs are paid when they are built, not in equal parts.
-        if (name == "carbon_balance_0" || name == "dry_matter_0" ||
-            name.starts_with("carbon_loss") || !b.contains(name))
+        if (name == "carbon_balance_0" || name.starts_with("carbon_loss") ||
+            name.starts_with("dry_mass_by") || !b.contains(name))
             continue;
         EXPECT_EQ(number, b.at(name)) << name;
         ++compared;
@@ -117,6 +119,99 @@ TEST(GrowingSeason, RatiosAreOfTheSumsOverStages) {
                 all.at("absorbed_par_0") / all.at("lai_0"), 1e-9);
     EXPECT_NEAR(all.at("net_assimilation_per_leaf_area_0"),
                 all.at("net_assimilation_0") / all.at("lai_0"), 1e-9);
+}
+
+TEST(GrowingSeason, DryMatterIsThatOfAllCarbonThatIsNotRespired) {
+    const auto all = numbers(growing({"light.stages=4"}));
+    const double growth =
+        all.at("gross_assimilation_0") - all.at("respiration_0");
+    EXPECT_NEAR(all.at("dry_matter_0"), 119 * .201 * growth, 1e-9);
+    // Structures are part of it.
+    const auto sum_of = [&](const char* name) {
+        double sum = 0;
+        for (int i = 0; all.contains(fmt::format("{}_{}", name, i)); ++i)
+            sum += all.at(fmt::format("{}_{}", name, i));
+        return sum;
+    };
+    EXPECT_GT(sum_of("dry_mass_by_organ"), 0.2 * all.at("dry_matter_0"));
+    EXPECT_LT(sum_of("dry_mass_by_organ"), 0.6 * all.at("dry_matter_0"));
+    // Young plants lack organs, which count from the stage on that has them.
+    EXPECT_NEAR(sum_of("assimilation_by_organ"), all.at("gross_assimilation_0"),
+                1e-9);
+    EXPECT_NEAR(sum_of("carbon_loss_by_organ"),
+                all.at("gross_assimilation_0") - all.at("carbon_balance_0"),
+                1e-9);
+}
+
+TEST(GrowingSeason, RootsAndEarsRespireAndLeaveGrossAssimilationAlone) {
+    Campaign campaign = growing({"light.stages=4"});
+    Growth& growth = *campaign.crop.growth;
+    const double root_share = growth.root_share,
+                 ear_maintenance = growth.ear_maintenance;
+    EXPECT_GT(root_share, 0);
+    EXPECT_GT(ear_maintenance, 0);
+    growth.root_share = growth.ear_maintenance = 0;
+    const auto none = numbers(campaign);
+    growth.root_share = root_share;
+    const auto roots = numbers(campaign);
+    growth.root_share = 0;
+    growth.ear_maintenance = ear_maintenance;
+    const auto ears = numbers(campaign);
+    const auto more = [&](const auto& other, const char* name) {
+        return other.at(name) - none.at(name);
+    };
+    for (const auto* with : {&roots, &ears}) {
+        EXPECT_EQ(more(*with, "gross_assimilation_0"), 0);
+        EXPECT_GT(more(*with, "respiration_0"), 0);
+        EXPECT_LT(more(*with, "carbon_after_silking_0"), 0);
+    }
+    // Only roots cost carbon to build.
+    EXPECT_LT(more(roots, "carbon_balance_0"),
+              -1.1 * more(roots, "respiration_0"));
+    EXPECT_NEAR(more(ears, "carbon_balance_0"), -more(ears, "respiration_0"),
+                1e-9);
+    EXPECT_NEAR(more(ears, "carbon_after_silking_0"),
+                -more(ears, "respiration_0"), 1e-9);
+    const double share =
+        more(ears, "respiration_0") / none.at("carbon_after_silking_0");
+    EXPECT_GT(share, 0.05);
+    EXPECT_LT(share, 0.3);
+}
+
+//! The carbon that ears respire is that of a mass that is followed by the hour,
+//! filled by light.
+TEST(GrowingSeason, EarsRespireAsAMassThatGrowsByTheHour) {
+    const Campaign campaign = growing();
+    const Growth& growth = *campaign.crop.growth;
+    Case chosen = cases(campaign).at(0);
+    double expected = 0, light = 0;
+    for (const Case& each : chosen.stages)
+        for (const TimeStep& step : light_of(campaign, each).steps) {
+            const double part =
+                step.seconds * (step.par.beam + step.par.diffuse);
+            expected += part * each.stage->ear_shares.at(0);
+            light += part;
+        }
+    EXPECT_EQ(chosen.stages.front().stage->ear_shares.at(0), 0);
+    chosen.stages.clear();
+    double time = 0, mass = 0, respired = 0;
+    for (const TimeStep& step : light_of(campaign, chosen).steps) {
+        const double warmth =
+            daily_thermal_time(growth, std::array{*step.temperature}) *
+            step.seconds / 86400;
+        const double now = time + warmth / 2;
+        time += warmth;
+        if (now <= silking_time(growth)) continue;
+        // 0.67 kg of dry matter from 1 kg of CH2O.
+        const double lost = mass * .67 * growth.ear_maintenance *
+                            maintenance_factor(growth, now) *
+                            std::exp2((*step.temperature - 25) / 10) *
+                            step.seconds / 86400;
+        respired += lost;
+        mass += step.seconds * (step.par.beam + step.par.diffuse) - lost;
+    }
+    EXPECT_NEAR(expected, respired, 0.002 * respired);
+    EXPECT_GT(respired, 0.02 * light);
 }
 
 //! Leaves are built and paid once: costs sum to all area that was ever there.

@@ -58,15 +58,19 @@ struct CarbonLoss {
     double in_light = 0;  //!< dark respiration at times with any light
     double at_night = 0;  //!< respiration at other times
     double building = 0;  //!< carbon in the tissue of leaves
+    double of_ears = 0;  //!< respiration of ears, when they fill, of the carbon
 
     CarbonLoss& operator+=(const CarbonLoss& more);
 
     //! Returns the loss if respiration and building are lowered to a share.
     CarbonLoss scaled(double share) const;
 
+    //! Returns the respiration by day and night.
+    double respired() const { return in_light + at_night + of_ears; }
+
     //! Returns the loss by which the carbon balance is less than
     //! AssimilationReport::before_losses().
-    double all() const { return in_light + at_night + building; }
+    double all() const { return in_light + at_night + building + of_ears; }
 };
 
 //! Assimilation of the leaves of a canopy on a mean day [mol m-2 of ground
@@ -83,6 +87,10 @@ struct AssimilationReport {
     //! Gross assimilation less respiration after silking by randomisation, if
     //! plants grow.
     std::vector<double> late_net;
+    //! Dry mass of each group of leaves and living organs per ground area [kg
+    //! m-2], without roots: that built in the time of the light, if plants
+    //! grow.
+    std::vector<double> dry_mass;
 
     //! Returns the flux by which losses are exceeded where leaves gain carbon.
     const FluxReport& before_losses() const { return uptake ? *uptake : gross; }
@@ -129,6 +137,8 @@ struct LeafGroup {
     //! built, see Component::built.
     std::optional<double> built{};
     std::optional<OrganGroup> organ{};  //!< none: the group is of leaves
+    Roots roots{};                      //!< roots that bear the group
+    double ear_share = 0;               //!< see Component::ear_share
     std::uint32_t component = 0;        //!< component of a living group
 
     //! Returns whether leaves of the group exchange heat and water with the
@@ -147,7 +157,8 @@ double share_of_area(const std::vector<LeafGroup>& leaves, std::size_t group,
 //! Tells how the leaves of each group of a scene assimilate, by their rank.
 //! If any leaf of a component has no rank, all its leaves count as one leaf.
 //! Organs have the response of the highest leaf, with their share of its
-//! capacity and without its respiration, which follows from their mass.
+//! capacity and without its respiration, which follows from their mass. Roots
+//! count with the groups in proportion to the mass of which they grow.
 //! @param groups groups of the scene
 //! @param leaf_area_index leaf area index of each group
 //! @throws Error if leaves that differ have no rank.

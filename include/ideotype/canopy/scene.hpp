@@ -46,6 +46,14 @@ struct Place {
     std::uint32_t row = 0;  //!< row of the cell, from 0
 };
 
+//! The roots of plants, which grow and respire in proportion to the dry mass of
+//! leaves and living organs.
+struct Roots {
+    double share = 0;  //!< dry mass over that of leaves and organs
+    //! Respiration at 25 deg C: carbohydrate per dry mass [kg kg-1 d-1].
+    double maintenance = 0;
+};
+
 //! A kind of plant and where its plants stand.
 struct Component {
     std::string name;
@@ -77,6 +85,10 @@ struct Component {
     //! time [kg per plant], where `built` is not empty.
     std::vector<double> built_organs{};
     Stomata stomata{};  //!< stomata, for leaves that exchange water
+    Roots roots{};      //!< roots, if they count
+    //! Part of the gross assimilation less respiration in the time of the light
+    //! that ears respire later, when it has filled them.
+    double ear_share = 0;
 
     //! Returns the number of plants in a field, missing plants included.
     std::size_t plants() const { return mixed > 0 ? mixed : places.size(); }

@@ -39,9 +39,19 @@ struct Growth {
     //! of other organs per mass over that before silking, at equal steps of
     //! development_stage() from silking to maturity, linear in between.
     std::vector<double> ageing{1}, maintenance{1};
+    //! Dry mass of roots over that of leaves and living organs; 0: roots do not
+    //! count.
+    double root_share = 0;
+    //! Respiration of the dry matter that enters the ear after silking, at 25
+    //! deg C: carbohydrate per dry mass [kg kg-1 d-1]; 0: it does not count.
+    double ear_maintenance = 0;
 
     bool operator==(const Growth&) const = default;
 };
+
+//! Respiration of roots at 25 deg C: carbohydrate per dry mass [kg kg-1 d-1]
+//! (RMR of temperate maize, github.com/ajwdewit/WOFOST_crop_parameters).
+inline constexpr double root_maintenance = 0.015;
 
 //! The dates of one leaf [deg C d], and the area of its blade [m2].
 struct LeafDates {

@@ -63,6 +63,13 @@ void expand(const LeafResponse& response, std::span<const double> absorbed,
 //! Carbon in carbohydrate, CH2O [mol kg-1].
 inline constexpr double carbon_per_carbohydrate = 1000. / 30;
 
+//! Dry matter that grows of the carbon in assimilates [kg mol-1]. 1 mol is
+//! 0.030 kg of CH2O, of which growth makes 0.67 kg of dry matter per kg, and
+//! respires the rest: WOFOST, temperate maize, has 0.68 in leaves (CVL), 0.671
+//! in storage organs (CVO), 0.69 in roots (CVR) and 0.658 in stems (CVS). The
+//! one number for all organs is E, with a range of 0.66 to 0.69.
+inline constexpr double dry_matter_per_carbon = 0.67 / carbon_per_carbohydrate;
+
 //! Returns the respiration of dry mass that maintains itself [umol kg-1 s-1]:
 //! m 2^((T - 25) / 10), as in WOFOST.
 //! @param maintenance m, carbohydrate per dry mass at 25 deg C [kg kg-1 d-1]

@@ -28,9 +28,8 @@ struct Photosynthesis {
     //! True if leaves have the temperature and humidity of the weather; else
     //! their air is that of clear days.
     bool follows_weather = true;
-    //! Carbon that leaves are built of [mol m-2 of leaf], over so many days.
-    double building_cost = leaf_building_cost();
-    double building_days = 62;
+    double leaf_mass = 45;      //!< dry mass [g m-2 of leaf]
+    double building_days = 62;  //!< days over which leaves are built
     //! Photons in the unit of irradiance [umol J-1]; 1 if that is umol m-2 s-1.
     double photons = 4.57;
 };

@@ -238,7 +238,7 @@ Section photosynthesis_section(PhotosynthesisTable& table) {
     section.add("kn", &table.kn);
     section.add("nitrogen", &table.nitrogen);
     section.add("weather", &table.follows_weather);
-    section.add("leaf_mass", &table.building_cost);
+    section.add("leaf_mass", &table.leaf_mass);
     section.add("leaf_days", &table.building_days);
     return section;
 }
@@ -306,7 +306,7 @@ Photosynthesis to_photosynthesis(const PhotosynthesisTable& table) {
     result.nitrogen = {table.nitrogen, table.kn};
     result.rank_capacity = table.rank_capacity;
     result.follows_weather = table.follows_weather;
-    result.building_cost = leaf_building_cost(table.building_cost);
+    result.leaf_mass = table.leaf_mass;
     result.building_days = table.building_days;
     return result;
 }

@@ -36,7 +36,7 @@ struct PhotosynthesisTable {
     std::vector<double> rank_capacity{1};
     bool follows_weather = true;
     double building_days = Photosynthesis{}.building_days;
-    double building_cost = 45;  //!< cost [g m-2 of leaf]
+    double leaf_mass = 45;  //!< dry mass [g m-2 of leaf]
 };
 
 //! Returns the defaults of the table for meshes: leaves do not differ by depth

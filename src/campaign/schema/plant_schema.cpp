@@ -70,10 +70,14 @@ Section growth_section(Growth& growth) {
                                {"base", &growth.base},
                                {"cap", &growth.cap},
                                {"ageing", &growth.ageing},
-                               {"maintenance", &growth.maintenance}});
+                               {"maintenance", &growth.maintenance},
+                               {"root_share", &growth.root_share},
+                               {"ear_maintenance", &growth.ear_maintenance}});
     const Growth usual;
     section["ageing"].written_if(growth.ageing != usual.ageing);
     section["maintenance"].written_if(growth.maintenance != usual.maintenance);
+    section["root_share"].written_if(growth.root_share > 0);
+    section["ear_maintenance"].written_if(growth.ear_maintenance > 0);
     return section;
 }
 

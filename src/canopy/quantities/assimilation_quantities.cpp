@@ -9,8 +9,8 @@ namespace {
 using Values = std::vector<Estimate>;
 
 constexpr double grams_of_co2 = 44.0095;
-//! Tonnes of carbohydrate per hectare for each mol of carbon per square metre.
-constexpr double tonnes = 30e-6 * 1e4;
+//! Tonnes of dry matter per hectare for each mol of carbon per square metre.
+constexpr double tonnes = 10 * dry_matter_per_carbon;
 
 //! Returns assimilation lowered by a loss, times a scale.
 Randomised carbon(const CanopyReport& report, Loss loss = Loss::none,
@@ -22,8 +22,8 @@ Randomised net(const CanopyReport& report, double scale = 1) {
     return carbon(report, Loss::in_light, scale);
 }
 
-Randomised balance(const CanopyReport& report, double scale = 1) {
-    return carbon(report, Loss::all, scale);
+Randomised balance(const CanopyReport& report) {
+    return carbon(report, Loss::all);
 }
 
 std::vector<Randomised> gross_of_groups(const CanopyReport& report) {
@@ -75,8 +75,7 @@ Randomised light_use(const CanopyReport& report) {
 Randomised respired(const CanopyReport& report) {
     const AssimilationReport& all = *report.assimilation;
     const auto respiration = [](const std::vector<CarbonLoss>& losses) {
-        const CarbonLoss sum = sum_of(losses);
-        return sum.in_light + sum.at_night;
+        return sum_of(losses).respired();
     };
     Randomised result = certain(report, respiration(all.losses));
     if (!all.uptake && all.losses_by_randomisation.empty()) return result;
@@ -140,6 +139,16 @@ Values loss_by_organ(const CanopyReport& report) {
     });
 }
 
+Values dry_mass_by_organ(const CanopyReport& report) {
+    const std::vector<double>& mass = report.assimilation->dry_mass;
+    return by_organ(report, [&](const std::vector<std::size_t>& groups) {
+        constexpr double tonnes_per_hectare = 10;  // of 1 kg m-2
+        double sum = 0;
+        for (const std::size_t g : groups) sum += mass[g];
+        return Estimate{tonnes_per_hectare * sum, 0};
+    });
+}
+
 bool has_living_organs(const Scope& scope) {
     return scope.has_living_organs;
 }
@@ -191,9 +200,13 @@ std::vector<Declaration> assimilation_quantities() {
         {{"net_co2", "g m-2 day-1", "net assimilation"},
          MeanOver::nothing,
          [](const Report& r) { return net(r, grams_of_co2); }},
-        {{"dry_matter", "t ha-1", "carbon balance of all days as carbohydrate"},
+        {{"dry_matter", "t ha-1",
+          "growth of all organs on all days: gross assimilation less all "
+          "respiration, times 20.1 g of dry matter per mol"},
          MeanOver::nothing,
-         [](const Report& r) { return balance(r, tonnes * r.days); }},
+         [](const Report& r) {
+             return carbon(r, Loss::respiration, tonnes * r.days);
+         }},
         {{"respiration", rate,
           "respiration of leaves and other organs by day and night"},
          MeanOver::nothing,
@@ -239,6 +252,11 @@ std::vector<Declaration> assimilation_quantities() {
              "carbon that leaves together and each other organ respire and are "
              "built of, at the temperature of the air"}),
          MeanOver::nothing, loss_by_organ, has_living_organs},
+        {exact(by({"organ"},
+                  {"dry_mass_by_organ", "t ha-1",
+                   "dry mass of leaves together and of each other organ that "
+                   "has a density; if plants grow, all that is ever built"})),
+         MeanOver::nothing, dry_mass_by_organ, has_living_organs},
         {by({"layer"}, {"assimilation_by_layer", rate,
                         "gross assimilation of leaves and green organs in each "
                         "layer"}),

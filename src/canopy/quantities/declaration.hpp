@@ -131,17 +131,26 @@ inline std::vector<Randomised> randomised(
 //! The respiration and building by which a number is less than gross
 //! assimilation.
 enum class Loss {
-    none,      //!< gross assimilation
-    in_light,  //!< net assimilation
-    all,       //!< carbon balance
+    none,         //!< gross assimilation
+    in_light,     //!< net assimilation
+    respiration,  //!< carbon from which all organs grow
+    all,          //!< carbon balance
 };
 
 //! Returns a loss, apart from respiration that
 //! AssimilationReport::before_losses() contains already [mol m-2 day-1].
 inline double amount(const CarbonLoss& losses, Loss loss) {
-    return loss == Loss::none       ? 0
-           : loss == Loss::in_light ? losses.in_light
-                                    : losses.all();
+    switch (loss) {
+        case Loss::none:
+            break;
+        case Loss::in_light:
+            return losses.in_light;
+        case Loss::respiration:
+            return losses.respired();
+        case Loss::all:
+            return losses.all();
+    }
+    return 0;
 }
 
 //! Returns the flux from which amount() of a loss is taken.

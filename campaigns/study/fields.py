@@ -32,13 +32,8 @@ NOON_SECONDS = 7200
 QUANTITIES = [
     *("fapar", "extinction_coefficient", "soil_fraction", "lai"),
     *("reflected_fraction", "light_use_efficiency", "absorbed_par"),
-    *("gross_assimilation", "respiration"),
+    *("gross_assimilation", "dry_matter"),
 ]
-CARBOHYDRATE = 30.03
-"""The molar mass of carbohydrate per carbon [g mol-1]."""
-BUILDING = 1.39
-"""The carbohydrate that dry matter of leaves is built of [g g-1], from
-WOFOST."""
 #: The optics of leaves from 700 to 1300 nm by PROSPECT-5 at silking, as docs
 #: of the crop tell for PAR; soils reflect twice as much there. Stalks and
 #: sheaths are taken for leaves.
@@ -224,7 +219,11 @@ def measure(field: Field, accuracy: Settings = ()) -> Measured:
         folder=field.campaign.parent,
         settings=[*field.more, *accuracy],
     )
-    found = stand.evaluate(stand.baseline, QUANTITIES, final=True, threads=1)
+    names = [
+        *QUANTITIES,
+        *(["assimilation_by_day"] if field.campaign == SEASON else []),
+    ]
+    found = stand.evaluate(stand.baseline, names, final=True, threads=1)
     if message := found.message.item():
         raise ideotype.Error(f"{stand.name}: {message}")
     known: Measured = {}
@@ -235,6 +234,9 @@ def measure(field: Field, accuracy: Settings = ()) -> Measured:
         SOIL_ALBEDO if field.band == "par" else NEAR_INFRARED["soil_albedo"]
     )
     soil = scaled(known["soil_fraction"], 1 / (1 - albedo))
+    # From t ha-1 in all days to g m-2 in one.
+    days = found.sizes.get("day", 1)
+    known["daily_dry_matter"] = scaled(known["dry_matter"], 100 / days)
     return known | through(soil, known["lai"])
 
 
@@ -278,8 +280,6 @@ def noon_rate(x: Measured) -> Estimate:
 
 
 def dry_matter(x: Measured) -> Estimate:
-    """Returns the dry matter per MJ of PAR that leaves absorb [g], if only
-    leaves respire."""
-    assimilated, error = x["gross_assimilation"]
-    share = CARBOHYDRATE / BUILDING / x["absorbed_par"][0]
-    return (assimilated - x["respiration"][0]) * share, error * share
+    """Returns the dry matter per MJ of PAR that leaves absorb [g], if neither
+    roots nor growing ears respire."""
+    return scaled(x["daily_dry_matter"], 1 / x["absorbed_par"][0])

@@ -14,7 +14,8 @@ tops     The hybrid bred twice for each plant density, with growth and without (
 best     The hybrid bred for the carbon of the season with growth and without. Each plant is
          evaluated in both ways, with the same random numbers.
 season   Extinction coefficient, light-use efficiency and dry matter of a growing season beside
-         what was measured; ± is from evaluations with different random numbers.
+         what was measured, and dry matter by organ in the measured seasons, of a hybrid of their
+         time and of today's; ± is from evaluations with different random numbers.
 
 The weather is that of Bondville in 2011. What FOLDER has already is not bred again. ± is half of
 a 95 % interval: of randomisations, or of seeds where those differ more. --figure draws `tops`.
@@ -43,7 +44,7 @@ from estimates import (
     told,
 )
 from growing import of_full_canopy, tables
-from measured_seasons import compare_seasons
+from measured_seasons import compare_dry_matter, compare_parts, compare_seasons
 from shared import (
     FIELD_PLANTS,
     HYBRID,
@@ -251,16 +252,22 @@ def best_plants(options: Options) -> None:
 
 def seasons(options: Options) -> None:
     """Compares a hybrid of their time with seasons that were measured."""
-    compare_seasons(
-        {
+    plants = {
+        name: {
             **tables(paths=256 if options.rough else 4096),
-            "plant": {"baseline": str(HYBRID_1980S)},
+            "plant": {"baseline": str(path)},
             "field": {"rows": 2, "plants": 2, "variation": FIELD_PLANTS},
-        },
-        ROW,
-        2 if options.rough else 6,
-        options.folder,
-    )
+        }
+        for name, path in {
+            "hybrid of the 1980s": HYBRID_1980S,
+            "hybrid of today": HYBRID,
+        }.items()
+    }
+    seeds = 2 if options.rough else 6
+    compare_seasons(plants["hybrid of the 1980s"], ROW, seeds, options.folder)
+    print()
+    compare_dry_matter(plants, seeds, options.folder)
+    compare_parts(plants["hybrid of the 1980s"], seeds, options.folder)
 
 
 PARTS = {"tops": tops, "best": best_plants, "season": seasons}

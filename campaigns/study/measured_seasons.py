@@ -8,7 +8,10 @@ UFGA8201 (treatment 4: irrigated, much nitrogen) and IUAF9901 (treatment 4)."""
 from __future__ import annotations
 
 import csv
+import math
+import tomllib
 from collections.abc import Mapping
+from copy import deepcopy
 from dataclasses import dataclass
 from datetime import date, timedelta
 from pathlib import Path
@@ -22,10 +25,6 @@ from shared import CAMPAIGNS, Numbers
 from ideotype import Stand
 
 DATA = CAMPAIGNS.parent / "tests" / "data" / "growth"
-SHOOTS = 0.85
-"""The share of shoots in all dry matter (E)."""
-PER_CARBON = 2.2
-"""The dry matter of maize per carbon [g g-1] (E)."""
 
 
 @dataclass(frozen=True)
@@ -148,9 +147,159 @@ def in_season(
     }
 
 
-def shoots(carbon: float) -> float:
-    """Returns the dry matter of shoots [t ha-1] of carbon per ground [mol m-2]."""
-    return 12.011 * carbon * PER_CARBON * SHOOTS / 100
+def crop_of(campaign: dict[str, Any]) -> dict[str, Any]:
+    """Returns the tables of a campaign's crop."""
+    crop = campaign["plant"]["baseline"]
+    if not isinstance(crop, dict):
+        crop = tomllib.loads((CAMPAIGNS / crop).read_text())
+    return deepcopy(crop)
+
+
+def root_share(campaign: dict[str, Any]) -> float:
+    """Returns the dry mass of roots over that of leaves and organs of a campaign's
+    crop."""
+    return float(crop_of(campaign)["growth"].get("root_share", 0))
+
+
+def dry_matter(stand: Stand, seed: int, share: float) -> dict[str, float]:
+    """Returns the dry matter that a growing season leaves, by organ [t ha-1].
+    Structures are built until silking; what is left at silking and at harvest is in
+    reserves and the ear.
+
+    share: the dry mass of roots over that of the structures of shoots."""
+    found = stand.evaluate(stand.baseline, seed=seed).isel(plant=0)
+    mass = {
+        str(name): float(x)
+        for name, x in zip(
+            found.organ.values, found.dry_mass_by_organ.values, strict=True
+        )
+    }
+    harvest = float(found.dry_matter)
+    # Growth is proportional to carbon that is not respired.
+    after_silking = float(
+        found.carbon_after_silking
+        / (found.gross_assimilation - found.respiration)
+    )
+    structures = sum(mass.values())
+    roots = share * structures
+    parts = {name: mass.pop(name, 0) for name in ("leaves", "stalk", "sheath")}
+    silking = harvest * (1 - after_silking)
+    return parts | {
+        "other organs": sum(mass.values()),
+        "roots": roots,
+        "ear and reserves at silking": silking - structures - roots,
+        "ear and reserves at harvest": harvest - structures - roots,
+        "shoot at silking": silking - roots,
+        "shoot at harvest": harvest - roots,
+        "all at harvest": harvest,
+    }
+
+
+def compare_dry_matter(
+    plants: Mapping[str, dict[str, Any]], seeds: int, folder: Path
+) -> None:
+    """Prints the dry matter of plants by organ in seasons that were measured, and
+    the measured shoots."""
+    for season in SEASONS:
+        columns = []
+        for plain in plants.values():
+            stand = Stand(in_season(plain, season, folder))
+            each = [
+                dry_matter(stand, seed, root_share(plain))
+                for seed in range(1, seeds + 1)
+            ]
+            columns.append(
+                {name: estimate([x[name] for x in each]) for name in each[0]}
+            )
+        rows = []
+        for name in columns[0]:
+            measured = season.measured.get(
+                name.removeprefix("shoot at "), math.nan
+            )
+            row = [name, f"{measured:.1f}" if measured == measured else ""]
+            for values in (x[name] for x in columns):
+                row.append(told(values, 2))
+                row.append(
+                    f"{100 * (values[0] / measured - 1):+.0f}"
+                    if measured == measured
+                    else ""
+                )
+            rows.append(row)
+        titles = [f"dry matter at {season.name} [t ha-1]", "measured"]
+        for plant in plants:
+            titles += [plant, "difference [%]"]
+        print_table(titles, rows)
+        print()
+
+
+def without_parts(campaign: dict[str, Any]) -> dict[str, dict[str, Any]]:
+    """Returns a campaign of plants that grow with single parts of its carbon budget
+    left out or replaced."""
+    crop = crop_of(campaign)
+    growth = crop["growth"]
+
+    def with_crop(**tables: Any) -> dict[str, Any]:
+        return {**campaign, "plant": {"baseline": {**crop, **tables}}}
+
+    def no_maintenance(table: dict[str, Any]) -> dict[str, Any]:
+        return {**table, "maintenance": 0}
+
+    organs = {
+        "stalk": no_maintenance(crop["stalk"]),
+        "sheath": no_maintenance(crop["sheath"]),
+        "organ": [no_maintenance(x) for x in crop["organ"]],
+    }
+    none = {**growth, "root_share": 0, "ear_maintenance": 0, "ageing": [1]}
+    return {
+        "no respiration of stalk, sheaths and other organs": with_crop(
+            **organs
+        ),
+        "no roots": with_crop(growth={**growth, "root_share": 0}),
+        "no respiration of the growing ear": with_crop(
+            growth={**growth, "ear_maintenance": 0}
+        ),
+        "leaves that do not age": with_crop(growth={**growth, "ageing": [1]}),
+        "these four together": with_crop(**organs, growth=none),
+        "the hyperbola of the crop file": {**campaign, "photosynthesis": {}},
+        "neither gaps nor late plants": {
+            **campaign,
+            "field": {
+                **campaign["field"],
+                "variation": {
+                    **campaign["field"]["variation"],
+                    "missing": 0,
+                    "late": 0,
+                },
+            },
+        },
+    }
+
+
+def compare_parts(plain: dict[str, Any], seeds: int, folder: Path) -> None:
+    """Prints the change of all dry matter at harvest if one part of the carbon
+    budget is left out or replaced, in pairs with the same random numbers."""
+
+    def harvest(campaign: dict[str, Any], season: Season) -> list[float]:
+        stand = Stand(in_season(campaign, season, folder))
+        return [
+            stand.evaluate(
+                stand.baseline, ["dry_matter"], seed=seed
+            ).dry_matter.item()
+            for seed in range(1, seeds + 1)
+        ]
+
+    changed = without_parts(plain)
+    before = [harvest(plain, season) for season in SEASONS]
+    rows = []
+    for name, campaign in changed.items():
+        row = [name]
+        for season, first in zip(SEASONS, before, strict=True):
+            pairs = zip(harvest(campaign, season), first, strict=True)
+            change = estimate([100 * (x / y - 1) for x, y in pairs])
+            row.append(told(change, 1, "+"))
+        rows.append(row)
+    titles = [f"dry matter, {x.name} [%]" for x in SEASONS]
+    print_table(["changed", *titles], rows)
 
 
 def slope(x: Numbers, y: Numbers) -> float:
@@ -164,6 +313,7 @@ def figures_of_light(
 ) -> dict[str, list[float]]:
     """Returns figures of a growing season, for each seed."""
     stand = Stand(campaign)
+    share = root_share(campaign)
     figures: dict[str, list[float]] = {}
     for seed in range(1, seeds + 1):
         found = stand.evaluate(stand.baseline, seed=seed)
@@ -171,28 +321,25 @@ def figures_of_light(
         value = {
             name: float(found[name][0])
             for name in (
-                "gross_assimilation",
-                "respiration",
-                "carbon_after_silking",
                 "light_use_efficiency",
                 "incident",
                 "fapar",
             )
         }
-        carbon = value["gross_assimilation"] - value["respiration"]
+        dry = dry_matter(stand, seed, share)
         lai = found.lai_by_stage[0].values
         dead = found.dead_area_index_by_stage[0].values
         depth = -np.log(1 - found.fapar_by_stage[0].values)
         until = int(lai.argmax()) + 1
-        silking = carbon - value["carbon_after_silking"]
         intercepted = value["incident"] * value["fapar"]
         for name, number in {
             "k_green": slope(lai[:until], depth[:until]),
             "k_all": slope(lai + dead, depth),
             "gross_efficiency": value["light_use_efficiency"],
-            "efficiency": 12.011 * carbon * PER_CARBON / intercepted,
-            "silking": shoots(silking * days),
-            "harvest": shoots(carbon * days),
+            "efficiency": 100 * dry["all at harvest"] / intercepted / days,
+            "silking": dry["shoot at silking"],
+            "harvest": dry["shoot at harvest"],
+            "roots": dry["roots"],
             "intercepted": intercepted * days,
         }.items():
             figures.setdefault(name, []).append(float(number))
@@ -231,8 +378,10 @@ def compare_seasons(
             for when, measured in each.measured.items()
         ]  # fmt: skip
         per_light = [
-            100 * each.measured["harvest"] / SHOOTS / x
-            for x in there["intercepted"]
+            100 * (each.measured["harvest"] + roots) / x
+            for roots, x in zip(
+                there["roots"], there["intercepted"], strict=True
+            )
         ]
         ours = estimate(there["efficiency"])
         cells.append(

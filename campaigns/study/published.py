@@ -209,7 +209,7 @@ PUBLISHED = {
             "dry matter, season, upper limit [g MJ-1 of PAR]",
             *near(value),
             told,
-            "in ours stalks, ears and roots do not respire",
+            "in ours roots and growing ears do not respire",
             source,
         )
         for name, source, value, told in (

@@ -21,7 +21,9 @@ std::vector<StepReport> by_hour(double angle, const Device& device) {
     plant.leaves = {{.7, .08, angle, 40, 90, .2},
                     {.5, .06, angle, 40, 270, .5}};
     plant.blade.width_controls = {.28, .89, .9, 1.15, .38, 0};
-    plant.stalk = {true, 2, .027, 0, LeafBase::axis};
+    plant.stalk.height = 2;
+    plant.stalk.base_diameter = .027;
+    plant.stalk.leaf_base = LeafBase::axis;
     const FieldForm form{2, 2, {.76, .15, 90}};
     Scene ames;
     ames.components = {component_of(plant, form)};

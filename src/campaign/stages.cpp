@@ -139,10 +139,12 @@ void set_ear_shares(const Campaign& campaign, const Season& season,
                    : campaign.components[c - 1].photosynthesis;
         const bool respires =
             growth && growth->ear_maintenance > 0 && photosynthesis;
+        if (!respires) {
+            for (Case& each : one.stages) each.stage->ear_shares.push_back(0);
+            continue;
+        }
         const std::vector<double> shares =
-            respires ? respired_by_ears(*growth, season, ages[c],
-                                        *photosynthesis, series)
-                     : std::vector<double>(ages[c].size());
+            respired_by_ears(*growth, season, ages[c], *photosynthesis, series);
         for (Case& each : one.stages) {
             double sum = 0, all = 0;
             for (std::size_t i = season.begin; i < season.end; ++i) {

@@ -31,10 +31,9 @@ void set_organs(const Component& component, std::uint32_t number,
                 std::vector<LeafGroup>& result) {
     if (!component.plant) return;
     const std::vector<PlantOrgan> organs = organs_of(*component.plant);
-    std::size_t next = 0;
     std::uint32_t present = 0;
-    for (const PlantOrgan& organ : organs) {
-        const std::size_t place = next++;
+    for (std::size_t place = 0; place < organs.size(); ++place) {
+        const PlantOrgan& organ = organs[place];
         if (!organ.is_present) continue;
         ++present;
         if (!organ.tissue.is_living()) continue;

@@ -155,8 +155,7 @@ Pieces cut_leaves(const Mesh& mesh, std::size_t per_blade) {
     IDEOTYPE_EXPECT(per_blade > 0);
     // Blades of very fine meshes have more pieces, of this number of faces.
     constexpr std::size_t faces_of_piece = 16;
-    // A sheath is round and its light far from even; a tenth of its capacity
-    // makes few pieces enough.
+    // Organs assimilate little, so that few pieces of each are enough.
     constexpr std::size_t faces_of_organ_piece = 4;
     Cutter cutter(mesh);
     for (Faces& part : blades(mesh)) {

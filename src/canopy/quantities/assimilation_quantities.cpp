@@ -52,10 +52,8 @@ std::vector<Randomised> net_by_leaf(const CanopyReport& report) {
 Randomised light_use(const CanopyReport& report) {
     const AssimilationReport& all = *report.assimilation;
     const auto of_leaves = [&](const FluxTally& tally) {
-        double sum = 0;
-        for (std::size_t g = 0; g < report.groups.size(); ++g)
-            if (report.groups[g].id.is_leaf()) sum += tally.groups[g];
-        return sum;
+        return over_groups(report, tally.groups,
+                           [](const SurfaceId& id) { return id.is_leaf(); });
     };
     const double gross = estimate(mapped(all.gross.tallies, of_leaves)).mean;
     const double light =

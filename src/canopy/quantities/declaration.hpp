@@ -236,28 +236,32 @@ inline Randomised per_leaf_area(const CanopyReport& report,
     return per_leaf_area(report, number, report.lai, &LeafArea::all);
 }
 
+//! Sums numbers of groups over those that are wanted by their SurfaceId.
+double over_groups(const CanopyReport& report,
+                   const std::vector<double>& groups, const auto& is_wanted) {
+    IDEOTYPE_EXPECT(groups.size() == report.groups.size());
+    double sum = 0;
+    for (std::size_t g = 0; g < groups.size(); ++g)
+        if (is_wanted(report.groups[g].id)) sum += groups[g];
+    return sum;
+}
+
 //! Sums numbers of groups over the leaves of a component.
 inline double over_leaves(const CanopyReport& report,
                           const std::vector<double>& groups,
                           std::size_t component) {
-    IDEOTYPE_EXPECT(groups.size() == report.groups.size());
-    double sum = 0;
-    for (std::size_t g = 0; g < groups.size(); ++g) {
-        const SurfaceId& id = report.groups[g].id;
-        if (id.is_leaf() && id.component == component) sum += groups[g];
-    }
-    return sum;
+    return over_groups(report, groups, [&](const SurfaceId& id) {
+        return id.is_leaf() && id.component == component;
+    });
 }
 
 //! Sums numbers of groups over all organs of a component.
 inline double over_plants(const CanopyReport& report,
                           const std::vector<double>& groups,
                           std::size_t component) {
-    IDEOTYPE_EXPECT(groups.size() == report.groups.size());
-    double sum = 0;
-    for (std::size_t g = 0; g < groups.size(); ++g)
-        if (report.groups[g].id.component == component) sum += groups[g];
-    return sum;
+    return over_groups(report, groups, [&](const SurfaceId& id) {
+        return id.component == component;
+    });
 }
 
 //! Returns the numbers of the groups that are leaves.

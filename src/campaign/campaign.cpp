@@ -81,10 +81,13 @@ void plan_study(Draft& draft, Campaign& campaign) {
         design.samples = few;
     campaign.varied = draft.varied;
     campaign.search.population = 0;
-    for (const Case& each : cases(campaign))
+    Case chosen;
+    for (const Named<TraitSet>& set : campaign.trait_sets) {
+        chosen.traits = set.value;
         campaign.search.population =
             std::max(campaign.search.population,
-                     generation_size(design, search_genes(campaign, each)));
+                     generation_size(design, search_genes(campaign, chosen)));
+    }
     campaign.stop = {.generations = generations_of(design),
                      .failed_fraction = campaign.stop.failed_fraction};
     campaign.search.design = design;

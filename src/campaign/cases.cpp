@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <tuple>
+#include <ranges>
+#include <stdexcept>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "campaign.hpp"
+#include "ideotype/core/contract.hpp"
 #include "ideotype/core/hash.hpp"
 #include "problems.hpp"
 
@@ -13,21 +15,43 @@ namespace ideotype {
 
 namespace {
 
-void add_scenario(const Campaign& campaign, const Case& scenario,
-                  std::vector<Case>& all) {
-    Case one = scenario;
-    if (is_over(campaign, "site")) one.site.name = "all";
-    if (is_over(campaign, "day") || is_over(campaign, "climate"))
-        one.day_name = "all";
-    if (is_over(campaign, "spacing")) one.spacing_name = "all";
-    const auto names = [](const Case& x) {
-        return std::tie(x.site.name, x.day_name, x.spacing_name);
+//! The number of entries of each axis by which cases differ: an axis whose
+//! entries are scenarios counts as one.
+struct Axes {
+    explicit Axes(const Campaign& campaign)
+        : sites(is_over(campaign, "site") ? 1 : campaign.sites.size()),
+          days(is_over(campaign, "day") || is_over(campaign, "climate")
+                   ? 1
+                   : campaign.days.size() + campaign.climates.size()),
+          spacings(is_over(campaign, "spacing") ? 1 : campaign.spacings.size()),
+          trait_sets(campaign.trait_sets.size()),
+          replicates(static_cast<std::size_t>(campaign.replicates)) {}
+
+    std::size_t size() const {
+        return sites * days * spacings * trait_sets * replicates;
+    }
+
+    std::size_t sites, days, spacings, trait_sets, replicates;
+};
+
+//! The entry of a case or scenario on each axis.
+struct AxisEntries {
+    std::size_t site, day, spacing, traits, replicate;
+};
+
+AxisEntries entries_of(const Axes& axes, std::size_t index) {
+    const auto next = [&](std::size_t entries) {
+        const std::size_t entry = index % entries;
+        index /= entries;
+        return entry;
     };
-    one.stages.clear();
-    auto found = std::ranges::find_if(
-        all, [&](const Case& other) { return names(other) == names(one); });
-    if (found == all.end()) found = all.insert(all.end(), std::move(one));
-    found->scenarios.push_back(scenario);
+    AxisEntries entry{};
+    entry.replicate = next(axes.replicates);
+    entry.traits = next(axes.trait_sets);
+    entry.spacing = next(axes.spacings);
+    entry.day = next(axes.days);
+    entry.site = index;
+    return entry;
 }
 
 //! Returns the series of a site's weather: dates are those of the file, hours
@@ -65,39 +89,44 @@ LightSeries to_series(const SiteWeather& weather, const Site& here) {
     return series;
 }
 
-//! Names a case by its axes, its trait set and its replicate. The name does not
-//! depend on the number of other cases: axes with one entry are named too.
-void complete(Case& one, const Named<TraitSet>& traits, int replicate) {
-    one.traits = traits.value;
-    one.trait_set_name = traits.name;
-    one.replicate = replicate;
-    one.name =
-        lower_case(fmt::format("{}_{}_{}_{}_r{}", one.site.name, one.day_name,
-                               one.spacing_name, traits.name, replicate));
+std::string name_of_day(const Campaign& campaign, std::size_t day) {
+    const std::size_t days = campaign.days.size();
+    return day < days ? campaign.days[day].name
+                      : campaign.climates.at(day - days).name;
 }
 
-//! Returns all cases without traits, seed and replicate.
-std::vector<Case> stands(const Campaign& campaign) {
-    std::vector<Named<DaySpan>> days = campaign.days;
-    for (const auto& climate : campaign.climates)
-        days.push_back({climate.name, {}});
-    std::vector<Case> all;
-    for (const Site& site : campaign.sites)
-        for (const auto& day : days)
-            for (const auto& spacing : campaign.spacings) {
-                Case one;
-                one.site = site;
-                one.day = day.value;
-                one.spacing = spacing.value;
-                one.day_name = day.name;
-                one.spacing_name = spacing.name;
-                add_stages(campaign, one);
-                if (campaign.over.empty())
-                    all.push_back(std::move(one));
-                else
-                    add_scenario(campaign, one, all);
-            }
-    return all;
+//! Names a scenario by its axes, its trait set and its replicate. The name does
+//! not depend on the number of other cases: axes with one entry are named too.
+void set_name(CaseName& one) {
+    one.name = lower_case(fmt::format("{}_{}_{}_{}_r{}", one.site_name,
+                                      one.day_name, one.spacing_name,
+                                      one.trait_set_name, one.replicate));
+}
+
+CaseName name_of_scenario(const Campaign& campaign, const AxisEntries& entry) {
+    CaseName one;
+    one.site_name = campaign.sites.at(entry.site).name;
+    one.day_name = name_of_day(campaign, entry.day);
+    one.spacing_name = campaign.spacings.at(entry.spacing).name;
+    one.trait_set_name = campaign.trait_sets.at(entry.traits).name;
+    one.replicate = static_cast<int>(entry.replicate) + 1;
+    set_name(one);
+    return one;
+}
+
+//! Makes a scenario with the index and the random numbers of its case.
+Case scenario_of(const Campaign& campaign, const AxisEntries& entry,
+                 const CaseName& of) {
+    Case one{name_of_scenario(campaign, entry)};
+    one.index = of.index;
+    one.seed = of.seed;
+    one.site = campaign.sites[entry.site];
+    if (entry.day < campaign.days.size())
+        one.day = campaign.days[entry.day].value;
+    one.spacing = campaign.spacings[entry.spacing].value;
+    one.traits = campaign.trait_sets[entry.traits].value;
+    add_stages(campaign, one);
+    return one;
 }
 
 }  // namespace
@@ -120,28 +149,90 @@ std::vector<Case> evaluated_cases(const Case& chosen) {
     return all;
 }
 
-std::vector<Case> cases(const Campaign& campaign) {
-    std::vector<Case> all;
-    for (const Case& stand : stands(campaign))
-        for (const auto& traits : campaign.trait_sets)
-            for (int r = 1; r <= campaign.replicates; ++r) {
-                Case one = stand;
-                one.index = static_cast<int>(all.size());
-                complete(one, traits, r);
-                one.seed = derive_seed(campaign.seed, one.name);
-                const auto pass_on = [&](std::vector<Case>& parts) {
-                    for (Case& part : parts) {
-                        part.index = one.index;
-                        complete(part, traits, r);
-                        part.seed = one.seed;
-                    }
-                };
-                pass_on(one.scenarios);
-                pass_on(one.stages);
-                for (Case& scenario : one.scenarios) pass_on(scenario.stages);
-                all.push_back(std::move(one));
-            }
+Cases::Cases(const Campaign& campaign)
+    : campaign_(&campaign), count_(Axes(campaign).size()) {}
+
+CaseName Cases::name(std::size_t i) const {
+    const Campaign& campaign = *campaign_;
+    CaseName one =
+        name_of_scenario(campaign, entries_of(Axes(campaign), first_ + i));
+    if (is_over(campaign, "site")) one.site_name = "all";
+    if (is_over(campaign, "day") || is_over(campaign, "climate"))
+        one.day_name = "all";
+    if (is_over(campaign, "spacing")) one.spacing_name = "all";
+    set_name(one);
+    one.index = index(i);
+    one.seed = derive_seed(campaign.seed, one.name);
+    return one;
+}
+
+std::vector<CaseName> Cases::names() const {
+    std::vector<CaseName> all;
+    all.reserve(count_);
+    for (std::size_t i = 0; i < count_; ++i) all.push_back(name(i));
     return all;
+}
+
+Case Cases::at(std::size_t i) const {
+    if (i >= count_) throw std::out_of_range("there is no such case");
+    const Campaign& campaign = *campaign_;
+    const CaseName of = name(i);
+    const Axes axes(campaign);
+    const AxisEntries entry = entries_of(axes, first_ + i);
+    if (campaign.over.empty()) return scenario_of(campaign, entry, of);
+    // If cases have one entry of an axis, scenarios have all that there are.
+    const auto entries = [](std::size_t of_cases, std::size_t all,
+                            std::size_t own) {
+        return of_cases == 1 ? std::views::iota(std::size_t{0}, all)
+                             : std::views::iota(own, own + 1);
+    };
+    std::vector<Case> scenarios;
+    for (const std::size_t site :
+         entries(axes.sites, campaign.sites.size(), entry.site))
+        for (const std::size_t day :
+             entries(axes.days, campaign.days.size() + campaign.climates.size(),
+                     entry.day))
+            for (const std::size_t spacing : entries(
+                     axes.spacings, campaign.spacings.size(), entry.spacing))
+                scenarios.push_back(scenario_of(
+                    campaign,
+                    {site, day, spacing, entry.traits, entry.replicate}, of));
+    Case one = scenarios.front();
+    static_cast<CaseName&>(one) = of;
+    one.stages.clear();
+    one.scenarios = std::move(scenarios);
+    return one;
+}
+
+std::optional<Case> Cases::find(const std::string& name) const {
+    for (std::size_t i = 0; i < count_; ++i)
+        if (this->name(i).name == name) return at(i);
+    return std::nullopt;
+}
+
+Cases Cases::part(std::size_t first, std::size_t count) const {
+    IDEOTYPE_EXPECT(first + count <= count_);
+    Cases some = *this;
+    some.first_ += first;
+    some.count_ = count;
+    return some;
+}
+
+Cases Cases::only(int index, const std::string& path) const {
+    if (index < 0 || index >= static_cast<int>(count_))
+        throw wrong_usage(
+            "there is no case {}; {} has cases 0 to {} (see ideotype check "
+            "--cases)",
+            index, path, count_ - 1);
+    return part(static_cast<std::size_t>(index), 1);
+}
+
+Cases cases(const Campaign& campaign) {
+    return Cases(campaign);
+}
+
+Case case_at(const Campaign& campaign, int index, const std::string& path) {
+    return Cases(campaign).only(index, path).front();
 }
 
 LightSeries light_of(const Campaign& campaign, const Case& chosen) {
@@ -170,16 +261,6 @@ LightSeries light_of(const Campaign& campaign, const Case& chosen) {
                                 : series;
         }
     throw Error("the campaign has no weather for case " + chosen.name);
-}
-
-Case case_at(const Campaign& campaign, int index, const std::string& path) {
-    const std::vector<Case> all = cases(campaign);
-    if (index < 0 || index >= static_cast<int>(all.size()))
-        throw wrong_usage(
-            "there is no case {}; {} has cases 0 to {} (see ideotype check "
-            "--cases)",
-            index, path, all.size() - 1);
-    return all[static_cast<std::size_t>(index)];
 }
 
 std::vector<int> bred_rows(const Campaign& campaign) {

@@ -34,22 +34,28 @@ struct Stage {
     std::optional<Date> date{};  //!< only date of the stage, if given
 };
 
-//! A point of the sweep: one search with a history of its own.
-struct Case {
+//! The names of a point of the sweep and of its entries on all axes. An axis
+//! whose entries are scenarios has one entry "all".
+struct CaseName {
     int index = 0;
     std::string name;        //!< name, also of the case's file
     std::uint64_t seed = 0;  //!< function of campaign seed and name
-    Site site;
+    std::string site_name;
     std::string day_name;  //!< name of the day or climate
-    DaySpan day;           //!< day, if the case has no climate
     std::string spacing_name;
-    Spacing spacing;
     std::string trait_set_name;
-    TraitSet traits;
     int replicate = 1;
+};
+
+//! A point of the sweep: one search with a history of its own. Its site, day
+//! and spacing are those of its first scenario.
+struct Case : CaseName {
+    Site site{};
+    DaySpan day{};  //!< day, if the case has no climate
+    Spacing spacing{};
+    TraitSet traits{};
     //! The scenarios in which each plant is evaluated, with the random numbers
-    //! of the case; the case's own site, day and spacing are those of the first
-    //! scenario. Empty: the case is its only scenario.
+    //! of the case. Empty: the case is its only scenario.
     std::vector<Case> scenarios{};
     //! The case at each stage, if plants grow; scenarios have their own stages.
     std::vector<Case> stages{};
@@ -74,10 +80,66 @@ std::vector<Case> evaluated_cases(const Case& chosen);
 //! Returns the light of clear days or weather for a case or its first scenario.
 LightSeries light_of(const Campaign& campaign, const Case& chosen);
 
+//! The cases of a campaign, or a part of them, each made when it is asked for:
+//! a campaign may have very many. The campaign must outlive its cases.
+class Cases {
+  public:
+    explicit Cases(const Campaign& campaign);
+
+    std::size_t size() const { return count_; }
+
+    //! Returns the index in the campaign of a case of this part.
+    int index(std::size_t i) const { return static_cast<int>(first_ + i); }
+
+    //! Makes the names of a case, which is much less work than the case.
+    CaseName name(std::size_t i) const;
+    std::vector<CaseName> names() const;
+
+    //! Makes a case. @throws std::out_of_range if there is no such case
+    Case at(std::size_t i) const;
+    Case operator[](std::size_t i) const { return at(i); }
+    Case front() const { return at(0); }
+    Case back() const { return at(count_ - 1); }
+
+    //! Makes the case of a name; nothing if there is none.
+    std::optional<Case> find(const std::string& name) const;
+
+    //! Returns some of these cases.
+    Cases part(std::size_t first, std::size_t count) const;
+
+    //! Returns the case of this index alone.
+    //! @param path path of the campaign, for the message
+    //! @throws Error of wrong usage if there is no such case.
+    Cases only(int index, const std::string& path) const;
+
+    //! Makes one case after the other.
+    class Iterator {
+      public:
+        Iterator(const Cases& all, std::size_t i) : all_(&all), i_(i) {}
+        Case operator*() const { return all_->at(i_); }
+        Iterator& operator++() {
+            ++i_;
+            return *this;
+        }
+        bool operator==(const Iterator& other) const { return i_ == other.i_; }
+
+      private:
+        const Cases* all_;
+        std::size_t i_;
+    };
+    Iterator begin() const { return {*this, 0}; }
+    Iterator end() const { return {*this, count_}; }
+
+  private:
+    const Campaign* campaign_;
+    std::size_t first_ = 0, count_;
+};
+
 //! Returns all cases in order: sites, days or climates, spacings, trait sets,
 //! and replicates fastest. An axis whose entries are scenarios has one entry
 //! "all". A new entry of an axis changes the name or seed of no other case.
-std::vector<Case> cases(const Campaign& campaign);
+Cases cases(const Campaign& campaign);
+Cases cases(Campaign&& gone) = delete;
 
 //! Returns the case of this index.
 //! @param path path of the campaign, for the message

@@ -23,7 +23,7 @@ using Names = std::map<std::string, std::set<std::string>>;
 Names names_of(const Case& chosen) {
     Names names;
     for (const Case& each : scenarios(chosen)) {
-        names["site"].insert(each.site.name);
+        names["site"].insert(each.site_name);
         for (const char* axis : {"day", "climate"})
             names[axis].insert(each.day_name);
         names["spacing"].insert(each.spacing_name);

@@ -15,8 +15,7 @@ namespace {
 
 Case case_of(const History& history, const Campaign& campaign) {
     const std::string& name = history.header().text.at("case");
-    for (const Case& c : cases(campaign))
-        if (c.name == name) return c;
+    if (const auto found = cases(campaign).find(name)) return *found;
     throw Error(
         fmt::format("the campaign in this history has no case {}", name));
 }

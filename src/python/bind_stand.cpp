@@ -37,10 +37,9 @@ std::unique_ptr<CaseStand> stand_at(const Campaign& campaign,
                                     const std::string& name, Genome& genome,
                                     const std::string& isa) {
     Campaign varied = at_keys(campaign, genome);
-    for (const Case& each : cases(varied))
-        if (each.name == name)
-            return std::make_unique<CaseStand>(std::move(varied), each, isa);
-    return nullptr;
+    const std::optional<Case> found = cases(varied).find(name);
+    if (!found) return nullptr;
+    return std::make_unique<CaseStand>(std::move(varied), *found, isa);
 }
 
 //! Makes the stand of a history from its resolved campaign, in which settings
@@ -60,7 +59,7 @@ std::unique_ptr<CaseStand> from_history(const std::string& text,
 nb::dict entries(const CaseStand& stand) {
     const Case chosen = scenarios(stand.chosen()).front();
     nb::dict found;
-    found["site"] = chosen.site.name;
+    found["site"] = chosen.site_name;
     found["day"] = found["climate"] = chosen.day_name;
     found["spacing"] = chosen.spacing_name;
     found["traits"] = chosen.trait_set_name;
@@ -108,7 +107,8 @@ nb::tuple mesh(const CaseStand& stand, const Input<double, 1>& genome,
 //! Returns the names of the cases of a campaign, and the replicate of each.
 nb::list case_names(const std::string& path, const Settings& settings) {
     nb::list list;
-    for (const Case& each : cases(read_campaign(path, settings)))
+    const Campaign campaign = read_campaign(path, settings);
+    for (const CaseName& each : cases(campaign).names())
         list.append(nb::make_tuple(each.name, each.replicate));
     return list;
 }

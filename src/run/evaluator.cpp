@@ -5,12 +5,18 @@ namespace ideotype {
 
 CanopyEvaluator::CanopyEvaluator(const Campaign& campaign,
                                  const std::string& isa)
-    : campaign_(campaign), cases_(cases(campaign)), device_(isa) {
-    for (const Case& each : cases_) stands_.emplace_back(campaign, each);
+    : campaign_(campaign), device_(isa) {}
+
+CanopyEvaluator::Place& CanopyEvaluator::place(std::uint32_t index) const {
+    const std::lock_guard lock(mutex_);
+    const auto known = places_.find(index);
+    if (known != places_.end()) return known->second;
+    return places_.try_emplace(index, campaign_, cases(campaign_).at(index))
+        .first->second;
 }
 
 const OutcomeSchema& CanopyEvaluator::schema(const Task& task) const {
-    return stands_.at(task.case_index).schema(task.is_final);
+    return place(task.case_index).stand.schema(task.is_final);
 }
 
 Outcome CanopyEvaluator::evaluate(const Task& task, const Genome& genome) {
@@ -19,12 +25,13 @@ Outcome CanopyEvaluator::evaluate(const Task& task, const Genome& genome) {
         return stand.evaluate(grow(campaign, plant),
                               sampling_of(task, campaign, chosen), device_);
     };
-    const std::uint32_t i = task.case_index;
-    if (campaign_.varied.keys.empty())
-        return in(campaign_, cases_.at(i), stands_.at(i), genome);
+    if (campaign_.varied.keys.empty()) {
+        Place& own = place(task.case_index);
+        return in(campaign_, own.chosen, own.stand, genome);
+    }
     Genome plain = genome;
     const Campaign varied = at_keys(campaign_, plain);
-    const Case chosen = cases(varied).at(i);
+    const Case chosen = cases(varied).at(task.case_index);
     Stand stand(varied, chosen);
     return in(varied, chosen, stand, plain);
 }

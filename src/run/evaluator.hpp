@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
+#include <map>
+#include <mutex>
 #include <string>
-#include <vector>
 
 #include "ideotype/light/device.hpp"
 #include "parallel/evaluator.hpp"
@@ -21,9 +23,22 @@ class CanopyEvaluator : public Evaluator {
     Outcome evaluate(const Task& task, const Genome& genome) override;
 
   private:
+    //! A case of the campaign, set up once for all its candidates.
+    struct Place {
+        Place(const Campaign& campaign, const Case& one)
+            : chosen(one), stand(campaign, one) {}
+
+        Case chosen;
+        Stand stand;
+    };
+
+    //! Returns a place by the index of its case, made when first asked for.
+    //! Several threads may ask, since masters ask for schemas.
+    Place& place(std::uint32_t index) const;
+
     const Campaign& campaign_;
-    std::vector<Case> cases_;
-    std::vector<Stand> stands_;  //!< stands by case
+    mutable std::mutex mutex_;  //!< guards places
+    mutable std::map<std::uint32_t, Place> places_;
     Device device_;
 };
 

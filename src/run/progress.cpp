@@ -150,14 +150,15 @@ std::string certainty(bool is_evaluated_again, double violation) {
             : "");
 }
 
-ProgressLog::ProgressLog(const Campaign& campaign,
-                         const std::vector<Case>& chosen, LogLevel level)
+ProgressLog::ProgressLog(const Campaign& campaign, const Cases& chosen,
+                         LogLevel level)
     : campaign_(campaign),
       level_(level),
       columns_(columns_of(STDOUT_FILENO)),
       started_(now()),
       cases_(static_cast<int>(chosen.size())) {
-    for (const Case& each : chosen) to_evaluate_[each.index] = most_plants();
+    for (std::size_t i = 0; i < chosen.size(); ++i)
+        to_evaluate_[chosen.index(i)] = most_plants();
 }
 
 ProgressLog::~ProgressLog() {

@@ -21,7 +21,7 @@ class ProgressLog {
   public:
     //! Makes a log; all arguments must outlive it.
     //! @param level the least urgent level that is printed
-    ProgressLog(const Campaign& campaign, const std::vector<Case>& chosen,
+    ProgressLog(const Campaign& campaign, const Cases& chosen,
                 LogLevel level = LogLevel::info);
     ~ProgressLog();
     ProgressLog(const ProgressLog&) = delete;

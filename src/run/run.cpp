@@ -23,20 +23,21 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::vector<Case> chosen_cases(const RunOptions& options,
-                               const Campaign& campaign) {
-    if (!options.case_index) return cases(campaign);
-    return {case_at(campaign, *options.case_index, options.campaign_path)};
+Cases chosen_cases(const RunOptions& options, const Campaign& campaign) {
+    const Cases all = cases(campaign);
+    return options.case_index
+               ? all.only(*options.case_index, options.campaign_path)
+               : all;
 }
 
 //! Returns the instruction set of the histories to resume, which keeps the bits
 //! of results, or nothing without histories. Refuses to overwrite a history.
 std::optional<std::string> isa_of_histories(const RunOptions& options,
                                             const Campaign& campaign,
-                                            const std::vector<Case>& chosen) {
+                                            const Cases& chosen) {
     std::optional<std::string> common;
-    for (const Case& each : chosen) {
-        const std::string path = path_of(options.out, campaign, each);
+    for (std::size_t i = 0; i < chosen.size(); ++i) {
+        const std::string path = path_of(options.out, campaign, chosen.name(i));
         if (!history_exists(path)) continue;
         if (!options.is_resumed)
             throw Error(
@@ -46,7 +47,7 @@ std::optional<std::string> isa_of_histories(const RunOptions& options,
                             path),
                 ExitCode::refused);
         const HistoryHeader header = History::header_of(path);
-        require_resumable(header, campaign, each, path);
+        require_resumable(header, campaign, chosen[i], path);
         const std::string& isa = header.text.at("isa");
         if (options.isa && isa != *options.isa)
             throw Error(
@@ -69,7 +70,7 @@ std::optional<std::string> isa_of_histories(const RunOptions& options,
 //! Checks all that could prevent the job, before any work.
 Start prepare(const RunOptions& options, const Campaign& campaign,
               const std::vector<Machine>& machines) {
-    const std::vector<Case> chosen = chosen_cases(options, campaign);
+    const Cases chosen = chosen_cases(options, campaign);
     require_names_fit(campaign, chosen, options.out);
     require_same_program(machines);
     const auto begun_with = isa_of_histories(options, campaign, chosen);
@@ -88,7 +89,7 @@ struct Crew {
     const Session& job;
     const Session& own;      //!< session of the master and its workers
     const Session& masters;  //!< session of all masters
-    std::vector<Case> cases;
+    Cases cases;
 };
 
 //! Evolves the cases of a master, then dismisses its workers.
@@ -123,7 +124,7 @@ ExitCode direct(const RunOptions& options, const Campaign& campaign,
     if (code == ExitCode::ok && crew.job.rank() == 0 &&
         options.level >= LogLevel::info) {
         const std::string path =
-            path_of(options.out, campaign, crew.cases.front());
+            path_of(options.out, campaign, crew.cases.name(0));
         const std::string folder = fs::path(path).parent_path().string();
         const bool is_study = options.read == read_study;
         BoundCount every;
@@ -245,16 +246,18 @@ ExitCode run(const RunOptions& options, const Session& session, StopFlag& stop,
     Evaluators evaluators;
     for (int i = 0; i < threads; ++i)
         evaluators.push_back(&own_evaluators.emplace_back(*campaign, isa));
-    const std::vector<Case> chosen = chosen_cases(options, *campaign);
+    const Cases chosen = chosen_cases(options, *campaign);
     const auto count = static_cast<int>(chosen.size());
     const int parts = masters(options.masters, session.size(), count);
     const int part = part_of(session.rank(), session.size(), count, parts);
     const Session crew = session.split(part);
     const bool is_master = crew.rank() == 0;
     const Session peers = session.split(is_master ? 0 : 1);
-    if (is_master)
+    if (is_master) {
+        const auto [first, size] = dealt(count, part, parts);
         return direct(options, *campaign, isa, evaluators,
-                      {session, crew, peers, dealt(chosen, part, parts)}, stop);
+                      {session, crew, peers, chosen.part(first, size)}, stop);
+    }
     serve(crew, evaluators);
     return ExitCode::ok;
 }

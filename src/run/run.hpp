@@ -17,7 +17,7 @@ namespace ideotype {
 
 //! Returns the path at which `run` keeps the history of a case.
 std::string path_of(const std::string& out, const Campaign& campaign,
-                    const Case& chosen);
+                    const CaseName& chosen);
 
 //! Prints the warnings about a campaign.
 void print_warnings(const Campaign& campaign, const Log& log);

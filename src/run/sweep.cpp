@@ -15,7 +15,7 @@ namespace ideotype {
 namespace fs = std::filesystem;
 
 std::string path_of(const std::string& out, const Campaign& campaign,
-                    const Case& chosen) {
+                    const CaseName& chosen) {
     if (out.empty())
         throw Error("--out is empty; name a folder, or . for this one",
                     ExitCode::usage);
@@ -23,7 +23,7 @@ std::string path_of(const std::string& out, const Campaign& campaign,
 }
 
 Sweep::Sweep(const RunOptions& options, const Campaign& campaign,
-             const std::vector<Case>& chosen, const std::string& isa, int ranks,
+             const Cases& chosen, const std::string& isa, int ranks,
              StopFlag& stop)
     : options_(options),
       campaign_(campaign),
@@ -67,9 +67,8 @@ bool Sweep::start_next() {
 }
 
 void Sweep::on_silence(const Task& task, const std::string& what) {
-    for (const Case& each : chosen_)
-        if (each.index == static_cast<int>(task.case_index))
-            progress_.print(each.name + "  " + what, LogLevel::warning);
+    progress_.print(cases(campaign_).name(task.case_index).name + "  " + what,
+                    LogLevel::warning);
 }
 
 void Sweep::on_stop(int in_flight) {
@@ -87,7 +86,8 @@ void Sweep::on_stop(int in_flight) {
                     way_on(options_.command, ranks_, options_.launcher)));
 }
 
-Routine<Ending> Sweep::evolve_guarded(const Case& chosen) {
+//! Keeps the case, which nothing else keeps, while it evolves.
+Routine<Ending> Sweep::evolve_guarded(Case chosen) {
     try {
         const Ending ending = co_await evolve_one(chosen);
         if (ending == Ending::finished) ++finished_;

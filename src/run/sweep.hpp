@@ -19,7 +19,7 @@ namespace ideotype {
 class Sweep : public Director {
   public:
     Sweep(const RunOptions& options, const Campaign& campaign,
-          const std::vector<Case>& chosen, const std::string& isa, int ranks,
+          const Cases& chosen, const std::string& isa, int ranks,
           StopFlag& stop);
 
     //! Evolves all cases until they have ended or a stop is requested; returns
@@ -40,7 +40,7 @@ class Sweep : public Director {
         std::exception_ptr cause;
     };
 
-    Routine<Ending> evolve_guarded(const Case& chosen);
+    Routine<Ending> evolve_guarded(Case chosen);
     Routine<Ending> evolve_one(const Case& chosen);
     void tell(const CaseResult& result, const std::string& name,
               bool was_finished);
@@ -54,7 +54,7 @@ class Sweep : public Director {
 
     const RunOptions& options_;
     const Campaign& campaign_;
-    const std::vector<Case>& chosen_;
+    Cases chosen_;
     const std::string& isa_;
     int ranks_;
     StopFlag& stop_;

@@ -19,7 +19,7 @@ std::string label(const Campaign& campaign, const Case& scenario) {
     const auto add = [&](bool is_named, const std::string& name) {
         if (is_named) text += (text.empty() ? "" : "_") + name;
     };
-    add(is_over(campaign, "site"), scenario.site.name);
+    add(is_over(campaign, "site"), scenario.site_name);
     add(is_over(campaign, "day") || is_over(campaign, "climate"),
         scenario.day_name);
     add(is_over(campaign, "spacing"), scenario.spacing_name);

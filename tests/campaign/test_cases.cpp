@@ -2,6 +2,7 @@
 #include <fstream>
 #include <map>
 #include <set>
+#include <stdexcept>
 
 #include <gtest/gtest.h>
 
@@ -22,7 +23,8 @@ constexpr auto trait_sets =
 }  // namespace
 
 TEST(Cases, NamesJoinAllAxesInLowerCase) {
-    const auto all = cases(sample());
+    const Campaign campaign = sample();
+    const Cases all = cases(campaign);
     ASSERT_EQ(all.size(), 1u);
     EXPECT_EQ(all[0].name, "ames_0807_762x152_all_r1");
     EXPECT_EQ(all[0].index, 0);
@@ -38,7 +40,8 @@ TEST(Cases, ARuleOfBoundsMayChooseTheTraitsThatAreBred) {
     const auto bred = [&](const std::string& rule) {
         const std::string path = temporary_file(rule + ".toml");
         std::ofstream(path) << text << '"' << rule << "\"\n";
-        return cases(read_campaign(path)).front().traits;
+        const Campaign campaign = read_campaign(path);
+        return cases(campaign).front().traits;
     };
     EXPECT_EQ(bred("biological"),
               (TraitSet{"length", "width", "insertion_angle", "azimuth"}));
@@ -49,8 +52,9 @@ TEST(Cases, ARuleOfBoundsMayChooseTheTraitsThatAreBred) {
 }
 
 TEST(Cases, ReplicatesVaryFastestThenTraitsThenSpacings) {
-    const auto all = cases(
-        sample("replicates = 2\n", std::string(second_spacing) + trait_sets));
+    const Campaign campaign =
+        sample("replicates = 2\n", std::string(second_spacing) + trait_sets);
+    const Cases all = cases(campaign);
     ASSERT_EQ(all.size(), 8u);
     EXPECT_EQ(all[0].name, "ames_0807_762x152_angles_r1");
     EXPECT_EQ(all[1].name, "ames_0807_762x152_angles_r2");
@@ -64,9 +68,11 @@ TEST(Cases, ReplicatesVaryFastestThenTraitsThenSpacings) {
 }
 
 TEST(Cases, SeedsDoNotDependOnOtherCases) {
-    const auto few = cases(sample());
-    const auto many = cases(
-        sample("replicates = 3\n", std::string(second_spacing) + trait_sets));
+    const Campaign small = sample();
+    const Campaign large =
+        sample("replicates = 3\n", std::string(second_spacing) + trait_sets);
+    const Cases few = cases(small);
+    const Cases many = cases(large);
     std::map<std::string, std::uint64_t> seeds;
     std::set<std::uint64_t> different;
     for (const Case& one : many) {
@@ -79,8 +85,32 @@ TEST(Cases, SeedsDoNotDependOnOtherCases) {
 }
 
 TEST(Cases, SeedOfTheCampaignChangesAllSeeds) {
-    EXPECT_NE(cases(sample("seed = 1\n"))[0].seed,
-              cases(sample("seed = 2\n"))[0].seed);
+    const Campaign one = sample("seed = 1\n");
+    const Campaign two = sample("seed = 2\n");
+    EXPECT_NE(cases(one)[0].seed, cases(two)[0].seed);
+}
+
+TEST(Cases, AreNamedAndFoundAsTheyAreMade) {
+    const Campaign campaign =
+        sample("replicates = 3\n", std::string(second_spacing) + trait_sets);
+    const Cases all = cases(campaign);
+    const std::vector<CaseName> names = all.names();
+    ASSERT_EQ(names.size(), 12u);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const Case made = all[i];
+        EXPECT_EQ(made.name, names[i].name);
+        EXPECT_EQ(made.seed, names[i].seed);
+        EXPECT_EQ(made.index, names[i].index);
+        EXPECT_EQ(made.trait_set_name, names[i].trait_set_name);
+        EXPECT_EQ(all.find(made.name).value().index, made.index);
+    }
+    EXPECT_FALSE(all.find("none").has_value());
+    EXPECT_THROW(all.at(12), std::out_of_range);
+    const Cases some = all.part(5, 2);
+    ASSERT_EQ(some.size(), 2u);
+    EXPECT_EQ(some.back().name, names[6].name);
+    EXPECT_EQ(some.back().index, 6);
+    EXPECT_EQ(some.index(1), 6);
 }
 
 TEST(Cases, AreFoundByTheirIndexOrRefusedWithTheRange) {

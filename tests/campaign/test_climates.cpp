@@ -50,7 +50,7 @@ void expect_same(const LightSeries& a, const LightSeries& b) {
 
 TEST(Climates, ASeasonIsReadFromItsFile) {
     const Campaign campaign = bondville();
-    const std::vector<Case> all = cases(campaign);
+    const Cases all = cases(campaign);
     EXPECT_EQ(all[0].name, "bondville_season_30x6_all_r1");
     const LightSeries light = light_of(campaign, all[0]);
     EXPECT_EQ(light.days, 62);
@@ -195,12 +195,13 @@ TEST(Climates, SitesMayHaveFilesOfTheirOwn) {
 }
 
 TEST(Climates, AnotherFileIsAnotherCampaign) {
-    const std::string was = bondville().resolved;
+    const Campaign campaign = bondville();
+    const std::string was = campaign.resolved;
     const std::size_t sum = was.find("sha256 = \"") + 10;
     std::string is = was;
     is[sum] = is[sum] == '0' ? '1' : '0';
     is = replaced(is, "beam = [0, ", "beam = [1, ");
-    const auto lines = differences(was, is, cases(bondville()).front());
+    const auto lines = differences(was, is, cases(campaign).front());
     ASSERT_EQ(lines.size(), 2u);
     EXPECT_EQ(lines[0].substr(0, 22), "weather[0].sha256 was ");
     // The message does not list all 1488 numbers.

@@ -13,7 +13,8 @@ using Lines = std::vector<std::string>;
 
 //! Returns the changes that concern the first case.
 Lines changes(const std::string& was, const std::string& is) {
-    return differences(was, is, cases(sample()).front());
+    const Campaign campaign = sample();
+    return differences(was, is, cases(campaign).front());
 }
 
 }  // namespace

@@ -245,6 +245,24 @@ expect 0 "$ideotype" run campaigns/verbs.toml --resume
 says "$history: finished before by stop.generations, $told$"
 [ "$(grep -vc "^next: \|^one seed: " out.log)" -eq 1 ] || fail "not one line a case: $(cat out.log)"
 
+# As many cases as a campaign may have are checked in little memory, since cases
+# are made one by one: together they would need ten times as much.
+write_campaign many 12 3
+{
+    printf 'replicates = 1000\n'
+    sed 's/^\[spacing\]/[[spacing]]/' campaigns/many.toml
+    printf '[[spacing]]\nrow = 0.5\nplant = 0.%s\n' $(seq 101 199)
+} >campaigns/all.toml
+expect 0 "$ideotype" check campaigns/all.toml --count
+says "^100000$"
+limited=(bash -c 'ulimit -d 200000; exec "$@"' -)
+if "${limited[@]}" "$ideotype" check campaigns/many.toml >/dev/null 2>&1; then
+    expect 0 "${limited[@]}" "$ideotype" check campaigns/all.toml
+    says "^campaign  many, 100000 cases "
+else
+    echo "THIS BUILD NEEDS MORE MEMORY FOR A SINGLE CASE: NOT TESTED" >&2
+fi
+
 # A time limit of this start stops cleanly.
 write_campaign limited 12 400
 expect 5 "$ideotype" run campaigns/limited.toml --wall-time 1s

@@ -12,7 +12,7 @@ class Ames : public ::testing::Test {
   protected:
     const Campaign campaign =
         read_campaign(std::string(IDEOTYPE_CAMPAIGNS) + "/ames_quick.toml");
-    const std::vector<Case> all = cases(campaign);
+    const Cases all = cases(campaign);
     const Genome baseline = baseline_genome(campaign);
     CanopyEvaluator evaluator{campaign, Device::supported_isas().back()};
 

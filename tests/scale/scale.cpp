@@ -167,8 +167,12 @@ struct Simulation {
     //! Runs the loop of one master.
     void direct(const Session& crew, int part, int parts) {
         const auto dispatcher = make_dispatcher(crew, {evaluator.get()}, stop);
-        Master master(options, campaign, *dispatcher, clock, header,
-                      dealt(cases, part, parts));
+        const Share share = dealt(options.cases, part, parts);
+        const auto first =
+            cases.begin() + static_cast<std::ptrdiff_t>(share.first);
+        Master master(
+            options, campaign, *dispatcher, clock, header,
+            {first, first + static_cast<std::ptrdiff_t>(share.count)});
         began = clock.now();
         dispatcher->run(master);
         if (!dispatcher->dismiss()) throw Error("a worker does not answer");

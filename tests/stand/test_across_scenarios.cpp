@@ -129,22 +129,26 @@ TEST(PlantVariation, IsNotWhatConstraintsAreAbout) {
 TEST(AcrossScenarios, AxesOfScenariosAreNoAxesOfCases) {
     const Campaign both = changed(std::string(south) + narrow,
                                   "over = [\"site\", \"spacing\"]\n");
-    const std::vector<Case> all = cases(both);
-    ASSERT_EQ(all.size(), 1u);
-    EXPECT_EQ(all[0].name, "all_0807_all_all_r1");
-    ASSERT_EQ(all[0].scenarios.size(), 4u);
+    ASSERT_EQ(cases(both).size(), 1u);
+    const Case only = cases(both).front();
+    EXPECT_EQ(only.name, "all_0807_all_all_r1");
+    EXPECT_EQ(cases(both).name(0).name, only.name);
+    EXPECT_EQ(only.site_name, "all");
+    ASSERT_EQ(only.scenarios.size(), 4u);
     std::vector<std::string> names;
-    for (const Case& each : all[0].scenarios) {
+    for (const Case& each : only.scenarios) {
         names.push_back(each.name);
-        EXPECT_EQ(each.seed, all[0].seed);
+        EXPECT_EQ(each.seed, only.seed);
     }
     EXPECT_EQ(names[1], "ames_0807_762x152_all_r1");
     EXPECT_EQ(names[2], "south_0807_narrow_all_r1");
     EXPECT_EQ(parse_campaign(both.resolved, "again").resolved, both.resolved);
-    EXPECT_EQ(
-        cases(changed(std::string(south) + narrow, "over = [\"spacing\"]\n"))
-            .size(),
-        2u);
+    const Campaign by_site =
+        changed(std::string(south) + narrow, "over = [\"spacing\"]\n");
+    ASSERT_EQ(cases(by_site).size(), 2u);
+    EXPECT_EQ(cases(by_site)[1].name, "south_0807_all_all_r1");
+    EXPECT_EQ(cases(by_site)[1].scenarios.at(0).name,
+              "south_0807_narrow_all_r1");
     // No earlier campaign has changed.
     EXPECT_EQ(changed("", "").resolved.find("scenarios"), std::string::npos);
     EXPECT_THROW(changed("", "over = [\"climate\"]\n"), InputError);

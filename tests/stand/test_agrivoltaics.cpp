@@ -84,8 +84,8 @@ TEST(Agrivoltaics, PanelsTakeLightAndAreNoLeaves) {
 
 TEST(Agrivoltaics, HoursOfPanelsSumToTheirDay) {
     const CanopyReport report = light_of_field({panel});
-    const LightSeries series =
-        light_of(campaign_with({panel}), cases(campaign_with({panel})).front());
+    const Campaign campaign = campaign_with({panel});
+    const LightSeries series = light_of(campaign, cases(campaign).front());
     for (const PartLight& side : report.par().objects) {
         double sum = 0;
         for (std::size_t h = 0; h < side.hours.size(); ++h)

@@ -89,10 +89,14 @@ bool check_count(const Campaign& campaign, const Problems& problems) {
 //! Reports equal names of cases: names may contain the joining underscore.
 void check_case_names(const Campaign& campaign, const Problems& problems) {
     std::set<std::string> names;
-    for (const Case& chosen : cases(campaign)) {
+    const Cases all = cases(campaign);
+    // Names of replicates differ, and no two entries share only some of them.
+    const auto step = static_cast<std::size_t>(campaign.replicates);
+    for (std::size_t i = 0; i < all.size(); i += step) {
+        const CaseName chosen = all.name(i);
         if (names.insert(chosen.name).second) continue;
         const auto named =
-            std::ranges::find(campaign.sites, chosen.site.name, &Site::name);
+            std::ranges::find(campaign.sites, chosen.site_name, &Site::name);
         const Problems own = problems.in(
             "site", static_cast<std::size_t>(named - campaign.sites.begin()));
         if (own.usable({"name"}))

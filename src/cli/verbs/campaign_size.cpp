@@ -235,9 +235,13 @@ Stands stands_of(const Campaign& campaign, double leaf_area) {
         all.period_y.add(campaign.field.plants * spacing.plant);
         all.lai.add(leaf_area / (spacing.row * spacing.plant));
     }
-    std::set<std::pair<std::string, std::string>> seen;
-    for (const Case& one : cases(campaign))
-        for (const Case& each : scenarios(one)) {
+    // Many cases share a site and a day.
+    std::set<std::pair<std::string, std::string>> of_cases, seen;
+    const Cases some = cases(campaign);
+    for (std::size_t i = 0; i < some.size(); ++i) {
+        const CaseName name = some.name(i);
+        if (!of_cases.emplace(name.site_name, name.day_name).second) continue;
+        for (const Case& each : scenarios(some[i])) {
             if (!seen.emplace(each.site.name, each.day_name).second) continue;
             const LightSeries light = light_of(campaign, each);
             all.steps.add(static_cast<double>(light.steps.size()));
@@ -245,6 +249,7 @@ Stands stands_of(const Campaign& campaign, double leaf_area) {
             all.diffuse.add(light.diffuse() / light.incident());
             all.sky.push_back(sky_of(campaign, each, light));
         }
+    }
     return all;
 }
 

@@ -40,9 +40,9 @@ std::string scenario_text(const Campaign& campaign, const Case& chosen) {
                                         : "that of the worst one");
 }
 
-Json to_json(const std::vector<Case>& all) {
+Json to_json(const std::vector<CaseName>& all) {
     Json json = Json::array();
-    for (const Case& each : all)
+    for (const CaseName& each : all)
         json.push_back(
             {{"index", each.index}, {"name", each.name}, {"seed", each.seed}});
     return json;
@@ -62,16 +62,17 @@ Json to_json(const std::vector<Problem>& problems) {
 //! case that is not finished in a folder.
 //! @throws Error (refused) if a history belongs to another campaign.
 void list_left(const Campaign& campaign, const std::string& out) {
-    for (const Case& each : cases(campaign)) {
-        const std::string path = path_of(out, campaign, each);
+    const Cases all = cases(campaign);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const std::string path = path_of(out, campaign, all.name(i));
         std::uint64_t evaluated = 0;
         if (history_exists(path)) {
             const History history = History::read(path);
-            require_same_campaign(history.header(), campaign, each, path);
+            require_same_campaign(history.header(), campaign, all[i], path);
             if (history.finished()) continue;
             evaluated = history.evaluated();
         }
-        fmt::print("{}\t{}\n", each.index, evaluated);
+        fmt::print("{}\t{}\n", i, evaluated);
     }
 }
 
@@ -108,8 +109,8 @@ double leaf_area_of_place(const Scene& scene, const Case& chosen) {
 }
 
 Findings look_at(const Campaign& campaign) {
-    const std::vector<Case> all = cases(campaign);
-    const Case& first = all.front();
+    const Cases all = cases(campaign);
+    const Case first = all.front();
     const Scene scene = scene_of(campaign, first);
     const Mesh plant =
         build_plant(campaign.crop.baseline, campaign.tessellation);
@@ -132,14 +133,15 @@ Findings look_at(const Campaign& campaign) {
 
 Json to_json(const CheckOptions& options, const Campaign& campaign,
              const Findings& found) {
-    const std::vector<Case> all = cases(campaign);
-    const bool grows = !scenarios(all.front()).front().stages.empty();
+    const Cases all = cases(campaign);
+    const Case first = all.front();
+    const bool grows = !scenarios(first).front().stages.empty();
     return {{"file", options.campaign_path},
             {"is_valid", true},
             {"warnings", to_json(campaign.warnings)},
             {"campaign", campaign.name},
-            {"cases", to_json(all)},
-            {"scenarios", scenario_names(campaign, all.front())},
+            {"cases", to_json(all.names())},
+            {"scenarios", scenario_names(campaign, first)},
             {"plant",
              {{"name", campaign.crop.baseline.name},
               {"leaves", campaign.crop.baseline.leaves.size()},
@@ -176,19 +178,19 @@ Json to_json(const CheckOptions& options, const Campaign& campaign,
 
 void print(const CheckOptions& options, const Campaign& campaign,
            const Findings& found) {
-    const std::vector<Case> all = cases(campaign);
+    const Cases all = cases(campaign);
+    const Case first = all.front();
     const Stands& stands = found.stands;
     fmt::print("{}: no errors\n", options.campaign_path);
     fmt::print("campaign  {}, {} case{}\n", campaign.name, all.size(),
                all.size() == 1 ? "" : "s (--cases lists them)");
     fmt::print("{}{}", objective_text(campaign),
-               scenario_text(campaign, all.front()));
+               scenario_text(campaign, first));
     fmt::print("plant     {}, {} leaves, {:.4f} m2 of leaf, {} faces\n",
                campaign.crop.baseline.name,
                campaign.crop.baseline.leaves.size(),
                plant_area(found.plant).leaves, found.plant.faces.size());
-    fmt::print("{}{}", leaves_text(campaign),
-               growth_text(campaign, all.front()));
+    fmt::print("{}{}", leaves_text(campaign), growth_text(campaign, first));
     if (!campaign.field.variation.is_any())
         fmt::print(
             "advice    plants are all alike; what is bred in such a "
@@ -216,7 +218,7 @@ void print(const CheckOptions& options, const Campaign& campaign,
         fmt::print(
             "          temperature and humidity are weighted by light; "
             "sunrise, noon and sunset are those of the middle date\n");
-    if (const Json season = season_of(campaign, all.front()); !season.empty()) {
+    if (const Json season = season_of(campaign, first); !season.empty()) {
         fmt::print("season\n");
         print_table(season, 10);
     }
@@ -253,7 +255,7 @@ ExitCode check(const CheckOptions& options) try {
     if (options.lists_cases || options.only_count || options.only_left) {
         if (options.lists_cases) {
             fmt::print("{:>5}  {:<40}  {:>20}\n", "index", "case", "seed");
-            for (const Case& each : cases(campaign))
+            for (const CaseName& each : cases(campaign).names())
                 fmt::print("{:>5}  {:<40}  {:>20}\n", each.index, each.name,
                            each.seed);
         } else if (options.only_count)
@@ -269,8 +271,7 @@ ExitCode check(const CheckOptions& options) try {
     for (const Problem& warning : campaign.warnings)
         if (!options.is_json)
             fmt::print(stderr, "ideotype: warning: {}\n", to_string(warning));
-    const std::vector<Case> all = cases(campaign);
-    require_names_fit(campaign, all, options.out);
+    require_names_fit(campaign, cases(campaign), options.out);
     const Findings found = look_at(campaign);
     if (options.is_json)
         fmt::print("{}\n", to_text(to_json(options, campaign, found)));

@@ -47,29 +47,30 @@ void require_length(const std::string& what, const std::string& text,
 
 }  // namespace
 
-DiskRoom disk_room(const Campaign& campaign, const std::vector<Case>& chosen) {
+DiskRoom disk_room(const Campaign& campaign, const Cases& chosen) {
     DiskRoom room;
     // Sizes of files depend on genes, scenarios and lengths of names.
     std::map<std::array<std::size_t, 5>, std::uint64_t> known;
-    for (const Case& each : chosen) {
+    for (std::size_t i = 0; i < chosen.size(); ++i) {
+        const CaseName each = chosen.name(i);
         std::uint64_t& bytes =
-            known[{each.name.size(), each.site.name.size(),
+            known[{each.name.size(), each.site_name.size(),
                    each.day_name.size(), each.spacing_name.size(),
                    std::hash<std::string>()(each.trait_set_name)}];
-        if (bytes == 0) bytes = history_bytes(header_of(campaign, each, "any"));
+        if (bytes == 0)
+            bytes = history_bytes(header_of(campaign, chosen[i], "any"));
         room.largest = std::max(room.largest, bytes);
         room.all += bytes;
     }
     return room;
 }
 
-void require_names_fit(const Campaign& campaign,
-                       const std::vector<Case>& chosen,
+void require_names_fit(const Campaign& campaign, const Cases& chosen,
                        const std::string& out) {
-    const fs::path folder = existing(path_of(out, campaign, chosen.front()));
+    const fs::path folder = existing(path_of(out, campaign, chosen.name(0)));
     const long longest_name = pathconf(folder.c_str(), _PC_NAME_MAX);
     const long longest_path = pathconf(folder.c_str(), _PC_PATH_MAX);
-    for (const Case& each : chosen) {
+    for (const CaseName& each : chosen.names()) {
         const fs::path path = path_of(out, campaign, each);
         require_length("name of a folder", campaign.name, 0, longest_name,
                        "shorten the name of the campaign");

@@ -15,11 +15,11 @@ struct DiskRoom {
     std::uint64_t all = 0;
 };
 
-DiskRoom disk_room(const Campaign& campaign, const std::vector<Case>& chosen);
+DiskRoom disk_room(const Campaign& campaign, const Cases& chosen);
 
 //! @throws Error (invalid_campaign) naming the first file whose name or path is
 //! too long for the file system of the folder `out`.
-void require_names_fit(const Campaign& campaign,
-                       const std::vector<Case>& chosen, const std::string& out);
+void require_names_fit(const Campaign& campaign, const Cases& chosen,
+                       const std::string& out);
 
 }  // namespace ideotype

@@ -32,12 +32,13 @@ int part_of(int rank, int ranks, int cases, int parts) {
     return part_of_case(index, cases, parts);
 }
 
-std::vector<Case> dealt(const std::vector<Case>& cases, int part, int parts) {
-    std::vector<Case> own;
-    const auto count = static_cast<int>(cases.size());
-    for (int i = 0; i < count; ++i)
-        if (part_of_case(i, count, parts) == part)
-            own.push_back(cases[static_cast<std::size_t>(i)]);
+Share dealt(int cases, int part, int parts) {
+    Share own;
+    for (int i = 0; i < cases; ++i) {
+        const int of = part_of_case(i, cases, parts);
+        if (of < part) ++own.first;
+        if (of == part) ++own.count;
+    }
     return own;
 }
 

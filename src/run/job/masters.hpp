@@ -20,8 +20,13 @@ int masters(std::optional<int> wanted, int ranks, int cases);
 //! proportion to its number of cases, and the first rank is the master.
 int part_of(int rank, int ranks, int cases, int parts);
 
-//! Returns the cases of a part.
-std::vector<Case> dealt(const std::vector<Case>& cases, int part, int parts);
+//! Consecutive cases.
+struct Share {
+    std::size_t first = 0, count = 0;
+};
+
+//! Returns the share of a part in all cases.
+Share dealt(int cases, int part, int parts);
 
 //! Returns the number of workers that a search keeps busy. Four plants under
 //! way for each worker leave it one while a generation ends (tests/scale).

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "bindings.hpp"
+#include "campaign/reading/files.hpp"
 #include "ideotype/crop/measures.hpp"
 #include "stand.hpp"
 
@@ -15,11 +16,24 @@ struct AnyPlants {
     Plants plants;
 };
 
-std::vector<AnyPlants> read_plants(const CaseStand& under,
-                                   const std::string& path) {
-    std::vector<AnyPlants> all;
-    for (const Crop& crop : read_crops(path, &under.campaign().crop.baseline))
-        all.push_back({{crop.baseline}});
+AnyPlants read_plant(const std::string& path) {
+    return {{read_crop(path).baseline}};
+}
+
+//! Returns the text of each crop that the program knows by its name.
+nb::dict known_crops() {
+    nb::dict all;
+    for (const std::string& name : known_crop_names())
+        all[name.c_str()] = known_crop(name).value();
+    return all;
+}
+
+//! Returns name, unit and limits of each measure of a leaf.
+nb::list measures_of_leaves() {
+    nb::list all;
+    for (const Measure<Leaf>& each : leaf_measures)
+        all.append(nb::make_tuple(each.name, each.unit, each.limits.lower,
+                                  each.limits.upper));
     return all;
 }
 
@@ -126,7 +140,9 @@ class PlantStand : public CaseStand {
 
 void bind_plants(nb::module_& module) {
     using Released = nb::call_guard<nb::gil_scoped_release>;
-    module.def("read_plants", &read_plants, nb::arg("under"), nb::arg("path"));
+    module.def("read_plant", &read_plant, nb::arg("path"));
+    module.def("known_crops", &known_crops);
+    module.def("leaf_measures", &measures_of_leaves);
     module.def("grown_plants", &grown_plants, nb::arg("stand"),
                nb::arg("genome"));
     nb::class_<AnyPlants>(module, "Plants")

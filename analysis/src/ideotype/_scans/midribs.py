@@ -24,6 +24,18 @@ def _column(
     return None
 
 
+_OUT = "x|out|r|x_along|distance"
+_UP = "z|up|z_up|height"
+"""The names of the columns of points, out from the stalk and up."""
+
+
+def is_coordinate(column: str) -> bool:
+    """Returns whether a column has coordinates of points; a height may be that
+    of a plant."""
+    names = f"{_OUT}|{_UP}".removesuffix("|height")
+    return bool(re.fullmatch(rf"(?:{names})(?:_(?:m|cm|mm))?", column))
+
+
 def read_midribs(
     path: Path, plant: str | None, leaves: Path | None, unit: str
 ) -> list[Blade]:
@@ -39,8 +51,8 @@ def read_midribs(
             )
         table = table[table["plant"].astype(str) == plant]
     found = {
-        "out": _column(table, "x|out|r|x_along|distance"),
-        "up": _column(table, "z|up|z_up|height"),
+        "out": _column(table, _OUT),
+        "up": _column(table, _UP),
         "side": _column(table, "y|side|y_across"),
     }
     for name, each in found.items():

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Reads files of digitised plants: midribs, NURBS surfaces, meshes and point
-clouds."""
+"""Reads files of digitised plants (midribs, NURBS surfaces, meshes and point
+clouds) and crops that have what was not measured."""
 
 from __future__ import annotations
 
@@ -10,10 +10,12 @@ from typing import Any
 
 import numpy as np
 
+import ideotype._core as _core
+
 from .._arrays import require_file
-from .._errors import Error
+from .._errors import Error, did_you_mean
 from .blades import Blade
-from .midribs import read_midribs
+from .midribs import is_coordinate, read_midribs
 from .nurbs import read_nurbs
 from .plant_clouds import read_clouds
 
@@ -61,19 +63,56 @@ def is_digitised(path: Path) -> bool:
     suffix = path.suffix.lower()
     if suffix != ".csv" or not path.is_file():
         return suffix in {".obj", ".ply", ".dat", ".txt"}
-    with path.open(encoding="utf-8", errors="replace") as file:
-        lines = (line for line in file if not line.startswith("#"))
-        head = next(lines, "").lower().split(",")
-    names = {word.strip().split("_")[0] for word in head}
-    return {"x", "z"} <= names
+    with path.open(encoding="utf-8-sig", errors="replace") as file:
+        lines = (line for line in file if line.strip(' \t",;\r\n'))
+        data = (line for line in lines if line.lstrip(' \t"')[0] != "#")
+        head = next(data, "").lower().split(",")
+    return any(is_coordinate(word.strip()) for word in head)
+
+
+def crop_tables(crop: str, folder: Path = Path()) -> dict[str, Any]:
+    """Returns the tables of a crop by its name, such as "maize", or by its
+    file, relative to a folder.
+
+    Raises InputError with all problems of the file, Error if there is no such
+    crop or file."""
+    known = _core.known_crops()
+    if crop in known:
+        return tomllib.loads(known[crop])
+    path = folder / crop
+    if path.suffix.lower() == ".csv":
+        raise Error(
+            f"{path}: a table of leaves is no crop (it has no stalk, organs "
+            "and traits); name a crop such as maize, or a crop file (.toml)"
+        )
+    if not path.is_file():
+        near = [*known, *(x.name for x in path.parent.glob("*.toml"))]
+        raise Error(
+            f"{path}: there is no such crop file"
+            + (
+                did_you_mean(path.name, near)
+                or f" (crops: {', '.join(known)})"
+            )
+        )
+    tables = read_crop(path)
+    _core.read_plant(str(path))
+    return tables
+
+
+def require_blades(crop: dict[str, Any], name: str) -> None:
+    """Raises Error unless the leaves of a crop are blades at the stalk."""
+    if any("petiole_length" in leaf for leaf in crop["leaf"]):
+        raise Error(
+            f"{name}: its leaves have petioles (only leaves of one blade at "
+            "the stalk can be fitted); choose another crop"
+        )
 
 
 def read_crop(path: Path) -> dict[str, Any]:
     """Returns the tables of a crop file that gives the measures which were not
     taken.
 
-    Raises Error if the file is no crop file, or if its leaves are not blades
-    at the stalk."""
+    Raises Error if the file is no crop file."""
     try:
         crop = tomllib.loads(path.read_text(encoding="utf-8"))
     except (OSError, ValueError) as error:
@@ -82,10 +121,5 @@ def read_crop(path: Path) -> dict[str, Any]:
         raise Error(
             f"{path}: this is no crop file (it lacks [[leaf]] or [stalk]); "
             "name one"
-        )
-    if any("petiole_length" in leaf for leaf in crop["leaf"]):
-        raise Error(
-            f"{path}: its leaves have petioles (only leaves of one blade at "
-            "the stalk can be fitted); choose another crop"
         )
     return crop

@@ -5,9 +5,11 @@ and their ranks."""
 from __future__ import annotations
 
 import os
+import tomllib
 from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -17,6 +19,7 @@ from numpy.typing import NDArray
 import ideotype._core as _core
 
 from .._errors import Error, did_you_mean
+from .._scans.leaf_tables import measured_crops
 from ..analysis.reading.estimate import Estimate, difference, relative_gain
 from ..analysis.reading.names import distinct_names
 
@@ -24,6 +27,9 @@ Key = tuple[str, int]
 """A number of a plant: the name of a quantity, and the place along the axis of
 the quantity, 0 without an axis. Leaves are counted from the highest leaf,
 0."""
+
+_OF_PLANT = ("blade", "leaf", "stalk", "sheath", "petiole", "organ")
+"""The tables of a crop that describe the shape of a plant."""
 
 
 @dataclass(frozen=True)
@@ -40,15 +46,21 @@ class Plant:
         cls, path: str | os.PathLike[str], under: _core.CaseStand
     ) -> list[Plant]:
         """Reads a crop file, the crop of a campaign, all plants of measured
-        leaves (.csv) or the best plant of a history (.h5).
+        leaves (.csv) or the best plant of a history (.h5). The crop of a
+        campaign has the measures of a table that names no crop.
 
         Raises InputError or HistoryError if the file cannot be read."""
         path = os.fspath(path)
-        if not path.endswith(".h5"):
+        if path.endswith(".csv"):
+            baseline = tomllib.loads(under.resolved)["plant"]["baseline"]
+            like = {x: baseline[x] for x in _OF_PLANT if x in baseline}
             return [
-                cls(core.name, core, path)
-                for core in _core.read_plants(under, path)
+                cls(crop.name, crop.core, path)
+                for crop in measured_crops(Path(path), otherwise=like)
             ]
+        if not path.endswith(".h5"):
+            core = _core.read_plant(path)
+            return [cls(core.name, core, path)]
         from .._stand import Stand
         from ..analysis import open_history
 

@@ -78,8 +78,7 @@ def open_place(
     if is_digitised(path):
         return _of_measured(path, plant, crop)
     if suffix == ".csv":
-        told = "Its leaves were measured."
-        return _of_crop(str(path.resolve()), path.stem, told)
+        return _of_leaves(path, plant, crop)
     if suffix != ".toml":
         raise Error(
             f"{place}: a file of this kind cannot be opened; give .toml, .h5, "
@@ -211,12 +210,13 @@ def _of_history(path: Path) -> Opened:
 
 def _of_measured(path: Path, plant: str | None, crop: str) -> Opened:
     from .._scans.agreement import agreement
-    from .._scans.plant_sources import read_crop, read_plant
+    from .._scans.plant_sources import read_crop, read_plant, require_blades
     from ..fit import mesh_of, readable_crop
 
     source = Path(_known(crop) if crop in CROPS else crop)
     blades = read_plant(path, plant)
     like = read_crop(source)
+    require_blades(like, str(source))
     found = readable_crop(blades, like, path.stem)
     off = agreement(blades, found, mesh_of(found, source.parent))
     told = (
@@ -225,6 +225,23 @@ def _of_measured(path: Path, plant: str | None, crop: str) -> Opened:
         f"measured is that of {source.stem}."
     )
     return _of_crop(found, plant or path.stem, told)
+
+
+def _of_leaves(path: Path, plant: str | None, crop: str) -> Opened:
+    from .._scans.leaf_tables import measured_crops
+    from .._scans.plant_sources import crop_tables
+
+    found = measured_crops(
+        path, plant=plant or "", otherwise=crop_tables(crop)
+    )
+    if len(found) > 1:
+        names = ", ".join(each.plant for each in found[:5])
+        raise Error(
+            f"{path}: the table has {len(found)} plants; name one by --of: "
+            f"{names}{', ...' if len(found) > 5 else ''}"
+        )
+    told = "Its leaves were measured."
+    return _of_crop(found[0].tables, plant or path.stem, told)
 
 
 def _of_crop(crop: str | dict[str, Any], title: str, about: str) -> Opened:

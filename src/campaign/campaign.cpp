@@ -3,11 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <utility>
 
 #include "campaign/checks/checks.hpp"
-#include "campaign/measured/measured_plant.hpp"
 #include "campaign/reading/files.hpp"
 #include "campaign/reading/reader.hpp"
 #include "campaign/schema/leaf_tables.hpp"
@@ -204,20 +202,6 @@ Campaign parse(const std::string& text, const std::string& file,
     return campaign;
 }
 
-//! @param plant name of one of several plants of a table, or empty
-Crop crop_in(const std::string& text, const std::string& path,
-             const Plant* other, const std::string& plant = "") {
-    Draft draft;
-    Problems problems;
-    if (!read_crop_draft(text, path, other, plant, draft, problems))
-        return parse(text, path, PlantSource::file_or_table).crop;
-    check_plant(draft, problems);
-    problems.throw_if_any();
-    Crop crop = crop_of(draft);
-    crop.rules = rule_names(draft);
-    return crop;
-}
-
 }  // namespace
 
 Campaign read_campaign(const std::string& path,
@@ -238,29 +222,17 @@ Campaign read_study(const std::string& path,
     return parse(read_text(path), path, PlantSource::file_or_table, all, true);
 }
 
-Crop read_crop(const std::string& path, const Plant* other) {
-    return crop_in(read_text(path), path, other);
-}
-
-std::vector<Crop> read_crops(const std::string& path, const Plant* other) {
+Crop read_crop(const std::string& path) {
     const std::string text = read_text(path);
-    std::vector<std::string> plants;
-    if (is_measured(path) && !note_of(text, path, "plant"))
-        plants = read_leaf_table(text, path, "", Problems()).plants;
-    if (plants.size() < 2) return {crop_in(text, path, other)};
-    std::vector<Crop> crops;
+    Draft draft;
     Problems problems;
-    // Plants share the problems of the header and of the crop.
-    std::set<std::string> reported;
-    for (const std::string& plant : plants) try {
-            crops.push_back(crop_in(text, path, other, plant));
-        } catch (const InputError& error) {
-            for (const Problem& problem : error.problems())
-                if (reported.insert(to_string(problem)).second)
-                    problems.add(problem.where, problem.what);
-        }
+    if (!read_crop_draft(text, path, draft, problems))
+        return parse(text, path, PlantSource::file_or_table).crop;
+    check_plant(draft, problems);
     problems.throw_if_any();
-    return crops;
+    Crop crop = crop_of(draft);
+    crop.rules = rule_names(draft);
+    return crop;
 }
 
 void require_breedable(const Campaign& campaign) {

@@ -215,18 +215,10 @@ Campaign parse_campaign(const std::string& text, const std::string& file,
 //! @throws InputError if the baseline is outside its bounds.
 void require_breedable(const Campaign& campaign);
 
-//! Reads a crop file, a table of measured leaves (.csv) with the crop that the
-//! table names, or the crop of a campaign file.
-//! @param other plant with the measures that a table without crop lacks
+//! Reads a crop file, or the crop of a campaign file.
 //! @throws InputError with all problems.
 //! @throws Error if a file cannot be read.
-Crop read_crop(const std::string& path, const Plant* other = nullptr);
-
-//! Reads the same files, and all plants of a table of measured leaves that has
-//! several and chooses none.
-//! @throws InputError with all problems of all plants.
-//! @throws Error if a file cannot be read.
-std::vector<Crop> read_crops(const std::string& path, const Plant* other);
+Crop read_crop(const std::string& path);
 
 //! Reads the [photosynthesis] table of a file that has no other tables. Missing
 //! keys have the defaults of a campaign, except that leaves do not differ by

@@ -182,8 +182,7 @@ void declare_new(CLI::App& verb, NewOptions& options) {
                     "distance between plants in a row [m]");
     verb.add_option("--plant", options.plant,
                     "maize, sorghum, soybean or cowpea, whose crop file is "
-                    "copied beside the campaign; or a crop file (.toml); or "
-                    "measured leaves (.csv)");
+                    "copied beside the campaign; or a crop file (.toml)");
     verb.add_option("--objective", options.objective,
                     "what to breed for: carbon_balance (if not given), "
                     "net_assimilation, absorbed_par or any other single number "

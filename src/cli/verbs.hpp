@@ -71,7 +71,7 @@ struct NewOptions {
     std::string date;
     std::string weather;             //!< weather file, in place of a date
     std::string row, plant_spacing;  //!< distances [m]
-    std::string plant;  //!< known crop, crop file, or measured leaves
+    std::string plant;               //!< known crop, or crop file
     std::string objective;
 };
 ExitCode write_new_campaign(const NewOptions& options);

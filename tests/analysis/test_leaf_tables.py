@@ -13,7 +13,7 @@ from typing import Any
 import pytest
 from real_program import CAMPAIGNS
 
-from ideotype import InputError, Stand, fit
+from ideotype import Error, InputError, Stand, fit
 from ideotype._scans.leaf_tables import measured_crops
 
 CROP = """\
@@ -134,12 +134,19 @@ def test_the_stalk_and_its_organs_move_with_the_highest_leaf(
     assert found["stalk"]["height"] == pytest.approx(0.9)
 
 
-def test_a_crop_with_internodes_keeps_them(folder: Path) -> None:
-    rows = "".join(f"{15 + 6 * i}\n" for i in range(12))
-    found = crop(folder, f"# crop: soybean\ninsertion_height_cm\n{rows}")
-    internodes = [leaf["internode"] for leaf in found["leaf"]]
-    assert internodes == pytest.approx([0.15] + 11 * [0.06])
-    assert "height" not in found["stalk"]
+def test_measured_heights_and_internodes_of_soybean_agree(
+    folder: Path,
+) -> None:
+    soybean = tomllib.loads((CAMPAIGNS / "crops" / "soybean.toml").read_text())
+    for column, growth in (("insertion_height_cm", 5), ("internode_cm", 0)):
+        rows = "".join(f"{5 + growth * i}\n" for i in range(12))
+        found = crop(folder, f"# crop: soybean\n{column}\n{rows}")
+        leaves = found["leaf"]
+        assert leaves[11]["insertion_height"] == pytest.approx(0.6)
+        assert leaves[5]["internode"] == pytest.approx(0.05)
+        petiole = soybean["leaf"][5]["petiole_length"]
+        assert leaves[5]["petiole_length"] == petiole
+        assert "height" not in found["stalk"]
 
 
 def test_a_height_bends_a_leaf_with_a_digitised_midrib(folder: Path) -> None:
@@ -337,3 +344,11 @@ def test_the_tables_of_the_project_are_baselines_of_campaigns(
     stand = Stand(campaign, folder=CAMPAIGNS)
     assert len(stand.leaves(stand.baseline)) == 11
     assert tomllib.loads(stand.campaign)["plant"]["baseline"]["name"] == name
+
+
+def test_a_table_is_no_baseline(tmp_path: Path) -> None:
+    table = CAMPAIGNS / "plants" / "Dea_2008.csv"
+    campaign = tomllib.loads((CAMPAIGNS / "ames_quick.toml").read_text())
+    campaign["plant"] = {"baseline": str(table)}
+    with pytest.raises(Error, match="make a crop file of it: ideotype fit"):
+        Stand(campaign, folder=CAMPAIGNS)

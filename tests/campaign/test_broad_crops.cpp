@@ -115,26 +115,5 @@ TEST(BroadCrops, LayersReachToTheTipsAbovePetioles) {
     EXPECT_NEAR(reach("petiole_length = 0.3\n"), reach("") + 0.3, 1e-12);
 }
 
-TEST(BroadCrops, MeasuredHeightsAndInternodesAgree) {
-    const auto read = [](const std::string& column, int growth) {
-        const std::string path = temporary_file("field.csv");
-        std::ofstream table(path);
-        table << "# crop: soybean\nleaf," << column << '\n';
-        for (int rank = 1; rank <= 12; ++rank)
-            table << rank << ',' << 5 + growth * (rank - 1) << '\n';
-        table.close();
-        return read_crop(path).baseline;
-    };
-    for (const Plant& plant :
-         {read("insertion_height_cm", 5), read("internode_cm", 0)}) {
-        EXPECT_NEAR(plant.leaves[11].insertion_height, .6, 1e-12);
-        EXPECT_NEAR(plant.stalk.height, .6, 1e-12);
-        EXPECT_NEAR(plant.leaves[5].internode, .05, 1e-12);
-        EXPECT_EQ(
-            plant.leaves[5].petiole_length,
-            read_crop(crop_file("soybean")).baseline.leaves[5].petiole_length);
-    }
-}
-
 }  // namespace
 }  // namespace ideotype

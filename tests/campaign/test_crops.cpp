@@ -3,10 +3,12 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <regex>
 #include <string>
 
 #include <gtest/gtest.h>
 
+#include "campaign/reading/files.hpp"
 #include "ideotype/core/error.hpp"
 #include "sample_campaign.hpp"
 #include "temporary_folder.hpp"
@@ -121,7 +123,7 @@ TEST(Campaign, TheHybridOfTodayIsMoreErectAndLargerThanThatOfThe1980s) {
     EXPECT_NEAR(area, .630, .001);
 }
 
-TEST(Campaign, EveryCropAndMeasuredPlantOfTheProjectIsAPlant) {
+TEST(Campaign, EveryCropFileOfTheProjectIsAPlant) {
     const std::map<std::string, std::size_t> leaves{{"maize", 10},
                                                     {"maize_hybrid", 11},
                                                     {"sorghum", 16},
@@ -129,8 +131,6 @@ TEST(Campaign, EveryCropAndMeasuredPlantOfTheProjectIsAPlant) {
                                                     {"cowpea", 10},
                                                     {"elite", 10},
                                                     {"maize_v02", 10},
-                                                    {"Dea_2008", 11},
-                                                    {"F331_S1", 11},
                                                     {"iowa_T8", 10},
                                                     {"iowa_JN3208-1", 9},
                                                     {"iowa_JN3801-1", 12},
@@ -139,11 +139,70 @@ TEST(Campaign, EveryCropAndMeasuredPlantOfTheProjectIsAPlant) {
     for (const char* place : {"/crops", "/plants"})
         for (const auto& file : std::filesystem::directory_iterator(
                  std::string(IDEOTYPE_CAMPAIGNS) + place)) {
+            if (file.path().extension() != ".toml") continue;
             EXPECT_EQ(read_crop(file.path().string()).baseline.leaves.size(),
                       leaves.at(file.path().stem().string()));
             ++found;
         }
     EXPECT_EQ(found, leaves.size());
+}
+
+TEST(Campaign, ATableOfLeavesIsRefusedWithTheCommandThatMakesACropFile) {
+    const std::string table = IDEOTYPE_CAMPAIGNS "/plants/Dea_2008.csv";
+    const std::string told =
+        table +
+        " is a table (a plant is a crop file here); make a crop file of it: "
+        "ideotype fit " +
+        table;
+    try {
+        read_crop(table);
+        FAIL() << "a table is a crop";
+    } catch (const InputError& error) {
+        EXPECT_EQ(error.what(), table + ":1:1: " + told);
+    }
+    std::string text = read_text(IDEOTYPE_CAMPAIGNS "/ames_quick.toml");
+    const std::string baseline = "\"crops/maize.toml\"";
+    text.replace(text.find(baseline), baseline.size(),
+                 "\"plants/Dea_2008.csv\"");
+    try {
+        read_campaign_text(text, IDEOTYPE_CAMPAIGNS "/mine.toml");
+        FAIL() << "a table is a baseline";
+    } catch (const InputError& error) {
+        ASSERT_EQ(error.problems().size(), 1u) << error.what();
+        EXPECT_EQ(error.problems()[0].what, told);
+    }
+}
+
+TEST(Campaign, BoundsAreForWhatIsBred) {
+    const auto place =
+        std::filesystem::temp_directory_path() / "ideotype_erect_leaves";
+    std::filesystem::create_directories(place);
+    std::ofstream(place / "erect.toml") << std::regex_replace(
+        known_crop("maize").value(),
+        std::regex("\ninsertion_angle = [0-9.]+\n"), "\ninsertion_angle = 5\n");
+    const auto campaign_with = [&](const std::string& lines) {
+        return read_campaign_text(
+            "name = \"mine\"\n"
+            "[[site]]\nname = \"a\"\nlatitude = 42.0\n"
+            "longitude = -93.6\nutc_offset = -5\n"
+            "[[day]]\ndate = 2025-08-07\nstart = 07:00:00\n"
+            "end = 20:00:00\n"
+            "[[spacing]]\nrow = 0.762\nplant = 0.1524\n"
+            "[plant]\nbaseline = \"erect.toml\"\n" +
+                lines,
+            (place / "mine.toml").string());
+    };
+    // Commands that breed nothing take the plant.
+    const Campaign mine = campaign_with("bounds = \"biological\"\n");
+    EXPECT_EQ(mine.crop.baseline.leaves[8].insertion_angle, 5);
+    EXPECT_THROW(require_breedable(mine), InputError);
+    const std::string advice = mine.outside_bounds.back().what;
+    const std::size_t begin = advice.find("[plant.bounds]\n");
+    ASSERT_NE(begin, std::string::npos) << advice;
+    EXPECT_NE(advice.find("\ninsertion_angle = [5, 80]"), std::string::npos)
+        << advice;
+    require_breedable(campaign_with(advice.substr(begin) + "\n"));
+    std::filesystem::remove_all(place);
 }
 
 TEST(Campaign, CropsTellTheOpticsAndTheCapacityOfTheirLeaves) {
@@ -282,6 +341,7 @@ TEST(Campaign, EveryCropOfTheProjectStatesItsPhotosynthesis) {
     for (const char* place : {"/crops", "/plants"})
         for (const auto& file : std::filesystem::directory_iterator(
                  std::string(IDEOTYPE_CAMPAIGNS) + place)) {
+            if (file.path().extension() != ".toml") continue;
             const Campaign campaign = read_campaign(
                 IDEOTYPE_CAMPAIGNS "/ames_quick.toml",
                 {"plant.baseline=" + file.path().string(), "light.paths=64",

@@ -125,37 +125,26 @@ expect 3 "$ideotype" new other/dark.toml "${season[@]}" "${field[@]}" \
     --plant campaigns/crops/maize.toml --weather own/dark.csv
 says "no columns of time and light are recognised (the file has time, light, "
 
-# Measured leaves, also beyond the ranges of the crop.
-cat >own/field.csv <<'CSV'
-# crop: maize
-length_cm,width_cm,insertion_angle_deg,curvature_deg,azimuth_deg,insertion_height_cm
-30,4,40,60,90,20
-50,6,40,60,270,40
-CSV
-expect 0 "$ideotype" new other/field.toml "${place[@]}" "${field[@]}" \
-    --plant own/field.csv
-grep -q '^bounds = "breedable"' other/field.toml ||
-    fail "not the bounds of maize: $(cat other/field.toml)"
-sed 's/"breedable"/"other"/' campaigns/crops/sorghum.toml >own/grass.toml
-sed -e 's/maize/grass.toml/' -e 's/^30,4/3,2/' own/field.csv >own/short.csv
+# A plant beyond the ranges of its crop: the lowest leaf is small.
+sed -e 's/"breedable"/"other"/' \
+    -e '/^\[\[leaf\]\] # 1$/,/^$/ { s/^length.*/length = 0.03/; s/^width.*/width = 0.02/ }' \
+    campaigns/crops/sorghum.toml >own/short.toml
 expect 0 "$ideotype" new other/short.toml "${place[@]}" "${field[@]}" \
-    --plant own/short.csv
+    --plant own/short.toml
 grep -q '^length = \[0.03, ' other/short.toml ||
     fail "bounds that the baseline is beyond: $(cat other/short.toml)"
 expect 0 "$ideotype" check other/short.toml
 # A small number is not rounded to 0.
-sed -i 's/^3,2/3,0.4/' own/short.csv
+sed -i 's/^width = 0.02$/width = 0.004/' own/short.toml
 expect 0 "$ideotype" new other/narrow.toml "${place[@]}" "${field[@]}" \
-    --plant own/short.csv
+    --plant own/short.toml
 grep -q '^width = \[0.004, ' other/narrow.toml || fail "$(cat other/narrow.toml)"
 expect 0 "$ideotype" check other/narrow.toml
-expect 0 "$ideotype" check other/field.toml
-says "^plant     field, 2 leaves"
-sed -i 's/^30,4/30,400/; 1d' own/field.csv
+# A table of measured leaves is no crop file.
+printf '# crop: maize\nlength_cm\n30\n' >own/field.csv
 expect 3 "$ideotype" new other/bad.toml "${place[@]}" "${field[@]}" \
     --plant own/field.csv
-says "own/field.csv:1:1: the table names no crop .*# crop: maize"
-says "own/field.csv:2:4: width_cm is 400"
+says "make a crop file of it: ideotype fit own/field.csv"
 
 # Days without a night, and nights without a day.
 expect 0 "$ideotype" new own/north.toml --latitude 70 --longitude 25 \

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
 #include <filesystem>
-#include <optional>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include "campaign/measured/measured_plant.hpp"
 #include "campaign/schema/schema.hpp"
 #include "files.hpp"
 #include "nodes.hpp"
@@ -71,56 +67,21 @@ void CropReader::note_leaves(const toml::table& top, const std::string& file) {
                 location(value.source(), file).file;
 }
 
-void CropReader::read_measured(const std::string& text, const std::string& file,
-                               const std::string& plant) {
-    problems_.open(file);
-    if (const std::optional<Written> crop = note_of(text, file, "crop")) {
-        draft_.is_crop_known = false;
-        tables_above_.push_back(file);
-        if (const auto known = known_crop(crop->text))
-            read_crop(*known, crop->text);
-        else
-            read_crop_of_table(path_from(file, crop->text), crop->where);
-        tables_above_.pop_back();
-    } else if (!draft_.is_crop_known) {
-        problems_.add(Location{file, 1, 1},
-                      "the table names no crop (which tells stalk, organs and "
-                      "traits); begin it with a line such as # crop: maize, or "
-                      "# crop: FILE.toml");
-    }
-    const std::optional<Written> chosen = note_of(text, file, "plant");
-    read_measured_plant(
-        text, file, plant.empty() && chosen ? chosen->text : plant,
-        draft_.is_crop_known, draft_.campaign.crop.baseline, of_crop_);
-}
-
 void CropReader::read_plant_file(const std::string& file,
                                  const std::string& named_by,
                                  const Location& named_at) {
     const auto text = text_of(file, named_by, named_at, problems_);
-    if (!text) return;
-    if (is_measured(file))
-        read_measured(*text, file);
-    else
-        read_crop(*text, file);
+    if (text && !is_table_of_leaves(file, named_at)) read_crop(*text, file);
 }
 
-void CropReader::read_crop_of_table(const std::string& file,
+bool CropReader::is_table_of_leaves(const std::string& file,
                                     const Location& named_at) {
-    std::error_code none;
-    const auto first =
-        std::ranges::find_if(tables_above_, [&](const std::string& above) {
-            return above == file || fs::equivalent(above, file, none);
-        });
-    if (first == tables_above_.end())
-        return read_plant_file(file, "# crop", named_at);
-    // The circle of names begins and ends with the file named in the message.
-    std::rotate(first, tables_above_.end() - 1, tables_above_.end());
+    if (fs::path(file).extension() != ".csv") return false;
     problems_.add(named_at,
-                  "the table takes its crop from itself ({} -> {}); name a "
-                  "crop such as maize, or a crop file (.toml)",
-                  fmt::join(first, tables_above_.end(), " -> "), *first);
-    std::rotate(first, first + 1, tables_above_.end());
+                  "{} is a table (a plant is a crop file here); make a crop "
+                  "file of it: ideotype fit {}",
+                  file, file);
+    return true;
 }
 
 void CropReader::read_crop(const std::string& text, const std::string& file) {

@@ -7,7 +7,6 @@
 
 #include <fmt/format.h>
 
-#include "campaign/measured/measured_plant.hpp"
 #include "files.hpp"
 #include "nodes.hpp"
 #include "tables.hpp"
@@ -237,15 +236,11 @@ void read_draft(const std::string& text, const std::string& file,
 }
 
 bool read_crop_draft(const std::string& text, const std::string& file,
-                     const Plant* other, const std::string& plant, Draft& draft,
-                     const Problems& problems) {
+                     Draft& draft, const Problems& problems) {
     CropReader reader(file, PlantSource::file_or_table, draft, problems,
                       problems);
-    if (is_measured(file)) {
-        draft.is_crop_known = other != nullptr;
-        if (other) draft.campaign.crop.baseline = *other;
-        reader.read_measured(text, file, plant);
-    } else if (const auto table = parse_toml(text, file, problems)) {
+    if (reader.is_table_of_leaves(file, {file, 1, 1})) return true;
+    if (const auto table = parse_toml(text, file, problems)) {
         if (!is_plant(*table)) return false;
         reader.read_crop(*table, file);
     }

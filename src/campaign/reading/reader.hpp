@@ -18,8 +18,8 @@ enum class PlantSource {
     table,          //!< form in resolved campaigns, without files
 };
 
-//! Reads the crop of a campaign or of a component into a draft: from a table,
-//! a crop file, or a table of measured leaves.
+//! Reads the crop of a campaign or of a component into a draft, from a table or
+//! a crop file.
 class CropReader {
   public:
     //! @param file path of the campaign
@@ -39,12 +39,8 @@ class CropReader {
     //! Reads the tables of a crop file.
     void read_crop(const toml::table& table, const std::string& file);
 
-    //! Reads a table of measured leaves. Values that the table lacks come from
-    //! the crop that the table names or, without one, from the draft's plant.
-    //! @param plant name of one of several plants of the table; empty: the one
-    //! that the table chooses, or its only one
-    void read_measured(const std::string& text, const std::string& file,
-                       const std::string& plant = "");
+    //! Returns whether a file is a table of measured leaves, and reports one.
+    bool is_table_of_leaves(const std::string& file, const Location& named_at);
 
   protected:
     //! Notes the keys of [photosynthesis] that a file has.
@@ -58,10 +54,7 @@ class CropReader {
   private:
     void read_plant_file(const std::string& file, const std::string& named_by,
                          const Location& named_at);
-    void read_crop_of_table(const std::string& file, const Location& named_at);
     void read_crop(const std::string& text, const std::string& file);
-
-    std::vector<std::string> tables_above_;  //!< each names the next as crop
 };
 
 //! Reads the text of a campaign, and the crop file that it names, into a draft,
@@ -71,13 +64,10 @@ void read_draft(const std::string& text, const std::string& file,
                 PlantSource source, const std::vector<std::string>& settings,
                 Draft& draft, const Problems& problems);
 
-//! Reads the text of a crop file or a table of measured leaves into a draft,
-//! all else of which stays. Returns false if the text is neither.
-//! @param other plant with the measures that a table without crop lacks
-//! @param plant name of one of several plants of a table, or empty
+//! Reads the text of a crop file into a draft, all else of which stays. Returns
+//! false if the text is none.
 bool read_crop_draft(const std::string& text, const std::string& file,
-                     const Plant* other, const std::string& plant, Draft& draft,
-                     const Problems& problems);
+                     Draft& draft, const Problems& problems);
 
 //! Reads the weather files of a campaign, for each site in each climate, unless
 //! the draft has the weather already; resolved campaigns have all. Problems of

@@ -150,8 +150,7 @@ const std::vector<Question>& questions() {
          "Distance between plants in a row [m]", &NewOptions::plant_spacing,
          number_fault},
         {"--plant", "plant", "baseline",
-         "Plant: maize, sorghum, soybean, cowpea, a crop file (.toml) or "
-         "measured leaves (.csv)",
+         "Plant: maize, sorghum, soybean, cowpea or a crop file (.toml)",
          &NewOptions::plant, plant_fault, "maize"},
         {"--objective", "objective", "maximise", question_of_objective(),
          &NewOptions::objective, objective_fault, usual_objective,

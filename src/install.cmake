@@ -29,6 +29,9 @@ if(NOT IDEOTYPE_PROGRAM)
 endif()
 set(data ${CMAKE_INSTALL_DATADIR}/ideotype)
 install(TARGETS ideotype RUNTIME)
+# Editors complete and check campaigns by it.
+install(FILES analysis/src/ideotype/schemas/campaign.schema.json
+    DESTINATION ${data})
 install(DIRECTORY campaigns DESTINATION ${data} PATTERN study EXCLUDE)
 if(HELP2MAN)
     install(FILES ${PROJECT_BINARY_DIR}/src/ideotype.1

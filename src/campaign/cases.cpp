@@ -9,7 +9,7 @@
 #include "campaign.hpp"
 #include "ideotype/core/contract.hpp"
 #include "ideotype/core/hash.hpp"
-#include "problems.hpp"
+#include "spec/problems.hpp"
 
 namespace ideotype {
 
@@ -18,14 +18,14 @@ namespace {
 //! The number of entries of each axis by which cases differ: an axis whose
 //! entries are scenarios counts as one.
 struct Axes {
-    explicit Axes(const Campaign& campaign)
-        : sites(is_over(campaign, "site") ? 1 : campaign.sites.size()),
-          days(is_over(campaign, "day") || is_over(campaign, "climate")
+    explicit Axes(const Spec& spec)
+        : sites(is_over(spec, "site") ? 1 : spec.sites.size()),
+          days(is_over(spec, "day") || is_over(spec, "climate")
                    ? 1
-                   : campaign.days.size() + campaign.climates.size()),
-          spacings(is_over(campaign, "spacing") ? 1 : campaign.spacings.size()),
-          trait_sets(campaign.trait_sets.size()),
-          replicates(static_cast<std::size_t>(campaign.replicates)) {}
+                   : spec.days.size() + spec.climates.size()),
+          spacings(is_over(spec, "spacing") ? 1 : spec.spacings.size()),
+          trait_sets(spec.trait_sets.size()),
+          replicates(static_cast<std::size_t>(spec.replicates)) {}
 
     std::size_t size() const {
         return sites * days * spacings * trait_sets * replicates;
@@ -89,10 +89,9 @@ LightSeries to_series(const SiteWeather& weather, const Site& here) {
     return series;
 }
 
-std::string name_of_day(const Campaign& campaign, std::size_t day) {
-    const std::size_t days = campaign.days.size();
-    return day < days ? campaign.days[day].name
-                      : campaign.climates.at(day - days).name;
+std::string name_of_day(const Spec& spec, std::size_t day) {
+    const std::size_t days = spec.days.size();
+    return day < days ? spec.days[day].name : spec.climates.at(day - days).name;
 }
 
 //! Names a scenario by its axes, its trait set and its replicate. The name does
@@ -103,12 +102,12 @@ void set_name(CaseName& one) {
                                       one.trait_set_name, one.replicate));
 }
 
-CaseName name_of_scenario(const Campaign& campaign, const AxisEntries& entry) {
+CaseName name_of_scenario(const Spec& spec, const AxisEntries& entry) {
     CaseName one;
-    one.site_name = campaign.sites.at(entry.site).name;
-    one.day_name = name_of_day(campaign, entry.day);
-    one.spacing_name = campaign.spacings.at(entry.spacing).name;
-    one.trait_set_name = campaign.trait_sets.at(entry.traits).name;
+    one.site_name = spec.sites.at(entry.site).name;
+    one.day_name = name_of_day(spec, entry.day);
+    one.spacing_name = spec.spacings.at(entry.spacing).name;
+    one.trait_set_name = spec.trait_sets.at(entry.traits).name;
     one.replicate = static_cast<int>(entry.replicate) + 1;
     set_name(one);
     return one;
@@ -117,23 +116,19 @@ CaseName name_of_scenario(const Campaign& campaign, const AxisEntries& entry) {
 //! Makes a scenario with the index and the random numbers of its case.
 Case scenario_of(const Campaign& campaign, const AxisEntries& entry,
                  const CaseName& of) {
-    Case one{name_of_scenario(campaign, entry)};
+    Case one{name_of_scenario(campaign.spec, entry)};
     one.index = of.index;
     one.seed = of.seed;
-    one.site = campaign.sites[entry.site];
-    if (entry.day < campaign.days.size())
-        one.day = campaign.days[entry.day].value;
-    one.spacing = campaign.spacings[entry.spacing].value;
-    one.traits = campaign.trait_sets[entry.traits].value;
+    one.site = campaign.spec.sites[entry.site];
+    if (entry.day < campaign.spec.days.size())
+        one.day = campaign.spec.days[entry.day].value;
+    one.spacing = campaign.spec.spacings[entry.spacing].value;
+    one.traits = campaign.spec.trait_sets[entry.traits].value;
     add_stages(campaign, one);
     return one;
 }
 
 }  // namespace
-
-bool is_over(const Campaign& campaign, const std::string& axis) {
-    return std::ranges::find(campaign.over, axis) != campaign.over.end();
-}
 
 std::vector<Case> scenarios(const Case& chosen) {
     return chosen.scenarios.empty() ? std::vector{chosen} : chosen.scenarios;
@@ -149,21 +144,26 @@ std::vector<Case> evaluated_cases(const Case& chosen) {
     return all;
 }
 
+std::size_t count_cases(const Spec& spec) {
+    return Axes(spec).size();
+}
+
+CaseName case_name(const Spec& spec, std::size_t index) {
+    CaseName one = name_of_scenario(spec, entries_of(Axes(spec), index));
+    if (is_over(spec, "site")) one.site_name = "all";
+    if (is_over(spec, "day") || is_over(spec, "climate")) one.day_name = "all";
+    if (is_over(spec, "spacing")) one.spacing_name = "all";
+    set_name(one);
+    one.index = static_cast<int>(index);
+    one.seed = derive_seed(spec.seed, one.name);
+    return one;
+}
+
 Cases::Cases(const Campaign& campaign)
-    : campaign_(&campaign), count_(Axes(campaign).size()) {}
+    : campaign_(&campaign), count_(count_cases(campaign.spec)) {}
 
 CaseName Cases::name(std::size_t i) const {
-    const Campaign& campaign = *campaign_;
-    CaseName one =
-        name_of_scenario(campaign, entries_of(Axes(campaign), first_ + i));
-    if (is_over(campaign, "site")) one.site_name = "all";
-    if (is_over(campaign, "day") || is_over(campaign, "climate"))
-        one.day_name = "all";
-    if (is_over(campaign, "spacing")) one.spacing_name = "all";
-    set_name(one);
-    one.index = index(i);
-    one.seed = derive_seed(campaign.seed, one.name);
-    return one;
+    return case_name(campaign_->spec, first_ + i);
 }
 
 std::vector<CaseName> Cases::names() const {
@@ -177,9 +177,10 @@ Case Cases::at(std::size_t i) const {
     if (i >= count_) throw std::out_of_range("there is no such case");
     const Campaign& campaign = *campaign_;
     const CaseName of = name(i);
-    const Axes axes(campaign);
+    const Axes axes(campaign.spec);
     const AxisEntries entry = entries_of(axes, first_ + i);
-    if (campaign.over.empty()) return scenario_of(campaign, entry, of);
+    if (campaign.spec.objective.over.empty())
+        return scenario_of(campaign, entry, of);
     // If cases have one entry of an axis, scenarios have all that there are.
     const auto entries = [](std::size_t of_cases, std::size_t all,
                             std::size_t own) {
@@ -188,12 +189,14 @@ Case Cases::at(std::size_t i) const {
     };
     std::vector<Case> scenarios;
     for (const std::size_t site :
-         entries(axes.sites, campaign.sites.size(), entry.site))
+         entries(axes.sites, campaign.spec.sites.size(), entry.site))
         for (const std::size_t day :
-             entries(axes.days, campaign.days.size() + campaign.climates.size(),
+             entries(axes.days,
+                     campaign.spec.days.size() + campaign.spec.climates.size(),
                      entry.day))
-            for (const std::size_t spacing : entries(
-                     axes.spacings, campaign.spacings.size(), entry.spacing))
+            for (const std::size_t spacing :
+                 entries(axes.spacings, campaign.spec.spacings.size(),
+                         entry.spacing))
                 scenarios.push_back(scenario_of(
                     campaign,
                     {site, day, spacing, entry.traits, entry.replicate}, of));
@@ -238,25 +241,25 @@ Case case_at(const Campaign& campaign, int index, const std::string& path) {
 LightSeries light_of(const Campaign& campaign, const Case& chosen) {
     if (!chosen.scenarios.empty())
         return light_of(campaign, chosen.scenarios.front());
-    if (campaign.climates.empty()) {
+    if (campaign.spec.climates.empty()) {
         LightSeries series =
-            clear_days(chosen.site, chosen.day, campaign.par_fraction);
+            clear_days(chosen.site, chosen.day, campaign.spec.par_fraction);
         if (campaign.water)
-            estimate_air(series, chosen.site, campaign.par_fraction);
+            estimate_air(series, chosen.site, campaign.spec.par_fraction);
         return series;
     }
-    for (const SiteWeather& weather : campaign.weathers)
+    for (const SiteWeather& weather : campaign.spec.weathers)
         if (weather.site == chosen.site.name &&
             weather.climate == chosen.day_name) {
             LightSeries series = to_series(weather, chosen.site);
-            for (const auto& [name, climate] : campaign.climates)
+            for (const auto& [name, climate] : campaign.spec.climates)
                 if (name == chosen.day_name) {
                     series.wind_height =
                         climate.wind_height.value_or(series.wind_height);
                     series.co2 = climate.co2.value_or(series.co2);
                 }
             if (campaign.water)
-                estimate_air(series, chosen.site, campaign.par_fraction);
+                estimate_air(series, chosen.site, campaign.spec.par_fraction);
             return chosen.stage ? at_stage(campaign, chosen, std::move(series))
                                 : series;
         }
@@ -264,7 +267,8 @@ LightSeries light_of(const Campaign& campaign, const Case& chosen) {
 }
 
 std::vector<int> bred_rows(const Campaign& campaign) {
-    std::vector<bool> is_taken(static_cast<std::size_t>(campaign.field.rows));
+    std::vector<bool> is_taken(
+        static_cast<std::size_t>(campaign.spec.field.rows));
     for (const ComponentEntry& each : campaign.components)
         for (const int row : each.standing.rows)
             is_taken[static_cast<std::size_t>(row)] = true;
@@ -276,7 +280,7 @@ std::vector<int> bred_rows(const Campaign& campaign) {
 
 std::size_t bred_plants(const Campaign& campaign) {
     std::size_t count = bred_rows(campaign).size() *
-                        static_cast<std::size_t>(campaign.field.plants);
+                        static_cast<std::size_t>(campaign.spec.field.plants);
     for (const ComponentEntry& each : campaign.components)
         count -= static_cast<std::size_t>(each.standing.mixed);
     return count;

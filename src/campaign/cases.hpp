@@ -68,9 +68,6 @@ std::vector<int> bred_rows(const Campaign& campaign);
 //! Returns the number of plants of the field that are bred.
 std::size_t bred_plants(const Campaign& campaign);
 
-//! Returns whether the entries of an axis are scenarios of one case.
-bool is_over(const Campaign& campaign, const std::string& axis);
-
 //! Returns the scenarios of a case, at least one.
 std::vector<Case> scenarios(const Case& chosen);
 
@@ -79,6 +76,12 @@ std::vector<Case> evaluated_cases(const Case& chosen);
 
 //! Returns the light of clear days or weather for a case or its first scenario.
 LightSeries light_of(const Campaign& campaign, const Case& chosen);
+
+//! Returns the number of cases of a campaign.
+std::size_t count_cases(const Spec& spec);
+
+//! Makes the names of a case, which is much less work than the case.
+CaseName case_name(const Spec& spec, std::size_t index);
 
 //! The cases of a campaign, or a part of them, each made when it is asked for:
 //! a campaign may have very many. The campaign must outlive its cases.
@@ -91,7 +94,6 @@ class Cases {
     //! Returns the index in the campaign of a case of this part.
     int index(std::size_t i) const { return static_cast<int>(first_ + i); }
 
-    //! Makes the names of a case, which is much less work than the case.
     CaseName name(std::size_t i) const;
     std::vector<CaseName> names() const;
 

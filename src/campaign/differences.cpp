@@ -17,11 +17,11 @@ namespace {
 //! is a header or a key.
 using Entries = std::vector<std::pair<std::string, std::string>>;
 
-//! Names of the entries that a case has on each axis.
-using Names = std::map<std::string, std::set<std::string>>;
+//! AxisNames of the entries that a case has on each axis.
+using AxisNames = std::map<std::string, std::set<std::string>>;
 
-Names names_of(const Case& chosen) {
-    Names names;
+AxisNames names_of(const Case& chosen) {
+    AxisNames names;
     for (const Case& each : scenarios(chosen)) {
         names["site"].insert(each.site_name);
         for (const char* axis : {"day", "climate"})
@@ -33,7 +33,8 @@ Names names_of(const Case& chosen) {
 }
 
 //! Returns whether a case includes a list's entry that has these keys.
-bool is_part(const std::string& list, const Entries& keys, const Names& names) {
+bool is_part(const std::string& list, const Entries& keys,
+             const AxisNames& names) {
     const auto matches = [&](const std::string& axis, const char* key) {
         return std::ranges::any_of(keys, [&](const auto& entry) {
             return entry.first == key && entry.second.size() > 2 &&
@@ -46,7 +47,7 @@ bool is_part(const std::string& list, const Entries& keys, const Names& names) {
     return !names.contains(list) || matches(list, "name");
 }
 
-Entries entries(const std::string& resolved, const Names& names) {
+Entries entries(const std::string& resolved, const AxisNames& names) {
     Entries result, keys;
     std::map<std::string, int> used;
     std::string list, prefix;
@@ -77,8 +78,12 @@ Entries entries(const std::string& resolved, const Names& names) {
         }
     }
     end_table();
-    std::erase_if(
-        result, [](const auto& entry) { return entry.first == "replicates"; });
+    // The number of replicates, and the time that workers may take, do not
+    // change the results of a case.
+    std::erase_if(result, [](const auto& entry) {
+        return entry.first == "replicates" ||
+               entry.first.starts_with("parallel.");
+    });
     return result;
 }
 
@@ -102,7 +107,7 @@ std::vector<std::string> differences(const std::string& was,
                                      const std::string& is,
                                      const Case& chosen) {
     if (was == is) return {};
-    const Names names = names_of(chosen);
+    const AxisNames names = names_of(chosen);
     const Entries before = entries(was, names);
     const Entries after = entries(is, names);
     std::vector<std::string> lines;

@@ -133,36 +133,37 @@ std::vector<std::string> component_names(const Campaign& campaign) {
 std::vector<ObjectiveEntry> objectives_of(const Campaign& campaign) {
     const std::vector<std::string> components = component_names(campaign);
     std::vector<ObjectiveEntry> all;
-    for (const std::string& each : campaign.maximised)
+    for (const std::string& each : campaign.spec.objective.maximised)
         all.push_back(to_objective(each, Sense::maximise, components));
-    for (const std::string& each : campaign.minimised)
+    for (const std::string& each : campaign.spec.objective.minimised)
         all.push_back(to_objective(each, Sense::minimise, components));
     return all;
 }
 
 std::vector<double> component_weights(const Campaign& campaign) {
-    if (campaign.sole.empty()) return campaign.weights;
+    if (campaign.spec.objective.sole.empty())
+        return campaign.spec.objective.weights;
     std::vector<double> weights;
-    for (const double alone : campaign.sole) weights.push_back(1 / alone);
+    for (const double alone : campaign.spec.objective.sole)
+        weights.push_back(1 / alone);
     return weights;
 }
 
 std::string unit_of(const Campaign& campaign, const std::string& quantity) {
     const std::vector<ObjectiveEntry> all = objectives_of(campaign);
     const bool is_ratio =
-        !campaign.sole.empty() &&
+        !campaign.spec.objective.sole.empty() &&
         std::ranges::any_of(all, [&](const ObjectiveEntry& objective) {
             return objective.quantity == quantity;
         });
     return is_ratio ? "1" : unit_of(quantity);
 }
 
-bool constrains(const TraitConstraint& limit) {
-    const TraitConstraint none;
-    return limit.step > 0 || limit.total.lower > none.total.lower ||
-           limit.total.upper < none.total.upper || limit.is_falling ||
-           limit.distichous > 0 || limit.range.lower > none.range.lower ||
-           limit.range.upper < none.range.upper;
+bool asks_for(const Campaign& campaign, bool (*is_of)(const std::string&)) {
+    return std::ranges::any_of(objectives_of(campaign), is_of,
+                               &ObjectiveEntry::quantity) ||
+           std::ranges::any_of(campaign.search.axes, is_of,
+                               &AtlasAxis::quantity);
 }
 
 double violation(const Constraints& constraints,

@@ -148,9 +148,10 @@ std::vector<double> times_of(const Shapes& shapes, double last, int count) {
 std::vector<StageTime> stage_times(const Campaign& campaign,
                                    double ground_per_plant, double last) {
     const Shapes shapes(*campaign.crop.growth, campaign.crop.baseline,
-                        campaign.tessellation, ground_per_plant);
+                        campaign.spec.plant.tessellation, ground_per_plant);
     std::vector<StageTime> stages;
-    for (const double time : times_of(shapes, last, campaign.stages))
+    for (const double time :
+         times_of(shapes, last, campaign.spec.light.stages.value_or(0)))
         stages.push_back({time, shapes.at(time).interception});
     return stages;
 }

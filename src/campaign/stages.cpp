@@ -6,7 +6,7 @@
 
 #include "campaign.hpp"
 #include "ideotype/canopy/assimilation.hpp"
-#include "problems.hpp"
+#include "spec/problems.hpp"
 
 namespace ideotype {
 
@@ -164,7 +164,7 @@ void set_ear_shares(const Campaign& campaign, const Season& season,
 
 const Climate& climate_of(const Campaign& campaign, const Case& chosen) {
     return std::ranges::find_if(
-               campaign.climates,
+               campaign.spec.climates,
                [&](const auto& each) { return each.name == chosen.day_name; })
         ->value;
 }
@@ -178,7 +178,7 @@ const Growth* growth_of(const Campaign& campaign, std::size_t component) {
 
 void add_stages(const Campaign& campaign, Case& one) {
     // A draft has not set crop.growth yet.
-    if (!campaign.crop.growth || campaign.climates.empty() ||
+    if (!campaign.crop.growth || campaign.spec.climates.empty() ||
         !climate_of(campaign, one).grows())
         return;
     const LightSeries series = light_of(campaign, one);

@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "campaign/campaign.hpp"
-#include "campaign/problems.hpp"
 #include "run/summary.hpp"
+#include "spec/problems.hpp"
 
 namespace ideotype {
 
@@ -69,7 +69,7 @@ ChosenRow choose_row(const std::string& path, const RowChoice& choice) {
     const History history = History::read(path);
     const HistoryHeader& header = history.header();
     ChosenRow result;
-    result.campaign = parse_campaign(header.campaign_resolved, path);
+    result.campaign = parse_history_campaign(header.campaign_resolved, path);
     result.chosen = case_of(history, result.campaign);
     result.task.case_index = static_cast<std::uint32_t>(result.chosen.index);
     result.row = row_of(history, choice, result.task);

@@ -9,11 +9,11 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "campaign/problems.hpp"
 #include "ideotype/core/ending.hpp"
 #include "ideotype/core/text.hpp"
 #include "ranks.hpp"
 #include "run/provenance.hpp"
+#include "spec/problems.hpp"
 #include "verbs.hpp"
 
 namespace ideotype {

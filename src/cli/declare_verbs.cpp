@@ -232,6 +232,8 @@ void declare_light(CLI::App& verb, MeshOptions& options) {
     add_json(verb, options.is_json);
 }
 
+void declare_schema(CLI::App& /*verb*/, SchemaOptions& /*options*/) {}
+
 void declare_files(CLI::App& verb, std::vector<std::string>& paths) {
     verb.add_option("files", paths, "histories")->required();
 }
@@ -261,6 +263,10 @@ void declare_verbs(CLI::App& app, const std::vector<std::string>& words,
         write_new_campaign);
     add("check", "validate a campaign, and tell its size, cost and cases",
         "campaigns/quickstart.toml", declare_check, check);
+    add("schema",
+        "print the JSON Schema of campaigns, by which editors complete and "
+        "check keys",
+        "> campaign.schema.json", declare_schema, print_schema);
     const auto note_start = [&](RunOptions& options) {
         options.command = quoted(words);
         options.launcher = launcher_of(words.front());

@@ -7,8 +7,8 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "campaign/problems.hpp"
 #include "ideotype/core/text.hpp"
+#include "spec/problems.hpp"
 #include "verbs.hpp"
 
 namespace ideotype {

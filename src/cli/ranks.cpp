@@ -11,9 +11,9 @@
 
 #include <fmt/format.h>
 
-#include "campaign/problems.hpp"
 #include "ideotype/core/host.hpp"
 #include "run/job/way_on.hpp"
+#include "spec/problems.hpp"
 #include "verbs.hpp"
 
 namespace ideotype {

@@ -33,6 +33,10 @@ struct CheckOptions {
 };
 ExitCode check(const CheckOptions& options);
 
+//! `ideotype schema` has no options.
+struct SchemaOptions {};
+ExitCode print_schema(const SchemaOptions& options);
+
 //! `status PATH...`: prints a line for each history, live or not, and how to
 //! resume stopped ones.
 struct StatusOptions {

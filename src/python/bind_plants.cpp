@@ -3,8 +3,8 @@
 #include <optional>
 
 #include "bindings.hpp"
-#include "campaign/reading/files.hpp"
 #include "ideotype/crop/measures.hpp"
+#include "spec/files.hpp"
 #include "stand.hpp"
 
 namespace ideotype::python {
@@ -70,8 +70,8 @@ nb::list leaves_of(const AnyPlants& each, std::size_t component) {
 
 nb::tuple mesh_of(const AnyPlants& each, const CaseStand& under,
                   std::size_t component) {
-    return mesh_tuple(
-        build_plant(each.plants.at(component), under.campaign().tessellation));
+    return mesh_tuple(build_plant(each.plants.at(component),
+                                  under.campaign().spec.plant.tessellation));
 }
 
 //! Plants of any shape in one case of a campaign, or in one of its scenarios.

@@ -74,13 +74,16 @@ std::unique_ptr<Search> make_search(
     const std::vector<std::string>& traits, const std::vector<bool>& maximise,
     const std::vector<std::tuple<double, double, int>>& axes) {
     SearchSettings settings;
-    const auto found = std::ranges::find(optimizers, optimizer,
-                                         [](const auto& x) { return x.first; });
-    if (found == optimizers.end())
-        throw Error(fmt::format(
-            "there is no optimizer \"{}\"; use one of {}", optimizer,
-            fmt::join(optimizers | std::views::keys, ", ")));
-    settings.optimizer = found->second;
+    const auto& known = enum_names<OptimizerKind>;
+    const auto found = std::ranges::find(known, std::string_view(optimizer),
+                                         &EnumName<OptimizerKind>::name);
+    if (found == known.end()) {
+        std::vector<std::string> names;
+        for (const auto& each : known) names.emplace_back(each.name);
+        throw Error(fmt::format("there is no optimizer \"{}\"; use one of {}",
+                                optimizer, fmt::join(names, ", ")));
+    }
+    settings.optimizer = found->value;
     settings.population =
         population > 0 ? population
                        : usual_population(settings.optimizer, start.size());

@@ -3,6 +3,7 @@
 
 #include "bindings.hpp"
 #include "ideotype/core/error.hpp"
+#include "spec/writer.hpp"
 #include "stand.hpp"
 
 namespace ideotype::python {
@@ -49,7 +50,7 @@ std::unique_ptr<CaseStand> from_history(const std::string& text,
                                         const std::string& name, Genome genome,
                                         const Settings& settings,
                                         const std::string& isa) {
-    const Campaign campaign = parse_campaign(text, path, settings);
+    const Campaign campaign = parse_history_campaign(text, path, settings);
     if (auto found = stand_at(campaign, name, genome, isa)) return found;
     throw Error(path + ": the campaign in this history has no case " + name);
 }
@@ -203,8 +204,9 @@ void bind_stand(nb::module_& module) {
             "key_count",
             [](const CaseStand& x) { return x.campaign().varied.keys.size(); })
         .def_prop_ro("isa", &CaseStand::isa)
-        .def_prop_ro("resolved",
-                     [](const CaseStand& x) { return x.campaign().resolved; })
+        .def_prop_ro(
+            "resolved",
+            [](const CaseStand& x) { return resolved_text(x.campaign().spec); })
         .def_prop_ro("warnings", &warnings)
         .def_prop_ro("genes", &genes)
         .def_prop_ro("objectives", &objectives)
@@ -283,7 +285,7 @@ Mesh CaseStand::mesh(const Genome& genome, std::size_t component,
                 "[growth]; leave thermal_time out");
         plant = plant_at(*growth, plant, *thermal_time);
     }
-    return build_plant(plant, campaign_.tessellation);
+    return build_plant(plant, campaign_.spec.plant.tessellation);
 }
 
 std::vector<std::vector<Estimate>> CaseStand::light_on_sensors(

@@ -27,7 +27,7 @@ HistoryHeader header_of(const Campaign& campaign, const Case& chosen,
         {"hdf5_version", History::library_version()},
         {"mpi_version", Session::library_version()},
         {"isa", isa},
-        {"campaign", campaign.name},
+        {"campaign", campaign.spec.name},
         {"campaign_sha256", campaign.sha256},
         {"case", chosen.name},
         {"site", chosen.site_name},
@@ -60,13 +60,8 @@ HistoryHeader header_of(const Campaign& campaign, const Case& chosen,
 void require_same_campaign(const HistoryHeader& header,
                            const Campaign& campaign, const Case& chosen,
                            const std::string& path) {
-    auto changed =
+    const auto changed =
         differences(header.campaign_resolved, campaign.resolved, chosen);
-    // The time that workers may take depends on the machine, not on the
-    // results.
-    std::erase_if(changed, [](const std::string& line) {
-        return line.starts_with("parallel.");
-    });
     if (!changed.empty())
         throw Error(
             fmt::format("{}: the campaign has changed since this history was "

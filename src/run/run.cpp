@@ -134,7 +134,7 @@ ExitCode direct(const RunOptions& options, const Campaign& campaign,
         if (!is_study)
             fmt::print(
                 "{}\n",
-                campaign.replicates == 1
+                campaign.spec.replicates == 1
                     ? one_seed
                     : fmt::format("± is half of a 95 % interval of the "
                                   "light's noise; {} adds the differences "
@@ -223,7 +223,7 @@ Start agree(const Session& session, const std::function<Start()>& make) {
 }
 
 AnswerRules answer_rules(const Campaign& campaign) {
-    return {campaign.answer_limits.deadline, campaign.answer_limits.attempts,
+    return {campaign.spec.parallel.deadline, campaign.spec.parallel.attempts,
             final_effort(campaign)};
 }
 

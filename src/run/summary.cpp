@@ -9,6 +9,7 @@
 #include "progress.hpp"
 #include "search/order.hpp"
 #include "search/shrinkage.hpp"
+#include "spec/reader.hpp"
 
 namespace ideotype {
 
@@ -32,7 +33,7 @@ namespace {
 //! Returns words on the reason for an end; the end of the design of a study
 //! needs no reason.
 std::string ended_by(const CaseResult& result) {
-    const bool is_whole = result.is_study && result.reason == "generations";
+    const bool is_whole = result.is_study && result.reason == all_generations;
     return result.reason && !is_whole ? " by " + in_words(*result.reason) : "";
 }
 
@@ -86,18 +87,16 @@ Origin origin_of(const History& history, std::int64_t row) {
         .candidate.origin;
 }
 
-//! Returns whether the campaign has a table; campaigns are written in canonical
-//! form.
-bool has_table(const History& history, const std::string& head) {
-    return history.header().campaign_resolved.find('\n' + head + '\n') !=
-           std::string::npos;
+//! Returns the campaign of a history.
+Spec spec_of(const History& history) {
+    return read_resolved(history.header().campaign_resolved);
 }
 
 //! Returns a text with the number of leaders of an atlas and of those that were
 //! evaluated again before the final; "" for other searches.
 //! @param leaders rows of the baseline, then of finalists
 std::string atlas_of(const History& history, const std::vector<Row>& leaders) {
-    if (!has_table(history, "[[search.axes]]")) return "";
+    if (spec_of(history).search.axes.empty()) return "";
     const auto confirmed =
         std::count_if(leaders.begin() + 1, leaders.end(), [&](const Row& row) {
             return origin_of(history, row.candidate.parents[0]) ==
@@ -107,12 +106,6 @@ std::string atlas_of(const History& history, const std::vector<Row>& leaders) {
         ", the best of {} kinds of plants, {} of them confirmed by evaluating "
         "again in the search",
         leaders.size() - 1, confirmed);
-}
-
-//! Returns whether no plant of a history was searched for.
-bool is_sensitivity_study(const History& history) {
-    return history.header().campaign_resolved.find("\n[sensitivity]\n") !=
-           std::string::npos;
 }
 
 void add_finalists(const History& history, CaseResult& result) {
@@ -138,7 +131,7 @@ void add_finalists(const History& history, CaseResult& result) {
         result.gain = gain_with_lai(history, finalists[0], finalists[best]) +
                       atlas_of(history, finalists);
     }
-    if (!is_sensitivity_study(history)) {
+    if (!spec_of(history).is_study) {
         const Genome& plant = finalists[best].candidate.genome;
         result.at_bounds = genes_at_bounds(history.header().genes, plant);
         result.bounds.add(history.header().genes, plant);
@@ -152,7 +145,7 @@ void add_finalists(const History& history, CaseResult& result) {
 CaseResult result_of(const History& history) {
     const HistoryHeader& header = history.header();
     CaseResult result;
-    result.is_study = has_table(history, "[sensitivity]");
+    result.is_study = spec_of(history).is_study;
     result.reason = history.finished();
     result.generations = header.generations;
     result.most_plants = header.rows();
@@ -222,8 +215,9 @@ std::string left_to_gain(const History& history, const Campaign& campaign) {
     const std::size_t best = best_finalist(history, finalists);
     if (best == 0 || objectives_of(campaign).size() > 1 ||
         objectives_of(campaign).front().name != "absorbed_par" ||
-        !component_weights(campaign).empty() || !campaign.over.empty() ||
-        campaign.field.boundary != Boundary::periodic)
+        !component_weights(campaign).empty() ||
+        !campaign.spec.objective.over.empty() ||
+        campaign.spec.field.boundary != Boundary::periodic)
         return "";
     const auto part = [&](const char* name) {
         return quantity(history, finalists[best], name);

@@ -19,7 +19,8 @@ std::string path_of(const std::string& out, const Campaign& campaign,
     if (out.empty())
         throw Error("--out is empty; name a folder, or . for this one",
                     ExitCode::usage);
-    return (fs::path(out) / campaign.name / (chosen.name + ".h5")).string();
+    return (fs::path(out) / campaign.spec.name / (chosen.name + ".h5"))
+        .string();
 }
 
 Sweep::Sweep(const RunOptions& options, const Campaign& campaign,

@@ -2,11 +2,12 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
+#include "ideotype/core/enum_names.hpp"
 #include "ideotype/core/range.hpp"
 
 namespace ideotype {
@@ -14,19 +15,15 @@ namespace ideotype {
 //! The kinds of optimizers.
 enum class OptimizerKind { automatic, ga, cma_es, nsga2, atlas, random, sobol };
 
-//! The names of optimizers beside their kinds.
-inline const std::vector<std::pair<std::string, OptimizerKind>> optimizers{
-    {"auto", OptimizerKind::automatic}, {"ga", OptimizerKind::ga},
-    {"cma_es", OptimizerKind::cma_es},  {"nsga2", OptimizerKind::nsga2},
-    {"atlas", OptimizerKind::atlas},    {"random", OptimizerKind::random},
-    {"sobol", OptimizerKind::sobol}};
-
-//! Returns the name of an optimizer.
-inline const std::string& name_of(OptimizerKind kind) {
-    return std::ranges::find(optimizers, kind,
-                             &std::pair<std::string, OptimizerKind>::second)
-        ->first;
-}
+template <>
+inline constexpr std::array enum_names<OptimizerKind>{
+    EnumName{"auto", OptimizerKind::automatic},
+    EnumName{"ga", OptimizerKind::ga},
+    EnumName{"cma_es", OptimizerKind::cma_es},
+    EnumName{"nsga2", OptimizerKind::nsga2},
+    EnumName{"atlas", OptimizerKind::atlas},
+    EnumName{"random", OptimizerKind::random},
+    EnumName{"sobol", OptimizerKind::sobol}};
 
 //! Settings of the genetic algorithm.
 struct GaSettings {
@@ -98,10 +95,10 @@ inline int first_generation(const SearchSettings& settings) {
 //! Returns the usual number of plants in a generation of an optimizer.
 int usual_population(OptimizerKind optimizer, std::size_t free_genes);
 
-//! Returns whether a search uses CMA-ES.
-inline bool uses_cma_es(const SearchSettings& settings) {
-    return settings.optimizer == OptimizerKind::automatic ||
-           settings.optimizer == OptimizerKind::cma_es;
+//! Returns whether an optimizer uses CMA-ES.
+constexpr bool uses_cma_es(OptimizerKind optimizer) {
+    return optimizer == OptimizerKind::automatic ||
+           optimizer == OptimizerKind::cma_es;
 }
 
 }  // namespace ideotype

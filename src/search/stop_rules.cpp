@@ -51,7 +51,8 @@ std::optional<std::string> finished(const StopRules& rules,
                                     const Progress& progress, Sense sense) {
     IDEOTYPE_EXPECT(!(progress.wall_time < 0));
     const std::vector<GenerationSummary>& all = progress.generations;
-    if (static_cast<int>(all.size()) >= rules.generations) return "generations";
+    if (static_cast<int>(all.size()) >= rules.generations)
+        return all_generations;
     long long evaluations = 0;
     for (const GenerationSummary& each : all) evaluations += each.evaluations;
     if (rules.evaluations > 0 && evaluations >= rules.evaluations)

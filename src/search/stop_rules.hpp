@@ -25,6 +25,9 @@ struct Progress {
     double wall_time = 0;  //!< wall time [s]
 };
 
+//! The name of the rule that ends a case by its generations.
+inline constexpr const char* all_generations = "generations";
+
 //! Returns the name of the first rule that ends the evolution, if any:
 //! "generations", "no_gain", "evaluations" or "wall_time". There is no gain if
 //! the slope of a straight line through the means of objective 0 over `no_gain`

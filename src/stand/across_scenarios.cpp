@@ -19,10 +19,10 @@ std::string label(const Campaign& campaign, const Case& scenario) {
     const auto add = [&](bool is_named, const std::string& name) {
         if (is_named) text += (text.empty() ? "" : "_") + name;
     };
-    add(is_over(campaign, "site"), scenario.site_name);
-    add(is_over(campaign, "day") || is_over(campaign, "climate"),
+    add(is_over(campaign.spec, "site"), scenario.site_name);
+    add(is_over(campaign.spec, "day") || is_over(campaign.spec, "climate"),
         scenario.day_name);
-    add(is_over(campaign, "spacing"), scenario.spacing_name);
+    add(is_over(campaign.spec, "spacing"), scenario.spacing_name);
     return text;
 }
 
@@ -37,7 +37,8 @@ bool has_same_axes(const Quantity& quantity, const QuantitySet& a,
 }  // namespace
 
 AcrossScenarios::AcrossScenarios(const Campaign& campaign, const Case& chosen)
-    : across_(campaign.across), objectives_(objectives_of(campaign)) {
+    : across_(campaign.spec.objective.across),
+      objectives_(objectives_of(campaign)) {
     std::vector<QuantitySet> sets;
     std::vector<std::string> labels;
     for (const Case& each : scenarios(chosen)) {

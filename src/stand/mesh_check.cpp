@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 
 #include "campaign/meshes.hpp"
-#include "campaign/problems.hpp"
 #include "ideotype/core/error.hpp"
 #include "ideotype/core/units.hpp"
 #include "ideotype/crop/obj_reader.hpp"
 #include "mesh_study.hpp"
+#include "spec/problems.hpp"
 
 namespace ideotype {
 

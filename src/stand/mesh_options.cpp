@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "campaign/problems.hpp"
+#include "spec/problems.hpp"
 
 namespace ideotype {
 

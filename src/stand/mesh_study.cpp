@@ -7,11 +7,11 @@
 #include <fmt/ranges.h>
 
 #include "campaign/campaign.hpp"
-#include "campaign/problems.hpp"
-#include "campaign/reading/mesh_scene.hpp"
+#include "campaign/mesh_scene.hpp"
 #include "ideotype/canopy/field.hpp"
 #include "ideotype/crop/obj_reader.hpp"
 #include "ideotype/light/device.hpp"
+#include "spec/problems.hpp"
 
 namespace ideotype {
 

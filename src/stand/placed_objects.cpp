@@ -69,14 +69,14 @@ void add(Scene& scene, FixedObject object) {
 }  // namespace
 
 bool has_trackers(const Campaign& campaign) {
-    return std::ranges::any_of(campaign.panels, &PanelRows::tracks,
+    return std::ranges::any_of(campaign.spec.panels, &PanelRows::tracks,
                                &PanelEntry::rows);
 }
 
 void add_objects(Scene& scene, const Campaign& campaign,
                  const Spacing& spacing) {
     std::vector<PanelRows> all;
-    for (const PanelEntry& each : campaign.panels)
+    for (const PanelEntry& each : campaign.spec.panels)
         all.push_back(in_cell(each.rows, scene.cell, spacing.row_direction));
     std::vector<std::vector<double>> poses;
     if (has_trackers(campaign)) poses = set_poses(scene, all);
@@ -87,7 +87,7 @@ void add_objects(Scene& scene, const Campaign& campaign,
             {all[p].name,
              mesh_of(all[p], scene.cell, spacing.row_direction, angles), true});
     }
-    for (const ObjectEntry& each : campaign.objects)
+    for (const ObjectEntry& each : campaign.spec.objects)
         add(scene, {each.name, mesh_of(each)});
 }
 

@@ -84,7 +84,9 @@ void set_grown(const Campaign& campaign, const Case& in, std::size_t number,
     if (!in.stage) {
         Plant aged = plant;
         if (growth)
-            age_organs(*growth, thermal_time_of(*growth, campaign.stage), aged);
+            age_organs(*growth,
+                       thermal_time_of(*growth, campaign.spec.plant.stage),
+                       aged);
         return set_plant(component, aged, first_material(number));
     }
     const double age = in.stage->ages[number];
@@ -117,8 +119,9 @@ void age_leaves(const Campaign& campaign, const Case& chosen,
     const Growth* const growth = growth_of(campaign, number);
     if (!growth || !component.photosynthesis) return;
     const double factor = capacity_factor(
-        *growth, chosen.stage ? chosen.stage->ages[number]
-                              : thermal_time_of(*growth, campaign.stage));
+        *growth, chosen.stage
+                     ? chosen.stage->ages[number]
+                     : thermal_time_of(*growth, campaign.spec.plant.stage));
     if (factor == 1) return;
     for (LeafRates& rates : component.photosynthesis->rates)
         rates = scaled(rates, factor);
@@ -141,14 +144,14 @@ void set_sinks(const Campaign& campaign, const Case& chosen, std::size_t number,
 //! Returns the optics of all components, panels and objects in a waveband, in
 //! this order.
 Optics optics_in(const Campaign& campaign, std::size_t band) {
-    Optics optics{campaign.optics[band].materials(),
-                  campaign.soil_albedo[band]};
+    Optics optics{campaign.spec.plant.crop.optics[band].materials(),
+                  campaign.spec.soil_albedo[band]};
     for (const ComponentEntry& each : campaign.components)
         for (const Material& material : each.optics[band].materials())
             optics.materials.push_back(material);
-    for (const PanelEntry& each : campaign.panels)
+    for (const PanelEntry& each : campaign.spec.panels)
         optics.materials.emplace_back(each.optics[band]);
-    for (const ObjectEntry& each : campaign.objects)
+    for (const ObjectEntry& each : campaign.spec.objects)
         optics.materials.emplace_back(each.optics[band]);
     return optics;
 }
@@ -156,7 +159,7 @@ Optics optics_in(const Campaign& campaign, std::size_t band) {
 //! Returns whether figures of single rows are wanted: rows are not alike, and
 //! each row has plants of one component.
 bool has_rows_apart(const Campaign& campaign) {
-    const FieldForm& field = campaign.field;
+    const FieldForm& field = campaign.spec.field;
     return field.boundary == Boundary::periodic && field.rows > 1 &&
            (!field.row_pattern.empty() || !campaign.components.empty()) &&
            std::ranges::none_of(campaign.components, [](const auto& each) {
@@ -166,9 +169,9 @@ bool has_rows_apart(const Campaign& campaign) {
 
 //! Returns the number of dates with a sun of their own, shared out to stages.
 int sun_dates_of(const Campaign& campaign, const Case& chosen) {
-    return chosen.stage
-               ? (campaign.sun_dates + campaign.stages - 1) / campaign.stages
-               : campaign.sun_dates;
+    const LightSpec& light = campaign.spec.light;
+    const int dates = light.dates.value_or(0);
+    return chosen.stage ? (dates + *light.stages - 1) / *light.stages : dates;
 }
 
 //! Gives a stage its share of the paths, by its share of carbon: errors of
@@ -189,12 +192,12 @@ void take_share(const Stage& stage, Sampling& sampling) {
 }  // namespace
 
 Scene scene_of(const Campaign& campaign, const Case& chosen) {
-    FieldForm form = campaign.field;
+    FieldForm form = campaign.spec.field;
     form.spacing = chosen.spacing;
     Scene scene;
     scene.cell = cell_of(form);
-    scene.components = {
-        component_of(campaign.crop.baseline, form, campaign.tessellation)};
+    scene.components = {component_of(campaign.crop.baseline, form,
+                                     campaign.spec.plant.tessellation)};
     Component& bred = scene.components.front();
     bred.photosynthesis = campaign.photosynthesis;
     bred.stomata = campaign.stomata;
@@ -206,7 +209,7 @@ Scene scene_of(const Campaign& campaign, const Case& chosen) {
     age_leaves(campaign, chosen, 0, bred);
     set_sinks(campaign, chosen, 0, bred);
     const SeriesIllumination par =
-        illuminate(light_of(campaign, chosen), campaign.sky_model,
+        illuminate(light_of(campaign, chosen), campaign.spec.light.sky,
                    chosen.spacing.row_direction,
                    has_trackers(campaign) ? Skies::each : Skies::shared,
                    sun_dates_of(campaign, chosen));
@@ -215,7 +218,9 @@ Scene scene_of(const Campaign& campaign, const Case& chosen) {
         if (campaign.follows[b])
             scene.bands.push_back(
                 {band.name, b == 0 ? par : in_band(par, band.light),
-                 optics_in(campaign, b), campaign.bounded_band == band.name});
+                 optics_in(campaign, b),
+                 campaign.spec.light.band.value_or(wavebands[0].name) ==
+                     band.name});
     }
     if (has_rows_apart(campaign)) scene.cell.row_ground = ground_of_rows(form);
     if (campaign.components.empty()) {
@@ -228,7 +233,7 @@ Scene scene_of(const Campaign& campaign, const Case& chosen) {
     for (const ComponentEntry& each : campaign.components) {
         Component& component = scene.components.emplace_back();
         component.name = each.name;
-        component.tessellation = campaign.tessellation;
+        component.tessellation = campaign.spec.plant.tessellation;
         component.photosynthesis = each.photosynthesis;
         component.stomata = each.stomata;
         set_grown(campaign, chosen, scene.components.size() - 1,
@@ -244,7 +249,7 @@ Scene scene_of(const Campaign& campaign, const Case& chosen) {
 
 Details details_of(const Campaign& campaign) {
     return {.form = asks_for(campaign, is_of_form),
-            .lines = campaign.feasibility.lines};
+            .lines = campaign.spec.feasibility.known_lines()};
 }
 
 CanopyRequest request_of(Sampling sampling, const Campaign& campaign,

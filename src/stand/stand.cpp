@@ -5,10 +5,10 @@
 #include <cmath>
 #include <limits>
 
-#include "campaign/problems.hpp"
 #include "ideotype/core/contract.hpp"
 #include "ideotype/core/hash.hpp"
 #include "ideotype/light/tolerance.hpp"
+#include "spec/problems.hpp"
 
 namespace ideotype {
 
@@ -78,9 +78,10 @@ namespace {
 double constrained_lai(const Campaign& campaign, const Plant& plant,
                        const CanopyReport& report) {
     const ComponentReport& bred = report.components.front();
-    return campaign.field.variation.is_any() || report.grows
-               ? lai_of_line(build_plant(plant, campaign.tessellation),
-                             bred.ground_per_plant)
+    return campaign.spec.field.variation.is_any() || report.grows
+               ? lai_of_line(
+                     build_plant(plant, campaign.spec.plant.tessellation),
+                     bred.ground_per_plant)
                : bred.lai;
 }
 
@@ -107,15 +108,16 @@ Randomised measure_number(const Campaign& campaign, const std::string& name,
 
 Estimate land_equivalent_ratio(const Campaign& campaign,
                                const CanopyReport& report) {
-    IDEOTYPE_EXPECT(!campaign.sole.empty());
+    IDEOTYPE_EXPECT(!campaign.spec.objective.sole.empty());
     const std::string quantity = objectives_of(campaign).front().quantity;
     Estimate ratio = measure_number(campaign, quantity, report).estimate;
     const std::vector<Randomised> parts = measure_parts(quantity, report);
-    for (std::size_t c = 0; c < campaign.sole_errors.size(); ++c)
-        ratio.standard_error =
-            std::hypot(ratio.standard_error,
-                       parts[c].estimate.mean / campaign.sole[c] *
-                           campaign.sole_errors[c] / campaign.sole[c]);
+    for (std::size_t c = 0; c < campaign.spec.objective.sole_errors.size(); ++c)
+        ratio.standard_error = std::hypot(
+            ratio.standard_error, parts[c].estimate.mean /
+                                      campaign.spec.objective.sole[c] *
+                                      campaign.spec.objective.sole_errors[c] /
+                                      campaign.spec.objective.sole[c]);
     return ratio;
 }
 
@@ -131,9 +133,9 @@ Outcome to_outcome(const Campaign& campaign, const Plant& plant,
                                       values.begin(), values.end());
     }
     outcome.violation =
-        violation(campaign.constraints, campaign.crop.traits, plant,
+        violation(campaign.spec.constraints, campaign.crop.traits, plant,
                   constrained_lai(campaign, plant, report));
-    if (const double limit = campaign.feasibility.limit;
+    if (const double limit = campaign.spec.feasibility.limit;
         report.lines && limit > 0)
         outcome.violation += std::max(0.0, report.lines->from_mean / limit - 1);
     outcome.quantities = measure(report);
@@ -174,14 +176,14 @@ Outcome Stand::evaluate(const Plants& plants, const Sampling& sampling,
     });
     Outcome outcome = across_.combine(outcomes);
     IDEOTYPE_ENSURE(outcome.quantities.size() == schema_.measured.size());
-    if (campaign_.water_limit > 0) {
+    if (campaign_.water && campaign_.spec.water->limit > 0) {
         // The best of many plants that meet a limit by chance would exceed it.
         constexpr double sure = 2;
         const Estimate& water =
             outcome.quantities[schema_.measured.offset("water_use")];
         outcome.violation +=
             std::max(0., (water.mean + sure * water.standard_error) /
-                                 campaign_.water_limit -
+                                 campaign_.spec.water->limit -
                              1);
     }
     return outcome;

@@ -43,8 +43,8 @@ Campaign ames(int plants) {
     campaign.crop.baseline =
         read_crop(IDEOTYPE_CAMPAIGNS "/../tests/data/golden/pole.toml")
             .baseline;
-    campaign.days[0].value.step_minutes = 60;
-    campaign.field.rows = campaign.field.plants = plants;
+    campaign.spec.days[0].value.step_minutes = 60;
+    campaign.spec.field.rows = campaign.spec.field.plants = plants;
     return campaign;
 }
 

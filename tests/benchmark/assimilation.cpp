@@ -124,10 +124,11 @@ class Canopy {
     static Campaign campaign(const Stands& which) {
         Campaign campaign = read_campaign(
             fmt::format("{}/{}.toml", IDEOTYPE_CAMPAIGNS, which.campaign));
-        for (auto& day : campaign.days) day.value.step_minutes = 60;
+        for (auto& day : campaign.spec.days) day.value.step_minutes = 60;
         if (which.plants > 0)
-            campaign.field.rows = campaign.field.plants = which.plants;
-        if (which.spacing) campaign.spacings[0].value = *which.spacing;
+            campaign.spec.field.rows = campaign.spec.field.plants =
+                which.plants;
+        if (which.spacing) campaign.spec.spacings[0].value = *which.spacing;
         return campaign;
     }
 

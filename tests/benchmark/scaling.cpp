@@ -22,9 +22,10 @@ void measure(benchmark::State& state, Campaign campaign, double size) {
 
 void plants(benchmark::State& state) {
     Campaign campaign = BenchStand::ames();
-    campaign.field.rows = campaign.field.plants =
+    campaign.spec.field.rows = campaign.spec.field.plants =
         static_cast<int>(state.range(0));
-    measure(state, campaign, 1.0 * campaign.field.rows * campaign.field.rows);
+    measure(state, campaign,
+            1.0 * campaign.spec.field.rows * campaign.spec.field.rows);
 }
 BENCHMARK(plants)->Arg(1)->Arg(3)->Arg(10)->Arg(32)->Arg(100)->Unit(
     benchmark::kMillisecond);
@@ -49,7 +50,8 @@ BENCHMARK(leaves)->RangeMultiplier(2)->Range(5, 80)->Unit(
 //! The number of cells along a leaf; each cell has two faces.
 void faces(benchmark::State& state) {
     Campaign campaign = BenchStand::ames();
-    campaign.tessellation.cells_along = static_cast<int>(state.range(0));
+    campaign.spec.plant.tessellation.cells_along =
+        static_cast<int>(state.range(0));
     measure(state, campaign, 2.0 * static_cast<double>(state.range(0)));
 }
 BENCHMARK(faces)->RangeMultiplier(2)->Range(4, 64)->Unit(
@@ -58,7 +60,7 @@ BENCHMARK(faces)->RangeMultiplier(2)->Range(4, 64)->Unit(
 //! The number of instants of a day, which share the same number of paths.
 void hours(benchmark::State& state) {
     Campaign campaign = BenchStand::ames();
-    campaign.days[0].value.step_minutes =
+    campaign.spec.days[0].value.step_minutes =
         780.0 / static_cast<double>(state.range(0));
     measure(state, campaign, static_cast<double>(state.range(0)) + 1);
 }
@@ -69,18 +71,18 @@ BENCHMARK(hours)->RangeMultiplier(2)->Range(6, 208)->Unit(
 //! each site, and one evaluation in it.
 void sites(benchmark::State& state) {
     Campaign campaign = BenchStand::ames();
-    campaign.replicates = 1;
-    const Site ames = campaign.sites[0];
-    campaign.sites.clear();
+    campaign.spec.replicates = 1;
+    const Site ames = campaign.spec.sites[0];
+    campaign.spec.sites.clear();
     for (int i = 0; i < state.range(0); ++i) {
-        campaign.sites.push_back(ames);
-        campaign.sites.back().name += std::to_string(i);
+        campaign.spec.sites.push_back(ames);
+        campaign.spec.sites.back().name += std::to_string(i);
     }
     const Genome baseline = baseline_genome(campaign);
     for (auto _ : state) {
         CanopyEvaluator evaluator(campaign, Device::supported_isas().back());
         Task task;
-        for (; task.case_index < campaign.sites.size(); ++task.case_index)
+        for (; task.case_index < campaign.spec.sites.size(); ++task.case_index)
             benchmark::DoNotOptimize(evaluator.evaluate(task, baseline));
     }
     state.counters["size"] = static_cast<double>(state.range(0));

@@ -15,28 +15,28 @@ namespace ideotype {
 
 TEST(Campaign, AmesIsTheStudyOfThePaper) {
     const Campaign campaign = ames();
-    EXPECT_EQ(campaign.name, "ames");
-    EXPECT_EQ(campaign.replicates, 3);
+    EXPECT_EQ(campaign.spec.name, "ames");
+    EXPECT_EQ(campaign.spec.replicates, 3);
     EXPECT_EQ(campaign.search.population, 100);
     EXPECT_EQ(campaign.stop.generations, 200);
-    ASSERT_EQ(campaign.sites.size(), 1u);
-    EXPECT_EQ(campaign.sites[0].latitude, 42.0);
-    EXPECT_EQ(campaign.sites[0].longitude, -93.6);
-    EXPECT_EQ(campaign.sites[0].utc_offset, -5);
-    ASSERT_EQ(campaign.days.size(), 1u);
-    const DaySpan& day = campaign.days[0].value;
+    ASSERT_EQ(campaign.spec.sites.size(), 1u);
+    EXPECT_EQ(campaign.spec.sites[0].latitude, 42.0);
+    EXPECT_EQ(campaign.spec.sites[0].longitude, -93.6);
+    EXPECT_EQ(campaign.spec.sites[0].utc_offset, -5);
+    ASSERT_EQ(campaign.spec.days.size(), 1u);
+    const DaySpan& day = campaign.spec.days[0].value;
     EXPECT_EQ(day.dates[0].year, 2025);
     EXPECT_EQ(day.dates[0].month, 8);
     EXPECT_EQ(day.dates[0].day, 7);
     EXPECT_EQ(day.start, 7);
     EXPECT_EQ(day.end, 20);
     EXPECT_EQ(day.step_minutes, 30);
-    ASSERT_EQ(campaign.spacings.size(), 1u);
-    EXPECT_EQ(campaign.spacings[0].value.row, 0.762);
-    EXPECT_EQ(campaign.spacings[0].value.plant, 0.1524);
-    EXPECT_EQ(campaign.field.rows * campaign.field.plants, 16);
-    EXPECT_EQ(campaign.field.jitter, 10);
-    EXPECT_EQ(campaign.optics[0].leaf.reflectance, 0.05);
+    ASSERT_EQ(campaign.spec.spacings.size(), 1u);
+    EXPECT_EQ(campaign.spec.spacings[0].value.row, 0.762);
+    EXPECT_EQ(campaign.spec.spacings[0].value.plant, 0.1524);
+    EXPECT_EQ(campaign.spec.field.rows * campaign.spec.field.plants, 16);
+    EXPECT_EQ(campaign.spec.field.jitter, 10);
+    EXPECT_EQ(campaign.spec.plant.crop.optics[0].leaf.reflectance, 0.05);
     EXPECT_EQ(campaign.crop.baseline.leaves.size(), 10u);
 }
 
@@ -71,7 +71,7 @@ TEST(Campaign, AmesQuickIsTheSameCaseWithLessWork) {
     const Campaign full = ames();
     EXPECT_EQ(quick.search.population, 24);
     EXPECT_EQ(quick.stop.generations, 20);
-    EXPECT_EQ(quick.replicates, 1);
+    EXPECT_EQ(quick.spec.replicates, 1);
     EXPECT_EQ(quick.sampling.tolerance, full.sampling.tolerance);
     for (const std::string& line :
          differences(full.resolved, quick.resolved, cases(full).front()))
@@ -119,14 +119,14 @@ TEST(Campaign, EveryCampaignOfTheProjectIsValidAndItsSize) {
         if (file.path().extension() != ".toml") continue;
         ++found;
         const Campaign campaign = read_campaign(file.path().string());
-        EXPECT_EQ(campaign.name, file.path().stem());
-        ASSERT_TRUE(sizes.contains(campaign.name)) << campaign.name;
-        EXPECT_EQ(cases(campaign).size(), sizes.at(campaign.name));
-        const auto& [low, high] = campaign.constraints.lai;
-        EXPECT_EQ(violation(campaign.constraints, campaign.crop.traits,
+        EXPECT_EQ(campaign.spec.name, file.path().stem());
+        ASSERT_TRUE(sizes.contains(campaign.spec.name)) << campaign.spec.name;
+        EXPECT_EQ(cases(campaign).size(), sizes.at(campaign.spec.name));
+        const auto& [low, high] = campaign.spec.constraints.lai;
+        EXPECT_EQ(violation(campaign.spec.constraints, campaign.crop.traits,
                             campaign.crop.baseline, (low + high) / 2),
                   0)
-            << campaign.name << ": the baseline fails its constraints";
+            << campaign.spec.name << ": the baseline fails its constraints";
     }
     EXPECT_EQ(found, sizes.size());
 }
@@ -153,30 +153,30 @@ TEST(Campaign, ResolvedTextKeepsUnusualValues) {
         "[-0.0, 80]}");
     const Campaign again = parse_campaign(campaign.resolved, "resolved");
     EXPECT_EQ(again.resolved, campaign.resolved);
-    EXPECT_EQ(again.seed, 9223372036854775807u);
+    EXPECT_EQ(again.spec.seed, 9223372036854775807u);
     EXPECT_EQ(again.stop.wall_time, 5405);
-    EXPECT_EQ(again.field.boundary, Boundary::isolated);
-    EXPECT_EQ(again.field.border_rows, 1);
-    EXPECT_EQ(again.constraints.lai.lower, 0.1);
-    ASSERT_EQ(again.constraints.traits.size(), 1u);
-    EXPECT_TRUE(again.constraints.traits[0].is_falling);
-    EXPECT_EQ(again.maximised,
+    EXPECT_EQ(again.spec.field.boundary, Boundary::isolated);
+    EXPECT_EQ(again.spec.field.border_rows, 1);
+    EXPECT_EQ(again.spec.constraints.lai.lower, 0.1);
+    ASSERT_EQ(again.spec.constraints.traits.size(), 1u);
+    EXPECT_TRUE(again.spec.constraints.traits[0].is_falling);
+    EXPECT_EQ(again.spec.objective.maximised,
               std::vector<std::string>{"absorbed_par_per_leaf_area"});
-    EXPECT_EQ(again.trait_sets[0].value, (TraitSet{"length", "azimuth"}));
+    EXPECT_EQ(again.spec.trait_sets[0].value, (TraitSet{"length", "azimuth"}));
     EXPECT_EQ(again.bounds[0].lower, 0.1);
     EXPECT_EQ(again.bounds[3].upper, 360);
 }
 
 TEST(Campaign, SkyIsUniformUnlessItIsNamed) {
-    EXPECT_EQ(sample().sky_model, SkyModel::uniform);
+    EXPECT_EQ(sample().spec.light.sky, SkyModel::uniform);
     for (const auto& [name, model] : {std::pair{"uniform", SkyModel::uniform},
                                       {"overcast", SkyModel::overcast},
                                       {"clear", SkyModel::clear}}) {
         const Campaign campaign =
             sample("", fmt::format("[light]\nsky = \"{}\"\n", name));
-        EXPECT_EQ(campaign.sky_model, model);
+        EXPECT_EQ(campaign.spec.light.sky, model);
         const Campaign again = parse_campaign(campaign.resolved, "resolved");
-        EXPECT_EQ(again.sky_model, model);
+        EXPECT_EQ(again.spec.light.sky, model);
         EXPECT_EQ(again.resolved, campaign.resolved);
     }
 }
@@ -188,7 +188,7 @@ TEST(Campaign, ClockTimesKeepTheirSeconds) {
     const Campaign campaign = parse_campaign(text, "sample.toml");
     EXPECT_NE(campaign.resolved.find("start = 05:00:07.125000000\n"),
               std::string::npos);
-    EXPECT_DOUBLE_EQ(campaign.days[0].value.start, 5 + 7.125 / 3600);
+    EXPECT_DOUBLE_EQ(campaign.spec.days[0].value.start, 5 + 7.125 / 3600);
     EXPECT_EQ(parse_campaign(campaign.resolved, "resolved").resolved,
               campaign.resolved);
 }
@@ -209,10 +209,10 @@ TEST(Campaign, SingleTableIsAnAxisOfOne) {
 
 TEST(Campaign, UnnamedEntriesAreNamedAfterTheirValues) {
     const Campaign campaign = sample();
-    EXPECT_EQ(campaign.days[0].name, "0807");
-    EXPECT_EQ(campaign.spacings[0].name, "762x152");
-    ASSERT_EQ(campaign.trait_sets.size(), 1u);
-    EXPECT_EQ(campaign.trait_sets[0].name, "all");
+    EXPECT_EQ(campaign.spec.days[0].name, "0807");
+    EXPECT_EQ(campaign.spec.spacings[0].name, "762x152");
+    ASSERT_EQ(campaign.spec.trait_sets.size(), 1u);
+    EXPECT_EQ(campaign.spec.trait_sets[0].name, "all");
 }
 
 TEST(Campaign, LeavesAssimilateIfTheObjectiveOrATableSaysSo) {

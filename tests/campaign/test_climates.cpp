@@ -7,10 +7,12 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "campaign/reading/reader.hpp"
-#include "campaign/schema/schema.hpp"
+#include "campaign/weather_reader.hpp"
 #include "ideotype/core/error.hpp"
 #include "sample_campaign.hpp"
+#include "spec/reader.hpp"
+#include "spec/tables.hpp"
+#include "spec/writer.hpp"
 #include "temporary_folder.hpp"
 
 namespace ideotype {
@@ -58,7 +60,7 @@ TEST(Climates, ASeasonIsReadFromItsFile) {
     EXPECT_NEAR(light.incident(), 8.681e6, 1e3);
     EXPECT_EQ(light.steps[0].temperature, 25.1);
     EXPECT_EQ(light.steps[0].humidity, 0.9);
-    EXPECT_EQ(campaign.sun_dates, 3);
+    EXPECT_EQ(campaign.spec.light.dates, 3);
 }
 
 TEST(Climates, HoursAreToldOnTheClockOfTheSite) {
@@ -107,7 +109,7 @@ TEST(Climates, WindIsReadAndTheRestOfTheAirEstimated) {
     EXPECT_EQ(light.co2, 550);
     EXPECT_EQ(light.steps[1].wind, 2.42);
     EXPECT_FALSE(light.steps[1].longwave);
-    estimate_air(light, chosen.site, again.par_fraction);
+    estimate_air(light, chosen.site, again.spec.par_fraction);
     EXPECT_EQ(light.estimated,
               (std::vector<std::string>{"pressure", "longwave radiation"}));
     EXPECT_EQ(light.wind_height, 9);
@@ -121,7 +123,7 @@ TEST(Climates, WindIsReadAndTheRestOfTheAirEstimated) {
     }
     LightSeries still = light_of(bondville(), chosen);
     EXPECT_EQ(still.co2, 400);
-    estimate_air(still, chosen.site, again.par_fraction);
+    estimate_air(still, chosen.site, again.spec.par_fraction);
     EXPECT_EQ(still.wind_height, 2);
     EXPECT_EQ(still.steps[1].wind, 2);
 }
@@ -144,24 +146,23 @@ TEST(Climates, NearInfraredIsStoredIfItIsFollowed) {
         EXPECT_EQ(step.nir.beam + step.nir.diffuse, 0);
 
     const std::string file = (folder / "bondville.toml").string();
-    Draft draft;
-    Problems problems;
-    read_draft(text_of(file), file, PlantSource::file_or_table, {}, draft,
-               problems);
-    draft.campaign.follows[nir_band] = true;
-    read_weathers(file, PlantSource::file_or_table, draft, problems);
+    const Problems problems;
+    Spec spec =
+        read_spec(text_of(file), file, TextSource::file, {}, false, problems);
+    spec.plant.crop.follows[nir_band] = true;
+    read_weathers(file, TextSource::file, spec, problems);
     ASSERT_TRUE(problems.empty());
-    const Campaign again = parse_campaign(resolved_text(draft), "elsewhere");
+    const Campaign again = parse_campaign(resolved_text(spec), "elsewhere");
     const std::string resolved = again.resolved;
     EXPECT_EQ(parse_campaign(resolved, "elsewhere").resolved, resolved);
     const LightSeries light = light_of(again, chosen);
-    expect_same(light, light_of(draft.campaign, chosen));
+    expect_same(light, light_of(resolve(spec), chosen));
     double nir = 0;
     for (std::size_t i = 0; i < light.steps.size(); ++i) {
         const TimeStep& step = light.steps[i];
         nir += step.nir.beam + step.nir.diffuse;
-        EXPECT_EQ(step.par.beam, usual.weathers[0].beam[0][i]);
-        EXPECT_EQ(step.par.diffuse, usual.weathers[0].diffuse[0][i]);
+        EXPECT_EQ(step.par.beam, usual.spec.weathers[0].beam[0][i]);
+        EXPECT_EQ(step.par.diffuse, usual.spec.weathers[0].diffuse[0][i]);
     }
     // Near infrared exceeds PAR, which is 8.681 MJ m-2 a day.
     EXPECT_NEAR(nir * 3600 / light.days / light.incident(), 1.287, .01);
@@ -210,7 +211,7 @@ TEST(Climates, AnotherFileIsAnotherCampaign) {
 
 TEST(Climates, CampaignsOfDaysHaveNothingOfThem) {
     const Campaign campaign = sample();
-    EXPECT_EQ(campaign.sun_dates, 0);
+    EXPECT_FALSE(campaign.spec.light.dates);
     for (const char* key : {"weather", "climate", "\ndates"})
         EXPECT_EQ(campaign.resolved.find(key), std::string::npos) << key;
 }
@@ -219,7 +220,7 @@ TEST(Climates, SeveralClearDaysAreOneCase) {
     const std::string text =
         replaced(sample_text(), "2025-08-07", "[2025-06-07, 2025-08-07]");
     const Campaign campaign = parse_campaign(text, "sample.toml");
-    EXPECT_EQ(campaign.days[0].name, "0607-0807");
+    EXPECT_EQ(campaign.spec.days[0].name, "0607-0807");
     EXPECT_EQ(parse_campaign(campaign.resolved, "x").resolved,
               campaign.resolved);
     const Case chosen = cases(campaign)[0];
@@ -237,7 +238,7 @@ TEST(Climates, APolarDayEndsAtMidnight) {
     std::string text = replaced(sample_text(), "20:00:00", "\"24:00\"");
     text = replaced(text, "07:00:00", "00:00:00");
     const Campaign campaign = parse_campaign(text, "sample.toml");
-    EXPECT_EQ(campaign.days[0].value.end, 24);
+    EXPECT_EQ(campaign.spec.days[0].value.end, 24);
     EXPECT_NE(campaign.resolved.find("end = \"24:00:00\""), std::string::npos);
     EXPECT_EQ(parse_campaign(campaign.resolved, "x").resolved,
               campaign.resolved);

@@ -90,7 +90,7 @@ TEST(Components, CountInObjectivesByTheirWeights) {
     const std::string rows = sorghum + "rows = [2]\n";
     const std::string net = "[objective]\nmaximise = \"net_assimilation\"\n";
     const Campaign campaign = mixed(rows + net + "weights = [1, 0.5]\n");
-    EXPECT_EQ(campaign.weights, (std::vector<double>{1, 0.5}));
+    EXPECT_EQ(campaign.spec.objective.weights, (std::vector<double>{1, 0.5}));
     EXPECT_EQ(parse_campaign(campaign.resolved, "again").resolved,
               campaign.resolved);
     for (const auto& [text, problem] :
@@ -200,11 +200,11 @@ TEST(Components, DifferAsTheFieldUnlessTheyHaveAVariationOfTheirOwn) {
     const PlantVariation& own = *campaign.components[0].standing.variation;
     EXPECT_EQ(own.length, 0);
     EXPECT_EQ(own.azimuth, (std::vector<double>{10, 20}));
-    EXPECT_EQ(campaign.field.variation.length, 0.1);
+    EXPECT_EQ(campaign.spec.field.variation.length, 0.1);
     EXPECT_EQ(parse_campaign(campaign.resolved, "again").resolved,
               campaign.resolved);
     for (const auto& [text, problem] :
-         {std::pair{"variation = 3\n", "expected: table"},
+         {std::pair{"variation = 3\n", "expected: one table"},
           std::pair{"variation = { lenth = 0.1 }\n", "unknown key 'lenth'"},
           std::pair{"variation = { length = 0.9 }\n", "length is 0.9"}})
         EXPECT_NE(problems_of(sorghum + "rows = [2]\n" + text).find(problem),
@@ -214,7 +214,7 @@ TEST(Components, DifferAsTheFieldUnlessTheyHaveAVariationOfTheirOwn) {
 
 TEST(Rows, RepeatTheirDistances) {
     const Campaign campaign = mixed("[field]\nrow_pattern = [1, 3]\n");
-    EXPECT_EQ(campaign.field.row_pattern, (std::vector<double>{1, 3}));
+    EXPECT_EQ(campaign.spec.field.row_pattern, (std::vector<double>{1, 3}));
     EXPECT_EQ(parse_campaign(campaign.resolved, "again").resolved,
               campaign.resolved);
     EXPECT_NE(problems_of("[field]\nrow_pattern = [1, 3, 2]\n")

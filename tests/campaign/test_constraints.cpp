@@ -122,10 +122,10 @@ TEST(Constraints, AreDeclaredOnTraitsByName) {
         sample("",
                "[constraints]\nlength.step = 0.1\nlength.total = [0.5, 3]\n"
                "[constraints.azimuth]\ndistichous = 20\n");
-    ASSERT_EQ(campaign.constraints.traits.size(), 2u);
-    EXPECT_EQ(campaign.constraints.traits[0].trait, "length");
-    EXPECT_EQ(campaign.constraints.traits[0].total.upper, 3);
-    EXPECT_EQ(campaign.constraints.traits[1].distichous, 20);
+    ASSERT_EQ(campaign.spec.constraints.traits.size(), 2u);
+    EXPECT_EQ(campaign.spec.constraints.traits[0].trait, "length");
+    EXPECT_EQ(campaign.spec.constraints.traits[0].total.upper, 3);
+    EXPECT_EQ(campaign.spec.constraints.traits[1].distichous, 20);
     EXPECT_EQ(parse_campaign(campaign.resolved, "again").resolved,
               campaign.resolved);
     EXPECT_THROW(sample("", "[constraints.lenght]\nstep = 0.1\n"), InputError);

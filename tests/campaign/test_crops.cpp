@@ -8,9 +8,9 @@
 
 #include <gtest/gtest.h>
 
-#include "campaign/reading/files.hpp"
 #include "ideotype/core/error.hpp"
 #include "sample_campaign.hpp"
+#include "spec/files.hpp"
 #include "temporary_folder.hpp"
 
 namespace ideotype {
@@ -48,13 +48,13 @@ TEST(Campaign, VariationOfACropFileChangesNoCampaign) {
         read_campaign(IDEOTYPE_CAMPAIGNS "/sorghum.toml",
                       {"plant.baseline=\"crops/maize.toml\""});
     EXPECT_TRUE(campaign.crop.variation);
-    EXPECT_FALSE(campaign.field.variation.is_any());
+    EXPECT_FALSE(campaign.spec.field.variation.is_any());
     EXPECT_EQ(campaign.resolved.find("variation"), std::string::npos);
     // A campaign that has the tables of a crop file may have this one too.
     const Campaign inlined = parse_campaign(
         sample_text("", "[plant.baseline.variation]\nlength = 0.1\n"),
         "sample.toml");
-    EXPECT_FALSE(inlined.field.variation.is_any());
+    EXPECT_FALSE(inlined.spec.field.variation.is_any());
     EXPECT_EQ(inlined.resolved.find("variation"), std::string::npos);
     // Wrong keys in it are found.
     const std::string wrong = temporary_file("wrong.toml");
@@ -208,13 +208,13 @@ TEST(Campaign, BoundsAreForWhatIsBred) {
 TEST(Campaign, CropsTellTheOpticsAndTheCapacityOfTheirLeaves) {
     const Campaign campaign =
         read_campaign(IDEOTYPE_CAMPAIGNS "/quickstart.toml");
-    EXPECT_EQ(campaign.optics[0].leaf.reflectance, .06);
-    EXPECT_EQ(campaign.optics[0].leaf.transmittance, .03);
+    EXPECT_EQ(campaign.spec.plant.crop.optics[0].leaf.reflectance, .06);
+    EXPECT_EQ(campaign.spec.plant.crop.optics[0].leaf.transmittance, .03);
     ASSERT_TRUE(campaign.photosynthesis);
     EXPECT_EQ(campaign.photosynthesis->profile, CapacityProfile::rank);
     EXPECT_EQ(campaign.photosynthesis->rank_capacity.size(), 13u);
     // Optics of a campaign replace the crop's; light alone needs no rates.
-    EXPECT_EQ(ames().optics[0].leaf.reflectance, .05);
+    EXPECT_EQ(ames().spec.plant.crop.optics[0].leaf.reflectance, .05);
     EXPECT_FALSE(ames().photosynthesis);
 }
 

@@ -33,20 +33,20 @@ values = [0.76, 1.5]
 
 TEST(Feasibility, LinesAreWrittenAsTheyAreRead) {
     const Campaign campaign = sample("", lines());
-    ASSERT_TRUE(campaign.feasibility.lines);
-    EXPECT_EQ(campaign.feasibility.limit, 2);
-    EXPECT_EQ(campaign.feasibility.lines->lines[0].name, "B73");
+    ASSERT_TRUE(campaign.spec.feasibility.known_lines());
+    EXPECT_EQ(campaign.spec.feasibility.limit, 2);
+    EXPECT_EQ(campaign.spec.feasibility.lines.lines.at(0).name, "B73");
     EXPECT_EQ(parse_campaign(campaign.resolved, "a.toml").resolved,
               campaign.resolved);
-    EXPECT_FALSE(sample().feasibility.lines);
+    EXPECT_FALSE(sample().spec.feasibility.known_lines());
 }
 
 TEST(Feasibility, FilesOfLinesAreRead) {
     const std::string quick = IDEOTYPE_CAMPAIGNS "/ames_quick.toml";
     const auto of = [&](const std::string& name) {
-        return *read_campaign(quick,
-                              {"feasibility={lines=\"lines/" + name + "\"}"})
-                    .feasibility.lines;
+        return read_campaign(quick,
+                             {"feasibility={lines=\"lines/" + name + "\"}"})
+            .spec.feasibility.lines;
     };
     EXPECT_EQ(of("maize_panel.toml").traits.size(), 7u);
     const MeasuredLines angles = of("maize_angles.toml");

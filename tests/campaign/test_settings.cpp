@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "sample_campaign.hpp"
+#include "spec/writer.hpp"
 
 namespace ideotype {
 namespace {
@@ -21,17 +22,17 @@ TEST(Settings, StandInThePlaceOfWhatAFileSays) {
                "constraints.lai=[3.4, 3.5]"});
     EXPECT_EQ(campaign.search.optimizer, OptimizerKind::random);
     EXPECT_EQ(campaign.search.population, 12);
-    EXPECT_EQ(campaign.spacings.at(0).value.plant, 0.0762);
-    EXPECT_EQ(campaign.spacings.at(0).value.row, 0.762);
-    EXPECT_EQ(campaign.days.at(0).name, "0621");
-    EXPECT_EQ(campaign.name, "other");
-    EXPECT_EQ(campaign.constraints.lai.lower, 3.4);
+    EXPECT_EQ(campaign.spec.spacings.at(0).value.plant, 0.0762);
+    EXPECT_EQ(campaign.spec.spacings.at(0).value.row, 0.762);
+    EXPECT_EQ(campaign.spec.days.at(0).name, "0621");
+    EXPECT_EQ(campaign.spec.name, "other");
+    EXPECT_EQ(campaign.spec.constraints.lai.lower, 3.4);
     EXPECT_EQ(parse_campaign(campaign.resolved, "c").resolved,
               campaign.resolved);
 }
 
 TEST(Settings, TheLastOfAKeyCounts) {
-    EXPECT_EQ(read_campaign(ames, {"seed=4", "seed=5"}).seed, 5U);
+    EXPECT_EQ(read_campaign(ames, {"seed=4", "seed=5"}).spec.seed, 5U);
 }
 
 TEST(Settings, ATableReplacesTheWholeTableOfTheFile) {
@@ -39,21 +40,21 @@ TEST(Settings, ATableReplacesTheWholeTableOfTheFile) {
     const auto read = [&](const std::vector<std::string>& settings) {
         return read_campaign(file, settings);
     };
-    ASSERT_EQ(read({}).constraints.lai.upper, 5);
-    ASSERT_TRUE(read({}).field.variation.is_any());
-    EXPECT_EQ(read({"constraints={}"}).constraints.lai.upper,
+    ASSERT_EQ(read({}).spec.constraints.lai.upper, 5);
+    ASSERT_TRUE(read({}).spec.field.variation.is_any());
+    EXPECT_EQ(read({"constraints={}"}).spec.constraints.lai.upper,
               Constraints{}.lai.upper);
-    EXPECT_FALSE(read({"field.variation={}"}).field.variation.is_any());
-    EXPECT_EQ(read({"field.variation={}"}).field.plants, 2);
+    EXPECT_FALSE(read({"field.variation={}"}).spec.field.variation.is_any());
+    EXPECT_EQ(read({"field.variation={}"}).spec.field.plants, 2);
 
-    const FieldForm field = read({"field={rows=8, plants=4}"}).field;
+    const FieldForm field = read({"field={rows=8, plants=4}"}).spec.field;
     EXPECT_EQ(field.plants, 4);
     EXPECT_FALSE(field.variation.is_any());
     EXPECT_EQ(field.jitter, FieldForm{}.jitter);
 
     // The one table of a list, too.
     const Campaign turned = read({"panel=[]", "spacing={row=1, plant=0.2}"});
-    EXPECT_EQ(turned.spacings.at(0).value.row_direction,
+    EXPECT_EQ(turned.spec.spacings.at(0).value.row_direction,
               Spacing{}.row_direction);
 }
 
@@ -62,8 +63,8 @@ TEST(Settings, OfPositionsThatReachTheNeighbourAreWarnedOf) {
         return read_campaign(ames, {"field.variation.position=" + position});
     };
     const Campaign usual = read("0.035");
-    EXPECT_TRUE(usual.field.variation.is_any());
-    EXPECT_EQ(parse_campaign(usual.resolved, "c").field.variation.position,
+    EXPECT_TRUE(usual.spec.field.variation.is_any());
+    EXPECT_EQ(parse_campaign(usual.resolved, "c").spec.field.variation.position,
               0.035);
     EXPECT_TRUE(usual.warnings.empty());
     const std::vector<Problem> warnings = read("0.06").warnings;
@@ -80,13 +81,13 @@ TEST(Settings, OfATableAndItsKeysCountInTheirOrder) {
     const std::string file = IDEOTYPE_CAMPAIGNS "/agrivoltaic.toml";
     const std::string table = "field={rows=8, plants=4}";
     const std::string key = "field.variation.azimuth=[3, 3, 3]";
-    const FieldForm later = read_campaign(file, {table, key}).field;
+    const FieldForm later = read_campaign(file, {table, key}).spec.field;
     EXPECT_EQ(later.plants, 4);
     EXPECT_EQ(later.variation.azimuth, (LeafSpread{3, 3, 3}));
     EXPECT_EQ(later.variation.curvature, PlantVariation{}.curvature);
-    const FieldForm earlier = read_campaign(file, {key, table}).field;
+    const FieldForm earlier = read_campaign(file, {key, table}).spec.field;
     EXPECT_FALSE(earlier.variation.is_any());
-    EXPECT_TRUE(read_campaign(file, {key}).field.variation.is_any());
+    EXPECT_TRUE(read_campaign(file, {key}).spec.field.variation.is_any());
 }
 
 TEST(Settings, ATableWithoutAKeyThatIsNeededIsRefusedAtTheSetting) {
@@ -103,7 +104,7 @@ std::string accuracy_keys(const std::vector<std::string>& settings,
                           const std::string& file = "/ames.toml") {
     std::string all;
     for (const AccuracyKey& key :
-         read_campaign(IDEOTYPE_CAMPAIGNS + file, settings).accuracy)
+         accuracy_keys(read_campaign(IDEOTYPE_CAMPAIGNS + file, settings).spec))
         all += fmt::format("{}={} ", key.path, key.value);
     return all;
 }
@@ -184,62 +185,13 @@ TEST(Settings, AStartIsAWholeGenomeWithinItsBounds) {
 }
 
 // Histories and files of earlier versions have these keys.
-TEST(Settings, KeysThatAreGoneMayBeSwitchedOff) {
-    const std::string text = read_campaign(ames).resolved;
-    const auto with = [&](const std::string& key, const std::string& file) {
-        return parse_campaign(
-            std::string(text).replace(text.find("[search]\n"), 9,
-                                      "[search]\n" + key + "\n"),
-            file);
-    };
-    EXPECT_NO_THROW(with("window = 0\nrestarts = 0", "c.toml"));
-    EXPECT_NO_THROW(with("window = 128", "history.h5"));
-    try {
-        with("window = 128", "c.toml");
-        FAIL() << "accepted";
-    } catch (const InputError& error) {
-        EXPECT_NE(std::string(error.what())
-                      .find("search.window is a key of versions up to 0.2.3; "
-                            "use search.streams"),
-                  std::string::npos)
-            << error.what();
-    }
-}
-
-TEST(Settings, NamesOfEarlierVersionsLeadToThoseOfToday) {
-    const std::string resolved = read_campaign(ames).resolved;
-    const std::vector<std::array<std::string, 3>> renamed{
-        {"[search]", "[evolution]", "did you mean 'search'"},
-        {"\nboundary", "\ncut", "did you mean 'border_rows'"},
-        {"\nbase_diameter", "\ndiameter", "did you mean 'base_diameter'"},
-        {"\nfolding_angle", "\nfold", "did you mean 'folding_angle'"},
-        {"\ncurvature = ", "\ndroop = ", "did you mean 'curvature'"},
-        {"\ninsertion_angle", "\ninclination",
-         "did you mean 'insertion_angle'"}};
-    for (const auto& [is, was, advice] : renamed) {
-        std::string text = resolved;
-        ASSERT_NE(text.find(is), text.npos) << is;
-        text.replace(text.find(is), is.size(), was);
-        try {
-            parse_campaign(text, "older.toml");
-            FAIL() << "accepted " << was;
-        } catch (const InputError& error) {
-            EXPECT_NE(std::string(error.what()).find(advice), std::string::npos)
-                << error.what();
-        }
-    }
-}
-
-TEST(Settings, StudiesAreNoSearchAndOlderOnesNameAnOptimizer) {
+TEST(Settings, StudiesAreNoSearch) {
     const Campaign study = read_study(ames, {"sensitivity.samples=40"});
     ASSERT_TRUE(study.search.design);
     EXPECT_EQ(study.search.design->samples, 40);
     EXPECT_EQ(study.stop.generations, 3);
     EXPECT_EQ(study.resolved.find("[search]"), std::string::npos);
-    std::string older = study.resolved;
-    older.insert(older.find("[sensitivity]"),
-                 "[search]\noptimizer = \"sensitivity\"\npopulation = 9\n\n");
-    EXPECT_EQ(parse_campaign(older, "older").resolved, study.resolved);
+    EXPECT_EQ(parse_campaign(study.resolved, "again").resolved, study.resolved);
     EXPECT_FALSE(read_campaign(ames, {"sensitivity.samples=40"}).search.design);
 }
 

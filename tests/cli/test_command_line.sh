@@ -10,7 +10,7 @@ says "HDF5 1"
 expect 0 "$ideotype" --help
 says "evaluate"
 expect 2 "$ideotype" fly
-says "use one of new, check, run"
+says "use one of new, check, schema, run"
 expect 2 "$ideotype" chek campaigns/verbs.toml
 says "did you mean 'check'"
 expect 3 "$ideotype" evaluate campaigns/crops/maize.toml

@@ -11,6 +11,12 @@ mkdir own other
 expect 0 "$ideotype" new own/my.toml "${place[@]}" "${field[@]}" --plant maize
 says "^next: ideotype check own/my.toml$"
 cmp own/maize.toml campaigns/crops/maize.toml
+# Editors find the schema, which is beside it too.
+says "^own/maize.toml$"
+says "^own/campaign.schema.json$"
+[ "$(head -n 1 own/my.toml)" = "#:schema campaign.schema.json" ] ||
+    fail "no schema in $(cat own/my.toml)"
+"$ideotype" schema | cmp - own/campaign.schema.json
 expect 0 "$ideotype" check own/my.toml
 says "^own/my.toml: no errors$"
 ! grep -q "^advice" out.log || fail "what new writes needs advice: $(cat out.log)"
@@ -39,13 +45,26 @@ expect 4 "$ideotype" new own/my.toml "${place[@]}" "${field[@]}" --plant maize
 says "own/my.toml: exists already and is not overwritten"
 [ "$(cat own/* | sha256sum)" = "$sum" ] || fail "something was overwritten"
 mkdir links
-for name in my maize; do
-    ln -s elsewhere.toml links/$name.toml
+for name in my.toml maize.toml campaign.schema.json; do
+    ln -s elsewhere.toml links/$name
     expect 4 "$ideotype" new links/my.toml "${place[@]}" "${field[@]}" --plant maize
-    says "links/$name.toml: this is a symbolic link"
+    says "links/$name: this is a symbolic link"
     [ ! -e links/elsewhere.toml ] || fail "a link was followed"
     rm links/*
 done
+# A schema of another version is replaced; another file is not.
+sed -i 's/seed of all random numbers/seed/' own/campaign.schema.json
+expect 0 "$ideotype" new own/newer.toml "${place[@]}" "${field[@]}" --plant maize
+[ "$(cat out.log)" = "$(printf 'own/newer.toml\nnext: ideotype check own/newer.toml')" ] ||
+    fail "more than the campaign is new: $(cat out.log)"
+"$ideotype" schema | cmp - own/campaign.schema.json
+for text in '{"title": 1}' '{"title": "Campaign"}' '[]' 'no JSON' ''; do
+    echo "$text" >links/campaign.schema.json
+    expect 4 "$ideotype" new links/my.toml "${place[@]}" "${field[@]}" --plant maize
+    says "links/campaign.schema.json: exists already .*no JSON Schema of campaigns"
+    [ "$(cat links/*)" = "$text" ] || fail "something else is there: $(ls links)"
+done
+rm links/campaign.schema.json
 # A crop serves another campaign too; a changed crop is not taken for the
 # original.
 expect 0 "$ideotype" new own/second.toml "${place[@]}" "${field[@]}" \
@@ -193,7 +212,7 @@ says "there is no folder nowhere"
 expect 3 "$ideotype" new none.toml "${place[@]}" "${field[@]}" --plant maize \
     --name "my own"
 says 'none.toml:.*name is "my own"'
-[ -z "$(ls none.toml maize.toml 2>/dev/null)" ] || fail "something is left"
+[ -z "$(ls none.toml maize.toml campaign.schema.json 2>/dev/null)" ] || fail "something is left"
 
 # On a terminal the command asks for missing options until an answer is valid.
 {

@@ -11,6 +11,7 @@ expect 0 "$prefix/bin/ideotype" check "$share/ideotype/campaigns/ames_quick.toml
 for file in doc/ideotype/LICENSE bash-completion/completions/ideotype; do
     [ -s "$share/$file" ] || fail "there is no $file"
 done
+"$prefix/bin/ideotype" schema | cmp - "$share/ideotype/campaign.schema.json"
 # The manual page is made where help2man is installed.
 ! command -v help2man >/dev/null || [ -s "$share/man/man1/ideotype.1" ] ||
     fail "there is no manual page"

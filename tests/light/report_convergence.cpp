@@ -18,8 +18,8 @@ constexpr int randomisations = 32;
 //! Returns the campaign with 36 plants and a sun for every hour.
 Campaign ames(const std::string& campaigns) {
     Campaign campaign = read_campaign(campaigns + "/ames.toml");
-    campaign.field.rows = campaign.field.plants = 6;
-    campaign.days[0].value.step_minutes = 60;
+    campaign.spec.field.rows = campaign.spec.field.plants = 6;
+    campaign.spec.days[0].value.step_minutes = 60;
     return campaign;
 }
 

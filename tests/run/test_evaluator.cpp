@@ -70,7 +70,7 @@ TEST_F(Ames, ExtinctionFollowsFromTheLightThatAllOrgansLeave) {
                     fapar.standard_error / k.standard_error,
                 1, 1e-6);
     Campaign plot = campaign;
-    plot.field.boundary = Boundary::isolated;
+    plot.spec.field.boundary = Boundary::isolated;
     EXPECT_FALSE(outcome_schema(plot, all[0], plot.sampling)
                      .measured.has("extinction_coefficient"));
 }
@@ -156,7 +156,7 @@ TEST_F(Ames, ViolationsAreKeptApartFromTheObjective) {
     EXPECT_EQ(feasible.violation, 0);
 
     Campaign strict = campaign;
-    strict.constraints.lai = {1, 2};
+    strict.spec.constraints.lai = {1, 2};
     CanopyEvaluator strict_evaluator(strict, Device::supported_isas().back());
     const Outcome outcome = strict_evaluator.evaluate({}, baseline);
     EXPECT_EQ(outcome.objectives[0].mean, feasible.objectives[0].mean);
@@ -165,7 +165,7 @@ TEST_F(Ames, ViolationsAreKeptApartFromTheObjective) {
 
 TEST_F(Ames, LightPerLeafAreaIsThatOfTheGroundOverLai) {
     Campaign thrifty = campaign;
-    thrifty.maximised = {"absorbed_par_per_leaf_area"};
+    thrifty.spec.objective.maximised = {"absorbed_par_per_leaf_area"};
     CanopyEvaluator other(thrifty, Device::supported_isas().back());
     const Outcome a = evaluator.evaluate({}, baseline);
     const Outcome b = other.evaluate({}, baseline);
@@ -177,7 +177,7 @@ TEST_F(Ames, LightPerLeafAreaIsThatOfTheGroundOverLai) {
 
 TEST_F(Ames, AssimilationIsToldInMolAndInGramsAndPerLeafArea) {
     Campaign net = campaign;
-    net.maximised = {"net_assimilation"};
+    net.spec.objective.maximised = {"net_assimilation"};
     net.photosynthesis = Photosynthesis{};
     CanopyEvaluator other(net, Device::supported_isas().back());
     const Outcome outcome = other.evaluate({}, baseline);
@@ -203,8 +203,8 @@ TEST_F(Ames, AssimilationIsToldInMolAndInGramsAndPerLeafArea) {
 
 TEST_F(Ames, APlotAloneTakesMoreThanItsGroundReceives) {
     Campaign alone = campaign;
-    alone.field.boundary = Boundary::isolated;
-    alone.field.border_rows = 1;
+    alone.spec.field.boundary = Boundary::isolated;
+    alone.spec.field.border_rows = 1;
     CanopyEvaluator plot(alone, Device::supported_isas().back());
     const Outcome outcome = plot.evaluate({}, baseline);
     ASSERT_EQ(outcome.status, Status::done) << outcome.message;

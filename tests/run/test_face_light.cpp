@@ -12,7 +12,7 @@ namespace {
 class FaceLight : public ::testing::Test {
   protected:
     FaceLight() {
-        stand_in({3, 3, chosen.spacing, campaign.field.jitter});
+        stand_in({3, 3, chosen.spacing, campaign.spec.field.jitter});
         request.accuracy = {512, 4};
         request.randomness = {5, 2};
     }
@@ -71,7 +71,7 @@ class FaceLight : public ::testing::Test {
         request_of(sampling_of(Task{}, campaign, chosen), campaign, chosen,
                    scene_of(campaign, chosen), {campaign.crop.baseline});
     const Mesh plant =
-        build_plant(campaign.crop.baseline, campaign.tessellation);
+        build_plant(campaign.crop.baseline, campaign.spec.plant.tessellation);
     const Device device{Device::supported_isas().back()};
 };
 
@@ -90,7 +90,7 @@ TEST_F(FaceLight, FacesOfACutPlotSumToItsEvaluation) {
     stand_in({.rows = 3,
               .plants = 3,
               .spacing = chosen.spacing,
-              .jitter = campaign.field.jitter,
+              .jitter = campaign.spec.field.jitter,
               .boundary = Boundary::isolated,
               .border_rows = 1});
     expect_totals_of_field();

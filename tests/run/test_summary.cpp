@@ -94,7 +94,7 @@ TEST_F(Summary, NeverDividesByNothing) {
 TEST_F(Summary, SeveralScenariosHaveNoCeilingInCommon) {
     const std::string alone = of({9, 0.01}, 3, {10, 0.01}, 4);
     EXPECT_NE(alone.find("\nat most "), std::string::npos);
-    campaign_.over = {"site"};
+    campaign_.spec.objective.over = {"site"};
     const std::string text = of({9, 0.01}, 3, {10, 0.01}, 4);
     EXPECT_NE(text.find("gain "), std::string::npos);
     EXPECT_EQ(text.find("\nat most "), std::string::npos);

@@ -110,16 +110,16 @@ TEST(AcrossScenarios, ConstraintsHoldInTheScenarioWhereTheyFailMost) {
     const double mean_lai = find(schema, evaluated(campaign), "lai")->mean;
     // Twice the density gives twice the leaf area.
     const double lai = mean_lai / 1.5;
-    campaign.constraints.lai = {0, lai};
+    campaign.spec.constraints.lai = {0, lai};
     EXPECT_NEAR(evaluated(campaign).violation, 1, 1e-6);
 }
 
 //! Constraints leave variation out, so that no plant meets them by chance.
 TEST(PlantVariation, IsNotWhatConstraintsAreAbout) {
     Campaign campaign = changed("", "");
-    campaign.constraints.lai = {0, 3};
+    campaign.spec.constraints.lai = {0, 3};
     const Outcome alike = evaluated(campaign);
-    campaign.field.variation = {.length = 0.2, .width = 0.2};
+    campaign.spec.field.variation = {.length = 0.2, .width = 0.2};
     const Outcome differing = evaluated(campaign);
     EXPECT_GT(alike.violation, 0.1);
     EXPECT_NEAR(differing.violation, alike.violation, 1e-9);

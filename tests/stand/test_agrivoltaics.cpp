@@ -126,7 +126,7 @@ TEST(Agrivoltaics, PanelsThatTrackStandAsTheirAngleTells) {
     std::set<double> angles;
     for (std::size_t h = 0; h < series.steps.size(); ++h) {
         const double angle =
-            tracker_angle(campaign.panels[0].rows, series.steps[h].sun);
+            tracker_angle(campaign.spec.panels[0].rows, series.steps[h].sun);
         angles.insert(angle);
         const CanopyReport standing = light_of_field(with(fmt::format(
             "azimuth={}, tilt={:.9f}", angle > 0 ? 90 : 270, std::abs(angle))));
@@ -289,7 +289,7 @@ TEST(Agrivoltaics, HeightAndPitchMayBeGenesBesideThoseOfThePlant) {
 }
 
 TEST(Agrivoltaics, ASettingTakesPanelsAway) {
-    EXPECT_TRUE(campaign_with({panel, "panel=[]"}).panels.empty());
+    EXPECT_TRUE(campaign_with({panel, "panel=[]"}).spec.panels.empty());
     EXPECT_EQ(campaign_with({panel, "panel=[]"}).resolved,
               campaign_with({}).resolved);
 }

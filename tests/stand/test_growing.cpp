@@ -43,7 +43,7 @@ TEST(GrowingSeason, AStageOfFullGreenPlantsIsTheCropWithoutGrowthToTheBit) {
     grown.crop.growth->root_share = grown.crop.growth->ear_maintenance = 0;
     for (Organ& organ : grown.crop.baseline.organs) organ.senescence = 0;
     Campaign plain = grown;
-    plain.climates.front().value.emergence = {0, 1, 1};
+    plain.spec.climates.front().value.emergence = {0, 1, 1};
     ASSERT_EQ(cases(grown).at(0).stages.size(), 1u);
     ASSERT_TRUE(cases(plain).at(0).stages.empty());
     const auto a = numbers(grown), b = numbers(plain);
@@ -220,7 +220,7 @@ TEST(GrowingSeason, LeavesArePaidOnce) {
     const Plant plant =
         complete_plant(*campaign.crop.growth, campaign.crop.baseline);
     const double area =
-        plant_area(build_plant(plant, campaign.tessellation)).leaves;
+        plant_area(build_plant(plant, campaign.spec.plant.tessellation)).leaves;
     double built = 0;
     const Case chosen = cases(campaign).at(0);
     for (const Case& each : chosen.stages) {
@@ -351,7 +351,7 @@ TEST(GrowingSeason, AgeingLowersCarbonAndLeavesLightAlone) {
 
 TEST(GrowingSeason, PlantsThatDoNotGrowHaveTheCapacityOfTheirStage) {
     Campaign plain = growing();
-    plain.climates.front().value.emergence = {0, 1, 1};
+    plain.spec.climates.front().value.emergence = {0, 1, 1};
     for (Organ& organ : plain.crop.baseline.organs) organ.senescence = 0;
     const Case chosen = cases(plain).at(0);
     ASSERT_TRUE(chosen.stages.empty());
@@ -360,7 +360,7 @@ TEST(GrowingSeason, PlantsThatDoNotGrowHaveTheCapacityOfTheirStage) {
     };
     const auto at_silking = numbers(plain);
     const double full = rate();
-    plain.stage = 1.75;
+    plain.spec.plant.stage = 1.75;
     EXPECT_LT(rate(), 0.75 * full);
     const auto aged = numbers(plain);
     EXPECT_LT(aged.at("gross_assimilation_0"),
@@ -378,8 +378,9 @@ TEST(GrowingSeason, AStageOfPlantsThatGrowIsAnError) {
         read_campaign(IDEOTYPE_CAMPAIGNS "/ames_quick.toml",
                       {"plant.baseline=\"crops/maize_hybrid.toml\"",
                        "plant.bounds=\"traits\"", "plant.stage=1.5"});
-    EXPECT_EQ(hybrid.stage, 1.5);
-    EXPECT_EQ(parse_campaign(hybrid.resolved, "again.toml").stage, 1.5);
+    EXPECT_EQ(hybrid.spec.plant.stage, 1.5);
+    EXPECT_EQ(parse_campaign(hybrid.resolved, "again.toml").spec.plant.stage,
+              1.5);
     EXPECT_TRUE(hybrid.warnings.empty());
     // Leaves that do not age have the same capacity at all stages.
     const Campaign line = read_campaign(IDEOTYPE_CAMPAIGNS "/ames_quick.toml",

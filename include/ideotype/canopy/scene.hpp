@@ -176,7 +176,7 @@ struct Waveband {
 inline const std::array wavebands{
     Waveband{"par", "", "optics", &TimeStep::par},
     Waveband{"nir", "nir_", "optics.nir", &TimeStep::nir}};
-inline constexpr std::size_t nir_band = 1;  //!< place in wavebands
+inline constexpr std::size_t par_band = 0, nir_band = 1;  //!< in wavebands
 
 //! A list of one item for each of the wavebands, in their order.
 template <class T>

@@ -35,21 +35,22 @@ inline constexpr std::array leaf_measures{
     measure("width", "m", 0.001, 0.5, &Leaf::width,
             "largest width of the blade"),
     measure("insertion_angle", "deg", 0, 90, &Leaf::insertion_angle,
-            "of the base from the stalk; 90 is horizontal"),
+            "angle of the base from the stalk; 90 is horizontal"),
     measure("curvature", "deg", 0, 180, &Leaf::curvature,
-            "how much further the tip bends down"),
+            "angle by which the tip bends further down"),
     measure("azimuth", "deg", 0, 360, &Leaf::azimuth,
-            "about the stalk; 0 is along the row"),
-    measure("insertion_height", "m", 0, 6, &Leaf::insertion_height,
-            "above the soil, at most the stalk's height"),
+            "azimuth about the stalk; 0 is along the row"),
+    measure(
+        "insertion_height", "m", 0, 6, &Leaf::insertion_height,
+        "height of the insertion above the soil, at most the stalk's height"),
     measure("roll", "deg", -180, 180, &Leaf::roll,
             "turn of the blade about its midrib, halfway along it"),
     measure("twist", "deg", -720, 720, &Leaf::twist,
             "turn of the blade about its midrib from the base to the tip"),
     measure("petiole_length", "m", 0, 1, &Leaf::petiole_length,
-            "from the stalk to the blade"),
+            "length from the stalk to the blade"),
     measure("petiole_angle", "deg", 0, 180, &Leaf::petiole_angle,
-            "of the petiole from the stalk"),
+            "angle of the petiole from the stalk"),
     measure("internode", "m", 0, 1, &Leaf::internode,
             "height above the leaf below, or of the lowest above the soil, in "
             "the place of insertion_height")};
@@ -72,56 +73,61 @@ inline constexpr std::array blade_measures{
     measure("lateral_size", "1", 0.1, 2, &Blade::lateral_size,
             "length and width of other leaflets over those of the middle one"),
     measure("rachis_length", "m", 0, 0.5, &Blade::rachis_length,
-            "how much further the middle leaflet begins")};
+            "distance by which the middle leaflet begins further out")};
 
 inline constexpr std::array stalk_measures{
-    measure("height", "m", 0.05, 6, &Stalk::height, "above the soil"),
+    measure("height", "m", 0.05, 6, &Stalk::height, "height above the soil"),
     measure("base_diameter", "m", 0.001, 0.2, &Stalk::base_diameter,
-            "at the soil"),
+            "diameter at the soil"),
     measure("top_diameter", "m", 0, 0.2, &Stalk::top_diameter,
-            "at the top; 0: as at the base")};
+            "diameter at the top; 0: as at the base")};
 
 inline constexpr std::array sheath_measures{
     measure("length", "m", 0, 1, &Sheath::length,
-            "from the insertion of the leaf down; what the sheath of the leaf "
-            "below covers does not show"),
-    measure("thickness", "m", 0, 0.01, &Sheath::thickness, "around the stalk")};
+            "length from the insertion of the leaf down; the part that the "
+            "sheath of the leaf below covers does not show"),
+    measure("thickness", "m", 0, 0.01, &Sheath::thickness,
+            "thickness of the sheath around the stalk")};
 
 //! Measures of the tissue of stalks, sheaths and further organs.
 template <class Part>
 inline constexpr std::array tissue_measures{
     measure<Part>("capacity", "1", 0, 1, &Part::capacity,
                   "capacity of gross assimilation per area of outer surface "
-                  "over that of the highest leaf"),
+                  "over that of the highest leaf; 0: it does not assimilate"),
     measure<Part>("density", "kg m-3", 0, 1000, &Part::density,
-                  "dry mass per volume"),
+                  "dry mass per volume, which is built and respires; 0: it "
+                  "costs no carbon"),
     measure<Part>("maintenance", "d-1", 0, 0.1, &Part::maintenance,
                   "carbohydrate that dry mass respires at 25 deg C"),
     measure<Part>("construction", "1", 1, 5, &Part::construction,
                   "carbohydrate over the dry mass that is built of it")};
 
-inline constexpr std::array petiole_measures{measure(
-    "diameter", "m", 0.0001, 0.1, &Petiole::diameter, "of all petioles")};
+inline constexpr std::array petiole_measures{
+    measure("diameter", "m", 0.0001, 0.1, &Petiole::diameter,
+            "diameter of all petioles")};
 
 inline constexpr std::array organ_measures{
     measure("offset", "m", -6, 6, &Organ::offset,
-            "height of the lowest above the stalk's top or the leaf"),
+            "height of the lowest cone above the stalk's top or the leaf"),
     measure("spread", "m", 0, 3, &Organ::spread,
-            "height over which several are spread"),
-    measure("length", "m", 0.001, 3, &Organ::length, "of each"),
+            "height over which several cones are spread"),
+    measure("length", "m", 0.001, 3, &Organ::length, "length of each cone"),
     measure("base_diameter", "m", 0.0001, 0.5, &Organ::base_diameter,
-            "where it begins"),
-    measure("top_diameter", "m", 0, 0.5, &Organ::top_diameter, "where it ends"),
+            "diameter where a cone begins"),
+    measure("top_diameter", "m", 0, 0.5, &Organ::top_diameter,
+            "diameter where a cone ends"),
     measure("inclination", "deg", 0, 180, &Organ::inclination,
-            "from the vertical"),
+            "angle of a cone from the vertical"),
     measure("azimuth", "deg", 0, 360, &Organ::azimuth,
-            "of the first; 0 is along the row, or the azimuth of its leaf")};
+            "azimuth of the first cone; 0 is along the row, or the azimuth of "
+            "its leaf")};
 
 //! The name of a measure in a plant, such as "leaf.length" or "stalk.height",
 //! and the measure's properties and values.
 struct MeasureInfo {
     std::string name;
-    std::string unit;
+    const char* unit = "";
     Range limits;
     bool is_of_leaves = false;    //!< whether each leaf has a value
     bool is_direction = false;    //!< whether 0 and 360 deg are equal

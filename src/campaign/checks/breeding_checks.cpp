@@ -16,36 +16,52 @@ namespace {
 //! A crop that is bred; crops are in the order of genes: the campaign's crop,
 //! then those of components.
 struct BredCrop {
-    Draft& draft;
-    std::string table;  //!< table of bounds: "plant" or "component"
-    Problems of_table;  //!< problems of "plant" or "component[0]"
+    const CropSpec& crop;
+    std::vector<NamedTraits> sets;  //!< sets of its bred traits
+    std::string table;              //!< table of bounds: "plant", "component"
+    Problems of_table;              //!< problems of "plant" or "component[0]"
     //! Problems of "plant.baseline" or "component[0].crop".
     Problems of_baseline;
 
     bool is_component() const { return table == "component"; }
+
+    //! Returns the first set that breeds a trait; null if there is none.
+    const NamedTraits* breeder(const std::string& trait) const {
+        for (const NamedTraits& set : sets)
+            if (std::ranges::count(set.value, trait) > 0) return &set;
+        return nullptr;
+    }
 };
 
-std::vector<BredCrop> bred_crops(Draft& draft, const Problems& problems) {
+std::vector<BredCrop> bred_crops(const Spec& spec, const Problems& problems) {
+    const bool are_varied = !spec.is_study || spec.sensitivity.has_traits;
     std::vector<BredCrop> all{
-        {draft, "plant", problems.in("plant"), problems.in("plant.baseline")}};
-    for (std::size_t i = 0; i < draft.components.size(); ++i) {
-        Draft& each = *draft.components[i];
+        {spec.plant.crop,
+         are_varied ? spec.trait_sets : std::vector<NamedTraits>{}, "plant",
+         problems.in("plant"), problems.in("plant.baseline")}};
+    for (std::size_t i = 0; i < spec.components.size(); ++i) {
+        const ComponentSpec& each = spec.components[i];
         const Problems own = problems.in("component", i);
-        if (!each.campaign.trait_sets.front().value.empty())
-            all.push_back({each, "component", own, own.in("crop")});
+        if (!each.free.empty())
+            all.push_back({each.crop,
+                           {{"all", each.free}},
+                           "component",
+                           own,
+                           own.in("crop")});
     }
     return all;
 }
 
-void check_constraints(const Draft& draft, const Problems& problems) {
-    const Constraints& constraints = draft.campaign.constraints;
+void check_constraints(const Spec& spec, const Problems& problems) {
+    const Constraints& constraints = spec.constraints;
     if (problems.usable({"lai"}) && constraints.lai.upper <= 0)
         problems.add("lai",
                      "constraints.lai allows no leaves (its upper bound is 0); "
                      "write [lower, upper]");
-    for (std::size_t t = 0; t < constraints.traits.size(); ++t) {
-        const TraitConstraint& limit = constraints.traits[t];
-        const Trait trait = complete(draft.traits.at(t));
+    for (const TraitConstraint& limit : constraints.traits) {
+        const Trait trait = complete(*std::ranges::find(
+            spec.plant.crop.traits, limit.trait,
+            [](const TraitEntry& each) { return each.trait.name; }));
         if (!constrains(limit) || trait.measures.empty()) continue;
         const Problems own = problems.in(limit.trait);
         const std::string& measure = trait.measures.front();
@@ -61,14 +77,6 @@ void check_constraints(const Draft& draft, const Problems& problems) {
                     "and only azimuths have a plane); remove it",
                     trait.name, limit.distichous, measure);
     }
-}
-
-const Named<TraitSet>* breeder(const Campaign& campaign,
-                               const std::string& trait) {
-    if (!campaign.varied.has_traits) return nullptr;
-    for (const Named<TraitSet>& set : campaign.trait_sets)
-        if (std::ranges::count(set.value, trait) > 0) return &set;
-    return nullptr;
 }
 
 //! Returns the path of a measure in a crop, such as "leaf[2].length".
@@ -90,13 +98,13 @@ class BaselineCheck {
   public:
     explicit BaselineCheck(const BredCrop& bred)
         : bred_(bred),
-          draft_(bred.draft),
+          spec_(bred.crop),
           table_(bred.table + ".bounds"),
-          crop_(crop_of(bred.draft)),
+          crop_(crop_of(bred.crop)),
           wider_(crop_.traits.size()) {}
 
     std::vector<Problem> run() {
-        const bool is_table = draft_.rule.empty();
+        const bool is_table = spec_.rule.empty();
         const Problems& problems = bred_.of_table;
         if (!is_table && !problems.usable({"bounds"})) return {};
         const std::vector<TraitNumber> numbers = trait_numbers(crop_);
@@ -135,13 +143,13 @@ class BaselineCheck {
 
     void check(const TraitNumber& number, double value) {
         const Trait& trait = crop_.traits[number.trait];
-        const Named<TraitSet>* set = breeder(draft_.campaign, trait.name);
+        const NamedTraits* set = bred_.breeder(trait.name);
         const std::string key =
             trait.effect == TraitEffect::sets
                 ? key_of(crop_.baseline, trait.measures[0], number.leaf)
                 : fmt::format("trait[{}].range", number.trait);
         if (!set || !bred_.of_baseline.usable(key)) return;
-        const Range range = bounds_of(draft_, number.trait, value);
+        const Range range = bounds_of(spec_, number.trait, value);
         std::optional<Range>& wider = wider_[number.trait];
         if (!wider) wider = range;
         wider = {std::min({wider->lower, range.lower, value}),
@@ -158,7 +166,7 @@ class BaselineCheck {
                                                    : "trait " + trait.name,
                  number.leaf > 0 ? fmt::format(" of leaf {}", number.leaf) : "",
                  value, unit,
-                 draft_.rule.empty() ? "table's" : '"' + draft_.rule + '"',
+                 spec_.rule.empty() ? "table's" : '"' + spec_.rule + '"',
                  range.lower, range.upper, unit,
                  bred_.is_component() ? "component.free"
                                       : "trait set \"" + set->name + '"')});
@@ -170,20 +178,20 @@ class BaselineCheck {
     std::string lines() const {
         std::string text;
         for (std::size_t t = 0; t < wider_.size(); ++t) {
-            const Range usual = draft_.rule.empty() ? draft_.own_bounds[t]
-                                                    : crop_.traits[t].range;
+            const Range usual = spec_.rule.empty() ? spec_.own_bounds[t]
+                                                   : crop_.traits[t].range;
             if (wider_[t] && (wider_[t]->lower != usual.lower ||
                               wider_[t]->upper != usual.upper))
                 text += fmt::format("\n{} = [{}, {}]", crop_.traits[t].name,
                                     wider_[t]->lower, wider_[t]->upper);
         }
         TraitSet by_rule, by_table;
-        for (const TraitEntry& entry : draft_.traits) {
-            if (is_bred(draft_, entry.trait, draft_.rule))
+        for (const TraitEntry& entry : spec_.traits) {
+            if (is_bred(spec_, entry.trait))
                 by_rule.push_back(entry.trait.name);
             if (entry.trait.is_bred) by_table.push_back(entry.trait.name);
         }
-        const Named<TraitSet>& first = draft_.campaign.trait_sets.front();
+        const NamedTraits& first = bred_.sets.front();
         if (!bred_.is_component() && by_rule != by_table &&
             first.value == by_rule)
             text += fmt::format("\n[[traits]]\nname = \"{}\"\nfree = [\"{}\"]",
@@ -192,7 +200,7 @@ class BaselineCheck {
     }
 
     const BredCrop& bred_;
-    Draft& draft_;
+    const CropSpec& spec_;
     std::string table_;  //!< table of bounds
     Crop crop_;
     //! Bounds of each bred trait, widened to hold the baseline's numbers.
@@ -203,16 +211,16 @@ class BaselineCheck {
 //! Reports numbers of a start that are outside the bounds of a crop.
 //! @param start numbers of the start, from the first of the crop
 //! @returns the number of genes of the crop
-std::size_t check_start_of(const Draft& draft, std::span<const double> start,
+std::size_t check_start_of(const BredCrop& bred, std::span<const double> start,
                            const Problems& problems) {
-    const Crop crop = crop_of(draft);
+    const Crop crop = crop_of(bred.crop);
     const std::vector<TraitNumber> numbers = trait_numbers(crop);
     const std::vector<double> baseline = baseline_numbers(crop);
     for (std::size_t i = 0; i < std::min(numbers.size(), start.size()); ++i) {
         const auto& [t, leaf, point] = numbers[i];
         const std::string& trait = crop.traits[t].name;
-        const Range range = bounds_of(draft, t, baseline[i]);
-        if (!breeder(draft.campaign, trait) ||
+        const Range range = bounds_of(bred.crop, t, baseline[i]);
+        if (!bred.breeder(trait) ||
             (start[i] >= range.lower && start[i] <= range.upper))
             continue;
         problems.add("search.start",
@@ -227,19 +235,19 @@ std::size_t check_start_of(const Draft& draft, std::span<const double> start,
 }
 
 //! Checks that a start has a number for each gene, bred genes within bounds.
-void check_start(Draft& draft, const Problems& problems) {
-    const std::vector<double>& start = draft.campaign.search.start;
+void check_start(const Spec& spec, const Problems& problems) {
+    const std::vector<double>& start = spec.search.start;
     if (start.empty() || !problems.usable({"search.start", "plant.bounds"}))
         return;
-    if (!uses_cma_es(draft.campaign.search))
+    if (!uses_cma_es(spec.search.optimizer_or_usual()))
         return problems.add("search.start",
                             "search.start is given (only CMA-ES begins around "
                             "a plant of its own); leave it out, or use "
                             "search.optimizer = \"auto\"");
     std::size_t count = 0;
-    for (const BredCrop& each : bred_crops(draft, problems))
+    for (const BredCrop& each : bred_crops(spec, problems))
         count += check_start_of(
-            each.draft, std::span(start).subspan(std::min(count, start.size())),
+            each, std::span(start).subspan(std::min(count, start.size())),
             problems);
     if (start.size() != count)
         problems.add("search.start",
@@ -251,23 +259,23 @@ void check_start(Draft& draft, const Problems& problems) {
 
 }  // namespace
 
-void check_breeding(Draft& draft, const Problems& problems) {
-    if (!draft.is_crop_known) return;
-    for (std::size_t t = 0; t < draft.traits.size(); ++t)
-        if (!is_sound(t, problems.in("plant.baseline"))) return;
-    check_constraints(draft, problems.in("constraints"));
-    std::vector<Problem>& outside = draft.campaign.outside_bounds;
-    outside.clear();
-    draft.campaign.wider_bounds.clear();
-    for (const BredCrop& each : bred_crops(draft, problems)) {
-        if (!each.draft.is_crop_known) continue;
+BaselineDoubts check_breeding(const Spec& spec, const Problems& problems) {
+    BaselineDoubts doubts;
+    const CropSpec& crop = spec.plant.crop;
+    if (!crop.is_known) return doubts;
+    for (std::size_t t = 0; t < crop.traits.size(); ++t)
+        if (!is_sound(t, problems.in("plant.baseline"))) return doubts;
+    check_constraints(spec, problems.in("constraints"));
+    for (const BredCrop& each : bred_crops(spec, problems)) {
+        if (!each.crop.is_known) continue;
         BaselineCheck check(each);
         std::vector<Problem> found = check.run();
-        if (!found.empty() && !each.draft.rule.empty() && !each.is_component())
-            draft.campaign.wider_bounds = check.wider_bounds();
-        std::ranges::move(found, std::back_inserter(outside));
+        if (!found.empty() && !each.crop.rule.empty() && !each.is_component())
+            doubts.wider_bounds = check.wider_bounds();
+        std::ranges::move(found, std::back_inserter(doubts.outside));
     }
-    check_start(draft, problems);
+    check_start(spec, problems);
+    return doubts;
 }
 
 }  // namespace ideotype

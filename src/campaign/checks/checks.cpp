@@ -7,7 +7,9 @@
 
 #include <fmt/format.h>
 
-#include "campaign/schema/schema.hpp"
+#include "campaign/leaves.hpp"
+#include "spec/tables.hpp"
+#include "spec/writer.hpp"
 
 namespace ideotype {
 
@@ -36,12 +38,12 @@ void check_plant_optics(const ByBand<PlantOptics>& optics,
     }
 }
 
-std::vector<ObjectiveKey> objective_keys(const Campaign& campaign,
+std::vector<ObjectiveKey> objective_keys(const Spec& spec,
                                          const Problems& problems) {
     std::vector<ObjectiveKey> all;
     for (const auto& [key, names] :
-         {std::pair("objective.maximise", &campaign.maximised),
-          std::pair("objective.minimise", &campaign.minimised)})
+         {std::pair("objective.maximise", &spec.objective.maximised),
+          std::pair("objective.minimise", &spec.objective.minimised)})
         if (problems.usable({key}))
             for (const std::string& each : *names) all.push_back({key, each});
     return all;
@@ -69,15 +71,15 @@ void check_names(const std::string& axis, const std::vector<Entry>& entries,
 }
 
 //! Reports too many cases to compute; returns whether there are few enough.
-bool check_count(const Campaign& campaign, const Problems& problems) {
-    double count = campaign.replicates;
+bool check_count(const Spec& spec, const Problems& problems) {
+    double count = spec.replicates;
     const auto multiply = [&](const std::string& axis, std::size_t entries) {
-        if (!is_over(campaign, axis)) count *= static_cast<double>(entries);
+        if (!is_over(spec, axis)) count *= static_cast<double>(entries);
     };
-    multiply("site", campaign.sites.size());
-    multiply("day", campaign.days.size() + campaign.climates.size());
-    multiply("spacing", campaign.spacings.size());
-    multiply("traits", campaign.trait_sets.size());
+    multiply("site", spec.sites.size());
+    multiply("day", spec.days.size() + spec.climates.size());
+    multiply("spacing", spec.spacings.size());
+    multiply("traits", spec.trait_sets.size());
     if (count <= static_cast<double>(most_cases)) return true;
     problems.add("replicates",
                  "there are {:.0f} cases (sites x days x spacings x trait sets "
@@ -87,18 +89,17 @@ bool check_count(const Campaign& campaign, const Problems& problems) {
 }
 
 //! Reports equal names of cases: names may contain the joining underscore.
-void check_case_names(const Campaign& campaign, const Problems& problems) {
+void check_case_names(const Spec& spec, const Problems& problems) {
     std::set<std::string> names;
-    const Cases all = cases(campaign);
     // Names of replicates differ, and no two entries share only some of them.
-    const auto step = static_cast<std::size_t>(campaign.replicates);
-    for (std::size_t i = 0; i < all.size(); i += step) {
-        const CaseName chosen = all.name(i);
+    const auto step = static_cast<std::size_t>(spec.replicates);
+    for (std::size_t i = 0; i < count_cases(spec); i += step) {
+        const CaseName chosen = case_name(spec, i);
         if (names.insert(chosen.name).second) continue;
         const auto named =
-            std::ranges::find(campaign.sites, chosen.site_name, &Site::name);
+            std::ranges::find(spec.sites, chosen.site_name, &Site::name);
         const Problems own = problems.in(
-            "site", static_cast<std::size_t>(named - campaign.sites.begin()));
+            "site", static_cast<std::size_t>(named - spec.sites.begin()));
         if (own.usable({"name"}))
             own.add("name",
                     "site.name is \"{}\" (two cases would be called {}, by the "
@@ -124,12 +125,21 @@ void check_spacing(const Spacing& spacing, const Problems& problems) {
                      "missing key 'plant' in [[spacing]], the distance [m] "
                      "between neighbours in a row; or 'density', the number of "
                      "plants per square metre");
+    const Values& range = find_key("spacing", "plant")->values;
+    if (problems.usable({"density"}) && spacing.density > 0 &&
+        spacing.plant > 0 &&
+        (spacing.plant < range.lower || spacing.plant > range.upper))
+        problems.add("density",
+                     "spacing.density is {} m-2 (neighbours in a row would be "
+                     "{:.4g} m apart, and the range is {} .. {} m); use "
+                     "another density, or another distance between rows",
+                     spacing.density, spacing.plant, range.lower, range.upper);
 }
 
 //! Warns of positions that reach the neighbour's place in the row.
-void check_positions(const Campaign& campaign, const Problems& problems) {
-    const double position = campaign.field.variation.position;
-    for (const Named<Spacing>& each : campaign.spacings)
+void check_positions(const Spec& spec, const Problems& problems) {
+    const double position = spec.field.variation.position;
+    for (const Named<Spacing>& each : spec.spacings)
         if (const double distance = each.value.plant;
             distance > 0 && most_deviations * position > distance) {
             problems.in("field")
@@ -146,12 +156,12 @@ void check_positions(const Campaign& campaign, const Problems& problems) {
 }
 
 //! Warns of stands in which the baseline has more leaves than fields have.
-void check_leaf_area(const Campaign& campaign, const Problems& problems) {
-    const double area =
-        plant_area(build_plant(campaign.crop.baseline, campaign.tessellation))
-            .leaves;
-    for (std::size_t i = 0; i < campaign.spacings.size(); ++i) {
-        const Spacing& spacing = campaign.spacings[i].value;
+void check_leaf_area(const Spec& spec, const Problems& problems) {
+    const double area = plant_area(build_plant(spec.plant.crop.baseline,
+                                               spec.plant.tessellation))
+                            .leaves;
+    for (std::size_t i = 0; i < spec.spacings.size(); ++i) {
+        const Spacing& spacing = spec.spacings[i].value;
         const std::string doubt =
             doubt_of_lai(area / (spacing.row * spacing.plant));
         if (!doubt.empty())
@@ -164,9 +174,9 @@ void check_leaf_area(const Campaign& campaign, const Problems& problems) {
 }
 
 //! Reports a bounded waveband if light is not followed in the band.
-void check_bands(const Campaign& campaign, const Problems& problems) {
+void check_bands(const Spec& spec, const Problems& problems) {
     for (std::size_t b = 0; b < wavebands.size(); ++b)
-        if (campaign.bounded_band == wavebands[b].name && !campaign.follows[b])
+        if (spec.light.band == wavebands[b].name && !spec.plant.crop.follows[b])
             problems.add("light.band",
                          "light.band is \"{0}\" (light is not followed in "
                          "it); add [[band]] with name = \"{0}\"",
@@ -174,14 +184,14 @@ void check_bands(const Campaign& campaign, const Problems& problems) {
 }
 
 //! Checks that the faces of all leaves of a field fit into the memory.
-void check_faces(const Campaign& campaign, const Problems& problems) {
+void check_faces(const Spec& spec, const Problems& problems) {
     constexpr double most = 20e6;
-    const FieldForm& field = campaign.field;
-    const int cells = campaign.tessellation.cells_along;
+    const FieldForm& field = spec.field;
+    const int cells = spec.plant.tessellation.cells_along;
     if (!problems.usable({"field.rows", "field.plants", "plant.cells_along"}))
         return;
     const auto leaves =
-        static_cast<double>(campaign.crop.baseline.leaves.size());
+        static_cast<double>(spec.plant.crop.baseline.leaves.size());
     const double faces = 2. * cells * leaves * field.rows * field.plants;
     if (faces > most)
         problems.add("plant.cells_along",
@@ -220,44 +230,50 @@ std::string doubt_of_lai(double lai) {
                       : "";
 }
 
-void check_draft(Draft& draft, const Problems& problems) {
-    const Campaign& campaign = draft.campaign;
-    check_names("site", campaign.sites, problems);
-    check_names("day", campaign.days, problems);
-    check_names("climate", campaign.climates, problems);
-    check_names("spacing", campaign.spacings, problems);
-    check_names("traits", campaign.trait_sets, problems);
-    const bool are_few = check_count(campaign, problems);
-    // Repeated names of one axis have been told apart already.
-    if (problems.empty()) check_case_names(campaign, problems);
-    if (are_few) check_sky(campaign, problems);
-    for (std::size_t i = 0; i < campaign.spacings.size(); ++i)
-        check_spacing(campaign.spacings[i].value, problems.in("spacing", i));
-    check_plant_optics(campaign.optics, problems);
-    check_names("band", campaign.bands, problems);
-    check_bands(campaign, problems);
-    check_components(draft, problems);
-    check_growing(draft, problems);
-    check_objects(draft, problems);
-    check_field(campaign.field, problems.in("field"));
-    check_positions(campaign, problems);
-    if (draft.is_crop_known) check_faces(campaign, problems);
-    check_light(campaign.sampling,
-                campaign.photosynthesis || asks_for_assimilation(campaign),
-                problems.in("light"));
-    check_search(draft, problems);
-    check_sensitivity(draft, problems);
+void check_stand(const Spec& spec, const Problems& problems) {
+    for (std::size_t i = 0; i < spec.spacings.size(); ++i)
+        check_spacing(spec.spacings[i].value, problems.in("spacing", i));
+    check_plant_optics(spec.plant.crop.optics, problems);
+    check_objects(spec, problems);
+    check_field(spec.field, problems.in("field"));
+    check_positions(spec, problems);
     check_photosynthesis(
-        draft.photosynthesis,
-        draft.is_crop_known ? campaign.crop.baseline.leaves.size() : 0,
+        spec.plant.crop.photosynthesis,
+        spec.plant.crop.is_known ? spec.plant.crop.baseline.leaves.size() : 0,
         problems);
-    check_leaf_models(draft, problems);
-    check_water(draft, problems);
-    check_plant(draft, problems.in("plant.baseline"));
-    check_breeding(draft, problems);
-    check_feasibility(draft, problems);
-    if (draft.is_crop_known && problems.empty())
-        check_leaf_area(campaign, problems);
+    check_plant(spec.plant.crop, problems.in("plant.baseline"));
+}
+
+BaselineDoubts check_spec(const Spec& spec, const Problems& problems) {
+    if (spec.days.empty() && spec.climates.empty() && problems.empty())
+        problems.add("name",
+                     "there is neither [[day]] nor [[climate]] (each case has "
+                     "one of them); add one");
+    check_names("site", spec.sites, problems);
+    check_names("day", spec.days, problems);
+    check_names("climate", spec.climates, problems);
+    check_names("spacing", spec.spacings, problems);
+    check_names("traits", spec.trait_sets, problems);
+    const bool are_few = check_count(spec, problems);
+    // Repeated names of one axis have been told apart already.
+    if (problems.empty()) check_case_names(spec, problems);
+    if (are_few) check_sky(spec, problems);
+    check_names("band", spec.bands, problems);
+    check_bands(spec, problems);
+    check_components(spec, problems);
+    check_growing(spec, problems);
+    check_stand(spec, problems);
+    if (spec.plant.crop.is_known) check_faces(spec, problems);
+    check_light(spec.light, asks_for_assimilation(spec), problems.in("light"));
+    check_search(spec, problems);
+    check_sensitivity(spec, problems);
+    check_leaf_models(spec, problems);
+    check_water(spec, problems);
+    const BaselineDoubts doubts = check_breeding(spec, problems);
+    check_feasibility(spec, problems);
+    if (spec.plant.crop.is_known && problems.empty())
+        check_leaf_area(spec, problems);
+    return doubts;
 }
 
 }  // namespace ideotype

@@ -4,35 +4,47 @@
 #include <string>
 #include <vector>
 
-#include "campaign/draft.hpp"
-#include "campaign/problems.hpp"
+#include "campaign/campaign.hpp"
+#include "spec/problems.hpp"
 
 namespace ideotype {
 
-//! Checks values against each other: contradictions, duplicate names, a
-//! baseline outside its bounds.
-void check_draft(Draft& draft, const Problems& problems);
+//! Numbers of baselines outside the bounds in which breeding would keep them,
+//! which only breeding forbids.
+struct BaselineDoubts {
+    std::vector<Problem> outside;  //!< the numbers, then the lines to write
+    //! Tables with bounds that contain the campaign's baseline, in place of the
+    //! rule of bounds; "": the rule contains it.
+    std::string wider_bounds;
+};
+
+//! Checks values against each other: contradictions, duplicate names.
+BaselineDoubts check_spec(const Spec& spec, const Problems& problems);
+
+//! Checks the values of plants and their surroundings against each other, which
+//! a search may vary by their keys.
+void check_stand(const Spec& spec, const Problems& problems);
 
 //! Checks the values of a crop file against each other.
-void check_plant(Draft& draft, const Problems& problems);
+void check_plant(const CropSpec& crop, const Problems& problems);
 
 //! Checks the traits of a crop file, and the bounds under each rule.
-void check_traits(Draft& draft, const Problems& problems);
+void check_traits(const CropSpec& crop, const Problems& problems);
 
 //! Returns whether a trait taken alone has no problem.
 //! @param problems problems of the crop
 bool is_sound(std::size_t trait, const Problems& problems);
 
 //! Checks which traits are bred, and within which limits.
-void check_breeding(Draft& draft, const Problems& problems);
+BaselineDoubts check_breeding(const Spec& spec, const Problems& problems);
 
 //! Checks objectives, their scenarios, and the search.
-void check_search(const Draft& draft, const Problems& problems);
+void check_search(const Spec& spec, const Problems& problems);
 
 //! Checks the accuracy of light.
 //! @param assimilates whether leaves assimilate
 //! @param problems problems of the table [light]
-void check_light(const Accuracy& light, bool assimilates,
+void check_light(const LightSpec& light, bool assimilates,
                  const Problems& problems);
 
 //! Warns of fewer paths than objectives that follow from the response of leaves
@@ -41,21 +53,21 @@ void check_light(const Accuracy& light, bool assimilates,
 void check_paths(const Campaign& campaign, const Problems& problems);
 
 //! Checks sites, days and the light of their cases.
-void check_sky(const Campaign& campaign, const Problems& problems);
+void check_sky(const Spec& spec, const Problems& problems);
 
 //! Checks the needs of plants that grow, and the uses of growth.
-void check_growing(const Draft& draft, const Problems& problems);
+void check_growing(const Spec& spec, const Problems& problems);
 
 //! Checks where components stand, and the objectives of several components.
-void check_components(Draft& draft, const Problems& problems);
+void check_components(const Spec& spec, const Problems& problems);
 
 //! Reads the files of fixed objects.
 //! @param file path of the campaign
-void read_objects(const std::string& file, Draft& draft,
+void read_objects(const std::string& file, Spec& spec,
                   const Problems& problems);
 
 //! Checks how panels and objects repeat with the field.
-void check_objects(const Draft& draft, const Problems& problems);
+void check_objects(const Spec& spec, const Problems& problems);
 
 //! Reports a surface that reflects and transmits too much of the light.
 //! @param prefix prefix of the surface's keys, such as "optics.leaf_"
@@ -73,7 +85,7 @@ struct ObjectiveKey {
 };
 
 //! Returns the objectives of the lists without problems, in their order.
-std::vector<ObjectiveKey> objective_keys(const Campaign& campaign,
+std::vector<ObjectiveKey> objective_keys(const Spec& spec,
                                          const Problems& problems);
 
 //! Returns the quantity of an objective, without the name of a component.
@@ -82,16 +94,15 @@ inline std::string quantity_of(const std::string& objective) {
 }
 
 //! Checks measured lines and limits or objectives of the distance from lines.
-void check_feasibility(Draft& draft, const Problems& problems);
+void check_feasibility(const Spec& spec, const Problems& problems);
 
 //! Reports keys of a sensitivity study that are not numbers of this campaign,
 //! ranges that exceed those of their keys, and contradicting settings.
-//! Completes the values and units of the keys.
-void check_sensitivity(Draft& draft, const Problems& problems);
+void check_sensitivity(const Spec& spec, const Problems& problems);
 
 //! Reports numbers that belong to other models, and lists of unequal length.
 //! @param leaves number of leaves of the plant; 0: unknown
-void check_photosynthesis(const PhotosynthesisTable& table, std::size_t leaves,
+void check_photosynthesis(const PhotosynthesisSpec& table, std::size_t leaves,
                           const Problems& problems);
 
 }  // namespace ideotype

@@ -10,9 +10,9 @@ namespace ideotype {
 
 namespace {
 
-void check_name(const Draft& component, std::map<std::string, int>& names,
-                const Problems& problems) {
-    const std::string& name = component.campaign.name;
+void check_name(const ComponentSpec& component,
+                std::map<std::string, int>& names, const Problems& problems) {
+    const std::string& name = component.name;
     if (problems.usable({"name"}) && ++names[lower_case(name)] > 1)
         problems.add("name",
                      "component.name is \"{}\" (already used, perhaps for the "
@@ -21,7 +21,7 @@ void check_name(const Draft& component, std::map<std::string, int>& names,
 }
 
 //! @param taken whether each row of the field has a component already
-void check_rows(const Draft& component, std::vector<bool>& taken,
+void check_rows(const ComponentSpec& component, std::vector<bool>& taken,
                 const Problems& problems) {
     for (const double row : component.rows) {
         if (!problems.usable({"rows"})) return;
@@ -41,17 +41,16 @@ void check_rows(const Draft& component, std::vector<bool>& taken,
 }
 
 //! Reports a component that stands nowhere, or is placed in two ways.
-void check_standing(const Draft& component, const Problems& problems) {
+void check_standing(const ComponentSpec& component, const Problems& problems) {
     if (!problems.usable({"rows", "mixed", "plants"})) return;
-    const bool is_mixed = component.standing.mixed > 0;
+    const bool is_mixed = component.mixed > 0;
     if (component.rows.empty() != is_mixed)
         problems.add("name",
                      "component \"{}\" stands {}; give it either `rows` of the "
                      "field or `mixed`, a number of plants among those that "
                      "are bred",
-                     component.campaign.name,
-                     is_mixed ? "in two ways" : "nowhere");
-    else if (is_mixed && component.standing.plants > 0)
+                     component.name, is_mixed ? "in two ways" : "nowhere");
+    else if (is_mixed && component.plants > 0)
         problems.add("plants",
                      "component.plants is for components in rows; remove it, "
                      "or use `rows` in the place of `mixed`");
@@ -59,31 +58,31 @@ void check_standing(const Draft& component, const Problems& problems) {
 
 //! Checks that components beside the crop have names and places of their own,
 //! and leave places to the bred plants.
-void check_places(Draft& draft, const Problems& problems) {
-    const FieldForm& field = draft.campaign.field;
+void check_places(const Spec& spec, const Problems& problems) {
+    const FieldForm& field = spec.field;
     if (!problems.usable({"field.rows", "field.plants"})) return;
     std::map<std::string, int> names;
-    if (draft.is_crop_known)
-        names[lower_case(draft.campaign.crop.baseline.name)] = 1;
+    if (spec.plant.crop.is_known)
+        names[lower_case(spec.plant.crop.baseline.name)] = 1;
     std::vector<bool> taken(static_cast<std::size_t>(field.rows));
     std::ptrdiff_t mixed = 0;
-    for (std::size_t i = 0; i < draft.components.size(); ++i) {
-        Draft& each = *draft.components[i];
+    for (std::size_t i = 0; i < spec.components.size(); ++i) {
+        const ComponentSpec& each = spec.components[i];
         const Problems own = problems.in("component", i);
         check_name(each, names, own);
         check_rows(each, taken, own);
         check_standing(each, own);
-        mixed += each.standing.mixed;
+        mixed += each.mixed;
         if (std::ranges::count(taken, false) * field.plants <= mixed)
             own.add("name",
                     "component \"{}\" leaves no place to the plants that are "
                     "bred; the field has {} x {} places",
-                    each.campaign.name, field.rows, field.plants);
-        check_plant_optics(each.campaign.optics, own);
-        if (!each.is_crop_known) continue;
-        check_photosynthesis(each.photosynthesis,
-                             each.campaign.crop.baseline.leaves.size(), own);
-        check_plant(each, own.in("crop"));
+                    each.name, field.rows, field.plants);
+        check_plant_optics(each.crop.optics, own);
+        if (!each.crop.is_known) continue;
+        check_photosynthesis(each.crop.photosynthesis,
+                             each.crop.baseline.leaves.size(), own);
+        check_plant(each.crop, own.in("crop"));
     }
 }
 
@@ -122,40 +121,40 @@ void check_list(const std::vector<double>& list, const std::string& key,
 }
 
 //! Reports keys for which an objective cannot be a land equivalent ratio.
-void check_sole(const Campaign& campaign, std::size_t components,
+void check_sole(const Spec& spec, std::size_t components,
                 const Problems& problems) {
-    const bool has_sole = !campaign.sole.empty();
-    check_list(campaign.sole, "sole", components, problems);
-    check_list(campaign.sole_errors, "sole_errors", components, problems);
-    if (!has_sole && !campaign.sole_errors.empty())
+    const bool has_sole = !spec.objective.sole.empty();
+    check_list(spec.objective.sole, "sole", components, problems);
+    check_list(spec.objective.sole_errors, "sole_errors", components, problems);
+    if (!has_sole && !spec.objective.sole_errors.empty())
         problems.add("sole_errors",
                      "objective.sole_errors is given (they are the errors of "
                      "objective.sole, which is not); give both, or neither");
-    if (has_sole && !campaign.weights.empty())
+    if (has_sole && !spec.objective.weights.empty())
         problems.add("sole",
                      "objective.sole and objective.weights both tell what "
                      "components count; remove one of them");
-    if (has_sole && campaign.maximised.size() + campaign.minimised.size() != 1)
+    if (has_sole &&
+        spec.objective.maximised.size() + spec.objective.minimised.size() != 1)
         problems.add("sole",
                      "objective.sole is given (each crop grown alone has one "
                      "number there, for one objective); ask for one objective");
 }
 
 //! Reports weights that do not fit components, and objectives without parts.
-void check_weights(const Draft& draft, const Problems& problems) {
-    const Campaign& campaign = draft.campaign;
-    const std::vector<double>& weights = campaign.weights;
-    const std::size_t components = 1 + draft.components.size();
+void check_weights(const Spec& spec, const Problems& problems) {
+    const std::vector<double>& weights = spec.objective.weights;
+    const std::size_t components = 1 + spec.components.size();
     const Problems own = problems.in("objective");
     if (!own.usable({"weights", "sole", "sole_errors"})) return;
     check_list(weights, "weights", components, own);
-    check_sole(campaign, components, own);
-    const bool has_sole = !campaign.sole.empty();
+    check_sole(spec, components, own);
+    const bool has_sole = !spec.objective.sole.empty();
     if (!weights.empty() &&
         std::ranges::all_of(weights, [](double x) { return x == 0; }))
         own.add("weights", "objective.weights are all 0; give one that is not");
     const std::vector<std::string> sums = additive_objectives();
-    for (const auto& [key, name] : objective_keys(campaign, problems)) {
+    for (const auto& [key, name] : objective_keys(spec, problems)) {
         if (!problems.usable(key)) continue;
         const std::string list = has_sole ? "sole" : "weights";
         if ((!weights.empty() || has_sole) &&
@@ -173,10 +172,10 @@ void check_weights(const Draft& draft, const Problems& problems) {
 
 }  // namespace
 
-void check_components(Draft& draft, const Problems& problems) {
-    check_places(draft, problems);
-    check_row_pattern(draft.campaign.field, problems.in("field"));
-    check_weights(draft, problems);
+void check_components(const Spec& spec, const Problems& problems) {
+    check_places(spec, problems);
+    check_row_pattern(spec.field, problems.in("field"));
+    check_weights(spec, problems);
 }
 
 }  // namespace ideotype

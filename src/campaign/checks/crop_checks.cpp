@@ -80,11 +80,10 @@ void check_organs(const Plant& plant, const Problems& problems) {
 }
 
 //! Reports growth whose dates contradict each other or the plant.
-void check_growth(const Draft& draft, const Problems& problems) {
-    const Growth& growth = draft.growth;
-    const auto leaves =
-        static_cast<int>(draft.campaign.crop.baseline.leaves.size());
-    if (!draft.has_growth || !problems.usable({"leaves"})) return;
+void check_growth(const CropSpec& crop, const Problems& problems) {
+    if (!crop.growth || !problems.usable({"leaves"})) return;
+    const Growth& growth = *crop.growth;
+    const auto leaves = static_cast<int>(crop.baseline.leaves.size());
     if (growth.leaves < leaves)
         problems.add("leaves",
                      "growth.leaves is {} (the plant has {} leaves, the "
@@ -109,21 +108,20 @@ void check_growth(const Draft& draft, const Problems& problems) {
 
 //! Reports a development stage of plants that grow, and warns of one that
 //! changes nothing.
-void check_stage(const Draft& draft, const Problems& problems) {
-    const double stage = draft.campaign.stage;
-    if (stage == Campaign().stage || !problems.usable({"plant.stage"})) return;
-    if (plants_grow(draft.campaign))
+void check_stage(const Spec& spec, const Problems& problems) {
+    const double stage = spec.plant.stage;
+    if (stage == PlantSpec().stage || !problems.usable({"plant.stage"})) return;
+    if (plants_grow(spec))
         return problems.add("plant.stage",
                             "plant.stage is {} (plants pass through all "
                             "stages from climate.emergence on); remove it",
                             stage);
-    const auto ages = [](const Draft& crop) {
-        return !crop.is_crop_known ||
-               (crop.has_growth && crop.growth.ageing.size() > 1);
+    const auto ages = [](const CropSpec& crop) {
+        return !crop.is_known ||
+               (crop.growth && crop.growth->ageing.size() > 1);
     };
-    if (!ages(draft) &&
-        std::ranges::none_of(draft.components,
-                             [&](const auto& each) { return ages(*each); }))
+    if (!ages(spec.plant.crop) &&
+        std::ranges::none_of(spec.components, ages, &ComponentSpec::crop))
         problems.warn("plant.stage",
                       "plant.stage is {} (no crop file has growth.ageing, so "
                       "that leaves do not age); give it to the crop file, or "
@@ -133,7 +131,7 @@ void check_stage(const Draft& draft, const Problems& problems) {
 
 //! Reports emergence outside of its period, or without weather to grow by.
 //! @param problems problems of the climate
-void check_emergence(const Draft& draft, const Named<Climate>& named,
+void check_emergence(const Spec& spec, const Named<Climate>& named,
                      const Problems& problems) {
     const auto& [from, to] = named.value.period;
     const Date& day = named.value.emergence;
@@ -147,11 +145,12 @@ void check_emergence(const Draft& draft, const Named<Climate>& named,
             fmt::format("(the period is from {} to {}); give a day of it, or a "
                         "longer period",
                         to_string(from), to_string(to)));
-    if (draft.is_crop_known && !draft.has_growth)
+    if (spec.plant.crop.is_known && !spec.plant.crop.growth)
         return add(
             "(the crop file does not tell how plants grow); add [growth] to "
             "it, which describes a hybrid of maize if it is empty");
-    for (const SiteWeather& weather : draft.campaign.weathers) {
+    const Growth growth = spec.plant.crop.growth.value_or(Growth());
+    for (const SiteWeather& weather : spec.weathers) {
         if (weather.climate != named.name || !problems.empty()) continue;
         if (weather.temperature.empty())
             return add(
@@ -162,27 +161,26 @@ void check_emergence(const Draft& draft, const Named<Climate>& named,
         for (std::size_t d = 0; d < weather.dates.size(); ++d)
             if (weather.dates[d] >= day)
                 sum += daily_thermal_time(
-                    draft.growth,
-                    {weather.temperature.data() + d * steps, steps});
-        if (!(sum > leaf_dates(draft.growth).front().collar))
+                    growth, {weather.temperature.data() + d * steps, steps});
+        if (!(sum > leaf_dates(growth).front().collar))
             return add(
                 fmt::format("(until the end of the period there are {:.0f} deg "
                             "C d, too few for a leaf); give a longer period",
                             sum));
-        if (sum < maturity_time(draft.growth))
+        if (sum < maturity_time(growth))
             problems.warn("emergence",
                           "plants of climate \"{}\" are not mature at the end "
                           "of the period, with {:.0f} of {:.0f} deg C d; take "
                           "a longer period, if the weather file has one",
-                          named.name, sum, maturity_time(draft.growth));
+                          named.name, sum, maturity_time(growth));
     }
 }
 
 //! Reports leaves that cannot grow by coming out of a whorl.
 //! @param problems problems of the crop
-void check_leaves(const Draft& crop, const Problems& problems) {
-    const Plant& plant = crop.campaign.crop.baseline;
-    if (crop.is_crop_known && crop.has_growth &&
+void check_leaves(const CropSpec& crop, const Problems& problems) {
+    const Plant& plant = crop.baseline;
+    if (crop.is_known && crop.growth &&
         (plant.blade.leaflets > 1 || has_petioles(plant)))
         problems.add("growth.leaves",
                      "growth.leaves describes grasses, whose blades come out "
@@ -192,35 +190,35 @@ void check_leaves(const Draft& crop, const Problems& problems) {
 
 }  // namespace
 
-void check_plant(Draft& draft, const Problems& problems) {
-    const Plant& plant = draft.campaign.crop.baseline;
+void check_plant(const CropSpec& crop, const Problems& problems) {
+    const Plant& plant = crop.baseline;
     check_blade(plant.blade, problems.in("blade"));
     check_leaves(plant, problems);
     check_organs(plant, problems);
-    check_growth(draft, problems.in("growth"));
-    check_traits(draft, problems);
+    check_growth(crop, problems.in("growth"));
+    check_traits(crop, problems);
 }
 
-void check_growing(const Draft& draft, const Problems& problems) {
-    const auto& climates = draft.campaign.climates;
-    const bool grows = plants_grow(draft.campaign);
-    check_stage(draft, problems);
+void check_growing(const Spec& spec, const Problems& problems) {
+    const auto& climates = spec.climates;
+    const bool grows = plants_grow(spec);
+    check_stage(spec, problems);
     for (std::size_t i = 0; i < climates.size(); ++i) {
         const Problems own = problems.in("climate", i);
         if (climates[i].value.grows())
-            check_emergence(draft, climates[i], own);
+            check_emergence(spec, climates[i], own);
         else if (grows)
             own.add("name",
                     "climate \"{}\" has no emergence (plants grow in another "
                     "climate); give emergence to each",
                     climates[i].name);
     }
-    if (grows) check_leaves(draft, problems.in("plant.baseline"));
-    for (std::size_t i = 0; i < draft.components.size(); ++i) {
-        const Draft& each = *draft.components[i];
+    if (grows) check_leaves(spec.plant.crop, problems.in("plant.baseline"));
+    for (std::size_t i = 0; i < spec.components.size(); ++i) {
+        const ComponentSpec& each = spec.components[i];
         const Problems own = problems.in("component", i);
-        if (grows) check_leaves(each, own.in("crop"));
-        if (each.standing.later > 0 && (!grows || !each.has_growth))
+        if (grows) check_leaves(each.crop, own.in("crop"));
+        if (each.later > 0 && (!grows || !each.crop.growth))
             own.add("later",
                     "component.later is given (only plants that grow can be "
                     "later); remove it, or give [growth] to its crop file and "

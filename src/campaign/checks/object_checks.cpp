@@ -6,10 +6,10 @@
 #include <fmt/format.h>
 
 #include "campaign/meshes.hpp"
-#include "campaign/reading/files.hpp"
 #include "checks.hpp"
 #include "ideotype/core/units.hpp"
 #include "ideotype/crop/obj_reader.hpp"
+#include "spec/files.hpp"
 
 namespace ideotype {
 
@@ -137,7 +137,7 @@ void check_faces(const ObjectEntry& object, const Problems& problems) {
 //! Reports an object that is much larger than the cell with which it repeats,
 //! and warns of one that is below the soil.
 //! @param own problems of the object
-void check_size(const ObjectEntry& object, const Campaign& campaign,
+void check_size(const ObjectEntry& object, const Spec& spec,
                 const Problems& own, const Problems& problems) {
     const Mesh mesh = mesh_of(object);
     const std::string key = object.file.empty() ? "vertices" : "obj";
@@ -157,16 +157,16 @@ void check_size(const ObjectEntry& object, const Campaign& campaign,
             "light; raise it by object.z",
             name, -bottom);
     if (!problems.usable({"field.rows", "field.plants", "field.boundary"}) ||
-        campaign.field.boundary == Boundary::isolated)
+        spec.field.boundary == Boundary::isolated)
         return;
-    for (std::size_t i = 0; i < campaign.spacings.size(); ++i) {
-        const Spacing& spacing = campaign.spacings[i].value;
+    for (std::size_t i = 0; i < spec.spacings.size(); ++i) {
+        const Spacing& spacing = spec.spacings[i].value;
         if (!problems.in("spacing", i).usable({"row", "plant"}) ||
             !(spacing.plant > 0))
             continue;
         Cell cell;
-        cell.period_x = spacing.row * campaign.field.rows;
-        cell.period_y = spacing.plant * campaign.field.plants;
+        cell.period_x = spacing.row * spec.field.rows;
+        cell.period_y = spacing.plant * spec.field.plants;
         const auto excess = excess_of(mesh, 1, cell);
         if (!excess) continue;
         return own.add(
@@ -176,26 +176,26 @@ void check_size(const ObjectEntry& object, const Campaign& campaign,
 }
 
 //! Reports panels that do not repeat with the field at any spacing.
-void check_panel(const PanelEntry& panel, const Campaign& campaign,
-                 const Problems& own, const Problems& problems) {
+void check_panel(const PanelEntry& panel, const Spec& spec, const Problems& own,
+                 const Problems& problems) {
     check_modules(panel.rows, own);
     check_optics(panel.optics, own);
-    for (std::size_t i = 0; i < campaign.spacings.size(); ++i) {
-        const Spacing& spacing = campaign.spacings[i].value;
+    for (std::size_t i = 0; i < spec.spacings.size(); ++i) {
+        const Spacing& spacing = spec.spacings[i].value;
         if (own.usable({"pitch", "azimuth", "module_length", "gap"}) &&
             problems.in("spacing", i)
                 .usable({"row", "plant", "row_direction"}) &&
             problems.usable({"field.rows", "field.plants"}) &&
             spacing.plant > 0)
-            check_rows(panel.rows, campaign.field, spacing, own);
+            check_rows(panel.rows, spec.field, spacing, own);
     }
 }
 
 }  // namespace
 
-void read_objects(const std::string& file, Draft& draft,
+void read_objects(const std::string& file, Spec& spec,
                   const Problems& problems) {
-    std::vector<ObjectEntry>& objects = draft.campaign.objects;
+    std::vector<ObjectEntry>& objects = spec.objects;
     for (std::size_t i = 0; i < objects.size(); ++i) {
         ObjectEntry& object = objects[i];
         const Problems own = problems.in("object", i);
@@ -219,11 +219,10 @@ void read_objects(const std::string& file, Draft& draft,
     }
 }
 
-void check_objects(const Draft& draft, const Problems& problems) {
-    const Campaign& campaign = draft.campaign;
+void check_objects(const Spec& spec, const Problems& problems) {
     std::map<std::string, int> names;
-    for (const std::shared_ptr<Draft>& each : draft.components)
-        names[lower_case(each->campaign.name)] = 1;
+    for (const ComponentSpec& each : spec.components)
+        names[lower_case(each.name)] = 1;
     const auto check_name = [&](const std::string& table,
                                 const std::string& name, const Problems& own) {
         if (own.usable({"name"}) && ++names[lower_case(name)] > 1)
@@ -232,24 +231,24 @@ void check_objects(const Draft& draft, const Problems& problems) {
                     "own",
                     table, name);
         if (problems.usable({"field.boundary"}) && own.usable({"name"}) &&
-            campaign.field.boundary == Boundary::isolated)
+            spec.field.boundary == Boundary::isolated)
             own.add("name",
                     "{} \"{}\" repeats with the field (and field.boundary is "
                     "\"isolated\"); use \"periodic\"",
                     table, name);
     };
-    for (std::size_t i = 0; i < campaign.panels.size(); ++i) {
+    for (std::size_t i = 0; i < spec.panels.size(); ++i) {
         const Problems own = problems.in("panel", i);
-        check_name("panel", campaign.panels[i].rows.name, own);
-        check_panel(campaign.panels[i], campaign, own, problems);
+        check_name("panel", spec.panels[i].rows.name, own);
+        check_panel(spec.panels[i], spec, own, problems);
     }
-    for (std::size_t i = 0; i < campaign.objects.size(); ++i) {
-        const ObjectEntry& each = campaign.objects[i];
+    for (std::size_t i = 0; i < spec.objects.size(); ++i) {
+        const ObjectEntry& each = spec.objects[i];
         const Problems own = problems.in("object", i);
         check_name("object", each.name, own);
         if (own.usable({"obj", "faces", "vertices"})) check_faces(each, own);
         if (own.usable({"obj", "faces", "vertices", "x", "y", "z", "turn"}))
-            check_size(each, campaign, own, problems);
+            check_size(each, spec, own, problems);
         check_optics(each.optics, own);
     }
 }

@@ -2,11 +2,11 @@
 #include <cmath>
 
 #include "campaign/cases.hpp"
-#include "campaign/draft.hpp"
 #include "checks.hpp"
 #include "ideotype/canopy/pieces.hpp"
 #include "ideotype/canopy/quantities.hpp"
 #include "ideotype/light/tolerance.hpp"
+#include "spec/spec.hpp"
 
 namespace ideotype {
 
@@ -31,7 +31,8 @@ std::size_t plants_of(const Standing& standing, const FieldForm& field) {
 
 //! Returns whether any objective follows from the response of leaves to light.
 bool depends_on_response(const Campaign& campaign) {
-    return asks_for_assimilation(campaign) || asks_for(campaign, is_of_water) ||
+    return asks_for_assimilation(campaign.spec) ||
+           asks_for(campaign, is_of_water) ||
            (campaign.photosynthesis &&
             asks_for(campaign, is_of_two_components));
 }
@@ -45,12 +46,12 @@ void check_paths(const Campaign& campaign, const Problems& problems) {
                         : 0;
     for (const ComponentEntry& each : campaign.components)
         if (each.photosynthesis)
-            pieces +=
-                pieces_of(each.crop, plants_of(each.standing, campaign.field));
+            pieces += pieces_of(each.crop,
+                                plants_of(each.standing, campaign.spec.field));
     // Fields and stages have paths of their own.
     const Accuracy& light = campaign.sampling;
     const double scenes =
-        light.fields * (plants_grow(campaign) ? campaign.stages : 1.);
+        light.fields * (campaign.spec.light.stages.value_or(1));
     // Each path counts as a hit of diffuse light, which is more than there are.
     const double hits =
         static_cast<double>(light.all_paths()) / (scenes * pieces);

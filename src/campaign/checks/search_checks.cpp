@@ -35,32 +35,30 @@ void check_quantity(const ByBand<bool>& follows, const std::vector<Need>& needs,
 }
 
 //! Checks that the canopy has the objectives and the axes of an atlas.
-void check_quantities(const Draft& draft, const Problems& problems) {
-    const Campaign& campaign = draft.campaign;
+void check_quantities(const Spec& spec, const Problems& problems) {
     const std::vector<Need> needs{
-        {is_of_growth, !plants_grow(campaign),
+        {is_of_growth, !plants_grow(spec),
          "needs plants that grow; add emergence to [[climate]]"},
-        {is_of_panels, campaign.panels.empty(), "needs panels; add [[panel]]"},
-        {is_of_water, !draft.has_water,
-         "needs leaves that transpire; add [water]"},
-        {is_of_lines, draft.lines.traits.empty(),
+        {is_of_panels, spec.panels.empty(), "needs panels; add [[panel]]"},
+        {is_of_water, !spec.water, "needs leaves that transpire; add [water]"},
+        {is_of_lines, spec.feasibility.lines.traits.empty(),
          "is a distance from measured lines (this campaign has none); add "
          "[feasibility] with lines = \"FILE.toml\""},
-        {is_of_two_components, draft.components.size() != 1,
+        {is_of_two_components, spec.components.size() != 1,
          "compares two components, and there are not two; add or remove a "
          "[[component]]"}};
-    for (const auto& [key, name] : objective_keys(campaign, problems))
-        check_quantity(campaign.follows, needs, key, "the objective", name,
-                       problems);
-    const std::vector<AtlasAxis>& axes = campaign.search.axes;
+    for (const auto& [key, name] : objective_keys(spec, problems))
+        check_quantity(spec.plant.crop.follows, needs, key, "the objective",
+                       name, problems);
+    const std::vector<AtlasAxis>& axes = spec.search.axes;
     for (std::size_t i = 0; i < axes.size(); ++i)
-        check_quantity(campaign.follows, needs,
+        check_quantity(spec.plant.crop.follows, needs,
                        "search.axes[" + std::to_string(i) + "].quantity",
                        "the axis", axes[i].quantity, problems);
 }
 
 //! Checks the grid of an atlas, which other searches must not have.
-void check_atlas(const SearchSettings& search, const Problems& problems) {
+void check_atlas(const SearchSpec& search, const Problems& problems) {
     constexpr std::size_t most = 1000;
     const bool is_atlas = search.optimizer == OptimizerKind::atlas;
     if (!problems.usable({"optimizer", "streams"})) return;
@@ -95,24 +93,25 @@ void check_atlas(const SearchSettings& search, const Problems& problems) {
             cells, most);
 }
 
-void check_objectives(const Campaign& campaign, bool is_study,
+void check_objectives(const Spec& spec, bool is_study,
                       const Problems& problems) {
     if (!problems.usable({"objective.maximise", "objective.minimise"})) return;
-    const std::size_t count = objectives_of(campaign).size();
-    for (const std::string& each : campaign.minimised)
-        if (std::ranges::count(campaign.maximised, each) > 0)
+    const std::size_t count =
+        spec.objective.maximised.size() + spec.objective.minimised.size();
+    for (const std::string& each : spec.objective.minimised)
+        if (std::ranges::count(spec.objective.maximised, each) > 0)
             problems.add("objective.minimise",
                          "objective.minimise has {} (which is maximised too); "
                          "remove one of the two",
                          each);
-    if (campaign.field.boundary == Boundary::isolated)
-        for (const auto& [key, name] : objective_keys(campaign, problems))
+    if (spec.field.boundary == Boundary::isolated)
+        for (const auto& [key, name] : objective_keys(spec, problems))
             if (name == extinction)
                 problems.add(key,
                              "the objective {} needs plants without end (light "
                              "enters a plot from its sides); use \"fapar\"",
                              extinction);
-    const std::vector<double>& reference = campaign.search.reference;
+    const std::vector<double>& reference = spec.search.reference;
     if (!reference.empty() && reference.size() != count &&
         problems.usable({"search.reference"}))
         problems.add("search.reference",
@@ -120,7 +119,8 @@ void check_objectives(const Campaign& campaign, bool is_study,
                      "objectives); give one for each, those that are maximised "
                      "first",
                      reference.size(), count);
-    const bool is_pareto = campaign.search.optimizer == OptimizerKind::nsga2;
+    const bool is_pareto =
+        spec.search.optimizer_or_usual() == OptimizerKind::nsga2;
     if (count == 0)
         problems.add("objective.maximise",
                      "objective.maximise is empty (nothing would be searched "
@@ -137,11 +137,11 @@ void check_objectives(const Campaign& campaign, bool is_study,
                      count);
 }
 
-void check_scenarios(const Campaign& campaign, const Problems& problems) {
+void check_scenarios(const Spec& spec, const Problems& problems) {
     if (!problems.usable({"objective.over"})) return;
-    const bool has_days = campaign.climates.empty();
+    const bool has_days = spec.climates.empty();
     const std::string wrong = has_days ? "climate" : "day";
-    if (is_over(campaign, wrong))
+    if (is_over(spec, wrong))
         problems.add("objective.over",
                      "objective.over has \"{}\" (this campaign has [[{}]]); "
                      "use that, or remove it",
@@ -159,27 +159,27 @@ void check_stop(const StopRules& stop, const Problems& problems) {
 
 //! Reports populations and numbers of generations that are too small for a
 //! search by CMA-ES.
-void check_cma_es(const Draft& draft, const Problems& problems) {
-    const Campaign& campaign = draft.campaign;
-    if (!uses_cma_es(campaign.search)) return;
-    const bool is_auto = campaign.search.optimizer == OptimizerKind::automatic;
+void check_cma_es(const Spec& spec, const Problems& problems) {
+    if (!uses_cma_es(spec.search.optimizer_or_usual())) return;
+    const bool is_auto =
+        spec.search.optimizer_or_usual() == OptimizerKind::automatic;
     // Campaigns that name no optimizer may never have heard of this one.
-    const std::string who = draft.has_optimizer
+    const std::string who = spec.search.optimizer
                                 ? ""
                                 : "the search is by \"auto\", since "
                                   "search.optimizer is not given; ";
     const std::string other =
-        draft.has_optimizer ? "" : ", or set search.optimizer = \"ga\"";
+        spec.search.optimizer ? "" : ", or set search.optimizer = \"ga\"";
     // Each search needs at least four plants to rank.
     const int fewest = is_auto ? 8 : 4;
-    const int population = campaign.search.population;
+    const int population = spec.search.population_or_usual();
     if (problems.usable({"search.population"}) && population < fewest)
         problems.add("search.population",
                      "search.population is {} ({}CMA-ES ranks at least {} "
                      "plants); use {} or more, or leave it out{}",
                      population, who, fewest, fewest, other);
     // A history has as many rows as its generations have plants.
-    const int generations = campaign.stop.generations;
+    const int generations = spec.stop.generations;
     if (is_auto && problems.usable({"stop.generations"}) &&
         generations < auto_design)
         problems.add("stop.generations",
@@ -191,9 +191,8 @@ void check_cma_es(const Draft& draft, const Problems& problems) {
 
 }  // namespace
 
-void check_search(const Draft& draft, const Problems& problems) {
-    const Campaign& campaign = draft.campaign;
-    const int population = campaign.search.population;
+void check_search(const Spec& spec, const Problems& problems) {
+    const int population = spec.search.population_or_usual();
     const bool has_population = problems.usable({"search.population"});
     const auto at_most = [&](const std::string& key, int value, int most) {
         if (has_population && problems.usable(key) && value > most)
@@ -201,14 +200,14 @@ void check_search(const Draft& draft, const Problems& problems) {
                          "{} is {} (the population is {}); use {} or fewer",
                          key, value, population, most);
     };
-    check_quantities(draft, problems);
-    check_objectives(campaign, draft.is_study, problems);
-    if (!draft.is_study) check_atlas(campaign.search, problems.in("search"));
-    check_stop(campaign.stop, problems);
-    check_scenarios(campaign, problems);
-    if (!draft.is_study) check_cma_es(draft, problems);
+    check_quantities(spec, problems);
+    check_objectives(spec, spec.is_study, problems);
+    if (!spec.is_study) check_atlas(spec.search, problems.in("search"));
+    check_stop(spec.stop, problems);
+    check_scenarios(spec, problems);
+    if (!spec.is_study) check_cma_es(spec, problems);
     constexpr double most_rows = std::numeric_limits<std::int32_t>::max();
-    const int generations = campaign.stop.generations;
+    const int generations = spec.stop.generations;
     if (problems.usable({"search.population", "stop.generations"}) &&
         1. * population * generations > most_rows)
         problems.add("stop.generations",
@@ -217,13 +216,15 @@ void check_search(const Draft& draft, const Problems& problems) {
                      "fewer",
                      generations, population, most_rows,
                      std::floor(most_rows / population));
-    at_most("search.elites", campaign.search.ga.elites, population - 1);
-    at_most("search.tournament", campaign.search.ga.tournament, population);
-    if (campaign.search.axes.empty())
-        at_most("final.candidates", campaign.final_rule.candidates, population);
+    at_most("search.elites", spec.search.ga.elites, population - 1);
+    at_most("search.tournament", spec.search.ga.tournament, population);
+    if (spec.search.axes.empty())
+        at_most("final.candidates",
+                spec.final.candidates.value_or(FinalRule{}.candidates),
+                population);
 }
 
-void check_light(const Accuracy& light, bool assimilates,
+void check_light(const LightSpec& light, bool assimilates,
                  const Problems& problems) {
     if (!problems.usable({"tolerance"})) return;
     const bool has_randomisations = problems.usable({"randomisations"});

@@ -5,10 +5,11 @@
 
 #include <fmt/format.h>
 
-#include "campaign/schema/schema.hpp"
 #include "checks.hpp"
 #include "ideotype/climate/light_series.hpp"
 #include "ideotype/core/clock.hpp"
+#include "spec/tables.hpp"
+#include "spec/writer.hpp"
 
 namespace ideotype {
 
@@ -95,9 +96,9 @@ double total(const std::vector<double>& values) {
 
 }  // namespace
 
-void check_sky(const Campaign& campaign, const Problems& problems) {
-    const std::vector<Site>& sites = campaign.sites;
-    const std::vector<Named<DaySpan>>& days = campaign.days;
+void check_sky(const Spec& spec, const Problems& problems) {
+    const std::vector<Site>& sites = spec.sites;
+    const std::vector<Named<DaySpan>>& days = spec.days;
     for (std::size_t s = 0; s < sites.size(); ++s)
         check_site(sites[s], problems.in("site", s));
     for (std::size_t d = 0; d < days.size(); ++d)
@@ -106,13 +107,13 @@ void check_sky(const Campaign& campaign, const Problems& problems) {
         for (std::size_t d = 0; d < days.size(); ++d)
             check_light(sites[s], days[d], problems.in("site", s),
                         problems.in("day", d));
-    if (campaign.climates.empty()) return;
+    if (spec.climates.empty()) return;
     const Location first = problems.in("climate", 0).where("name");
     if (!days.empty())
         problems.add(first,
                      "there are both [[climate]] and [[day]] (each case has "
                      "one of them); remove one, or write two campaigns");
-    for (const SiteWeather& weather : campaign.weathers)
+    for (const SiteWeather& weather : spec.weathers)
         if (problems.empty() &&
             !(total(weather.beam[0]) + total(weather.diffuse[0]) > 0))
             problems.add(first,

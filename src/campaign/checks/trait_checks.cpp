@@ -13,7 +13,8 @@ namespace {
 
 class TraitCheck {
   public:
-    TraitCheck(const TraitEntry& entry, Plant& plant, const Problems& problems)
+    TraitCheck(const TraitEntry& entry, const Plant& plant,
+               const Problems& problems)
         : entry_(entry),
           trait_(complete(entry)),
           list_(measures_of(entry)),
@@ -116,7 +117,7 @@ class TraitCheck {
     const TraitEntry& entry_;
     Trait trait_;
     const std::vector<std::string>& list_;
-    Plant& plant_;
+    Plant plant_;
     Problems problems_;
 };
 
@@ -128,23 +129,22 @@ bool is_sound(std::size_t trait, const Problems& problems) {
             {"name", "points", "range", "unit", "sets", "scales", "shifts"});
 }
 
-void check_traits(Draft& draft, const Problems& problems) {
+void check_traits(const CropSpec& crop, const Problems& problems) {
     std::set<std::string> names{"lai"};
-    for (std::size_t t = 0; t < draft.traits.size(); ++t) {
+    for (std::size_t t = 0; t < crop.traits.size(); ++t) {
         const Problems own = problems.in("trait", t);
-        const std::string& name = draft.traits[t].trait.name;
+        const std::string& name = crop.traits[t].trait.name;
         if (own.usable({"name"}) && !names.insert(name).second)
             own.add("name",
                     "trait.name is \"{}\" (already used); give each trait a "
                     "name of its own",
                     name);
         if (is_sound(t, problems))
-            TraitCheck(draft.traits[t], draft.campaign.crop.baseline, own)
-                .run();
+            TraitCheck(crop.traits[t], crop.baseline, own).run();
     }
-    for (std::size_t b = 0; b < draft.bounds.size(); ++b) {
+    for (std::size_t b = 0; b < crop.bounds.size(); ++b) {
         const Problems own = problems.in("bounds", b);
-        const std::string& trait = draft.bounds[b].trait;
+        const std::string& trait = crop.bounds[b].trait;
         if (own.usable({"trait"}) && !names.contains(trait))
             own.add("trait",
                     "bounds.trait is \"{}\" (no trait of this file); use one "

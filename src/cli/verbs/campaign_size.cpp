@@ -51,7 +51,7 @@ void add_air(Json& row, const Campaign& campaign, const Site& site,
     if (!first.wind && !first.pressure && !first.longwave &&
         series.co2 == LightSeries{}.co2)
         return;
-    estimate_air(series, site, campaign.par_fraction);
+    estimate_air(series, site, campaign.spec.par_fraction);
     const auto mean = [&](std::optional<double> TimeStep::*value) {
         double sum = 0;
         for (const TimeStep& step : series.steps) sum += *(step.*value);
@@ -69,7 +69,7 @@ void add_air(Json& row, const Campaign& campaign, const Site& site,
 //! light that a climate has or a day leaves out.
 Json sky_of(const Campaign& campaign, const Case& chosen,
             const LightSeries& series) {
-    const bool is_climate = !campaign.climates.empty();
+    const bool is_climate = !campaign.spec.climates.empty();
     const Site& site = chosen.site;
     const std::vector<Date> dates =
         is_climate ? series.dates() : chosen.day.dates;
@@ -137,16 +137,18 @@ std::string model_text(const StatedLeaves& leaves) {
 std::string temperature_text(const Campaign& campaign) {
     if (campaign.water && campaign.water->has_leaf_temperature)
         return "with the temperature of their energy balance";
-    if (campaign.climates.empty() || !campaign.photosynthesis->follows_weather)
-        return fmt::format("{:g} deg C{}", Air{}.temperature,
-                           campaign.climates.empty() ? " on clear days" : "");
+    if (campaign.spec.climates.empty() ||
+        !campaign.photosynthesis->follows_weather)
+        return fmt::format(
+            "{:g} deg C{}", Air{}.temperature,
+            campaign.spec.climates.empty() ? " on clear days" : "");
     return "with the temperature of the air";
 }
 
 //! Returns the development stage of plants that do not grow, and the capacity
 //! of the crop's leaves if these have aged.
 std::string static_age_text(const Campaign& campaign) {
-    const double stage = campaign.stage;
+    const double stage = campaign.spec.plant.stage;
     std::string text =
         stage == 1 ? "silking" : fmt::format("development stage {:g}", stage);
     if (const auto& growth = campaign.crop.growth)
@@ -230,9 +232,9 @@ std::string CampaignCost::table(std::size_t cases) const {
 
 Stands stands_of(const Campaign& campaign, double leaf_area) {
     Stands all;
-    for (const auto& [name, spacing] : campaign.spacings) {
-        all.period_x.add(campaign.field.rows * spacing.row);
-        all.period_y.add(campaign.field.plants * spacing.plant);
+    for (const auto& [name, spacing] : campaign.spec.spacings) {
+        all.period_x.add(campaign.spec.field.rows * spacing.row);
+        all.period_y.add(campaign.spec.field.plants * spacing.plant);
         all.lai.add(leaf_area / (spacing.row * spacing.plant));
     }
     // Many cases share a site and a day.
@@ -278,22 +280,25 @@ Json season_of(const Campaign& campaign, const Case& chosen) {
 
 std::string objective_text(const Campaign& campaign) {
     std::string text;
-    const std::vector<double>& factors =
-        campaign.sole.empty() ? campaign.weights : campaign.sole;
+    const std::vector<double>& factors = campaign.spec.objective.sole.empty()
+                                             ? campaign.spec.objective.weights
+                                             : campaign.spec.objective.sole;
     for (const ObjectiveEntry& objective : objectives_of(campaign)) {
         text += fmt::format(
             "{}{} {}", text.empty() ? "objective " : ", ",
             objective.sense == Sense::maximise ? "maximise" : "minimise",
             objective.name);
         for (std::size_t c = 0; c < factors.size(); ++c)
-            text += fmt::format("{}{} {} {:g}", c == 0 ? " of " : " + ",
-                                c == 0 ? campaign.crop.baseline.name
-                                       : campaign.components[c - 1].name,
-                                campaign.sole.empty() ? "times" : "over",
-                                factors[c]);
+            text += fmt::format(
+                "{}{} {} {:g}", c == 0 ? " of " : " + ",
+                c == 0 ? campaign.crop.baseline.name
+                       : campaign.components[c - 1].name,
+                campaign.spec.objective.sole.empty() ? "times" : "over",
+                factors[c]);
     }
-    return text +
-           (campaign.sole.empty() ? "\n" : ": the land equivalent ratio\n");
+    return text + (campaign.spec.objective.sole.empty()
+                       ? "\n"
+                       : ": the land equivalent ratio\n");
 }
 
 std::string leaves_text(const Campaign& campaign) {

@@ -36,8 +36,9 @@ std::string scenario_text(const Campaign& campaign, const Case& chosen) {
     return fmt::format(
         "scenarios each evaluation is of {} ({}); an objective is {}\n",
         names.size(), fmt::join(names, ", "),
-        campaign.across == Across::mean ? "their mean"
-                                        : "that of the worst one");
+        campaign.spec.objective.across == Across::mean
+            ? "their mean"
+            : "that of the worst one");
 }
 
 Json to_json(const std::vector<CaseName>& all) {
@@ -113,7 +114,7 @@ Findings look_at(const Campaign& campaign) {
     const Case first = all.front();
     const Scene scene = scene_of(campaign, first);
     const Mesh plant =
-        build_plant(campaign.crop.baseline, campaign.tessellation);
+        build_plant(campaign.crop.baseline, campaign.spec.plant.tessellation);
     const Field field = draw_field(scene, randomness_of({}, campaign, first));
     const GeneSpace genes = search_genes(campaign, first);
     Findings found{plant,
@@ -126,7 +127,7 @@ Findings look_at(const Campaign& campaign) {
                    genes.size(),
                    count_free(genes)};
     found.excess = violation(
-        campaign.constraints, campaign.crop.traits, campaign.crop.baseline,
+        campaign.spec.constraints, campaign.crop.traits, campaign.crop.baseline,
         lai_of_line(plant, scene.components.front().ground_per_plant));
     return found;
 }
@@ -136,44 +137,45 @@ Json to_json(const CheckOptions& options, const Campaign& campaign,
     const Cases all = cases(campaign);
     const Case first = all.front();
     const bool grows = !scenarios(first).front().stages.empty();
-    return {{"file", options.campaign_path},
-            {"is_valid", true},
-            {"warnings", to_json(campaign.warnings)},
-            {"campaign", campaign.name},
-            {"cases", to_json(all.names())},
-            {"scenarios", scenario_names(campaign, first)},
-            {"plant",
-             {{"name", campaign.crop.baseline.name},
-              {"leaves", campaign.crop.baseline.leaves.size()},
-              {"leaf_area_m2", plant_area(found.plant).leaves},
-              {"faces", found.plant.faces.size()},
-              {"violation", found.excess}}},
-            {"field",
-             {{"rows", campaign.field.rows},
-              {"plants_per_row", campaign.field.plants},
-              {"period_x_m", found.field.cell.period_x},
-              {"period_y_m", found.field.cell.period_y},
-              {"lai", plant_area(found.field.mesh).leaves /
-                          found.field.cell.ground_area},
-              {"lai_of_cases", found.stands.lai.json()},
-              {"faces", found.field.mesh.faces.size()}}},
-            {"light",
-             {{"steps", found.light.steps.size()},
-              {"days", found.light.days},
-              {"par_MJ_per_m2_per_day", found.light.incident() / 1e6},
-              {"par_MJ_per_m2_per_day_of_cases", found.stands.par.json(1e6)},
-              {"diffuse_fraction",
-               found.light.diffuse() / found.light.incident()}}},
-            {"leaves", leaves_of(campaign)},
-            {"grows", grows},
-            {"development_stage", grows ? Json() : Json(campaign.stage)},
-            {"search", search_of(campaign)},
-            {"genes", found.genes},
-            {"free_genes", found.free_genes},
-            {"cost", found.cost.json(all.size())},
-            {"disk",
-             {{"largest_case_bytes", found.room.largest},
-              {"all_cases_bytes", found.room.all}}}};
+    return {
+        {"file", options.campaign_path},
+        {"is_valid", true},
+        {"warnings", to_json(campaign.warnings)},
+        {"campaign", campaign.spec.name},
+        {"cases", to_json(all.names())},
+        {"scenarios", scenario_names(campaign, first)},
+        {"plant",
+         {{"name", campaign.crop.baseline.name},
+          {"leaves", campaign.crop.baseline.leaves.size()},
+          {"leaf_area_m2", plant_area(found.plant).leaves},
+          {"faces", found.plant.faces.size()},
+          {"violation", found.excess}}},
+        {"field",
+         {{"rows", campaign.spec.field.rows},
+          {"plants_per_row", campaign.spec.field.plants},
+          {"period_x_m", found.field.cell.period_x},
+          {"period_y_m", found.field.cell.period_y},
+          {"lai",
+           plant_area(found.field.mesh).leaves / found.field.cell.ground_area},
+          {"lai_of_cases", found.stands.lai.json()},
+          {"faces", found.field.mesh.faces.size()}}},
+        {"light",
+         {{"steps", found.light.steps.size()},
+          {"days", found.light.days},
+          {"par_MJ_per_m2_per_day", found.light.incident() / 1e6},
+          {"par_MJ_per_m2_per_day_of_cases", found.stands.par.json(1e6)},
+          {"diffuse_fraction",
+           found.light.diffuse() / found.light.incident()}}},
+        {"leaves", leaves_of(campaign)},
+        {"grows", grows},
+        {"development_stage", grows ? Json() : Json(campaign.spec.plant.stage)},
+        {"search", search_of(campaign)},
+        {"genes", found.genes},
+        {"free_genes", found.free_genes},
+        {"cost", found.cost.json(all.size())},
+        {"disk",
+         {{"largest_case_bytes", found.room.largest},
+          {"all_cases_bytes", found.room.all}}}};
 }
 
 void print(const CheckOptions& options, const Campaign& campaign,
@@ -182,7 +184,7 @@ void print(const CheckOptions& options, const Campaign& campaign,
     const Case first = all.front();
     const Stands& stands = found.stands;
     fmt::print("{}: no errors\n", options.campaign_path);
-    fmt::print("campaign  {}, {} case{}\n", campaign.name, all.size(),
+    fmt::print("campaign  {}, {} case{}\n", campaign.spec.name, all.size(),
                all.size() == 1 ? "" : "s (--cases lists them)");
     fmt::print("{}{}", objective_text(campaign),
                scenario_text(campaign, first));
@@ -191,7 +193,7 @@ void print(const CheckOptions& options, const Campaign& campaign,
                campaign.crop.baseline.leaves.size(),
                plant_area(found.plant).leaves, found.plant.faces.size());
     fmt::print("{}{}", leaves_text(campaign), growth_text(campaign, first));
-    if (!campaign.field.variation.is_any())
+    if (!campaign.spec.field.variation.is_any())
         fmt::print(
             "advice    plants are all alike; what is bred in such a "
             "field gains less where plants differ: [field.variation]\n");
@@ -200,21 +202,22 @@ void print(const CheckOptions& options, const Campaign& campaign,
             "advice    errors of rows lack how fields differ; each plant in "
             "several small fields has them: light.fields = 4\n");
     fmt::print("field     {} x {} plants, period {} x {} m, LAI {}, {} faces\n",
-               campaign.field.rows, campaign.field.plants,
+               campaign.spec.field.rows, campaign.spec.field.plants,
                stands.period_x.text("{:.4g}"), stands.period_y.text("{:.4g}"),
                stands.lai.text("{:.2f}"), found.field.mesh.faces.size());
     fmt::print("light     {} {}, {} MJ m-2 day-1 of PAR, {} % diffuse\n",
                stands.steps.text("{:.0f}"),
-               campaign.climates.empty()
+               campaign.spec.climates.empty()
                    ? "instants with the sun up"
                    : fmt::format("time steps with the suns of {} of {} dates",
-                                 std::min(campaign.sun_dates, found.light.days),
+                                 std::min(campaign.spec.light.dates.value_or(0),
+                                          found.light.days),
                                  found.light.days),
                stands.par.text("{:.3f}", 1e6),
                stands.diffuse.text("{:.0f}", 0.01));
-    fmt::print("{}\n", campaign.climates.empty() ? "sun" : "climate");
+    fmt::print("{}\n", campaign.spec.climates.empty() ? "sun" : "climate");
     print_table(stands.sky, 10);
-    if (!campaign.climates.empty())
+    if (!campaign.spec.climates.empty())
         fmt::print(
             "          temperature and humidity are weighted by light; "
             "sunrise, noon and sunset are those of the middle date\n");

@@ -6,13 +6,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "campaign/problems.hpp"
 #include "cli/choose_row.hpp"
 #include "cli/formats/light_output.hpp"
 #include "cli/verbs.hpp"
 #include "ideotype/canopy/quantities.hpp"
 #include "ideotype/light/device.hpp"
 #include "run/progress.hpp"
+#include "spec/problems.hpp"
 #include "stand/stand.hpp"
 
 namespace ideotype {
@@ -25,11 +25,14 @@ std::vector<Measured> objectives_of(const CanopyReport& report,
     std::vector<Measured> all;
     for (const ObjectiveEntry& objective : objectives_of(campaign))
         all.push_back(
-            {{(campaign.sole.empty() ? "" : "land equivalent ratio of ") +
-                  ((campaign.weights.empty() ? "" : "weighted ") +
+            {{(campaign.spec.objective.sole.empty()
+                   ? ""
+                   : "land equivalent ratio of ") +
+                  ((campaign.spec.objective.weights.empty() ? ""
+                                                            : "weighted ") +
                    objective.name),
               unit_of(campaign, objective.quantity), ""},
-             campaign.sole.empty()
+             campaign.spec.objective.sole.empty()
                  ? measure_number(campaign, objective.name, report).estimate
                  : land_equivalent_ratio(campaign, report)});
     return all;

@@ -7,7 +7,6 @@
 
 #include <fmt/format.h>
 
-#include "campaign/problems.hpp"
 #include "cli/choose_row.hpp"
 #include "cli/formats/mesh_files.hpp"
 #include "cli/formats/output_file.hpp"
@@ -15,6 +14,7 @@
 #include "ideotype/canopy/canopy.hpp"
 #include "ideotype/core/text.hpp"
 #include "ideotype/crop/measures.hpp"
+#include "spec/problems.hpp"
 #include "stand/stand.hpp"
 
 namespace ideotype {
@@ -168,7 +168,7 @@ Case as_it_stood(const Campaign& campaign, const Case& chosen,
             at);
     Case one = scenarios(chosen).front();
     for (const Case& each : scenarios(chosen)) {
-        if (!date || campaign.climates.empty()) break;
+        if (!date || campaign.spec.climates.empty()) break;
         const Period& period = climate_of(campaign, each).period;
         if (*date >= period.from && *date <= period.to) one = each;
     }

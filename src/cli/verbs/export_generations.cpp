@@ -4,10 +4,10 @@
 
 #include <fmt/format.h>
 
-#include "campaign/problems.hpp"
 #include "cli/formats/output_file.hpp"
 #include "cli/verbs.hpp"
 #include "history/history.hpp"
+#include "spec/problems.hpp"
 
 namespace ideotype {
 
@@ -28,7 +28,7 @@ std::string suffix(const std::string& unit) {
     return text;
 }
 
-struct Column {
+struct TableColumn {
     std::string name, unit;
     Certainty certainty;
     std::size_t place;  //!< index among the numbers of all quantities
@@ -36,8 +36,8 @@ struct Column {
 
 //! Returns columns of single numbers and of quantities along axes of names.
 //! Profiles by leaf, layer and hour are in the history only.
-std::vector<Column> columns_of(const QuantitySet& measured) {
-    std::vector<Column> columns;
+std::vector<TableColumn> columns_of(const QuantitySet& measured) {
+    std::vector<TableColumn> columns;
     for (const Quantity& each : measured.quantities) {
         const std::size_t first = measured.offset(each.name);
         const auto add = [&](const std::string& end, std::size_t i) {
@@ -70,7 +70,7 @@ void write_head(OutputFile& out, const HistoryHeader& header) {
 }
 
 void write_rows(OutputFile& out, std::uint64_t first, std::uint32_t generation,
-                const std::vector<Column>& columns,
+                const std::vector<TableColumn>& columns,
                 const std::vector<Row>& rows) {
     for (std::size_t slot = 0; slot < rows.size(); ++slot) {
         const auto& [candidate, outcome, attempt] = rows[slot];
@@ -80,7 +80,7 @@ void write_rows(OutputFile& out, std::uint64_t first, std::uint32_t generation,
                   outcome.status == Status::done ? "done" : "failed",
                   name_of(candidate.origin), candidate.parents[0],
                   candidate.parents[1], outcome.violation);
-        for (const Column& each : columns) {
+        for (const TableColumn& each : columns) {
             const Estimate value = outcome.quantities.at(each.place);
             out.print(",{}", value.mean);
             if (each.certainty == Certainty::estimated)

@@ -9,6 +9,7 @@
 #include "ideotype/core/error.hpp"
 #include "ideotype/core/text.hpp"
 #include "ideotype/core/version.hpp"
+#include "spec/writer.hpp"
 #include "stand/stand.hpp"
 
 namespace ideotype {
@@ -136,7 +137,7 @@ ServedCase::ServedCase(const Campaign& of, int index, const std::string& path)
 
 Json hello(const ServedCase& served, int workers) {
     Json json{{"ideotype", build_info().version},
-              {"campaign", served.campaign.name},
+              {"campaign", served.campaign.spec.name},
               {"case", served.chosen.name},
               {"case_index", served.chosen.index},
               {"workers", workers}};
@@ -154,7 +155,7 @@ Json hello(const ServedCase& served, int workers) {
                                  {"is_circular", gene.is_circular}});
     }
     json["accuracy"] = Json::array();
-    for (const AccuracyKey& each : served.campaign.accuracy)
+    for (const AccuracyKey& each : accuracy_keys(served.campaign.spec))
         json["accuracy"].push_back({{"key", each.path},
                                     {"value", each.value},
                                     {"values", each.values}});

@@ -12,13 +12,14 @@
 #include <fmt/ranges.h>
 
 #include "campaign/campaign.hpp"
-#include "campaign/problems.hpp"
-#include "campaign/reading/files.hpp"
-#include "campaign/schema/keys.hpp"
-#include "campaign/schema/table_texts.hpp"
 #include "ideotype/canopy/quantities.hpp"
 #include "ideotype/climate/weather.hpp"
 #include "ideotype/core/text.hpp"
+#include "spec/files.hpp"
+#include "spec/problems.hpp"
+#include "spec/section.hpp"
+#include "spec/tables.hpp"
+#include "spec/writer.hpp"
 
 namespace ideotype {
 
@@ -67,12 +68,12 @@ std::string question_of_objective() {
 
 std::string number_fault(const Question& question, const std::string& answer) {
     const std::optional<double> number = number_of(answer);
-    const KeyInfo& info = key_info(question.section, question.key);
+    const Key& key = *find_key(question.section, question.key);
     if (!number)
         return fmt::format(
-            "\"{}\" is no {} (expected: a number, {} {}); correct it", answer,
-            question.key, info.range, info.unit);
-    return fault_of(*number, question.section, question.key);
+            "\"{}\" is no {} (expected: a number, {}); correct it", answer,
+            question.key, range_text(key));
+    return fault_of(*number, question.section, key);
 }
 
 std::string date_fault(const Question& /*question*/,

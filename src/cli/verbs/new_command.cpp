@@ -4,20 +4,23 @@
 #include <cmath>
 #include <filesystem>
 #include <sstream>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "campaign/campaign.hpp"
-#include "campaign/problems.hpp"
-#include "campaign/reading/files.hpp"
-#include "campaign/schema/keys.hpp"
-#include "campaign/schema/table_texts.hpp"
+#include "cli/formats/json_schema.hpp"
 #include "cli/formats/output_file.hpp"
 #include "cli/verbs.hpp"
 #include "cli/verbs/new_answers.hpp"
 #include "ideotype/climate/light_series.hpp"
 #include "ideotype/climate/weather.hpp"
 #include "ideotype/core/file.hpp"
+#include "spec/files.hpp"
+#include "spec/problems.hpp"
+#include "spec/tables.hpp"
+#include "spec/writer.hpp"
 
 namespace ideotype {
 
@@ -44,6 +47,27 @@ bool place_crop(const std::string& crop, const std::string& path) {
                         path, crop),
             ExitCode::refused);
     return false;
+}
+
+//! Places the JSON Schema of campaigns, which editors complete and check keys
+//! by, in place of one of another version; returns whether the file is new.
+bool place_schema(const std::string& path) {
+    const std::string text = campaign_schema_text();
+    const bool is_new = !fs::exists(path);
+    if (!is_new) {
+        const std::string old = read_file(path, most_input_bytes).text;
+        if (old == text) return false;
+        if (!is_campaign_schema(old))
+            throw Error(
+                fmt::format("{}: exists already and is not overwritten (it is "
+                            "no JSON Schema of campaigns); give it another "
+                            "name",
+                            path),
+                ExitCode::refused);
+        fs::remove(path);
+    }
+    write(path, text);
+    return is_new;
 }
 
 //! Returns a full hour as a time of TOML, where 24:00 does not exist.
@@ -97,14 +121,14 @@ std::string climate_text(const NewOptions& options, const Site& site) {
     const std::string& file = options.weather;
     const WeatherDescription found =
         describe_weather(read_text(file), file, site);
-    Named<Climate> climate{"season", {}};
+    NamedClimate climate{"season", {}};
     climate.value.file = path_beside(options.path, file);
     climate.value.columns = found.columns;
     climate.value.period = found.period;
     if (!found.columns.time.empty()) climate.value.stamp = "end";
     return "# A season of weather: all whole days of the file, and its columns "
            "as recognised.\n[[climate]]\n" +
-           climate_keys(climate);
+           changed_keys(climate_table, &climate);
 }
 
 //! Returns the table of the differences between plants, as the crop file has
@@ -114,7 +138,7 @@ std::string variation_text(const std::optional<CropVariation>& known) {
         return "# The crop file has no [variation]: differences between plants "
                "of this crop are\n# unknown, and all plants are alike but for "
                "their turn. Gains are smaller in\n# fields that vary.\n\n";
-    const std::string lines = variation_keys(known->plants);
+    const std::string lines = changed_keys(variation_table, &known->plants);
     return lines.empty() ? ""
                          : "# The differences between plants of a field; the "
                            "crop file has the sources.\n[field.variation]\n" +
@@ -171,13 +195,13 @@ std::string new_text(const NewOptions& options, const Crop& crop,
         const std::size_t equals = line.find(" = "), note = line.find(" # ");
         std::istringstream names(line.substr(0, std::min(equals, note)));
         while (names >> name) {
-            const KeyInfo& key = key_info(section, name);
+            const Key& key = *find_key(section, name);
             text += fmt::format(
                 "{:<27} # {}{}\n",
-                equals == line.npos ? name + " = " + key.initial
+                equals == line.npos ? name + " = " + default_of(section, key)
                                     : line.substr(0, note),
                 note == line.npos ? key.meaning : line.substr(note + 3),
-                key.unit == "-" ? "" : " [" + key.unit + "]");
+                *key.values.unit ? fmt::format(" [{}]", key.values.unit) : "");
         }
     }
     return text;
@@ -240,14 +264,18 @@ ExitCode write_new_campaign(const NewOptions& given) {
     const std::string plant =
         is_known ? (beside / (options.plant + ".toml")).string()
                  : options.plant;
-    const bool is_new = is_known && place_crop(options.plant, plant);
+    const std::string schema = (beside / "campaign.schema.json").string();
+    std::vector<std::string> placed;
     try {
+        if (is_known && place_crop(options.plant, plant))
+            placed.push_back(plant);
+        if (place_schema(schema)) placed.push_back(schema);
         write(options.path, checked_text(options, plant));
     } catch (...) {
-        if (is_new) fs::remove(plant);
+        for (const std::string& path : placed) fs::remove(path);
         throw;
     }
-    if (is_new) fmt::print("{}\n", plant);
+    for (const std::string& path : placed) fmt::print("{}\n", path);
     fmt::print("{0}\nnext: ideotype check {0}\n", options.path);
     return ExitCode::ok;
 }

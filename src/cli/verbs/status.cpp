@@ -15,6 +15,7 @@
 #include "run/job/way_on.hpp"
 #include "run/progress.hpp"
 #include "run/summary.hpp"
+#include "spec/reader.hpp"
 
 namespace ideotype {
 
@@ -99,9 +100,9 @@ CaseStatus report_on(const std::string& path) {
     if (!result.reason && result.plants > 0)
         report.left = (result.most_plants - result.plants) * result.wall_time /
                       result.plants;
-    report.has_one_seed = result.is_evaluated_again &&
-                          header.campaign_resolved.find("\nreplicates = 1\n") !=
-                              std::string::npos;
+    report.has_one_seed =
+        result.is_evaluated_again &&
+        read_resolved(header.campaign_resolved).replicates == 1;
     return report;
 }
 

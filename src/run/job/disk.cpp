@@ -72,7 +72,7 @@ void require_names_fit(const Campaign& campaign, const Cases& chosen,
     const long longest_path = pathconf(folder.c_str(), _PC_PATH_MAX);
     for (const CaseName& each : chosen.names()) {
         const fs::path path = path_of(out, campaign, each);
-        require_length("name of a folder", campaign.name, 0, longest_name,
+        require_length("name of a folder", campaign.spec.name, 0, longest_name,
                        "shorten the name of the campaign");
         require_length("name of a file", path.filename().string(),
                        longest_suffix.size(), longest_name,

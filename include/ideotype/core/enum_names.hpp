@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+
+namespace ideotype {
+
+//! A value of an enumeration beside its name in files.
+template <class Enum>
+struct EnumName {
+    const char* name;
+    Enum value;
+};
+
+template <class Enum>
+EnumName(const char*, Enum) -> EnumName<Enum>;
+
+//! The names of the values of an enumeration; specialised as a std::array of
+//! EnumName for each enumeration that files name.
+template <class Enum>
+inline constexpr std::nullptr_t enum_names = nullptr;
+
+//! Returns the name of a value of an enumeration; "" if it has none.
+template <class Enum>
+constexpr const char* name_of(Enum value) {
+    for (const auto& each : enum_names<Enum>)
+        if (each.value == value) return each.name;
+    return "";
+}
+
+}  // namespace ideotype

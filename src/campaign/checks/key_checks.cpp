@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <optional>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "campaign/checks/checks.hpp"
+#include "spec/section.hpp"
+#include "spec/varied_keys.hpp"
+
+namespace ideotype {
+
+namespace {
+
+std::string advice(const std::string& name,
+                   const std::vector<VariableKey>& keys) {
+    std::vector<std::string> known;
+    for (const VariableKey& each : keys)
+        if (each.is_there && each.tables == 1 && numbers_of(each.key))
+            known.push_back(each.name);
+    const std::string nearest =
+        name == "spacing.density" ? "spacing.plant" : nearest_name(name, known);
+    return nearest.empty() ? "name a number of field, spacing, panel, optics, "
+                             "photosynthesis or plant.baseline"
+                           : "did you mean \"" + nearest + "\"?";
+}
+
+//! Returns the reason why a key cannot be varied, or "".
+std::string fault(const VariableKey& found) {
+    if (found.name == "spacing.density")
+        return "(which is told by the distance between plants)";
+    if (!found.is_there)
+        return fmt::format("(this campaign has no [{}])", found.section);
+    if (found.tables > 1)
+        return fmt::format("(there are {} tables [[{}]])", found.tables,
+                           found.section);
+    const auto numbers = numbers_of(found.key);
+    if (!numbers)
+        return fmt::format("(of type {}; only decimal numbers vary)",
+                           found.key.key.values.type);
+    if (numbers->size() > 1)
+        return fmt::format("(which has {} values)", numbers->size());
+    return "";
+}
+
+//! Reports a range that leaves that of its key.
+//! @param problems problems of the factor
+void check_range(const KeyFactor& factor, const VariableKey& found,
+                 const Problems& problems) {
+    for (const double bound : {factor.range.lower, factor.range.upper}) {
+        const std::string what = fault_of(bound, found.section, found.key.key);
+        if (what.empty()) continue;
+        return problems.add("range", what);
+    }
+}
+
+//! @param table name of the table of the study or search
+//! @param problems problems of the factor
+void check_key(const std::string& table, const KeyFactor& factor,
+               const std::vector<VariableKey>& keys, const Problems& problems) {
+    const auto found = std::ranges::find(keys, factor.key, &VariableKey::name);
+    const std::string what = found == keys.end()
+                                 ? "(which is no numeric key of this campaign)"
+                                 : fault(*found);
+    if (!what.empty())
+        return problems.add("key", "{}.keys has \"{}\" {}; {}", table,
+                            factor.key, what, advice(factor.key, keys));
+    if (problems.usable({"range"})) check_range(factor, *found, problems);
+}
+
+void check_keys(const std::string& table, const std::vector<KeyFactor>& factors,
+                const Spec& spec, const Problems& problems) {
+    std::set<std::string> seen;
+    Spec varied = spec;
+    const std::vector<VariableKey> keys = variable_keys(varied);
+    for (std::size_t i = 0; i < factors.size(); ++i) {
+        const KeyFactor& factor = factors[i];
+        const Problems own = problems.in(table).in("keys", i);
+        // Without its crop file, nothing is known about the plant.
+        if (!own.usable({"key"}) || (!spec.plant.crop.is_known &&
+                                     factor.key.starts_with("plant.baseline.")))
+            continue;
+        if (seen.insert(factor.key).second)
+            check_key(table, factor, keys, own);
+        else
+            own.add("key",
+                    "{}.keys has \"{}\" twice (once is enough); remove one",
+                    table, factor.key);
+    }
+}
+
+}  // namespace
+
+void check_sensitivity(const Spec& spec, const Problems& problems) {
+    const Problems own = problems.in("sensitivity");
+    const int levels = spec.sensitivity.levels;
+    if (own.usable({"levels"}) && levels % 2 != 0)
+        own.add("levels",
+                "sensitivity.levels is {} (a step of the design is half of all "
+                "levels); use {}",
+                levels, levels + 1);
+    if (own.usable({"traits"}) && !spec.sensitivity.has_traits &&
+        spec.sensitivity.keys.empty() && spec.is_study)
+        own.add("traits",
+                "sensitivity.traits is false (and there are no "
+                "sensitivity.keys, so nothing would vary); name a key, or "
+                "leave it out");
+    check_keys("sensitivity", spec.sensitivity.keys, spec, problems);
+    check_keys("search", spec.search.keys, spec, problems);
+}
+
+}  // namespace ideotype

@@ -1,0 +1,322 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "leaves.hpp"
+
+#include <algorithm>
+
+#include <fmt/ranges.h>
+
+#include "campaign/checks/checks.hpp"
+#include "spec/problems.hpp"
+#include "spec/tables.hpp"
+
+namespace ideotype {
+
+namespace {
+
+using All = PhotosynthesisSpec;
+using Numbers = std::vector<double> All::*;
+
+//! The absorbed PPFD of `rate_2000` [umol m-2 s-1].
+constexpr double full_light = 2000;
+
+//! Calls a function with each list of numbers of a model's leaves and the
+//! member of a leaf that holds such a number; each model has an overload.
+void each_number(HyperbolaLeaf& leaf, const auto& with) {
+    with(&All::phi, leaf.response.phi);
+    with(&All::theta, leaf.response.theta);
+    with(&All::amax, leaf.response.amax);
+    std::optional<double> rate;
+    with(&All::rate_2000, rate);
+    if (rate) leaf.response.amax = leaf.response.amax_for(full_light, *rate);
+    with(&All::rd, leaf.respiration);
+}
+
+void each_number(CollatzLeaf& leaf, const auto& with) {
+    with(&All::vmax, leaf.vmax);
+    with(&All::alpha, leaf.alpha);
+    with(&All::theta, leaf.theta);
+    with(&All::beta, leaf.beta);
+    with(&All::k, leaf.k);
+    with(&All::rd, leaf.respiration);
+}
+
+void each_number(FarquharLeaf& leaf, const auto& with) {
+    with(&All::vcmax, leaf.vcmax);
+    with(&All::jmax, leaf.jmax);
+    with(&All::tpu, leaf.tpu);
+    with(&All::theta, leaf.theta);
+    with(&All::beta, leaf.beta);
+    with(&All::g1, leaf.g1);
+    with(&All::rd, leaf.respiration);
+}
+
+struct Model {
+    LeafModel kind;
+    LeafRates leaf;  //!< numbers where a table has none
+};
+
+constexpr Model models[] = {{LeafModel::hyperbola, HyperbolaLeaf{}},
+                            {LeafModel::collatz, CollatzLeaf{}},
+                            {LeafModel::farquhar, FarquharLeaf{}}};
+static_assert(std::size(models) == std::variant_size_v<LeafRates>);
+
+const Model& model_of(const PhotosynthesisSpec& table) {
+    return *std::ranges::find(models, table.model, &Model::kind);
+}
+
+//! Returns a leaf whose numbers a function fills in by each_number().
+LeafRates filled(LeafRates leaf, const auto& with) {
+    std::visit([&](auto& each) { each_number(each, with); }, leaf);
+    return leaf;
+}
+
+bool has(const Model& model, Numbers numbers) {
+    bool is_there = false;
+    filled(model.leaf,
+           [&](Numbers own, auto&) { is_there = is_there || own == numbers; });
+    return is_there;
+}
+
+std::vector<std::string> models_with(Numbers numbers) {
+    std::vector<std::string> names;
+    for (const Model& model : models)
+        if (has(model, numbers)) names.emplace_back(name_of(model.kind));
+    return names;
+}
+
+struct LeafKey {
+    const char* name;
+    Numbers numbers;
+    bool is_capacity = false;
+};
+
+constexpr LeafKey leaf_keys[] = {
+    {"phi", &All::phi},
+    {"theta", &All::theta},
+    {"amax", &All::amax, true},
+    {"rate_2000", &All::rate_2000, true},
+    {"rd", &All::rd},
+    {"vmax", &All::vmax, true},
+    {"alpha", &All::alpha},
+    {"beta", &All::beta},
+    {"k", &All::k},
+    {"vcmax", &All::vcmax, true},
+    {"jmax", &All::jmax, true},
+    {"tpu", &All::tpu},
+    {"g1", &All::g1},
+};
+
+std::size_t leaves_of(const PhotosynthesisSpec& table) {
+    std::size_t most = 1;
+    for (const LeafKey& key : leaf_keys)
+        most = std::max(most, (table.*key.numbers).size());
+    return most;
+}
+
+std::string file_of(const CropSpec& crop, const std::string& key) {
+    const auto found = crop.leaf_files.find(key);
+    return found == crop.leaf_files.end() ? "" : found->second;
+}
+
+//! Returns the numbers that a leaf has for a key of its model: one, or none if
+//! they follow from other numbers.
+std::vector<double> default_of(const Model& model, Numbers numbers) {
+    std::vector<double> values;
+    filled(model.leaf, [&](Numbers own, auto& value) {
+        if (own != numbers) return;
+        if constexpr (requires { value.has_value(); }) {
+            if (value) values.push_back(*value);
+        } else {
+            values.push_back(value);
+        }
+    });
+    return values;
+}
+
+//! Returns `amax` of the leaves of a hyperbola.
+std::vector<double> capacities_of(const PhotosynthesisSpec& table) {
+    std::vector<double> values;
+    for (const LeafRates& leaf : to_photosynthesis(table).rates)
+        values.push_back(std::get<HyperbolaLeaf>(leaf).response.amax);
+    return values;
+}
+
+StatedLeaves stated_leaves_of(const CropSpec& crop) {
+    const PhotosynthesisSpec& table = crop.photosynthesis;
+    const Model& model = model_of(table);
+    StatedLeaves leaves{
+        crop.baseline.name, name_of(model.kind), file_of(crop, "model"), {}};
+    for (const LeafKey& key : leaf_keys) {
+        if (!has(model, key.numbers)) continue;
+        const std::vector<double>& numbers = table.*key.numbers;
+        if (key.numbers == &All::rate_2000 && numbers.empty()) continue;
+        if (key.numbers == &All::amax && !table.rate_2000.empty()) {
+            leaves.numbers.push_back({key.name, capacities_of(table),
+                                      file_of(crop, "rate_2000"), true});
+            continue;
+        }
+        leaves.numbers.push_back(
+            {key.name,
+             numbers.empty() ? default_of(model, key.numbers) : numbers,
+             file_of(crop, key.name), key.is_capacity});
+    }
+    return leaves;
+}
+
+//! Returns whether a file states the model of leaves, or a number of the model.
+bool is_stated(const CropSpec& crop) {
+    if (!file_of(crop, "model").empty()) return true;
+    const Model& model = model_of(crop.photosynthesis);
+    return std::ranges::any_of(leaf_keys, [&](const LeafKey& key) {
+        return has(model, key.numbers) && !file_of(crop, key.name).empty();
+    });
+}
+
+//! Warns of a crop with leaves that assimilate by default.
+//! @param own problems of the keys of the crop
+void warn_of_default(const CropSpec& crop, const Problems& own) {
+    if (!crop.is_known || !own.usable({"name"})) return;
+    if (is_stated(crop)) return;
+    own.warn("name",
+             "the crop \"{}\" has no [photosynthesis] (its leaves assimilate "
+             "by the default, which is right for C4 crops such as maize, not "
+             "for C3 crops such as wheat); add the table to the crop file, "
+             "with model = \"farquhar\" for a C3 crop, or \"hyperbola\" or "
+             "\"collatz\" for a C4 crop",
+             crop.baseline.name);
+}
+
+//! Reports rates in full light that are stated with amax, or that no amax
+//! reaches.
+//! @param problems problems of the table
+void check_full_light(const PhotosynthesisSpec& table,
+                      const Problems& problems) {
+    if (table.rate_2000.empty() || table.model != LeafModel::hyperbola ||
+        !problems.usable({"rate_2000", "amax", "phi"}))
+        return;
+    if (!table.amax.empty())
+        return problems.add("rate_2000",
+                            "photosynthesis.rate_2000 is given with "
+                            "photosynthesis.amax (each follows from the "
+                            "other); remove one of them");
+    const std::vector<double> phi =
+        table.phi.empty() ? std::vector{Hyperbola{}.phi} : table.phi;
+    for (std::size_t i = 0; i < leaves_of(table); ++i) {
+        const auto of_leaf = [&](const std::vector<double>& numbers) {
+            return numbers[numbers.size() == 1 ? 0 : i];
+        };
+        const double most = full_light * of_leaf(phi);
+        if (of_leaf(table.rate_2000) < most) continue;
+        return problems.add("rate_2000",
+                            "photosynthesis.rate_2000 is {} (the quantum yield "
+                            "photosynthesis.phi of {} gives less than {} at "
+                            "{} umol m-2 s-1, whatever the capacity); use "
+                            "less, or a larger phi",
+                            of_leaf(table.rate_2000), of_leaf(phi), most,
+                            full_light);
+    }
+}
+
+}  // namespace
+
+void check_photosynthesis(const PhotosynthesisSpec& table, std::size_t leaves,
+                          const Problems& root) {
+    const Problems problems = root.in("photosynthesis");
+    const std::size_t count = leaves > 0 ? leaves : leaves_of(table);
+    bool are_usable = true;
+    for (const LeafKey& key : leaf_keys) {
+        const std::vector<double>& numbers = table.*key.numbers;
+        if (numbers.empty() || !problems.usable({key.name})) continue;
+        if (!has(model_of(table), key.numbers))
+            problems.add(
+                key.name,
+                "photosynthesis.{} is no number of the model \"{}\" (it is one "
+                "of \"{}\"); remove it",
+                key.name, name_of(table.model),
+                fmt::join(models_with(key.numbers), "\" or \""));
+        else if (numbers.size() != 1 && numbers.size() != count)
+            problems.add(key.name,
+                         "photosynthesis.{} has {} values ({} has {}); give "
+                         "one number, or one for each leaf",
+                         key.name, numbers.size(),
+                         leaves > 0 ? "the plant" : "another list", count);
+        else
+            continue;
+        are_usable = false;
+    }
+    if (are_usable) check_full_light(table, problems);
+}
+
+PhotosynthesisSpec photosynthesis_of_meshes() {
+    PhotosynthesisSpec table;
+    table.profile = CapacityProfile::none;
+    table.follows_weather = false;
+    return table;
+}
+
+Photosynthesis to_photosynthesis(const PhotosynthesisSpec& table) {
+    Photosynthesis result;
+    result.rates.clear();
+    for (std::size_t i = 0; i < leaves_of(table); ++i) {
+        const auto take = [&](Numbers from, auto& to) {
+            const std::vector<double>& numbers = table.*from;
+            if (!numbers.empty()) to = numbers[numbers.size() == 1 ? 0 : i];
+        };
+        result.rates.push_back(filled(model_of(table).leaf, take));
+    }
+    result.profile = table.profile;
+    result.nitrogen = {table.nitrogen, table.kn};
+    result.rank_capacity = table.rank_capacity;
+    result.follows_weather = table.follows_weather;
+    result.leaf_mass = table.leaf_mass;
+    result.building_days = table.building_days;
+    return result;
+}
+
+std::vector<StatedLeaves> stated_leaves(const Spec& spec) {
+    std::vector<StatedLeaves> leaves;
+    if (!spec.assimilates) return leaves;
+    leaves.push_back(stated_leaves_of(spec.plant.crop));
+    for (const ComponentSpec& each : spec.components)
+        leaves.push_back(stated_leaves_of(each.crop));
+    return leaves;
+}
+
+void check_leaf_models(const Spec& spec, const Problems& problems) {
+    if (!spec.assimilates) return;
+    warn_of_default(spec.plant.crop, problems.in("plant.baseline"));
+    for (std::size_t i = 0; i < spec.components.size(); ++i)
+        warn_of_default(spec.components[i].crop,
+                        problems.in("component", i).in("crop"));
+}
+
+Stomata to_stomata(const WaterSpec& table,
+                   const Photosynthesis& photosynthesis) {
+    Stomata result{table.model};
+    const bool is_medlyn = table.model == Stomata::Model::medlyn;
+    const auto* c3 = std::get_if<FarquharLeaf>(&photosynthesis.rates.front());
+    result.intercept = table.intercept.value_or(is_medlyn ? 0.01 : 0.017);
+    result.slope = table.slope.value_or(is_medlyn ? (c3 ? c3->g1 : 1.6) : 4.53);
+    return result;
+}
+
+void check_water(const Spec& spec, const Problems& problems) {
+    if (!spec.water) return;
+    const auto check = [](const CropSpec& crop, const Problems& own,
+                          const std::string& whose) {
+        if (crop.is_known && crop.photosynthesis.model == LeafModel::hyperbola)
+            own.add("photosynthesis.model",
+                    "photosynthesis.model{} is \"hyperbola\", which does not "
+                    "follow CO2 (leaves exchange water in [water]); use "
+                    "\"collatz\" or \"farquhar\"",
+                    whose);
+    };
+    check(spec.plant.crop, problems, "");
+    for (std::size_t i = 0; i < spec.components.size(); ++i) {
+        const ComponentSpec& each = spec.components[i];
+        check(each.crop, problems.in("component", i),
+              " of component \"" + each.name + "\"");
+    }
+}
+
+}  // namespace ideotype

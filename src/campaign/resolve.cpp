@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
+#include "campaign.hpp"
+#include "campaign/checks/checks.hpp"
+#include "campaign/leaves.hpp"
+#include "search/sensitivity_design.hpp"
+#include "spec/varied_keys.hpp"
+
+namespace ideotype {
+
+namespace {
+
+//! Returns the height of the highest leaf with all numbers at their upper
+//! bounds, or of the highest leaf of the baseline, if it stood upright [m].
+double reach_of(const Crop& crop, const std::vector<Range>& bounds,
+                const PlantVariation& variation) {
+    std::vector<double> most;
+    for (const Range& range : bounds) most.push_back(range.upper);
+    const Plant largest = most.empty() ? crop.baseline : grow(crop, most);
+    double top = 0;
+    for (const Plant* plant : {&crop.baseline, &largest})
+        for (const Leaf& leaf : plant->leaves)
+            top = std::max(top, furthest(*plant, leaf, variation));
+    return top;
+}
+
+std::vector<Range> all_bounds(const CropSpec& spec, const Crop& crop) {
+    const std::vector<double> baseline = baseline_numbers(crop);
+    const std::vector<TraitNumber> numbers = trait_numbers(crop);
+    std::vector<Range> bounds;
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+        bounds.push_back(bounds_of(spec, numbers[i].trait, baseline[i]));
+    return bounds;
+}
+
+ComponentEntry to_component(const ComponentSpec& spec) {
+    ComponentEntry component;
+    component.name = spec.name;
+    component.crop = crop_of(spec.crop);
+    Standing& standing = component.standing;
+    standing = {{},         spec.mixed,  spec.plants,
+                spec.later, spec.jitter, spec.variation};
+    for (const double row : spec.rows)
+        standing.rows.push_back(static_cast<int>(row) - 1);
+    component.bounds = all_bounds(spec.crop, component.crop);
+    component.free = spec.free;
+    component.optics = spec.crop.optics;
+    return component;
+}
+
+//! Fills in the stand: plants, bounds and the response of leaves.
+void resolve_stand(Campaign& campaign) {
+    const Spec& spec = campaign.spec;
+    const CropSpec& crop = spec.plant.crop;
+    const PlantVariation& variation = spec.field.variation;
+    campaign.crop = crop_of(crop);
+    campaign.bounds = all_bounds(crop, campaign.crop);
+    campaign.reach = reach_of(campaign.crop, campaign.bounds, variation);
+    campaign.follows = crop.follows;
+    campaign.sampling = {*spec.light.paths, spec.light.randomisations,
+                         *spec.light.tolerance, spec.light.fields};
+    for (const ComponentSpec& each : spec.components) {
+        const ComponentEntry& added =
+            campaign.components.emplace_back(to_component(each));
+        campaign.reach = std::max(
+            campaign.reach,
+            reach_of(added.crop,
+                     added.free.empty() ? std::vector<Range>{} : added.bounds,
+                     added.standing.variation.value_or(variation)));
+    }
+    if (!spec.assimilates) return;
+    campaign.photosynthesis = to_photosynthesis(crop.photosynthesis);
+    campaign.leaves = stated_leaves(spec);
+    for (std::size_t i = 0; i < spec.components.size(); ++i)
+        campaign.components[i].photosynthesis =
+            to_photosynthesis(spec.components[i].crop.photosynthesis);
+    if (!spec.water) return;
+    campaign.water = spec.water->rules;
+    campaign.stomata = to_stomata(*spec.water, *campaign.photosynthesis);
+    for (ComponentEntry& each : campaign.components)
+        each.stomata = to_stomata(*spec.water, *each.photosynthesis);
+}
+
+//! Returns the usual population for the most free genes of any case.
+int usual_population_of(const Campaign& campaign) {
+    std::size_t most = 1;
+    Case chosen;
+    for (const NamedTraits& set : campaign.spec.trait_sets) {
+        chosen.traits = set.value;
+        most = std::max(most, count_free(gene_space(campaign, chosen)));
+    }
+    return usual_population(campaign.search.optimizer,
+                            most + campaign.varied.keys.size());
+}
+
+//! Plans a sensitivity study, which ends only with the last row of its design.
+void plan_study(Campaign& campaign) {
+    SensitivitySpec& spec = campaign.spec.sensitivity;
+    constexpr int few = 64;
+    SensitivitySettings design{spec.method, SensitivitySettings{}.samples,
+                               spec.levels, spec.groups};
+    if (spec.method == SensitivityMethod::morris) design.samples = few;
+    design.samples = spec.samples.value_or(design.samples);
+    spec.samples = design.samples;
+    campaign.varied = {spec.has_traits, spec.keys};
+    campaign.search.population = 0;
+    Case chosen;
+    for (const NamedTraits& set : campaign.spec.trait_sets) {
+        chosen.traits = set.value;
+        campaign.search.population =
+            std::max(campaign.search.population,
+                     generation_size(design, search_genes(campaign, chosen)));
+    }
+    campaign.stop = {.generations = generations_of(design),
+                     .failed_fraction = campaign.stop.failed_fraction};
+    campaign.search.design = design;
+    campaign.has_light_by_row = true;
+}
+
+//! Fills in the search, and what its file left open of it.
+void plan_search(Campaign& campaign) {
+    Spec& spec = campaign.spec;
+    SearchSettings& search = campaign.search;
+    campaign.stop = spec.stop;
+    campaign.varied = {true, spec.search.keys};
+    search = {.optimizer = spec.search.optimizer_or_usual(),
+              .population = spec.search.population_or_usual(),
+              .streams = spec.search.streams,
+              .ga = spec.search.ga,
+              .start = spec.search.start,
+              .step = spec.search.step,
+              .axes = spec.search.axes,
+              .reference = spec.search.reference};
+    if (spec.is_study) campaign.varied = {};
+    if (uses_cma_es(search.optimizer) && !spec.search.population)
+        search.population = usual_population_of(campaign);
+    const int usual_candidates =
+        search.optimizer == OptimizerKind::atlas
+            ? static_cast<int>(count_cells(search.axes))
+            : FinalRule{}.candidates;
+    campaign.final_rule = {spec.final.candidates.value_or(usual_candidates),
+                           {spec.final.paths, spec.final.randomisations}};
+    if (spec.is_study) plan_study(campaign);
+    spec.search.optimizer = search.optimizer;
+    spec.search.population = search.population;
+    spec.stop = campaign.stop;
+    spec.final.candidates = campaign.final_rule.candidates;
+    // A start is a plant; keys start from their values in the campaign.
+    if (!search.start.empty())
+        for (const KeyFactor& each : campaign.varied.keys)
+            search.start.push_back(each.value);
+}
+
+}  // namespace
+
+Campaign resolve(const Spec& spec) {
+    Campaign campaign;
+    campaign.spec = spec;
+    std::erase_if(campaign.spec.constraints.traits,
+                  [](const TraitConstraint& x) { return !constrains(x); });
+    resolve_stand(campaign);
+    plan_search(campaign);
+    return campaign;
+}
+
+Campaign at_keys(const Campaign& campaign, Genome& genome) {
+    const std::vector<KeyFactor>& keys = campaign.varied.keys;
+    const std::size_t plain = count_genes(campaign);
+    if (keys.empty() || genome.size() != plain + keys.size()) return campaign;
+    Campaign varied = campaign;
+    for (std::size_t i = 0; i < keys.size(); ++i)
+        set_key(varied.spec, keys[i].key, genome[plain + i]);
+    genome.resize(plain);
+    const Problems problems(campaign.spec.name);
+    check_stand(varied.spec, problems);
+    problems.throw_if_any();
+    varied.components.clear();
+    varied.resolved.clear();
+    varied.sha256.clear();
+    resolve_stand(varied);
+    return varied;
+}
+
+}  // namespace ideotype

@@ -1,0 +1,584 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "ideotype/climate/sun.hpp"
+#include "ideotype/climate/weather.hpp"
+#include "ideotype/core/enum_names.hpp"
+#include "ideotype/core/range.hpp"
+
+//! A file is described by constant tables with one line for each key: the
+//! member that holds its value, its name, range, default and meaning. Reading,
+//! canonical text, documentation and the JSON Schema follow from these tables.
+namespace ideotype {
+
+//! The place of an enumeration whose values are written by their names.
+struct Choice {
+    void* value;
+    std::string (*get)(const void* value);
+    void (*set)(void* value, const std::string& name);
+};
+
+//! The place of the value of a key, which also fixes the type of the value.
+//! None: the value has a form of its own and is read and written by hand.
+using Target =
+    std::variant<std::monostate, std::string*, std::uint64_t*, int*, long long*,
+                 double*, std::optional<double>*, std::optional<int>*,
+                 std::optional<std::string>*, bool*, Date*,
+                 std::vector<glm::dvec2>*, std::vector<Date>*, Range*,
+                 std::vector<double>*, std::vector<std::string>*,
+                 std::optional<Column>*, Choice>;
+
+//! A value without a place, which is read and written by hand.
+struct ByHand {};
+
+//! The forms of values that their types leave open.
+enum class Form {
+    plain,
+    name,      //!< text that may be a part of the name of a file
+    path,      //!< path, relative to the file
+    clock,     //!< local time, stored in hours
+    duration,  //!< number of seconds, or text such as "1h30m"
+    source,    //!< path of a file, or its content as a table
+    rule,      //!< text, or a table of the same name
+};
+
+//! Lists of names that only the rest of a file determines.
+enum class Names { none, traits, rules, organs, objectives };
+
+//! The count of a list of any length, or of one number or text.
+inline constexpr std::size_t any_count = ~std::size_t{0};
+
+//! A unit in which numbers are given by mistake, in units of the key.
+struct MistakenUnit {
+    const char* name = nullptr;
+    double value = 0;
+};
+
+//! The values that a key accepts.
+struct Values {
+    double lower = 0, upper = 0;  //!< limits; none if equal
+    const char* unit = "";        //!< unit; "": none
+    const char* type = nullptr;   //!< type in words; none: by the member
+    const char* range = nullptr;  //!< range in words
+    Form form = Form::plain;
+    std::size_t count = 0;               //!< length of a list; 0: any
+    std::array<const char*, 4> texts{};  //!< allowed texts; none: any
+    std::vector<std::string> (*known)() = nullptr;  //!< allowed texts
+    Names names = Names::none;  //!< allowed texts that a file determines
+    bool is_by_leaf = false;    //!< whether a list is by leaf
+    bool is_filled = false;     //!< whether a list has items
+    std::array<MistakenUnit, 2> mistaken{};  //!< units of numbers above
+};
+
+//! The default of a key in documents.
+struct Default {
+    const char* words = nullptr;  //!< default in words; none: of the record
+    const char* example = "";     //!< example as TOML for messages
+    bool is_required = false;
+};
+
+//! Values that `fidelity` tries for a key that trades speed for accuracy, the
+//! most accurate last.
+using Trial = std::array<double, 5>;
+
+//! The declaration of a key of a record; records are structs of any type.
+struct Key {
+    const char* name = "";
+    Values values{};
+    Default initial{};
+    const char* meaning = "";
+    //! Returns the place of the value in a record.
+    Target (*place)(void* record) = nullptr;
+    const void* record = nullptr;  //!< mark of the type of records
+    //! Returns the names of the values of an enumeration.
+    std::vector<std::string> (*enumeration)() = nullptr;
+    const char* unless = "";  //!< key of the table that makes this optional
+    bool is_quiet = false;    //!< whether the default is left out of texts
+    //! Returns whether texts have the key; none: they have.
+    bool (*is_written)(const void* record) = nullptr;
+    Trial trial{};
+    bool (*has_trial)(const void* record) = nullptr;  //!< none: always
+
+    constexpr Key or_by(const char* other) const {
+        Key key = *this;
+        key.unless = other;
+        return key;
+    }
+    //! Leaves the default out of texts.
+    constexpr Key quiet() const {
+        Key key = *this;
+        key.is_quiet = true;
+        return key;
+    }
+    //! Writes the key only if a condition holds.
+    template <class Record, bool (*condition)(const Record&)>
+    constexpr Key written_if() const {
+        Key key = *this;
+        key.is_written = [](const void* each) {
+            return condition(*static_cast<const Record*>(each));
+        };
+        return key;
+    }
+    //! Marks a key that trades speed for accuracy.
+    constexpr Key trades(Trial values_to_try) const {
+        Key key = *this;
+        key.trial = values_to_try;
+        return key;
+    }
+    //! Marks such a key where a condition holds.
+    template <class Record, bool (*condition)(const Record&)>
+    constexpr Key trades(Trial values_to_try) const {
+        Key key = trades(values_to_try);
+        key.has_trial = [](const void* each) {
+            return condition(*static_cast<const Record*>(each));
+        };
+        return key;
+    }
+};
+
+// Ranges, as short names for tables.
+constexpr Values any_value{};
+constexpr Values within(double lower, double upper, const char* unit = "") {
+    return {.lower = lower, .upper = upper, .unit = unit};
+}
+constexpr Values unlimited(const char* unit) {
+    return {.unit = unit};
+}
+//! A length, which some give in centimetres or inches.
+constexpr Values metres(double lower, double upper) {
+    return {.lower = lower,
+            .upper = upper,
+            .unit = "m",
+            .mistaken = {MistakenUnit{"centimetres", 0.01}}};
+}
+constexpr Values metres_or_inches(double lower, double upper) {
+    Values values = metres(lower, upper);
+    values.mistaken[1] = {"inches", 0.0254};
+    return values;
+}
+//! A list of numbers, or one number.
+constexpr Values number_or_list(double lower, double upper,
+                                const char* unit = "") {
+    return {.lower = lower,
+            .upper = upper,
+            .unit = unit,
+            .type = "number or list",
+            .count = any_count,
+            .is_filled = true};
+}
+constexpr Values by_leaf(double lower, double upper, const char* unit = "") {
+    Values values = number_or_list(lower, upper, unit);
+    values.type = "number or list by leaf";
+    values.is_by_leaf = true;
+    values.is_filled = false;
+    return values;
+}
+//! A list that may also be written as its only number.
+constexpr Values numbers(double lower, double upper, const char* unit = "",
+                         const char* type = nullptr) {
+    return {.lower = lower,
+            .upper = upper,
+            .unit = unit,
+            .type = type,
+            .count = any_count};
+}
+template <class... Text>
+constexpr Values texts(Text... allowed) {
+    return {.texts = {allowed...}};
+}
+constexpr Values words(const char* range) {
+    return {.range = range};
+}
+constexpr Values from_file(Names names, const char* range) {
+    return {.range = range, .names = names};
+}
+constexpr Values name_text{.range = "at most 64 letters, digits, _ and -",
+                           .form = Form::name};
+constexpr Values file_path{
+    .type = "path", .range = "relative to this file", .form = Form::path};
+
+// Defaults, as short names for tables.
+constexpr Default usual(const char* example = "") {
+    return {nullptr, example};
+}
+constexpr Default required(const char* example) {
+    return {nullptr, example, true};
+}
+constexpr Default by(const char* words, const char* example = "") {
+    return {words, example};
+}
+constexpr Default none(const char* example = "") {
+    return {"none", example};
+}
+
+//! The type of records that a member belongs to.
+template <class Member>
+struct OwnerOf;
+template <class Record, class Value>
+struct OwnerOf<Value Record::*> {
+    using type = Record;
+};
+template <class Record, class Value>
+struct OwnerOf<Value Record::*const> {
+    using type = Record;
+};
+
+namespace detail {
+
+//! The address of a mark that each type of record has.
+template <class Record>
+inline constexpr char mark = 0;
+
+//! Returns the member of a record to which a path of members and places in
+//! arrays leads.
+template <auto First, auto... Rest>
+auto& member(auto& record) {
+    auto& part = [&]() -> auto& {
+        if constexpr (std::is_member_pointer_v<decltype(First)>)
+            return record.*First;
+        else
+            return record[First];
+    }
+    ();
+    if constexpr (sizeof...(Rest) > 0)
+        return member<Rest...>(part);
+    else
+        return part;
+}
+
+template <class Value>
+struct Plain {
+    using type = Value;
+};
+template <class Value>
+struct Plain<std::optional<Value>> {
+    using type = Value;
+};
+
+template <class Value>
+inline constexpr bool is_enum = std::is_enum_v<typename Plain<Value>::type>;
+
+//! Returns the target of a value.
+template <class Value>
+Target target(Value& value) {
+    if constexpr (std::is_same_v<Value, ByHand>) {
+        return std::monostate();
+    } else if constexpr (is_enum<Value>) {
+        using Enum = typename Plain<Value>::type;
+        return Choice{&value,
+                      [](const void* place) -> std::string {
+                          const Value& now = *static_cast<const Value*>(place);
+                          for (const auto& each : enum_names<Enum>)
+                              if (now == each.value) return each.name;
+                          return "";
+                      },
+                      [](void* place, const std::string& name) {
+                          for (const auto& each : enum_names<Enum>)
+                              if (name == each.name)
+                                  *static_cast<Value*>(place) = each.value;
+                      }};
+    } else {
+        return &value;
+    }
+}
+
+//! Returns the name of a type of values in messages and documents.
+template <class Value>
+constexpr const char* type_of() {
+    using Inner = typename Plain<Value>::type;
+    if constexpr (std::is_same_v<Inner, bool>) return "true or false";
+    if constexpr (std::is_integral_v<Inner>) return "integer";
+    if constexpr (std::is_floating_point_v<Inner>) return "number";
+    if constexpr (std::is_same_v<Inner, Date>) return "local date";
+    if constexpr (std::is_same_v<Inner, std::vector<Date>>)
+        return "local date, or list of them";
+    if constexpr (std::is_same_v<Inner, Range>) return "[lower, upper]";
+    if constexpr (std::is_same_v<Inner, Column>) return "[column, unit]";
+    if constexpr (std::is_same_v<Inner, std::vector<double>>)
+        return "list of numbers";
+    if constexpr (std::is_same_v<Inner, std::vector<std::string>>)
+        return "list of texts";
+    if constexpr (std::is_same_v<Inner, std::vector<glm::dvec2>>)
+        return "list of [out, up]";
+    return "text";
+}
+
+template <class Enum>
+std::vector<std::string> names_of_enum() {
+    std::vector<std::string> names;
+    for (const auto& each : enum_names<Enum>) names.emplace_back(each.name);
+    return names;
+}
+
+}  // namespace detail
+
+//! Declares a key of a type of records.
+//! @tparam Path members, and places in arrays, that lead from the record to the
+//! value
+template <class Record, auto... Path>
+constexpr Key key_of(const char* name, Values values, Default initial,
+                     const char* meaning) {
+    Key key{name, values, initial, meaning};
+    key.record = &detail::mark<Record>;
+    if constexpr (sizeof...(Path) == 0) {
+        key.place = [](void*) -> Target { return std::monostate(); };
+    } else {
+        using Value = std::remove_cvref_t<decltype(detail::member<Path...>(
+            std::declval<Record&>()))>;
+        if (!key.values.type) key.values.type = detail::type_of<Value>();
+        if constexpr (detail::is_enum<Value>)
+            key.enumeration =
+                &detail::names_of_enum<typename detail::Plain<Value>::type>;
+        key.place = [](void* record) -> Target {
+            return detail::target(
+                detail::member<Path...>(*static_cast<Record*>(record)));
+        };
+    }
+    return key;
+}
+
+//! Declares a key of the record that the first member belongs to.
+template <auto First, auto... Rest>
+constexpr Key key(const char* name, Values values, Default initial,
+                  const char* meaning) {
+    using Owner = typename OwnerOf<decltype(First)>::type;
+    return key_of<Owner, First, Rest...>(name, values, initial, meaning);
+}
+
+//! Declares a key of which the record itself is the value.
+template <class Record>
+constexpr Key itself(const char* name, Values values, Default initial,
+                     const char* meaning) {
+    Key key = key_of<Record>(name, values, initial, meaning);
+    key.values.type = detail::type_of<Record>();
+    key.place = [](void* record) {
+        return detail::target(*static_cast<Record*>(record));
+    };
+    return key;
+}
+
+//! The names that other parts of a file determine; empty: any name fits.
+struct KnownNames {
+    std::vector<std::string> traits, rules, organs, objectives;
+    //! Whether sets of traits may be empty, since components may be bred.
+    bool may_free_nothing = false;
+    //! Whether keys that this version does not have are passed over, as in the
+    //! campaigns of older histories.
+    bool passes_over_others = false;
+};
+
+struct Table;
+
+//! The keys of a table, and the tables inside it.
+struct Description {
+    std::string_view section;  //!< name in documents and messages
+    const Key* first = nullptr;
+    std::size_t count = 0;
+    const Table* first_table = nullptr;
+    std::size_t table_count = 0;
+    //! Returns a record with all defaults.
+    const void* (*usual)() = nullptr;
+    bool is_of_crop = false;  //!< whether crop files have the table
+
+    std::span<const Key> keys() const { return {first, count}; }
+    std::span<const Table> tables() const;
+};
+
+//! A table inside a table: the places of its records.
+struct Table {
+    const char* name = "";
+    const Description* description = nullptr;
+    std::size_t (*size)(const void* parent) = nullptr;
+    void* (*at)(void* parent, std::size_t entry) = nullptr;
+    //! Makes a number of records. None: there is always one record.
+    void (*resize)(void* parent, std::size_t records) = nullptr;
+    void (*clear)(void* parent) = nullptr;  //!< removes the records of a list
+    //! Returns the names that a record determines for its keys; none: those of
+    //! the whole file.
+    KnownNames (*names)(const void* record) = nullptr;
+    bool keeps_records = false;  //!< whether reading completes records
+    bool is_list = false;        //!< whether it is written as [[name]]
+    bool is_optional = false;    //!< whether it may be left out
+    std::size_t most = 1000;     //!< largest number of entries
+    const char* unless = "";     //!< table that makes this optional
+    bool is_variable = false;    //!< whether searches may vary its numbers
+    //! Returns the name of a record's table; none: that of all records.
+    const std::string& (*entry_name)(const void* record) = nullptr;
+    bool (*is_entry_written)(const void* record) = nullptr;
+    //! Returns whether texts have the table; none: they have.
+    bool (*is_written)(const void* parent) = nullptr;
+    //! Writes the table, which is also read by hand; none: its keys and tables.
+    std::string (*text)(const void* parent, const std::string& name) = nullptr;
+
+    constexpr Table at_most(std::size_t entries) const {
+        Table table = *this;
+        table.most = entries;
+        return table;
+    }
+    constexpr Table optional() const {
+        Table table = *this;
+        table.is_optional = true;
+        return table;
+    }
+    constexpr Table or_by(const char* other) const {
+        Table table = *this;
+        table.unless = other;
+        return table;
+    }
+    //! Completes records that are there when the table is read, each with names
+    //! that the record determines.
+    template <class Record, auto function>
+    constexpr Table completed_with() const {
+        Table table = *this;
+        table.names = [](const void* record) {
+            return function(*static_cast<const Record*>(record));
+        };
+        table.keeps_records = true;
+        return table;
+    }
+    //! Lets searches and studies vary the numbers of the table.
+    constexpr Table variable() const {
+        Table table = *this;
+        table.is_variable = true;
+        return table;
+    }
+    //! Makes each record a table of its own name, which is written if a
+    //! condition holds. Records are there before their tables are read.
+    template <auto member, auto condition>
+    constexpr Table named_by() const {
+        using Owner = typename OwnerOf<decltype(member)>::type;
+        Table table = *this;
+        table.is_list = false;
+        table.is_optional = true;
+        table.is_entry_written = [](const void* record) {
+            return condition(*static_cast<const Owner*>(record));
+        };
+        table.entry_name = [](const void* record) -> const std::string& {
+            return static_cast<const Owner*>(record)->*member;
+        };
+        return table;
+    }
+    //! Writes the table by a function of its record's crop.
+    template <auto First, auto function>
+    constexpr Table written_by() const {
+        using Parent = typename OwnerOf<decltype(First)>::type;
+        Table table = *this;
+        table.text = [](const void* parent, const std::string& own_name) {
+            return function(static_cast<const Parent*>(parent)->*First,
+                            own_name);
+        };
+        return table;
+    }
+    template <class Parent, bool (*condition)(const Parent&)>
+    constexpr Table written_if() const {
+        Table table = *this;
+        table.is_written = [](const void* parent) {
+            return condition(*static_cast<const Parent*>(parent));
+        };
+        return table;
+    }
+};
+
+inline std::span<const Table> Description::tables() const {
+    return {first_table, table_count};
+}
+
+//! Declares a table of which a record has one, at most one (std::optional) or
+//! any number (std::vector). Without a path, its keys are those of the parent.
+template <class Parent, auto... Path>
+constexpr Table table_of(const char* name, const Description& description) {
+    Table table{name, &description};
+    if constexpr (sizeof...(Path) == 0) {
+        table.size = [](const void*) { return std::size_t{1}; };
+        table.at = [](void* parent, std::size_t) { return parent; };
+    } else {
+        using Value = std::remove_cvref_t<decltype(detail::member<Path...>(
+            std::declval<Parent&>()))>;
+        if constexpr (requires(Value & value) { value.push_back({}); }) {
+            table.is_list = true;
+            table.size = [](const void* parent) {
+                return detail::member<Path...>(
+                           *static_cast<const Parent*>(parent))
+                    .size();
+            };
+            table.at = [](void* parent, std::size_t i) -> void* {
+                return &detail::member<Path...>(*static_cast<Parent*>(parent))
+                            .at(i);
+            };
+            table.clear = [](void* parent) {
+                detail::member<Path...>(*static_cast<Parent*>(parent)).clear();
+            };
+            table.resize = [](void* parent, std::size_t n) {
+                detail::member<Path...>(*static_cast<Parent*>(parent))
+                    .resize(n);
+            };
+        } else if constexpr (requires(Value & value) { value.has_value(); }) {
+            table.is_optional = true;
+            table.size = [](const void* parent) {
+                return std::size_t{
+                    detail::member<Path...>(*static_cast<const Parent*>(parent))
+                        .has_value()};
+            };
+            table.at = [](void* parent, std::size_t) -> void* {
+                return &*detail::member<Path...>(*static_cast<Parent*>(parent));
+            };
+            table.resize = [](void* parent, std::size_t n) {
+                auto& part =
+                    detail::member<Path...>(*static_cast<Parent*>(parent));
+                if (n == 0)
+                    part.reset();
+                else if (!part)
+                    part.emplace();
+            };
+        } else {
+            table.size = [](const void*) { return std::size_t{1}; };
+            table.at = [](void* parent, std::size_t) -> void* {
+                return &detail::member<Path...>(*static_cast<Parent*>(parent));
+            };
+        }
+    }
+    return table;
+}
+
+template <auto First, auto... Rest>
+constexpr Table table(const char* name, const Description& description) {
+    using Parent = typename OwnerOf<decltype(First)>::type;
+    return table_of<Parent, First, Rest...>(name, description);
+}
+
+//! Describes a type of records by its keys, and the tables inside.
+template <class Record>
+constexpr Description describe(std::string_view section, const auto& keys) {
+    for (const Key& each : keys)
+        if (each.record != &detail::mark<Record>)
+            throw "a key of another type of records";
+    Description all{section, std::data(keys), std::size(keys)};
+    all.usual = []() -> const void* {
+        static const Record record{};
+        return &record;
+    };
+    return all;
+}
+template <class Record>
+constexpr Description describe(std::string_view section, const auto& keys,
+                               const auto& tables) {
+    Description all = describe<Record>(section, keys);
+    all.first_table = std::data(tables);
+    all.table_count = std::size(tables);
+    return all;
+}
+
+}  // namespace ideotype

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "spec/problems.hpp"
+#include "spec/spec.hpp"
+
+namespace ideotype {
+
+//! The kinds of text from which a campaign is read.
+enum class TextSource {
+    file,      //!< text as users write it, which may name files
+    resolved,  //!< canonical text, without files
+    history,   //!< canonical text of a history, perhaps of another version
+};
+
+//! Reads the text of a campaign, and the crop files that it names, without
+//! checks of values against each other.
+//! @param settings settings from the command line, see apply_settings()
+//! @param is_study whether a sensitivity study is wanted; resolved texts state
+//! it themselves
+Spec read_spec(const std::string& text, const std::string& file,
+               TextSource source, const std::vector<std::string>& settings,
+               bool is_study, const Problems& problems);
+
+//! Returns what a resolved text says; keys that this version does not have are
+//! passed over.
+Spec read_resolved(const std::string& text);
+
+//! Reads the text of a crop file. Returns nothing if the text is a campaign.
+std::optional<CropSpec> read_crop_spec(const std::string& text,
+                                       const std::string& file,
+                                       const Problems& problems);
+
+}  // namespace ideotype

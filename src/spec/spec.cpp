@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "spec.hpp"
+
+#include <algorithm>
+
+#include "ideotype/canopy/quantities.hpp"
+
+namespace ideotype {
+
+namespace {
+
+TraitEntry leaf_trait(const std::string& name, const std::string& unit,
+                      Range range, bool is_circular = false) {
+    TraitEntry entry;
+    entry.trait.name = name;
+    entry.trait.unit = unit;
+    entry.trait.range = range;
+    entry.trait.is_circular = is_circular;
+    entry.sets = {"leaf." + name};
+    return entry;
+}
+
+}  // namespace
+
+CropSpec::CropSpec() {
+    // The controls are a least-squares fit of a width profile with a maximum of
+    // 1 and an area of 0.7455 length x width.
+    baseline.blade.width_controls = {0.28,     0.885870, 0.895017,
+                                     1.149943, 0.379696, 0.0};
+    // A crop file without traits has the traits and bounds of the study
+    // arXiv:2512.06064; the range of the insertion angle and the rule
+    // "biological" are estimates of this project.
+    traits = {leaf_trait("length", "m", {0.40, 1.10}),
+              leaf_trait("width", "m", {0.05, 0.14}),
+              leaf_trait("insertion_angle", "deg", {10, 80}),
+              leaf_trait("azimuth", "deg", {0, 360}, true)};
+    bounds = {{"paper", "length", {0.40, 1.10}},
+              {"biological", "length", {0.40, 1.10}, 0.35},
+              {"biological", "width", {0.001, 0.5}, 0.35}};
+}
+
+bool constrains(const TraitConstraint& limit) {
+    const TraitConstraint none;
+    return limit.step > 0 || limit.total.lower > none.total.lower ||
+           limit.total.upper < none.total.upper || limit.is_falling ||
+           limit.distichous > 0 || limit.range.lower > none.range.lower ||
+           limit.range.upper < none.range.upper;
+}
+
+ByBand<bool> followed_bands(const Spec& spec) {
+    ByBand<bool> follows{true};
+    for (std::size_t b = 1; b < wavebands.size(); ++b)
+        follows[b] = (b == nir_band && spec.water &&
+                      spec.water->rules.has_leaf_temperature) ||
+                     std::ranges::count(spec.bands, wavebands[b].name,
+                                        &BandEntry::name) > 0;
+    return follows;
+}
+
+bool plants_grow(const Spec& spec) {
+    return std::ranges::any_of(
+        spec.climates, [](const auto& each) { return each.value.grows(); });
+}
+
+bool is_over(const Spec& spec, const std::string& axis) {
+    return std::ranges::count(spec.objective.over, axis) > 0;
+}
+
+bool asks_for_assimilation(const Spec& spec) {
+    const auto is_of = [](const std::string& name) {
+        return is_of_assimilation(name.substr(name.find('.') + 1));
+    };
+    return std::ranges::any_of(spec.objective.maximised, is_of) ||
+           std::ranges::any_of(spec.objective.minimised, is_of) ||
+           std::ranges::any_of(spec.search.axes, is_of, &AtlasAxis::quantity);
+}
+
+std::vector<std::string> rule_names(const CropSpec& crop) {
+    std::vector<std::string> names{"traits"};
+    for (const BoundsEntry& each : crop.bounds)
+        if (std::ranges::count(names, each.rule) == 0)
+            names.push_back(each.rule);
+    return names;
+}
+
+bool is_bred(const CropSpec& crop, const Trait& trait) {
+    bool rule_chooses = false;
+    for (const BoundsEntry& each : crop.bounds) {
+        if (each.rule != crop.rule || !each.is_bred) continue;
+        rule_chooses = true;
+        if (each.trait == trait.name) return true;
+    }
+    return !rule_chooses && trait.is_bred;
+}
+
+const std::vector<std::string>& measures_of(const TraitEntry& entry) {
+    if (!entry.sets.empty()) return entry.sets;
+    return entry.scales.empty() ? entry.shifts : entry.scales;
+}
+
+Trait complete(const TraitEntry& entry) {
+    Trait trait = entry.trait;
+    trait.measures = measures_of(entry);
+    trait.effect = !entry.sets.empty()     ? TraitEffect::sets
+                   : !entry.scales.empty() ? TraitEffect::scales
+                                           : TraitEffect::shifts;
+    return trait;
+}
+
+Crop crop_of(const CropSpec& spec) {
+    Crop crop;
+    crop.baseline = spec.baseline;
+    for (const TraitEntry& entry : spec.traits)
+        crop.traits.push_back(complete(entry));
+    crop.growth = spec.growth;
+    crop.variation = spec.variation;
+    return crop;
+}
+
+Range bounds_of(const CropSpec& crop, std::size_t trait, double baseline) {
+    if (crop.rule.empty()) return crop.own_bounds.at(trait);
+    const Trait& bred = crop.traits.at(trait).trait;
+    for (const BoundsEntry& each : crop.bounds) {
+        if (each.rule != crop.rule || each.trait != bred.name) continue;
+        if (!(each.change > 0)) return each.range;
+        return {std::max((1 - each.change) * baseline, each.range.lower),
+                std::min((1 + each.change) * baseline, each.range.upper)};
+    }
+    return bred.range;
+}
+
+std::vector<std::string> all_organs(const Plant& plant) {
+    std::vector<std::string> names{"stalk", "sheath"};
+    if (has_petioles(plant)) names.push_back("petiole");
+    for (const Organ& organ : plant.organs) names.push_back(organ.name);
+    return names;
+}
+
+}  // namespace ideotype

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include <toml++/toml.h>
+
+#include "spec/problems.hpp"
+#include "spec/section.hpp"
+
+namespace ideotype {
+
+inline const KnownNames nothing_known;
+
+//! Reads the tables of one file as they are described, and reports unknown and
+//! missing keys.
+class TableReader {
+  public:
+    //! @param known names that the rest of the file determines; must outlive
+    //! the reader
+    TableReader(const std::string& file, const Problems& problems,
+                const KnownNames& known)
+        : file_(file), problems_(problems), known_(known) {}
+
+    //! Reads the keys of a file before its first table, and its tables.
+    void read(const toml::table& top, const Description& description,
+              void* record) const;
+
+    //! Reads the keys of a table; tables in it are read by separate calls.
+    void read_keys(const toml::table& table, const Section& section,
+                   const std::vector<std::string>& tables = {}) const;
+
+    //! Reads a table, or every `[[name]]` into a record of its own, with the
+    //! tables inside. Tables with defaults may be missing.
+    //! @param section name of the table for messages
+    //! @param parent record that has the table
+    void read_table(const toml::table& top, const Table& table,
+                    const std::string& section, void* parent) const;
+
+    Location where(const toml::node& node) const;
+
+    //! Returns the reader of a table inside this table, or of an entry of a
+    //! list such as "site[1]".
+    TableReader in(const std::string& name) const {
+        return {file_, problems_.in(name), known_};
+    }
+
+  private:
+    //! Reads a record, with the tables inside.
+    void read_record(const toml::table& table, const Description& description,
+                     const std::string& section, void* record) const;
+    TableReader in(const Table& table, std::size_t entry, void* record) const;
+    std::vector<const toml::table*> entries(const toml::node& node,
+                                            const Table& table,
+                                            const std::string& section) const;
+    //! Gives the keys of a missing table the place of its parent.
+    void locate(const Table& table, void* parent, const Location& place) const;
+    void locate(const Description& description, void* record,
+                const Location& place) const;
+    void report_missing(const toml::table& top, const Table& table,
+                        const void* parent) const;
+    //! Returns the known keys that unknown keys seem to stand for.
+    std::set<std::string> report_unknown(
+        const toml::table& table, const Section& section,
+        const std::vector<std::string>& tables) const;
+
+    std::string file_;
+    Problems problems_;
+    const KnownNames& known_;
+};
+
+}  // namespace ideotype

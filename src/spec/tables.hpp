@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "spec/key.hpp"
+#include "spec/spec.hpp"
+
+//! The tables of campaigns and of the files that they name. A key is one line
+//! of a file in spec/tables.
+namespace ideotype {
+
+inline constexpr std::size_t most_components = 20;
+inline constexpr std::size_t most_leaves = 40;
+inline constexpr std::size_t most_organs = 40;
+inline constexpr std::size_t most_traits = 100;
+//! Most entries of an axis.
+inline constexpr std::size_t most_entries = 10'000;
+inline constexpr std::size_t most_cases = 100'000;
+
+extern const Description spec_table;  //!< campaigns, records are Spec
+extern const Description crop_table;  //!< crop files, records are CropSpec
+//! Tables of both crop files and campaigns, as crop files have them.
+extern const Description crop_leaves_table;
+//! The table [variation] of crop files.
+extern const Description crop_variation_table;
+//! Files of measured lines, records are MeasuredLines.
+extern const Description lines_table;
+
+extern const Description site_table, day_table, climate_table, weather_table;
+extern const Description spacing_table, field_table, variation_table;
+extern const Description panel_table, object_table, band_table;
+extern const Description optics_table, crop_optics_table;
+extern const Description photosynthesis_table, water_table;
+//! A key TRAIT, which stands for each trait of a crop; records are Range.
+extern const Description own_bounds_table;
+
+//! Returns the key of a table by its name in documents, such as "site"; null if
+//! there is none.
+const Key* find_key(const std::string& section, const std::string& name);
+
+//! A table with its name in documents: "site", "field.variation", "leaf".
+struct Documented {
+    std::string section;
+    const Table* table = nullptr;  //!< none: the keys before the first table
+    const Description* description = nullptr;
+};
+
+//! Returns the default of a key, as TOML or in words.
+//! @param section name of its table in documents
+std::string default_of(const std::string& section, const Key& key);
+
+//! Returns all tables of campaigns and then of crop files, in the order of
+//! their texts, each once.
+const std::vector<Documented>& documented_tables();
+
+}  // namespace ideotype

@@ -1,0 +1,384 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ideotype/canopy/quantities.hpp"
+#include "spec/tables.hpp"
+#include "spec/writer.hpp"
+
+namespace ideotype {
+
+template <>
+inline constexpr std::array enum_names<SkyModel>{
+    EnumName{"uniform", SkyModel::uniform},
+    EnumName{"overcast", SkyModel::overcast},
+    EnumName{"clear", SkyModel::clear}};
+template <>
+inline constexpr std::array enum_names<SensitivityMethod>{
+    EnumName{"sobol", SensitivityMethod::sobol},
+    EnumName{"morris", SensitivityMethod::morris}};
+template <>
+inline constexpr std::array enum_names<Grouping>{
+    EnumName{"trait", Grouping::trait}, EnumName{"gene", Grouping::gene}};
+
+namespace {
+
+constexpr Values source{.type = "path or table", .form = Form::source};
+constexpr Values rule(const char* range) {
+    return {.type = "text or table",
+            .range = range,
+            .form = Form::rule,
+            .names = Names::rules};
+}
+constexpr Values duration(double lower, double upper) {
+    return {.lower = lower,
+            .upper = upper,
+            .unit = "s",
+            .type = "number or \"1h30m\" or \"HH:MM:SS\"",
+            .form = Form::duration};
+}
+constexpr Values fraction(double lower, double upper) {
+    return {.lower = lower,
+            .upper = upper,
+            .mistaken = {MistakenUnit{"per cent", 0.01}}};
+}
+constexpr Values objectives(const char* range) {
+    return {.type = "text or list of texts",
+            .range = range,
+            .count = any_count,
+            .known = objective_names,
+            .names = Names::objectives};
+}
+constexpr Values quantities(const char* range) {
+    return {.range = range, .known = objective_names};
+}
+constexpr Values axes() {
+    Values values = texts("site", "day", "climate", "spacing");
+    values.type = "text or list of texts";
+    values.count = any_count;
+    return values;
+}
+
+KnownNames names_of_component(const ComponentSpec& component) {
+    return names_of(component.crop);
+}
+bool has_rule(const PlantSpec& plant) {
+    return !plant.crop.rule.empty();
+}
+bool has_organs(const PlantSpec& plant) {
+    return !plant.organs.empty();
+}
+bool has_tolerance(const LightSpec& light) {
+    return light.tolerance > 0;
+}
+bool has_no_tolerance(const LightSpec& light) {
+    return !(light.tolerance > 0);
+}
+bool has_dates(const LightSpec& light) {
+    return light.dates.has_value();
+}
+bool has_stages(const LightSpec& light) {
+    return light.stages.has_value();
+}
+bool maximises(const ObjectiveSpec& objective) {
+    return !objective.maximised.empty();
+}
+bool has_scenarios(const ObjectiveSpec& objective) {
+    return !objective.over.empty();
+}
+bool has_lines(const Spec& spec) {
+    return !spec.feasibility.lines.traits.empty();
+}
+bool assimilates(const Spec& spec) {
+    return spec.assimilates;
+}
+bool is_study(const Spec& spec) {
+    return spec.is_study;
+}
+bool is_search(const Spec& spec) {
+    return !spec.is_study;
+}
+
+// A table has a line for each key.
+// clang-format off
+constexpr Key top_keys[] = {
+    key<&Spec::name>("name", name_text, required("\"ames\""), "name of the campaign, and of the folder of its histories"),
+    key<&Spec::seed>("seed", words("0 .. 2^63-1"), usual(), "seed of all random numbers"),
+    key<&Spec::replicates>("replicates", within(1, 1000), usual(), "number of evolutions, each with a seed of its own, for each combination of the axes"),
+};
+
+constexpr Key traits_keys[] = {
+    key<&NamedTraits::name>("name", name_text, required("\"angles\""), "name of the trait set, a part of the names of cases"),
+    key<&NamedTraits::value>("free", from_file(Names::traits, "traits of the crop file"), required("[\"insertion_angle\", \"azimuth\"]"), "traits that may be bred; all others keep the baseline's values").quiet(),
+};
+
+constexpr Key plant_keys[] = {
+    key_of<PlantSpec>("baseline", source, required("\"crops/mine.toml\""), "crop file, relative to the campaign file; or its content as [plant.baseline]"),
+    key<&PlantSpec::crop, &CropSpec::rule>("bounds", rule("\"traits\", or a rule of the crop file"), usual(), "a rule of the crop file, \"traits\" for the ranges of its traits, or own values as [plant.bounds]").written_if<PlantSpec, has_rule>(),
+    key<&PlantSpec::organs>("organs", from_file(Names::organs, "of \"stalk\", \"sheath\", \"petiole\" and the crop file's [[organ]] tables"), by("those that the crop file has present"), "organs besides leaves that plants have"),
+    key<&PlantSpec::stage>("stage", within(0, 2), usual(), "development stage of plants that do not grow, silking at 1 and maturity at 2: their leaves have the capacity of that age by growth.ageing of the crop; nothing else follows it").quiet(),
+    key<&PlantSpec::tessellation, &Tessellation::cells_along>("cells_along", within(4, 200), usual(), "faces along a leaf with two across; leaflets have two thirds as many, with four across").trades({6, 8, 12, 16, 24}),
+    key<&PlantSpec::tessellation, &Tessellation::stalk_sides>("stalk_sides", within(3, 100), usual(), "faces around stalks and sheaths").trades<PlantSpec, has_organs>({3, 6, 12}),
+};
+
+constexpr Key trait_bounds_keys[] = {
+    itself<Range>("TRAIT", within(-1000, 1000), by("the range of the trait", "[0.4, 1.1]"), "range of each number of the trait"),
+};
+
+constexpr Key component_keys[] = {
+    key<&ComponentSpec::name>("name", name_text, required("\"weed\""), "name of the kind of plant, as files and figures tell it"),
+    key_of<ComponentSpec>("crop", source, required("\"crops/mine.toml\""), "crop file of its plants, relative to the campaign file; or its content as [component.crop]"),
+    key<&ComponentSpec::free>("free", from_file(Names::traits, "traits of its crop file"), usual("[\"width\"]"), "traits of it that are bred; without any it stays as its crop file has it").quiet(),
+    key<&ComponentSpec::crop, &CropSpec::rule>("bounds", rule("\"traits\", or a rule of its crop file"), usual(), "bounds of its traits, chosen as by `plant.bounds` from its own crop file; or the table [component.bounds]").quiet(),
+    key_of<ComponentSpec>("variation", Values{.type = "table"}, by("as the field"), "table of how its plants differ, with the keys of [field.variation], in the place of the field's; {} for plants that do not differ"),
+    key<&ComponentSpec::rows>("rows", numbers(1, 100, "", "list of integers"), none("[2, 4]"), "rows of the field that it stands in instead of the crop's plants, counted from 1"),
+    key<&ComponentSpec::mixed>("mixed", within(0, 10000), usual(), "number of places of bred plants that it takes, drawn anew for each generation, in the place of `rows`").quiet(),
+    key<&ComponentSpec::plants>("plants", within(0, 1000), usual(), "number of plants in each of its rows; 0: as many as `field.plants`").quiet(),
+    key<&ComponentSpec::later>("later", within(0, 200, "d"), usual(), "days from `climate.emergence` to its own emergence").quiet(),
+    key<&ComponentSpec::jitter>("jitter", within(0, 180, "deg"), by("as the field"), "largest random turn of each of its plants, in the place of `field.jitter` and `field.variation.across_row`"),
+};
+
+constexpr Key light_keys[] = {
+    key<&LightSpec::paths>("paths", within(16, 16'777'216), by("16384"), "light paths per randomisation; with a tolerance at most").trades<LightSpec, has_no_tolerance>({1024, 4096, 16384, 65536}),
+    key<&LightSpec::randomisations>("randomisations", within(2, 1024), usual(), "independent repetitions; their spread gives the standard error"),
+    key<&LightSpec::fields>("fields", within(1, 256), usual(), "random fields among which the randomisations are divided; with several, standard errors contain how fields differ").quiet(),
+    key<&LightSpec::tolerance>("tolerance", fraction(0, 0.1), by("0.005, or 0 if paths is given"), "relative standard error of the leaves' light that is expected of each evaluation, with as few paths as that takes; 0: none, all paths").trades<LightSpec, has_tolerance>({0.02, 0.01, 0.005, 0.0025}),
+    key<&LightSpec::band>("band", texts("par", "nir"), by("\"par\""), "waveband in which the tolerance bounds the light of leaves; first hits of light are shared by all bands, and scattered light of the others gets about as many paths"),
+    key<&LightSpec::sky>("sky", any_value, usual(), "distribution of the radiance of diffuse light: even, or as CIE overcast or clear skies"),
+    key<&LightSpec::dates>("dates", within(1, 366), by("3"), "number of dates of a climate whose suns stand for those of all dates, the nearest for each hour; stages of plants that grow share them out").trades<LightSpec, has_dates>({1, 2, 3, 6, 12}),
+    key<&LightSpec::stages>("stages", within(1, 40), by("10"), "number of ages at which the canopy of growing plants is evaluated; hours between two of them are linear in thermal time").trades<LightSpec, has_stages>({4, 7, 10, 20}),
+};
+
+constexpr Key objective_keys[] = {
+    key<&ObjectiveSpec::maximised>("maximise", objectives(nullptr), usual(), "any single number of the canopy: on a mean day light that leaves absorb, CO2 that they assimilate (net of their respiration while there is light) or carbon that is left (net of day and night, and of building leaves), per area of ground or of leaf; parts of the light; leaf area; \"NAME.net_assimilation\" is that of one component").written_if<ObjectiveSpec, maximises>(),
+    key<&ObjectiveSpec::minimised>("minimise", objectives("as maximise"), usual(), "quantities to minimise; several objectives are for nsga2"),
+    key<&ObjectiveSpec::weights>("weights", numbers(-1000, 1000), none("[1, 0.5]"), "weights in each objective of the plants that are bred and then of each [[component]]; without them objectives are those of all plants together"),
+    key<&ObjectiveSpec::sole>("sole", numbers(1e-06, 1e6), none("[1.1, 0.9]"), "values of the objective, in its unit, that the plants that are bred and then each [[component]] have when they stand alone: the objective is then the land equivalent ratio, the sum of the value of each over its value alone"),
+    key<&ObjectiveSpec::sole_errors>("sole_errors", numbers(0, 1e6), none("[0.002, 0.001]"), "standard errors of `sole`, which `evaluate` adds to that of the ratio; all rows share them, so that differences have none of them"),
+    key<&ObjectiveSpec::over>("over", axes(), usual(), "axes whose entries are scenarios, not cases: each plant is evaluated in all of them").written_if<ObjectiveSpec, has_scenarios>(),
+    key<&ObjectiveSpec::across>("scenarios", any_value, usual(), "value of each objective over scenarios: the mean, or that of the scenario where it is worst").written_if<ObjectiveSpec, has_scenarios>(),
+};
+
+constexpr Key constraints_keys[] = {
+    key<&Constraints::lai>("lai", within(0, 1000, "m2 m-2"), usual("[3.4, 3.5]"), "leaf area over ground area; a narrow range fixes it"),
+};
+
+constexpr Key trait_constraint_keys[] = {
+    key<&TraitConstraint::step>("step", within(0, 360), usual(), "largest difference between neighbouring leaves; 0: any"),
+    key<&TraitConstraint::total>("total", within(0, 1e9), usual(), "range of the sum over all leaves"),
+    key<&TraitConstraint::is_falling>("falling", any_value, usual(), "true if no leaf may have more than the one below it"),
+    key<&TraitConstraint::distichous>("distichous", within(0, 90, "deg"), usual(), "largest distance of azimuths from one plane between whose two sides leaves alternate; 0: any"),
+    key<&TraitConstraint::range>("range", within(-1e9, 1e9), usual(), "range of each leaf"),
+    key<&TraitConstraint::highest>("highest", within(0, 40), usual(), "number of leaves that the range limits, counted from the highest down; 0: all"),
+};
+
+constexpr Key feasibility_keys[] = {
+    key_of<Feasibility>("lines", file_path, none(), "file of measured lines, relative to the campaign file; or its content as [[feasibility.trait]] and [[feasibility.line]]"),
+    key<&Feasibility::limit>("limit", within(0, 1000), usual(), "largest Mahalanobis distance from the mean of the lines that is allowed; 0: any"),
+    key<&Feasibility::lines, &MeasuredLines::correlations>("correlations", within(-1, 1), by("none: one trait"), "correlation of each pair of traits over the lines: the first with all later ones, then the second with all later ones, ..."),
+};
+
+constexpr Key lines_keys[] = {
+    key<&MeasuredLines::correlations>("correlations", within(-1, 1), by("none: one trait"), "correlation of each pair of traits over the lines: the first with all later ones, then the second with all later ones, ..."),
+};
+
+constexpr Key line_trait_keys[] = {
+    key<&LineTrait::measure>("measure", words("measures of the plant"), required("\"leaf.insertion_angle\""), "measure of plants that was taken of several lines"),
+    key<&LineTrait::leaf>("leaf", words("\"ear\", \"ear+1\", \"top-1\", ..."), by("none: not of leaves"), "leaf whose measure it is, by its distance from the leaf at the ear or from the highest one"),
+    key<&LineTrait::mean>("mean", within(-1000, 1000), required("20"), "mean of the lines, in the unit of the measure"),
+    key<&LineTrait::deviation>("deviation", within(1e-06, 1000), required("5"), "standard deviation of the lines"),
+};
+
+constexpr Key line_keys[] = {
+    key<&MeasuredLine::name>("name", words("any text"), required("\"B73\""), "name of the line"),
+    key<&MeasuredLine::values>("values", within(-1000, 1000), required("[20, 0.8]"), "values of the traits, in their order and units"),
+};
+
+constexpr Key search_keys[] = {
+    key<&SearchSpec::optimizer>("optimizer", any_value, by("\"auto\""), "optimizer that proposes the candidates: a race of two searches by CMA-ES with restarts, the genetic algorithm, a single CMA-ES, NSGA-II for several objectives, the best plant of each kind, or without learning: chance or points of the Sobol' sequence"),
+    key<&SearchSpec::population>("population", within(2, 100000), by("100; of CMA-ES 4 + 3 ln(free genes), of auto 2.5 times that"), "plants per generation"),
+    key<&SearchSpec::streams>("streams", within(1, 1000), usual(), "number of independent searches whose generations take turns, so that many workers do not wait for the end of a generation; not by chance"),
+    key<&SearchSpec::ga, &GaSettings::elites>("elites", within(0, 99999), usual(), "best plants carried over and evaluated again; fewer than the population"),
+    key<&SearchSpec::ga, &GaSettings::tournament>("tournament", within(1, 100000), usual(), "contestants per selected parent; at most the population"),
+    key<&SearchSpec::ga, &GaSettings::crossover_probability>("crossover_probability", within(0, 1), usual(), "probability that a couple is crossed"),
+    key<&SearchSpec::ga, &GaSettings::crossover_index>("crossover_index", within(0, 1000), usual(), "index of simulated binary crossover; the larger, the nearer children are to their parents"),
+    key<&SearchSpec::ga, &GaSettings::mutations_per_child>("mutations_per_child", within(0, 160), usual(), "expected number of mutated genes"),
+    key<&SearchSpec::ga, &GaSettings::mutation_index>("mutation_index", within(0, 1000), usual(), "index of polynomial mutation; the larger, the smaller are changes"),
+    key<&SearchSpec::start>("start", numbers(0, 0), usual(), "plant to begin around by auto and CMA-ES, a number for each gene; see run --start; none: the baseline"),
+    key<&SearchSpec::step>("step", within(1e-06, 1), usual(), "standard deviation around the start at the beginning, by auto and CMA-ES, relative to the range of a gene; circular genes have half of it"),
+    key<&SearchSpec::reference>("reference", numbers(0, 0), by("the worst of each in generation 0"), "reference point of several objectives, in their order and units; the hypervolume of a generation is relative to it"),
+};
+
+constexpr Key varied_keys[] = {
+    key<&KeyFactor::key>("key", any_value, required("\"optics.soil_albedo\""), "number of field, spacing, panel, optics, photosynthesis or plant.baseline that is varied"),
+    key<&KeyFactor::range>("range", any_value, required("[0.05, 0.3]"), "range in which it is searched, beside the genes of the plant"),
+};
+
+constexpr Key axis_keys[] = {
+    key<&AtlasAxis::quantity>("quantity", quantities("as maximise"), required("\"lai\""), "quantity that tells kinds of plants apart, any that could be an objective"),
+    key<&AtlasAxis::range>("range", any_value, required("[2, 6]"), "values that are divided into cells, in the unit of the quantity"),
+    key<&AtlasAxis::cells>("cells", within(1, 1000), usual(), "number of cells of equal width; all axes together have at most 1000"),
+};
+
+constexpr Key sensitivity_keys[] = {
+    key<&SensitivitySpec::method>("method", any_value, usual(), "method: Sobol' indices of the variance, first order and total, or elementary effects by Morris"),
+    key<&SensitivitySpec::samples>("samples", within(4, 131072), by("1024; of morris 64"), "number of base samples of Sobol', best a power of two, each of 2 rows and one per factor; or of trajectories of Morris, each of 1 row and one per factor"),
+    key<&SensitivitySpec::levels>("levels", within(2, 100), usual(), "even number of values that each number takes by Morris"),
+    key<&SensitivitySpec::groups>("groups", any_value, usual(), "factor: all numbers of a trait, or each gene"),
+    key<&SensitivitySpec::has_traits>("traits", any_value, usual(), "true if the traits of the case's trait set are varied"),
+};
+
+constexpr Key study_keys[] = {
+    key<&KeyFactor::key>("key", any_value, required("\"optics.soil_albedo\""), "number of field, spacing, panel, optics, photosynthesis or plant.baseline that is varied"),
+    key<&KeyFactor::range>("range", any_value, required("[0.05, 0.3]"), "range in which it is varied, evenly"),
+};
+
+constexpr Key stop_keys[] = {
+    key<&StopRules::generations>("generations", within(1, 1e6), usual(), "largest number of generations; also the size of a history"),
+    key<&StopRules::no_gain>("no_gain", within(0, 1e6), usual(), "generations over which a line through the means, or the hypervolume, must rise by more than twice its standard error; 0: off, else 5 or more"),
+    key<&StopRules::evaluations>("evaluations", within(0, 1e12), usual(), "evaluations after which the search ends; generations that have begun are finished; 0: no limit"),
+    key<&StopRules::wall_time>("wall_time", duration(0, 1000000000), usual("\"12:00:00\""), "longest time of all sessions together; 0: no limit"),
+    key<&StopRules::failed_fraction>("failed_fraction", within(0, 1), usual(), "share of a generation that ends the run with an error when it fails; 0: any failure does"),
+};
+
+constexpr Key final_keys[] = {
+    key<&FinalSpec::candidates>("candidates", within(1, 1000), by("5"), "best plants that are evaluated again, at most the population; for an atlas it is the number of its cells"),
+    key<&FinalSpec::paths>("paths", within(16, 16'777'216), usual(), "light paths per randomisation"),
+    key<&FinalSpec::randomisations>("randomisations", within(2, 1024), usual(), "independent repetitions; their spread gives the standard error"),
+};
+
+constexpr Key parallel_keys[] = {
+    key<&AnswerLimits::deadline>("deadline", duration(0.001, 1000000000), usual("\"00:10:00\""), "time after which an evaluation is given to another worker; at least 20 times the longest so far"),
+    key<&AnswerLimits::attempts>("attempts", within(1, 1000), usual(), "number of attempts that may miss the deadline before an evaluation has failed"),
+};
+// clang-format on
+
+constinit const Description traits_table =
+    describe<NamedTraits>("traits", traits_keys);
+constinit const Description light_table =
+    describe<LightSpec>("light", light_keys);
+constinit const Description objective_table =
+    describe<ObjectiveSpec>("objective", objective_keys);
+constinit const Description line_trait_table =
+    describe<LineTrait>("trait", line_trait_keys);
+constinit const Description line_table =
+    describe<MeasuredLine>("line", line_keys);
+constinit const Description trait_constraint_table =
+    describe<TraitConstraint>("TRAIT", trait_constraint_keys);
+constinit const Description varied_table =
+    describe<KeyFactor>("keys", varied_keys);
+constinit const Description study_keys_table =
+    describe<KeyFactor>("keys", study_keys);
+constinit const Description axis_table = describe<AtlasAxis>("axes", axis_keys);
+constinit const Description stop_table = describe<StopRules>("stop", stop_keys);
+constinit const Description final_table =
+    describe<FinalSpec>("final", final_keys);
+constinit const Description parallel_table =
+    describe<AnswerLimits>("parallel", parallel_keys);
+
+constexpr Table plant_tables[] = {
+    table<&PlantSpec::crop, &CropSpec::own_bounds>("bounds", own_bounds_table)
+        .written_by<&PlantSpec::crop, &own_bounds_text>(),
+    table<&PlantSpec::crop>("baseline", crop_table)
+        .written_by<&PlantSpec::crop, &baseline_text>()};
+constinit const Description plant_table =
+    describe<PlantSpec>("plant", plant_keys, plant_tables);
+
+constexpr Table component_tables[] = {
+    table<&ComponentSpec::variation>("variation", variation_table),
+    table<&ComponentSpec::crop>("crop", crop_table)
+        .written_by<&ComponentSpec::crop, &component_crop_text>(),
+    table<&ComponentSpec::crop, &CropSpec::own_bounds>("bounds",
+                                                       own_bounds_table)
+        .written_by<&ComponentSpec::crop, &own_bounds_text>()};
+constinit const Description component_table =
+    describe<ComponentSpec>("component", component_keys, component_tables);
+
+constexpr Table constraint_tables[] = {
+    table<&Constraints::traits>("TRAIT", trait_constraint_table)
+        .named_by<&TraitConstraint::trait, &constrains>()};
+constinit const Description constraints_table =
+    describe<Constraints>("constraints", constraints_keys, constraint_tables);
+
+constexpr Table lines_tables[] = {
+    table<&MeasuredLines::traits>("trait", line_trait_table)
+        .optional()
+        .at_most(30),
+    table<&MeasuredLines::lines>("line", line_table)
+        .optional()
+        .at_most(most_entries)};
+constexpr Table feasibility_tables[] = {
+    table<&Feasibility::lines, &MeasuredLines::traits>("trait",
+                                                       line_trait_table)
+        .optional()
+        .at_most(30),
+    table<&Feasibility::lines, &MeasuredLines::lines>("line", line_table)
+        .optional()
+        .at_most(most_entries)};
+constinit const Description feasibility_table =
+    describe<Feasibility>("feasibility", feasibility_keys, feasibility_tables);
+
+constexpr Table search_tables[] = {
+    table<&SearchSpec::keys>("keys", varied_table).optional(),
+    table<&SearchSpec::axes>("axes", axis_table).optional()};
+constinit const Description search_table =
+    describe<SearchSpec>("search", search_keys, search_tables);
+
+constexpr Table sensitivity_tables[] = {
+    table<&SensitivitySpec::keys>("keys", study_keys_table).optional()};
+constinit const Description sensitivity_table = describe<SensitivitySpec>(
+    "sensitivity", sensitivity_keys, sensitivity_tables);
+
+constexpr Table spec_tables[] = {
+    table<&Spec::sites>("site", site_table).at_most(most_entries),
+    table<&Spec::days>("day", day_table).at_most(most_entries).or_by("climate"),
+    table<&Spec::climates>("climate", climate_table).optional(),
+    table<&Spec::spacings>("spacing", spacing_table)
+        .at_most(most_entries)
+        .variable(),
+    table<&Spec::trait_sets>("traits", traits_table),
+    table<&Spec::field>("field", field_table).variable(),
+    table<&Spec::plant>("plant", plant_table),
+    table<&Spec::components>("component", component_table)
+        .completed_with<ComponentSpec, &names_of_component>()
+        .optional()
+        .at_most(most_components),
+    table<&Spec::panels>("panel", panel_table)
+        .variable()
+        .optional()
+        .at_most(most_components),
+    table<&Spec::objects>("object", object_table)
+        .optional()
+        .at_most(most_components),
+    table<&Spec::bands>("band", band_table)
+        .optional()
+        .at_most(wavebands.size()),
+    table_of<Spec>("optics", optics_table).variable(),
+    table<&Spec::light>("light", light_table),
+    table<&Spec::objective>("objective", objective_table),
+    table<&Spec::plant, &PlantSpec::crop, &CropSpec::photosynthesis>(
+        "photosynthesis", photosynthesis_table)
+        .variable()
+        .written_if<Spec, assimilates>(),
+    table<&Spec::water>("water", water_table),
+    table<&Spec::constraints>("constraints", constraints_table),
+    table<&Spec::feasibility>("feasibility", feasibility_table)
+        .optional()
+        .written_if<Spec, has_lines>(),
+    table<&Spec::search>("search", search_table).written_if<Spec, is_search>(),
+    table<&Spec::sensitivity>("sensitivity", sensitivity_table)
+        .written_if<Spec, is_study>(),
+    table<&Spec::stop>("stop", stop_table),
+    table<&Spec::final>("final", final_table),
+    table<&Spec::parallel>("parallel", parallel_table),
+    table<&Spec::weathers>("weather", weather_table)
+        .optional()
+        .at_most(most_entries)};
+
+}  // namespace
+
+constinit const Description own_bounds_table =
+    describe<Range>("bounds", trait_bounds_keys);
+constinit const Description lines_table =
+    describe<MeasuredLines>("feasibility", lines_keys, lines_tables);
+constinit const Description spec_table =
+    describe<Spec>("top", top_keys, spec_tables);
+
+}  // namespace ideotype

@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ideotype/crop/measures.hpp"
+#include "spec/tables.hpp"
+
+namespace ideotype {
+
+template <>
+inline constexpr std::array enum_names<LeafBase>{
+    EnumName{"surface", LeafBase::surface}, EnumName{"axis", LeafBase::axis}};
+template <>
+inline constexpr std::array enum_names<PlantMaterial>{
+    EnumName{"stalk", PlantMaterial::stalk},
+    EnumName{"sheath", PlantMaterial::sheath}};
+template <>
+inline constexpr std::array enum_names<TraitNumbers>{
+    EnumName{"leaf", TraitNumbers::leaf},
+    EnumName{"plant", TraitNumbers::plant},
+    EnumName{"profile", TraitNumbers::profile}};
+
+namespace {
+
+//! A text as an argument of a template.
+template <std::size_t n>
+struct Text {
+    constexpr Text(const char (&text)[n]) { std::copy_n(text, n, letters); }
+    char letters[n];
+};
+
+template <const auto& measures, Text name>
+constexpr auto measure_of = *std::ranges::find(
+    measures, std::string_view(name.letters),
+    [](const auto& each) -> std::string_view { return each.name; });
+
+//! Declares the key of a measure, which has unit, range and meaning.
+template <const auto& measures, Text name>
+constexpr Key measured(Default initial = usual()) {
+    constexpr auto measure = measure_of<measures, name>;
+    using Part = typename OwnerOf<decltype(measure.value)>::type;
+    const auto& [lower, upper] = measure.limits;
+    const std::string_view unit = measure.unit;
+    Key key = key_of<Part>(measure.name,
+                           unit == "m"   ? metres(lower, upper)
+                           : unit == "1" ? within(lower, upper)
+                                         : within(lower, upper, measure.unit),
+                           initial, measure.meaning);
+    key.values.type = "number";
+    key.place = [](void* part) -> Target {
+        return &(static_cast<Part*>(part)->*measure_of<measures, name>.value);
+    };
+    return key;
+}
+
+constexpr Values six_numbers(double lower, double upper) {
+    return {.lower = lower,
+            .upper = upper,
+            .type = "list of 6 numbers",
+            .count = 6};
+}
+
+bool is_living(const Stalk& stalk) {
+    return stalk.is_living();
+}
+bool is_living(const Sheath& sheath) {
+    return sheath.is_living();
+}
+bool is_living(const Organ& organ) {
+    return organ.is_living();
+}
+bool has_leaflets(const Blade& blade) {
+    return blade.leaflets > 1;
+}
+bool has_height(const Leaf& leaf) {
+    return leaf.internode == 0;
+}
+bool has_petioles(const CropSpec& crop) {
+    return has_petioles(crop.baseline);
+}
+bool states_leaves(const CropSpec& crop) {
+    return !crop.leaf_files.empty();
+}
+
+// A table has a line for each key.
+// clang-format off
+constexpr Key stalk_keys[] = {
+    key<&Stalk::is_present>("present", any_value, usual(), "true if plants have stalks"),
+    measured<stalk_measures, "height">(),
+    measured<stalk_measures, "base_diameter">(),
+    measured<stalk_measures, "top_diameter">(),
+    measured<tissue_measures<Stalk>, "capacity">().written_if<Stalk, is_living>(),
+    measured<tissue_measures<Stalk>, "density">().written_if<Stalk, is_living>(),
+    measured<tissue_measures<Stalk>, "maintenance">().written_if<Stalk, is_living>(),
+    measured<tissue_measures<Stalk>, "construction">().written_if<Stalk, is_living>(),
+    key<&Stalk::leaf_base>("leaf_base", any_value, usual(), "place where the midribs of leaves begin"),
+};
+
+constexpr Key sheath_keys[] = {
+    key<&Sheath::is_present>("present", any_value, usual(), "true if plants have sheaths"),
+    measured<sheath_measures, "length">(),
+    measured<sheath_measures, "thickness">(),
+    measured<tissue_measures<Sheath>, "capacity">().written_if<Sheath, is_living>(),
+    measured<tissue_measures<Sheath>, "density">().written_if<Sheath, is_living>(),
+    measured<tissue_measures<Sheath>, "maintenance">().written_if<Sheath, is_living>(),
+    measured<tissue_measures<Sheath>, "construction">().written_if<Sheath, is_living>(),
+};
+
+constexpr Key petiole_keys[] = {
+    key<&Petiole::is_present>("present", any_value, usual(), "true if plants have petioles"),
+    measured<petiole_measures, "diameter">(),
+};
+
+constexpr Key blade_keys[] = {
+    measured<blade_measures, "folding_angle">(),
+    measured<blade_measures, "curvature_exponent">(),
+    measured<blade_measures, "leaflet_divergence">().written_if<Blade, has_leaflets>(),
+    measured<blade_measures, "lateral_size">().written_if<Blade, has_leaflets>(),
+    measured<blade_measures, "rachis_length">().written_if<Blade, has_leaflets>(),
+    key<&Blade::leaflets>("leaflets", within(1, 15), usual(), "number of leaflets of each leaf").written_if<Blade, has_leaflets>(),
+    key<&Blade::width_controls>("width_controls", six_numbers(0, 2), by("[0.28, 0.88587, 0.895017, 1.149943, 0.379696, 0]"), "width from base to tip: control values of a cubic B-spline with knots at 1/3 and 2/3, scaled to a maximum of 1"),
+};
+
+constexpr Key growth_keys[] = {
+    key<&Growth::leaves>("leaves", within(3, 40), usual(), "number of leaves of the main stem; the plant's are the highest of them"),
+    key<&Growth::interval>("interval", within(0, 5000, "deg C d"), usual(), "thermal time between the tips of successive leaves"),
+    key<&Growth::largest_area>("largest_area", within(1e-05, 1, "m2"), usual(), "area of the blade that is largest, one-sided"),
+    key<&Growth::largest>("largest", within(0.01, 0.99), usual(), "rank of the largest blade over the leaves"),
+    key<&Growth::narrowing>("narrowing", within(0, 100), usual(), "a of the area by rank, exp(-a x^2 + b x^3) with x = (n - m) / (m - 1) and m the rank of the largest"),
+    key<&Growth::skewness>("skewness", within(-100, 100), usual(), "b of the area by rank"),
+    key<&Growth::first_extension>("first_extension", within(0, 5000, "deg C d"), usual(), "thermal time from tip to collar of the first leaf"),
+    key<&Growth::longest_extension>("longest_extension", within(0, 5000, "deg C d"), usual(), "thermal time from tip to collar of the leaf that takes longest"),
+    key<&Growth::last_extension>("last_extension", within(0, 5000, "deg C d"), usual(), "thermal time from tip to collar of the highest leaf"),
+    key<&Growth::slowest>("slowest", within(0.01, 0.99), usual(), "rank of the leaf that takes longest over the leaves"),
+    key<&Growth::lower_leaves>("lower_leaves", within(0.01, 0.99), usual(), "ranks up to it over the leaves die while the plant grows"),
+    key<&Growth::lower_death>("lower_death", within(0, 5000, "deg C d"), usual(), "thermal time from emergence to the death of the lowest leaf"),
+    key<&Growth::lower_interval>("lower_interval", within(0, 5000, "deg C d"), usual(), "thermal time between the deaths of lower leaves"),
+    key<&Growth::upper_death>("upper_death", within(0, 5000, "deg C d"), usual(), "thermal time from silking to the death of the first upper leaf"),
+    key<&Growth::upper_interval>("upper_interval", within(0, 5000, "deg C d"), usual(), "thermal time between the deaths of upper leaves"),
+    key<&Growth::fading>("fading", within(0, 5000, "deg C d"), usual(), "thermal time from the death of a blade to its last green"),
+    key<&Growth::silking>("silking", within(0, 5000, "deg C d"), usual(), "thermal time to silking after as many intervals as there are leaves"),
+    key<&Growth::maturity>("maturity", within(0, 5000, "deg C d"), usual(), "thermal time from silking to maturity"),
+    key<&Growth::internode_rate>("internode_rate", within(1e-05, 0.1, "m / (deg C d)"), usual(), "growth of an internode from the collar of its leaf on"),
+    key<&Growth::base>("base", within(-5, 20, "deg C"), usual(), "temperature that thermal time is counted from"),
+    key<&Growth::cap>("cap", within(20, 50, "deg C"), usual(), "temperature above which growth is no faster"),
+    key<&Growth::ageing>("ageing", number_or_list(0, 2), usual(), "capacity of green leaves over that before silking, at equal steps of development from silking to maturity, linear in between; it begins with 1").quiet(),
+    key<&Growth::maintenance>("maintenance", number_or_list(0, 2), usual(), "maintenance respiration of other organs per mass over that before silking, at equal steps as for ageing; it begins with 1").quiet(),
+    key<&Growth::root_share>("root_share", within(0, 1), usual(), "dry mass of roots over that of leaves and of organs with a density, where plants grow; roots respire 0.015 of it a day at 25 deg C, times `maintenance`, and cost 1.45 of carbohydrate; 0: roots do not count").quiet(),
+    key<&Growth::ear_maintenance>("ear_maintenance", within(0, 0.1, "d-1"), usual(), "carbohydrate that the dry matter which enters the ear after silking respires at 25 deg C, times `maintenance`, until maturity; 0: it does not count").quiet(),
+};
+
+constexpr Key leaf_keys[] = {
+    measured<leaf_measures, "length">(required("0.651")),
+    measured<leaf_measures, "width">(required("0.073")),
+    measured<leaf_measures, "insertion_angle">(required("34")).or_by("midrib"),
+    measured<leaf_measures, "curvature">(required("90")).or_by("midrib"),
+    measured<leaf_measures, "azimuth">(required("90")),
+    measured<leaf_measures, "insertion_height">(required("0.09")).or_by("internode").written_if<Leaf, has_height>(),
+    measured<leaf_measures, "roll">().quiet(),
+    measured<leaf_measures, "twist">().quiet(),
+    measured<leaf_measures, "petiole_length">().quiet(),
+    measured<leaf_measures, "petiole_angle">().quiet(),
+    measured<leaf_measures, "internode">().quiet(),
+    key<&Leaf::midrib>("midrib", words("two points or more"), by("from insertion_angle and curvature"), "points of the digitised midrib from base to tip, out from the stalk and up, in any unit; where it is told, insertion_angle and curvature follow from it, and may be told to bend it further"),
+};
+
+constexpr Key organ_keys[] = {
+    key<&Organ::name>("name", name_text, required("\"ear\""), "name of the organ"),
+    key<&Organ::is_present>("present", any_value, usual(), "true if plants have it"),
+    key<&Organ::material>("tissue", any_value, usual(), "tissue whose optics its surface has"),
+    key<&Organ::leaf>("leaf", within(0, 40), usual(), "rank of the leaf at whose insertion it is; 0: the stalk's top"),
+    key<&Organ::count>("count", within(1, 100), usual(), "number of such cones, evenly around the stalk"),
+    key<&Organ::sides>("sides", within(3, 24), usual(), "number of faces around each cone"),
+    measured<organ_measures, "offset">(),
+    measured<organ_measures, "spread">(),
+    measured<organ_measures, "length">(required("0.3")),
+    measured<organ_measures, "base_diameter">(required("0.01")),
+    measured<organ_measures, "top_diameter">(),
+    measured<organ_measures, "inclination">(),
+    measured<organ_measures, "azimuth">(),
+    measured<tissue_measures<Organ>, "capacity">().written_if<Organ, is_living>(),
+    measured<tissue_measures<Organ>, "density">().written_if<Organ, is_living>(),
+    measured<tissue_measures<Organ>, "maintenance">().written_if<Organ, is_living>(),
+    measured<tissue_measures<Organ>, "construction">().written_if<Organ, is_living>(),
+    key<&Organ::senescence>("senescence", within(0, 5000, "deg C d"), usual(), "thermal time after silking at which it dies, where plants grow: it then has the optics of the stalk and does not assimilate; 0: it stays green").quiet(),
+};
+
+constexpr Key trait_keys[] = {
+    key<&TraitEntry::trait, &Trait::name>("name", name_text, required("\"length\""), "name of the trait"),
+    key<&TraitEntry::trait, &Trait::numbers>("per", any_value, usual(), "number of values: one for each leaf, one for the whole plant, or the points of a smooth curve over leaf position"),
+    key<&TraitEntry::trait, &Trait::points>("points", within(1, 10), usual(), "number of points of a profile, at equal distances from the lowest leaf to the highest"),
+    key<&TraitEntry::sets>("sets", words("measures of the plant"), usual("[\"leaf.length\"]"), "the measure that is the number").quiet(),
+    key<&TraitEntry::scales>("scales", words("measures of the plant"), usual("[\"leaf.length\"]"), "the measures of the baseline that the number multiplies").quiet(),
+    key<&TraitEntry::shifts>("shifts", words("measures of the plant"), usual("[\"leaf.length\"]"), "the measures of the baseline that the number is added to").quiet(),
+    key<&TraitEntry::trait, &Trait::unit>("unit", texts("m", "deg", "1"), required("\"m\""), "unit of the number: that of the measures, \"1\" of a factor"),
+    key<&TraitEntry::trait, &Trait::range>("range", within(-1000, 1000), required("[0.4, 1.1]"), "range in which it may be bred"),
+    key<&TraitEntry::trait, &Trait::is_circular>("circular", any_value, usual(), "true if both ends of the range are the same direction"),
+    key<&TraitEntry::trait, &Trait::is_bred>("bred", any_value, usual(), "true if campaigns that name no trait set breed it"),
+};
+
+constexpr Key bounds_keys[] = {
+    key<&BoundsEntry::rule>("name", name_text, required("\"paper\""), "name by which campaigns choose the bounds"),
+    key<&BoundsEntry::trait>("trait", name_text, required("\"length\""), "trait that the bounds are for"),
+    key<&BoundsEntry::range>("range", within(-1000, 1000), required("[0.4, 1.1]"), "range in which it may be bred"),
+    key<&BoundsEntry::change>("change", within(0, 100), usual(), "largest change of the baseline's value, relative to it; 0: any"),
+    key<&BoundsEntry::is_bred>("bred", any_value, usual(), "true if campaigns that choose these bounds, but name no trait set, breed it; if any of the rule is, no other traits are"),
+};
+
+constexpr Key crop_keys[] = {
+    key<&CropSpec::baseline, &Plant::name>("name", name_text, required("\"b73\""), "name of the plant"),
+};
+// clang-format on
+
+template <class Record, std::size_t n>
+constexpr Description of_crop(std::string_view section, const Key (&keys)[n]) {
+    Description all = describe<Record>(section, keys);
+    all.is_of_crop = true;
+    return all;
+}
+
+constinit const Description stalk_table = of_crop<Stalk>("stalk", stalk_keys);
+constinit const Description sheath_table =
+    of_crop<Sheath>("sheath", sheath_keys);
+constinit const Description petiole_table =
+    of_crop<Petiole>("petiole", petiole_keys);
+constinit const Description blade_table = of_crop<Blade>("blade", blade_keys);
+constinit const Description growth_table =
+    of_crop<Growth>("growth", growth_keys);
+constinit const Description leaf_table = of_crop<Leaf>("leaf", leaf_keys);
+constinit const Description organ_table = of_crop<Organ>("organ", organ_keys);
+constinit const Description trait_table =
+    of_crop<TraitEntry>("trait", trait_keys);
+constinit const Description bounds_table =
+    of_crop<BoundsEntry>("bounds", bounds_keys);
+
+constexpr Table crop_parts[] = {
+    table<&CropSpec::baseline, &Plant::stalk>("stalk", stalk_table).variable(),
+    table<&CropSpec::baseline, &Plant::sheath>("sheath", sheath_table)
+        .variable(),
+    table<&CropSpec::baseline, &Plant::petiole>("petiole", petiole_table)
+        .variable()
+        .written_if<CropSpec, has_petioles>(),
+    table<&CropSpec::baseline, &Plant::blade>("blade", blade_table).variable(),
+    table<&CropSpec::growth>("growth", growth_table),
+    table<&CropSpec::baseline, &Plant::leaves>("leaf", leaf_table)
+        .variable()
+        .at_most(most_leaves),
+    table<&CropSpec::baseline, &Plant::organs>("organ", organ_table)
+        .variable()
+        .optional()
+        .at_most(most_organs),
+    table<&CropSpec::traits>("trait", trait_table).at_most(most_traits),
+    table<&CropSpec::bounds>("bounds", bounds_table).optional()};
+
+constexpr Table leaf_tables[] = {
+    table_of<CropSpec>("optics", crop_optics_table).optional(),
+    table<&CropSpec::photosynthesis>("photosynthesis", photosynthesis_table)
+        .optional()
+        .written_if<CropSpec, states_leaves>()};
+
+}  // namespace
+
+constinit const Description crop_table = [] {
+    Description all = describe<CropSpec>("crop file", crop_keys, crop_parts);
+    all.is_of_crop = true;
+    return all;
+}();
+constinit const Description crop_leaves_table = [] {
+    Description all;
+    all.first_table = leaf_tables;
+    all.table_count = std::size(leaf_tables);
+    return all;
+}();
+
+}  // namespace ideotype

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "spec/tables.hpp"
+
+namespace ideotype {
+
+template <>
+inline constexpr std::array enum_names<CapacityProfile>{
+    EnumName{"none", CapacityProfile::none},
+    EnumName{"exponential", CapacityProfile::exponential},
+    EnumName{"nitrogen", CapacityProfile::nitrogen},
+    EnumName{"rank", CapacityProfile::rank}};
+template <>
+inline constexpr std::array enum_names<Stomata::Model>{
+    EnumName{"medlyn", Stomata::Model::medlyn},
+    EnumName{"ball_berry", Stomata::Model::ball_berry}};
+
+namespace {
+
+// A table has a line for each key.
+// clang-format off
+constexpr Key photosynthesis_keys[] = {
+    key<&PhotosynthesisSpec::model>("model", any_value, usual(), "response of leaves to light: the non-rectangular hyperbola, the C4 model of Collatz et al. 1992, or the C3 model of Farquhar, von Caemmerer and Berry 1980"),
+    key<&PhotosynthesisSpec::phi>("phi", by_leaf(0, 0.2), by("0.06"), "quantum yield of the hyperbola [mol mol-1]"),
+    key<&PhotosynthesisSpec::theta>("theta", by_leaf(0, 1), by("0.7 of the hyperbola, 0.83 by Collatz, 0.97875 by Farquhar"), "curvature of the response to light; by Farquhar that of electron transport, at 25 deg C"),
+    key<&PhotosynthesisSpec::amax>("amax", by_leaf(0, 1e9, "umol m-2 s-1"), by("50"), "asymptote of the gross assimilation of the hyperbola in strong light, at 30 deg C"),
+    key<&PhotosynthesisSpec::rate_2000>("rate_2000", by_leaf(0, 400, "umol m-2 s-1"), none("52"), "gross assimilation of the hyperbola at an absorbed PPFD of 2000 umol m-2 s-1 and 30 deg C, from which amax follows; it replaces amax"),
+    key<&PhotosynthesisSpec::rd>("rd", by_leaf(0, 1000, "umol m-2 s-1"), by("0.04 amax, at 30 deg C; 0.8 by Collatz and 1.28 by Farquhar, at 25 deg C"), "respiration in the dark"),
+    key<&PhotosynthesisSpec::vmax>("vmax", by_leaf(0, 1e6, "umol m-2 s-1"), by("39"), "capacity by Collatz, at 25 deg C"),
+    key<&PhotosynthesisSpec::alpha>("alpha", by_leaf(0, 0.2), by("0.067"), "quantum yield by Collatz [mol mol-1]"),
+    key<&PhotosynthesisSpec::beta>("beta", by_leaf(0, 1), by("0.93 by Collatz, 0.98 by Farquhar"), "curvature between light and CO2 by Collatz, between the limits by Farquhar, where 1 is the smallest limit itself"),
+    key<&PhotosynthesisSpec::k>("k", by_leaf(0, 100, "mol m-2 s-1"), by("0.7"), "initial slope of the response to CO2 by Collatz, at 25 deg C"),
+    key<&PhotosynthesisSpec::vcmax>("vcmax", by_leaf(0, 1e6, "umol m-2 s-1"), by("110"), "capacity of Rubisco by Farquhar, at 25 deg C"),
+    key<&PhotosynthesisSpec::jmax>("jmax", by_leaf(0, 1e6, "umol m-2 s-1"), by("195"), "capacity of electron transport by Farquhar, at 25 deg C, from a fit with 4.5 ci + 10.5 Gamma*"),
+    key<&PhotosynthesisSpec::tpu>("tpu", by_leaf(0, 1e6, "umol m-2 s-1"), by("13"), "capacity of the use of triose phosphate by Farquhar, at 25 deg C"),
+    key<&PhotosynthesisSpec::g1>("g1", by_leaf(0, 100, "kPa^0.5"), by("5.79"), "slope of stomata by Farquhar, after Medlyn et al. 2011"),
+    key<&PhotosynthesisSpec::profile>("profile", any_value, usual(), "fall of the capacity of leaves with depth: none, as exp(-kn L) of the leaf area index L above, by a fixed canopy nitrogen that is spread in this way, or as rank_capacity tells"),
+    key<&PhotosynthesisSpec::rank_capacity>("rank_capacity", number_or_list(0, 2), usual(), "capacity of the profile by rank, over the capacity above, at equal distances from the lowest leaf to the highest; it is linear in between"),
+    key<&PhotosynthesisSpec::kn>("kn", within(0, 5), usual(), "extinction of the profile, per leaf area index"),
+    key<&PhotosynthesisSpec::nitrogen>("nitrogen", within(0.01, 100, "g m-2"), usual(), "nitrogen in leaves, per ground area"),
+    key<&PhotosynthesisSpec::follows_weather>("weather", any_value, usual(), "true for leaves with the temperature and humidity of the weather; else, and on clear days, they have 30 deg C and 60 %"),
+    key<&PhotosynthesisSpec::leaf_mass>("leaf_mass", within(0, 1000, "g m-2"), usual(), "mass that leaves are built of, which the carbon balance pays for"),
+    key<&PhotosynthesisSpec::building_days>("leaf_days", within(1, 1000, "day"), usual(), "days that the building of leaves is spread over"),
+};
+
+constexpr Key water_keys[] = {
+    key<&WaterSpec::rules, &LeafWater::has_leaf_temperature>("leaf_temperature", any_value, usual(), "true for leaves with a temperature of their own, by their energy balance; else they have that of the air, and assimilate as without this table"),
+    key<&WaterSpec::rules, &LeafWater::has_canopy_air>("canopy_air", any_value, usual(), "true for a canopy that warms and moistens the air among its leaves; else that is the air above"),
+    key<&WaterSpec::model>("stomata", any_value, usual(), "model of stomata, by Medlyn et al. 2011 or by Ball, Woodrow and Berry 1987"),
+    key<&WaterSpec::slope>("slope", within(0.01, 50), by("by Medlyn 1.6 of C4 leaves and photosynthesis.g1 of C3 leaves [kPa^0.5], by Ball and Berry 4.53"), "slope of the conductance of stomata with assimilation over CO2"),
+    key<&WaterSpec::intercept>("intercept", within(0, 1, "mol m-2 s-1"), by("0.01 by Medlyn, 0.017 by Ball and Berry"), "conductance of stomata without assimilation"),
+    key<&WaterSpec::rules, &LeafWater::emissivity>("emissivity", within(0.5, 1), usual(), "emissivity of leaves for longwave radiation"),
+    key<&WaterSpec::rules, &LeafWater::stomatal_ratio>("stomatal_ratio", within(0, 1000), usual(), "conductance of the lower face over that of the upper face"),
+    key<&WaterSpec::rules, &LeafWater::wind_attenuation>("wind_attenuation", within(0, 10), usual(), "attenuation of wind within the canopy: a in exp(-a (1 - z / h))"),
+    key<&WaterSpec::rules, &LeafWater::hot>("hot", within(0, 60, "deg C"), usual(), "temperature above which the time of leaves counts as hot"),
+    key<&WaterSpec::limit>("limit", within(0, 100000, "mm"), usual(), "water that plants may transpire on all days; those that need more, by two standard errors on the safe side, are not feasible; 0: any"),
+};
+// clang-format on
+
+}  // namespace
+
+constinit const Description photosynthesis_table =
+    describe<PhotosynthesisSpec>("photosynthesis", photosynthesis_keys);
+constinit const Description water_table =
+    describe<WaterSpec>("water", water_keys);
+
+}  // namespace ideotype

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "spec/tables.hpp"
+
+namespace ideotype {
+
+template <>
+inline constexpr std::array enum_names<DateOrder>{
+    EnumName{"year_month_day", DateOrder::year_month_day},
+    EnumName{"month_day_year", DateOrder::month_day_year},
+    EnumName{"day_month_year", DateOrder::day_month_year}};
+
+namespace {
+
+constexpr Values local_time(const char* range) {
+    return {.type = "local time", .range = range, .form = Form::clock};
+}
+
+bool grows(const NamedClimate& climate) {
+    return climate.value.grows();
+}
+
+// A table has a line for each key.
+// clang-format off
+constexpr Key site_keys[] = {
+    key<&Site::name>("name", name_text, required("\"ames\""), "name of the site, a part of the names of cases"),
+    key<&Site::latitude>("latitude", within(-90, 90, "deg"), required("42.0"), "latitude of the place; north is positive"),
+    key<&Site::longitude>("longitude", within(-180, 180, "deg"), required("-93.6"), "longitude of the place; east is positive"),
+    key<&Site::utc_offset>("utc_offset", within(-12, 14, "h"), required("-5"), "offset of the local clock from UTC, with summer time"),
+    key<&Site::elevation>("elevation", within(-500, 9000, "m"), usual(), "height above sea level"),
+    key<&Site::linke_turbidity>("linke_turbidity", within(1, 10), usual(), "Linke turbidity, the haze of the clear sky: 2 very clear, 7 hazy"),
+    key<&Site::weather>("weather", file_path, none("\"weather/mine.csv\""), "weather file of the site, if a climate has none"),
+};
+
+constexpr Key day_keys[] = {
+    key<&NamedDay::name>("name", name_text, by("month and day", "\"0807\""), "name of the day, a part of the names of cases"),
+    key<&NamedDay::value, &DaySpan::dates>("date", words("1950-01-01 .. 2100-12-31"), required("2025-08-07"), "date that fixes the path of the sun; several dates are evaluated together, and their mean day counts"),
+    key<&NamedDay::value, &DaySpan::start>("start", local_time("00:00:00 .. 23:59:59"), required("07:00:00"), "first instant, on the local clock"),
+    key<&NamedDay::value, &DaySpan::end>("end", local_time("after start, to \"24:00\""), required("20:00:00"), "last instant"),
+    key<&NamedDay::value, &DaySpan::step_minutes>("step_minutes", within(1, 720, "min"), usual(), "time between instants; it divides the time from start to end").trades({120, 60, 30, 15}),
+};
+
+constexpr Key climate_keys[] = {
+    key<&NamedClimate::name>("name", name_text, by("months and days", "\"season\""), "name of the climate, a part of the names of cases"),
+    key<&NamedClimate::value, &Climate::file>("file", file_path, none("\"weather/mine.csv\""), "weather file: what `ideotype weather` writes, or any CSV with the columns below"),
+    key<&NamedClimate::value, &Climate::period, &Period::from>("from", words("1950-01-01 .. 2100-12-31"), required("2011-07-21"), "first day of the period"),
+    key<&NamedClimate::value, &Climate::period, &Period::to>("to", words("1950-01-01 .. 2100-12-31"), required("2011-09-20"), "last day of the period"),
+    key<&NamedClimate::value, &Climate::emergence>("emergence", words("1950-01-01 .. 2100-12-31"), none("2011-05-15"), "day on which the plants of the crop emerge, which then grow and age by [growth] of its crop file until they are mature or the period ends; left out, they stand as they are").written_if<NamedClimate, grows>(),
+    key<&NamedClimate::value, &Climate::stamp>("stamp", texts("beginning", "middle", "end"), by("\"end\"; \"middle\" without time"), "part of its time step that the time of a row tells"),
+    key<&NamedClimate::value, &Climate::columns, &ColumnMap::time>("time", words("columns of the file"), by("what `ideotype weather` writes"), "columns of date and time, or of date, and time, or of year, month, day, hour and, if there is one, minute"),
+    key<&NamedClimate::value, &Climate::columns, &ColumnMap::date_order>("date_order", any_value, usual(), "order of year, month and day in dates that are one text"),
+    key<&NamedClimate::value, &Climate::columns, &ColumnMap::utc_offset>("utc_offset", within(-12, 14, "h"), by("that of the site"), "offset of the file's clock from UTC, if its times have none"),
+    key<&NamedClimate::value, &Climate::columns, &ColumnMap::missing>("missing", any_value, none(), "number that stands for what is not known, beside -99, -999, 9999, NaN and the like"),
+    key<&NamedClimate::value, &Climate::columns, &ColumnMap::global>("global", any_value, none("[\"global\", \"W/m2\"]"), "column and unit: light on a horizontal plane"),
+    key<&NamedClimate::value, &Climate::columns, &ColumnMap::beam_normal>("beam_normal", any_value, none("[\"beam_normal\", \"W/m2\"]"), "column and unit: light of the sun on a plane that faces it"),
+    key<&NamedClimate::value, &Climate::columns, &ColumnMap::diffuse>("diffuse", any_value, none("[\"diffuse\", \"W/m2\"]"), "column and unit: light of the sky on a horizontal plane"),
+    key<&NamedClimate::value, &Climate::columns, &ColumnMap::diffuse_fraction>("diffuse_fraction", any_value, none("[\"diffuse_fraction\", \"1\"]"), "column and unit: diffuse over global light"),
+    key<&NamedClimate::value, &Climate::columns, &ColumnMap::ppfd>("ppfd", any_value, none("[\"ppfd\", \"umol/m2/s\"]"), "column and unit: photons from 400 to 700 nm, which are only compared with the global light"),
+    key<&NamedClimate::value, &Climate::columns, &ColumnMap::temperature>("temperature", any_value, none("[\"temperature\", \"C\"]"), "column and unit: temperature of the air"),
+    key<&NamedClimate::value, &Climate::columns, &ColumnMap::humidity>("humidity", any_value, none("[\"humidity\", \"%\"]"), "column and unit: relative humidity of the air"),
+    key<&NamedClimate::value, &Climate::columns, &ColumnMap::wind>("wind", any_value, none("[\"wind\", \"m/s\"]"), "column and unit: wind speed"),
+    key<&NamedClimate::value, &Climate::wind_height>("wind_height", within(0.5, 200, "m"), by("10"), "height above the ground at which wind was measured"),
+    key<&NamedClimate::value, &Climate::columns, &ColumnMap::pressure>("pressure", any_value, none("[\"pressure\", \"kPa\"]"), "column and unit: pressure of the air"),
+    key<&NamedClimate::value, &Climate::columns, &ColumnMap::longwave>("longwave", any_value, none("[\"longwave\", \"W/m2\"]"), "column and unit: longwave radiation of the sky on a horizontal plane"),
+    key<&NamedClimate::value, &Climate::co2>("co2", within(50, 5000, "umol mol-1"), by("400"), "mole fraction of CO2 in the air"),
+};
+
+constexpr Key weather_keys[] = {
+    key<&SiteWeather::site>("site", name_text, required("\"ames\""), "name of the site"),
+    key<&SiteWeather::climate>("climate", name_text, required("\"ames\""), "name of the climate"),
+    key<&SiteWeather::sha256>("sha256", name_text, required("\"ames\""), "SHA-256 of the file that was read"),
+    key<&SiteWeather::utc_offset>("utc_offset", within(-12, 14, "h"), required("-6"), "offset of dates and hours from UTC"),
+    key<&SiteWeather::dates>("dates", words("1950-01-01 .. 2100-12-31"), required("[2011-07-21]"), "dates of the period, but for those that the file leaves out"),
+    key<&SiteWeather::hours>("hours", unlimited("h"), none("[0, 0]"), "middles of the time steps of a day"),
+    key<&SiteWeather::beam, par_band>("beam", unlimited("W m-2"), none("[0, 0]"), "PAR of the sun on a horizontal plane, date by date and hour by hour"),
+    key<&SiteWeather::diffuse, par_band>("diffuse", unlimited("W m-2"), none("[0, 0]"), "PAR of the sky"),
+    key<&SiteWeather::temperature>("temperature", unlimited("deg C"), none("[0, 0]"), "temperature of the air"),
+    key<&SiteWeather::humidity>("humidity", unlimited("1"), none("[0, 0]"), "relative humidity of the air"),
+    key<&SiteWeather::beam, nir_band>("nir_beam", unlimited("W m-2"), none("[0, 0]"), "near infrared of the sun on a horizontal plane, if it is followed"),
+    key<&SiteWeather::diffuse, nir_band>("nir_diffuse", unlimited("W m-2"), none("[0, 0]"), "near infrared of the sky, if it is followed"),
+    key<&SiteWeather::wind>("wind", unlimited("m s-1"), none("[0, 0]"), "speed of the wind, if it is known"),
+    key<&SiteWeather::pressure>("pressure", unlimited("kPa"), none("[0, 0]"), "pressure of the air, if it is known"),
+    key<&SiteWeather::longwave>("longwave", unlimited("W m-2"), none("[0, 0]"), "longwave radiation of the sky, if it is known"),
+};
+// clang-format on
+
+}  // namespace
+
+constinit const Description site_table = describe<Site>("site", site_keys);
+constinit const Description day_table = describe<NamedDay>("day", day_keys);
+constinit const Description climate_table =
+    describe<NamedClimate>("climate", climate_keys);
+constinit const Description weather_table =
+    describe<SiteWeather>("weather", weather_keys);
+
+}  // namespace ideotype

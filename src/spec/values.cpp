@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "values.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "ideotype/core/clock.hpp"
+#include "nodes.hpp"
+#include "spelling.hpp"
+#include "writer.hpp"
+
+namespace ideotype {
+
+namespace {
+
+//! Reads a node into the value that a target points at. A function that returns
+//! nothing has reported a fault.
+struct Reader : ValueFaults {
+    const toml::node& node;
+    std::vector<std::string> choices;  //!< allowed texts; none: any
+    bool is_needed = false;            //!< whether the key must be given
+
+    //! Returns a number of either TOML type in the range.
+    std::optional<double> number(const toml::node& found) const {
+        double plain = 0;
+        if (const auto* integer = found.as_integer())
+            plain = static_cast<double>(integer->get());
+        else if (const auto* decimal = found.as_floating_point())
+            plain = decimal->get();
+        else
+            return fail_type(found), std::nullopt;
+        // Adding zero turns -0 into 0, so that equal values have equal texts.
+        const double value = plain + 0.0;
+        if (!accepts(value)) return std::nullopt;
+        return value;
+    }
+
+    std::optional<std::vector<std::string>> texts(std::size_t count) const {
+        const toml::array* array = node.as_array();
+        if (!array || array->size() != count)
+            return fail_type(node), std::nullopt;
+        std::vector<std::string> values;
+        for (const toml::node& element : *array) {
+            const auto text = element.value<std::string>();
+            if (!text) return fail_type(element), std::nullopt;
+            values.push_back(*text);
+        }
+        return values;
+    }
+
+    std::optional<std::vector<double>> numbers(std::size_t count) const {
+        const toml::array* array = node.as_array();
+        if (!array && count == any_count && node.is_number()) {
+            const auto value = number(node);
+            if (!value) return std::nullopt;
+            return std::vector{*value};
+        }
+        if (!array || (array->empty() && key.values.is_filled))
+            return fail_type(node), std::nullopt;
+        std::vector<double> values;
+        for (const toml::node& element : *array)
+            if (const auto value = number(element)) values.push_back(*value);
+        if (count == any_count || count == 0) count = array->size();
+        if (array->size() != count)
+            fail("has {} values (expected: {}); give {} of them", array->size(),
+                 key.values.type, count);
+        if (values.size() != count) return std::nullopt;
+        return values;
+    }
+
+    void operator()(std::monostate) const {}
+
+    std::optional<std::string> one_of_choices() const {
+        const auto text = node.value<std::string>();
+        if (!text) return fail_type(node), std::nullopt;
+        if (std::ranges::count(choices, *text) > 0) return text;
+        fail("is \"{}\" (not one of its values); {}", *text,
+             nearest_name(*text, choices).empty()
+                 ? fmt::format("use \"{}\"", fmt::join(choices, "\" or \""))
+                 : did_you_mean(*text, choices));
+        return std::nullopt;
+    }
+
+    void operator()(const Choice& choice) const {
+        if (const auto found = one_of_choices())
+            choice.set(choice.value, *found);
+    }
+
+    void operator()(std::string* value) const {
+        // The table of a rule is read by itself.
+        if (key.values.form == Form::rule && node.is_table()) return;
+        if (!choices.empty()) {
+            if (const auto found = one_of_choices()) *value = *found;
+            return;
+        }
+        const auto text = node.value<std::string>();
+        if (!text) return fail_type(node);
+        if (key.values.form == Form::name && !is_name(*text))
+            return fail("is \"{}\" (allowed: {}); use for example \"{}\"",
+                        *text, range_text(key), make_name(*text));
+        *value = *text;
+    }
+
+    void operator()(std::uint64_t* value) const {
+        const toml::value<std::int64_t>* found = node.as_integer();
+        if (!found) return fail_type(node);
+        if (found->get() < 0)
+            return fail("is {} (below the range {}); use 0 or more",
+                        found->get(), range_text(key));
+        *value = static_cast<std::uint64_t>(found->get());
+    }
+
+    //! Returns a whole number in the range.
+    std::optional<std::int64_t> integer() const {
+        if (!node.is_integer()) return fail_type(node), std::nullopt;
+        if (!number(node)) return std::nullopt;
+        return node.as_integer()->get();
+    }
+
+    void operator()(int* value) const {
+        if (const auto found = integer()) *value = static_cast<int>(*found);
+    }
+    void operator()(long long* value) const {
+        if (const auto found = integer()) *value = *found;
+    }
+    void operator()(std::optional<int>* value) const {
+        if (const auto found = integer()) *value = static_cast<int>(*found);
+    }
+
+    void operator()(double* value) const {
+        if (key.values.form == Form::clock) return clock(value);
+        if (key.values.form == Form::duration && node.is_string())
+            return duration(value);
+        if (const auto found = number(node)) *value = *found;
+    }
+
+    void operator()(std::optional<std::string>* value) const {
+        if (const auto found = one_of_choices()) *value = *found;
+    }
+
+    void operator()(std::optional<double>* value) const {
+        if (const auto found = number(node)) *value = *found;
+    }
+
+    void operator()(std::optional<Column>* value) const {
+        if (const auto found = texts(2))
+            *value = Column{(*found)[0], (*found)[1]};
+    }
+
+    void clock(double* value) const {
+        if (is_midnight(node.value<std::string>().value_or(""))) {
+            *value = 24;
+            return;
+        }
+        const toml::value<toml::time>* found = node.as_time();
+        if (!found) return fail_type(node);
+        const toml::time time = found->get();
+        const double seconds = time.hour * 3600.0 + time.minute * 60.0 +
+                               time.second + time.nanosecond * 1e-9;
+        *value = seconds / 3600;
+    }
+
+    void duration(double* value) const {
+        const std::string text = *node.value<std::string>();
+        const auto seconds = parse_duration(text);
+        if (!seconds)
+            return fail("is \"{}\" (not a duration); write for example {} = {}",
+                        text, key.name, key.initial.example);
+        if (accepts(*seconds)) *value = *seconds;
+    }
+
+    void operator()(bool* value) const {
+        const auto found = node.value<bool>();
+        if (!node.is_boolean() || !found) return fail_type(node);
+        *value = *found;
+    }
+
+    std::optional<Date> date(const toml::node& from) const {
+        const toml::value<toml::date>* found = from.as_date();
+        if (!found) return fail_type(from), std::nullopt;
+        const Date date{found->get().year, found->get().month,
+                        found->get().day};
+        if (date.year >= 1950 && date.year <= 2100) return date;
+        fail("is {} (outside the range {}); use a year within", to_string(date),
+             range_text(key));
+        return std::nullopt;
+    }
+
+    void operator()(Date* value) const {
+        if (const auto found = date(node)) *value = *found;
+    }
+
+    void operator()(std::vector<Date>* value) const {
+        const toml::array* array = node.as_array();
+        if (!array) {
+            if (const auto found = date(node)) *value = {*found};
+            return;
+        }
+        if (array->empty()) return fail_type(node);
+        for (const toml::node& element : *array) {
+            const auto found = date(element);
+            if (!found) return;
+            if (!value->empty() && !(value->back() < *found))
+                return fail(
+                    "has {} after {} (not in order); give each date once, the "
+                    "earliest first",
+                    to_string(*found), to_string(value->back()));
+            value->push_back(*found);
+        }
+    }
+
+    void operator()(Range* value) const {
+        const auto found = numbers(2);
+        if (!found) return;
+        const double lower = (*found)[0], upper = (*found)[1];
+        if (lower >= upper)
+            return fail(
+                "is [{}, {}] (the lower bound is not below the upper); write "
+                "[lower, upper]",
+                lower, upper);
+        *value = {lower, upper};
+    }
+
+    void operator()(std::vector<glm::dvec2>* value) const {
+        const toml::array* array = node.as_array();
+        if (!array) return fail_type(node);
+        for (const toml::node& element : *array) {
+            const toml::array* pair = element.as_array();
+            if (!pair || pair->size() != 2) return fail_type(element);
+            const auto first = number((*pair)[0]), second = number((*pair)[1]);
+            if (first && second) value->emplace_back(*first, *second);
+        }
+    }
+
+    void operator()(std::vector<double>* value) const {
+        if (const auto found = numbers(key.values.count)) *value = *found;
+    }
+
+    void operator()(std::vector<std::string>* value) const {
+        const toml::array* array = node.as_array();
+        std::vector<std::string> texts;
+        if (!array && key.values.count == any_count && node.is_string()) {
+            add(node, texts);
+            *value = texts;
+            return;
+        }
+        if (!array) return fail_type(node);
+        for (const toml::node& element : *array) add(element, texts);
+        if (array->empty() && is_needed)
+            fail("is empty (nothing could be bred); name any of {}",
+                 fmt::join(choices, ", "));
+        *value = texts;
+    }
+
+    void add(const toml::node& element, std::vector<std::string>& texts) const {
+        const auto text = element.value<std::string>();
+        if (!text) return fail_type(element);
+        const auto is_in = [&](const std::vector<std::string>& list) {
+            return std::ranges::count(list, *text) > 0;
+        };
+        if (is_in(texts))
+            return fail("has \"{}\" twice (once is enough); remove one", *text);
+        texts.push_back(*text);
+        if (choices.empty() || is_in(choices)) return;
+        fail("has \"{}\" (not one of its values); {}", *text,
+             did_you_mean(*text, choices));
+    }
+};
+
+}  // namespace
+
+void read_value(const toml::node& node, const std::string& section,
+                const BoundKey& key, const KnownNames& known,
+                const Problems& problems) {
+    std::visit(Reader{{section, key, problems},
+                      node,
+                      allowed_texts(key.key, known),
+                      is_required(key.key, known)},
+               key.value);
+}
+
+std::string fault_of(double value, const std::string& section, const Key& key) {
+    double scratch = 0;
+    const Problems problems(section);
+    read_value(toml::value(value), section, {key, &scratch}, {}, problems);
+    try {
+        problems.throw_if_any();
+    } catch (const InputError& error) {
+        return error.problems().front().what;
+    }
+    return "";
+}
+
+}  // namespace ideotype

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <toml++/toml.h>
+
+#include "spec/problems.hpp"
+#include "spec/section.hpp"
+
+namespace ideotype {
+
+//! Reports faults of the value of one key.
+struct ValueFaults {
+    const std::string& section;
+    const BoundKey& bound;
+    const Problems& problems;
+    const Key& key = bound.key;
+
+    //! Returns the name of the key for messages.
+    std::string name() const;
+    //! Reports a fault as a text that follows the name of the key.
+    template <class... Args>
+    void fail(fmt::format_string<Args...> text, Args&&... args) const {
+        problems.add(key.name, "{} {}", name(),
+                     fmt::format(text, std::forward<Args>(args)...));
+    }
+    //! Reports a value of a wrong type, or a text that without its quotes would
+    //! have the right type.
+    void fail_type(const toml::node& found) const;
+    //! Returns whether a number is in the range; reports a number that is not.
+    bool accepts(double value) const;
+
+  private:
+    std::string fault(double value) const;
+    bool is_mistaken(double value) const;
+};
+
+//! Reads one value to the place of its key and checks its type and range.
+//! section names the key in messages. The problems must know the value's place.
+void read_value(const toml::node& node, const std::string& section,
+                const BoundKey& key, const KnownNames& known,
+                const Problems& problems);
+
+}  // namespace ideotype

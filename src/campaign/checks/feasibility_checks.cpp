@@ -14,8 +14,7 @@ void check_feasibility(const Spec& spec, const Problems& root) {
     for (std::size_t t = 0; t < count; ++t) {
         const LineTrait& trait = known.traits[t];
         const Problems own = problems.in("trait", t);
-        const auto measure =
-            find_measure(baseline, trait.measure);
+        const auto measure = find_measure(baseline, trait.measure);
         if (!measure)
             own.add("measure",
                     "feasibility.trait names {} (which was measured on the "

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <ranges>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -184,8 +184,9 @@ Case Cases::at(std::size_t i) const {
     // If cases have one entry of an axis, scenarios have all that there are.
     const auto entries = [](std::size_t of_cases, std::size_t all,
                             std::size_t own) {
-        return of_cases == 1 ? std::views::iota(std::size_t{0}, all)
-                             : std::views::iota(own, own + 1);
+        std::vector<std::size_t> places(of_cases == 1 ? all : 1);
+        std::iota(places.begin(), places.end(), of_cases == 1 ? 0 : own);
+        return places;
     };
     std::vector<Case> scenarios;
     for (const std::size_t site :

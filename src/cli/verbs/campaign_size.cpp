@@ -334,7 +334,7 @@ Json leaves_of(const Campaign& campaign) {
 }
 
 std::string growth_text(const Campaign& campaign, const Case& chosen) {
-    const Case& first = scenarios(chosen).front();
+    const Case first = scenarios(chosen).front();
     if (first.stages.empty())
         return fmt::format(
             "growth    none: plants are those of the crop file on all days, "

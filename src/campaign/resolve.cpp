@@ -168,16 +168,19 @@ Campaign at_keys(const Campaign& campaign, Genome& genome) {
     const std::vector<KeyFactor>& keys = campaign.varied.keys;
     const std::size_t plain = count_genes(campaign);
     if (keys.empty() || genome.size() != plain + keys.size()) return campaign;
-    Campaign varied = campaign;
+    Campaign varied;
+    varied.spec = campaign.spec;
+    varied.search = campaign.search;
+    varied.varied = campaign.varied;
+    varied.has_light_by_row = campaign.has_light_by_row;
+    varied.stop = campaign.stop;
+    varied.final_rule = campaign.final_rule;
     for (std::size_t i = 0; i < keys.size(); ++i)
         set_key(varied.spec, keys[i].key, genome[plain + i]);
     genome.resize(plain);
     const Problems problems(campaign.spec.name);
     check_stand(varied.spec, problems);
     problems.throw_if_any();
-    varied.components.clear();
-    varied.resolved.clear();
-    varied.sha256.clear();
     resolve_stand(varied);
     return varied;
 }

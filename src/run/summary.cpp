@@ -87,16 +87,12 @@ Origin origin_of(const History& history, std::int64_t row) {
         .candidate.origin;
 }
 
-//! Returns the campaign of a history.
-Spec spec_of(const History& history) {
-    return read_resolved(history.header().campaign_resolved);
-}
-
 //! Returns a text with the number of leaders of an atlas and of those that were
 //! evaluated again before the final; "" for other searches.
 //! @param leaders rows of the baseline, then of finalists
-std::string atlas_of(const History& history, const std::vector<Row>& leaders) {
-    if (spec_of(history).search.axes.empty()) return "";
+std::string atlas_of(const History& history, const Spec& spec,
+                     const std::vector<Row>& leaders) {
+    if (spec.search.axes.empty()) return "";
     const auto confirmed =
         std::count_if(leaders.begin() + 1, leaders.end(), [&](const Row& row) {
             return origin_of(history, row.candidate.parents[0]) ==
@@ -108,7 +104,8 @@ std::string atlas_of(const History& history, const std::vector<Row>& leaders) {
         leaders.size() - 1, confirmed);
 }
 
-void add_finalists(const History& history, CaseResult& result) {
+void add_finalists(const History& history, const Spec& spec,
+                   CaseResult& result) {
     const auto& objectives = history.header().schema.objectives;
     const std::vector<Row> finalists = history.finalists();
     result.finalists = finalists.size();
@@ -129,9 +126,9 @@ void add_finalists(const History& history, CaseResult& result) {
         result.gain = fmt::format("front of {}", finalists.size() - 1);
     } else if (finalists[0].outcome.status == Status::done) {
         result.gain = gain_with_lai(history, finalists[0], finalists[best]) +
-                      atlas_of(history, finalists);
+                      atlas_of(history, spec, finalists);
     }
-    if (!spec_of(history).is_study) {
+    if (!spec.is_study) {
         const Genome& plant = finalists[best].candidate.genome;
         result.at_bounds = genes_at_bounds(history.header().genes, plant);
         result.bounds.add(history.header().genes, plant);
@@ -145,7 +142,9 @@ void add_finalists(const History& history, CaseResult& result) {
 CaseResult result_of(const History& history) {
     const HistoryHeader& header = history.header();
     CaseResult result;
-    result.is_study = spec_of(history).is_study;
+    const Spec spec = read_resolved(header.campaign_resolved);
+    result.is_study = spec.is_study;
+    result.replicates = spec.replicates;
     result.reason = history.finished();
     result.generations = header.generations;
     result.most_plants = header.rows();
@@ -158,7 +157,7 @@ CaseResult result_of(const History& history) {
         result.failures += each.failures;
         result.evaluations += each.evaluations;
     }
-    add_finalists(history, result);
+    add_finalists(history, spec, result);
     if (summaries.empty()) return result;
     const GenerationSummary& last = summaries.back();
     result.wall_time = last.wall_time;

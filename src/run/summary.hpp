@@ -34,6 +34,7 @@ inline std::string in_words(const std::string& reason) {
 //! The result of a case, as in its history.
 struct CaseResult {
     bool is_study = false;  //!< whether a sensitivity study, without a best
+    int replicates = 1;     //!< evolutions of each case of the campaign
     std::optional<std::string> reason;  //!< reason for the end
     double complete = 0, generations = 0;
     double evaluations = 0, failures = 0;

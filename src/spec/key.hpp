@@ -94,6 +94,12 @@ struct Default {
 //! most accurate last.
 using Trial = std::array<double, 5>;
 
+//! Returns whether a condition holds for a record.
+template <class Record, bool (*condition)(const Record&)>
+bool holds(const void* record) {
+    return condition(*static_cast<const Record*>(record));
+}
+
 //! The declaration of a key of a record; records are structs of any type.
 struct Key {
     const char* name = "";
@@ -112,40 +118,30 @@ struct Key {
     Trial trial{};
     bool (*has_trial)(const void* record) = nullptr;  //!< none: always
 
-    constexpr Key or_by(const char* other) const {
+    constexpr Key with(auto Key::*member, auto value) const {
         Key key = *this;
-        key.unless = other;
+        key.*member = value;
         return key;
+    }
+    constexpr Key or_by(const char* other) const {
+        return with(&Key::unless, other);
     }
     //! Leaves the default out of texts.
-    constexpr Key quiet() const {
-        Key key = *this;
-        key.is_quiet = true;
-        return key;
-    }
+    constexpr Key quiet() const { return with(&Key::is_quiet, true); }
     //! Writes the key only if a condition holds.
     template <class Record, bool (*condition)(const Record&)>
     constexpr Key written_if() const {
-        Key key = *this;
-        key.is_written = [](const void* each) {
-            return condition(*static_cast<const Record*>(each));
-        };
-        return key;
+        return with(&Key::is_written, &holds<Record, condition>);
     }
     //! Marks a key that trades speed for accuracy.
     constexpr Key trades(Trial values_to_try) const {
-        Key key = *this;
-        key.trial = values_to_try;
-        return key;
+        return with(&Key::trial, values_to_try);
     }
     //! Marks such a key where a condition holds.
     template <class Record, bool (*condition)(const Record&)>
     constexpr Key trades(Trial values_to_try) const {
-        Key key = trades(values_to_try);
-        key.has_trial = [](const void* each) {
-            return condition(*static_cast<const Record*>(each));
-        };
-        return key;
+        return trades(values_to_try)
+            .with(&Key::has_trial, &holds<Record, condition>);
     }
 };
 
@@ -423,36 +419,32 @@ struct Table {
     //! Writes the table, which is also read by hand; none: its keys and tables.
     std::string (*text)(const void* parent, const std::string& name) = nullptr;
 
+    constexpr Table with(auto Table::*member, auto value) const {
+        Table table = *this;
+        table.*member = value;
+        return table;
+    }
     constexpr Table at_most(std::size_t entries) const {
-        Table table = *this;
-        table.most = entries;
-        return table;
+        return with(&Table::most, entries);
     }
-    constexpr Table optional() const {
-        Table table = *this;
-        table.is_optional = true;
-        return table;
-    }
+    constexpr Table optional() const { return with(&Table::is_optional, true); }
     constexpr Table or_by(const char* other) const {
-        Table table = *this;
-        table.unless = other;
-        return table;
+        return with(&Table::unless, other);
+    }
+    //! Lets searches and studies vary the numbers of the table.
+    constexpr Table variable() const { return with(&Table::is_variable, true); }
+    template <class Parent, bool (*condition)(const Parent&)>
+    constexpr Table written_if() const {
+        return with(&Table::is_written, &holds<Parent, condition>);
     }
     //! Completes records that are there when the table is read, each with names
     //! that the record determines.
     template <class Record, auto function>
     constexpr Table completed_with() const {
-        Table table = *this;
+        Table table = with(&Table::keeps_records, true);
         table.names = [](const void* record) {
             return function(*static_cast<const Record*>(record));
         };
-        table.keeps_records = true;
-        return table;
-    }
-    //! Lets searches and studies vary the numbers of the table.
-    constexpr Table variable() const {
-        Table table = *this;
-        table.is_variable = true;
         return table;
     }
     //! Makes each record a table of its own name, which is written if a
@@ -460,12 +452,8 @@ struct Table {
     template <auto member, auto condition>
     constexpr Table named_by() const {
         using Owner = typename OwnerOf<decltype(member)>::type;
-        Table table = *this;
-        table.is_list = false;
-        table.is_optional = true;
-        table.is_entry_written = [](const void* record) {
-            return condition(*static_cast<const Owner*>(record));
-        };
+        Table table = optional().with(&Table::is_list, false);
+        table.is_entry_written = &holds<Owner, condition>;
         table.entry_name = [](const void* record) -> const std::string& {
             return static_cast<const Owner*>(record)->*member;
         };
@@ -482,73 +470,77 @@ struct Table {
         };
         return table;
     }
-    template <class Parent, bool (*condition)(const Parent&)>
-    constexpr Table written_if() const {
-        Table table = *this;
-        table.is_written = [](const void* parent) {
-            return condition(*static_cast<const Parent*>(parent));
-        };
-        return table;
-    }
 };
 
 inline std::span<const Table> Description::tables() const {
     return {first_table, table_count};
 }
 
+//! The part of a record to which a path leads; without one, the record.
+template <class Record, auto... Path>
+struct Part {
+    static auto& of(void* record) {
+        if constexpr (sizeof...(Path) == 0)
+            return *static_cast<Record*>(record);
+        else
+            return detail::member<Path...>(*static_cast<Record*>(record));
+    }
+    static void* at(void* record, std::size_t) { return &of(record); }
+    static std::size_t size(const void*) { return 1; }
+};
+
+//! A part that is a list of records, each of which is a table.
+template <class Record, auto... Path>
+struct ListPart : Part<Record, Path...> {
+    using Part<Record, Path...>::of;
+    static void* at(void* record, std::size_t i) { return &of(record).at(i); }
+    static std::size_t size(const void* record) {
+        return of(const_cast<void*>(record)).size();
+    }
+    static void clear(void* record) { of(record).clear(); }
+    static void resize(void* record, std::size_t n) { of(record).resize(n); }
+};
+
+//! A part that a record may have.
+template <class Record, auto... Path>
+struct OptionalPart : Part<Record, Path...> {
+    using Part<Record, Path...>::of;
+    static void* at(void* record, std::size_t) { return &*of(record); }
+    static std::size_t size(const void* record) {
+        return of(const_cast<void*>(record)).has_value() ? 1 : 0;
+    }
+    static void resize(void* record, std::size_t n) {
+        if (n == 0)
+            of(record).reset();
+        else if (!of(record))
+            of(record).emplace();
+    }
+};
+
 //! Declares a table of which a record has one, at most one (std::optional) or
 //! any number (std::vector). Without a path, its keys are those of the parent.
 template <class Parent, auto... Path>
 constexpr Table table_of(const char* name, const Description& description) {
+    using One = Part<Parent, Path...>;
+    using Value = std::remove_cvref_t<decltype(One::of(nullptr))>;
     Table table{name, &description};
-    if constexpr (sizeof...(Path) == 0) {
-        table.size = [](const void*) { return std::size_t{1}; };
-        table.at = [](void* parent, std::size_t) { return parent; };
+    const auto place = [&]<class Places>(Places) {
+        table.size = &Places::size;
+        table.at = &Places::at;
+    };
+    if constexpr (requires(Value & all) { all.push_back({}); }) {
+        using List = ListPart<Parent, Path...>;
+        place(List());
+        table.resize = &List::resize;
+        table.clear = &List::clear;
+        table.is_list = true;
+    } else if constexpr (requires(Value & one) { one.has_value(); }) {
+        using Optional = OptionalPart<Parent, Path...>;
+        place(Optional());
+        table.resize = &Optional::resize;
+        table.is_optional = true;
     } else {
-        using Value = std::remove_cvref_t<decltype(detail::member<Path...>(
-            std::declval<Parent&>()))>;
-        if constexpr (requires(Value & value) { value.push_back({}); }) {
-            table.is_list = true;
-            table.size = [](const void* parent) {
-                return detail::member<Path...>(
-                           *static_cast<const Parent*>(parent))
-                    .size();
-            };
-            table.at = [](void* parent, std::size_t i) -> void* {
-                return &detail::member<Path...>(*static_cast<Parent*>(parent))
-                            .at(i);
-            };
-            table.clear = [](void* parent) {
-                detail::member<Path...>(*static_cast<Parent*>(parent)).clear();
-            };
-            table.resize = [](void* parent, std::size_t n) {
-                detail::member<Path...>(*static_cast<Parent*>(parent))
-                    .resize(n);
-            };
-        } else if constexpr (requires(Value & value) { value.has_value(); }) {
-            table.is_optional = true;
-            table.size = [](const void* parent) {
-                return std::size_t{
-                    detail::member<Path...>(*static_cast<const Parent*>(parent))
-                        .has_value()};
-            };
-            table.at = [](void* parent, std::size_t) -> void* {
-                return &*detail::member<Path...>(*static_cast<Parent*>(parent));
-            };
-            table.resize = [](void* parent, std::size_t n) {
-                auto& part =
-                    detail::member<Path...>(*static_cast<Parent*>(parent));
-                if (n == 0)
-                    part.reset();
-                else if (!part)
-                    part.emplace();
-            };
-        } else {
-            table.size = [](const void*) { return std::size_t{1}; };
-            table.at = [](void* parent, std::size_t) -> void* {
-                return &detail::member<Path...>(*static_cast<Parent*>(parent));
-            };
-        }
+        place(One());
     }
     return table;
 }

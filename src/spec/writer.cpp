@@ -137,14 +137,17 @@ std::string text_of(const Key& key, const void* record) {
 }
 
 //! Returns a line for each key of a record that texts have.
-std::string key_lines(const Description& description, const void* record) {
+//! @param is_short whether defaults are left out, as those of quiet keys are
+std::string key_lines(const Description& description, const void* record,
+                      bool is_short = false) {
     std::string text;
     for (const Key& key : description.keys()) {
         const BoundKey bound = bound_to(key, record);
         if (is_empty(bound) || (key.is_written && !key.is_written(record)))
             continue;
         const std::string value = toml_text(bound);
-        if (!key.is_quiet || value != text_of(key, description.usual()))
+        if (!(is_short || key.is_quiet) ||
+            value != text_of(key, description.usual()))
             text += fmt::format("{} = {}\n", key.name, value);
     }
     return text;
@@ -209,10 +212,6 @@ std::string own_bounds_text(const CropSpec& crop, const std::string& name) {
     return text;
 }
 
-bool is_changed(const Description& description, const void* record) {
-    return !changed_keys(description, record).empty();
-}
-
 std::string clock_text(double hours) {
     const long long total = std::llround(hours * 3.6e12);
     const long long nanoseconds = total % 1'000'000'000;
@@ -246,16 +245,7 @@ std::string default_text(const Key& key, const void* usual) {
 }
 
 std::string changed_keys(const Description& description, const void* record) {
-    std::string text;
-    for (const Key& key : description.keys()) {
-        const BoundKey bound = bound_to(key, record);
-        if (is_empty(bound) || (key.is_written && !key.is_written(record)))
-            continue;
-        const std::string value = toml_text(bound);
-        if (value != text_of(key, description.usual()))
-            text += fmt::format("{} = {}\n", key.name, value);
-    }
-    return text;
+    return key_lines(description, record, true);
 }
 
 std::string resolved_text(const Spec& spec) {

@@ -26,9 +26,6 @@ std::string default_text(const Key& key, const void* usual);
 //! a line.
 std::string changed_keys(const Description& description, const void* record);
 
-//! Returns whether any key of a record has another value than its default.
-bool is_changed(const Description& description, const void* record);
-
 // Tables that are written by hand, each with its name.
 std::string baseline_text(const CropSpec& crop, const std::string& name);
 std::string component_crop_text(const CropSpec& crop, const std::string& name);

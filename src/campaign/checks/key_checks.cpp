@@ -71,6 +71,7 @@ void check_key(const std::string& table, const KeyFactor& factor,
 
 void check_keys(const std::string& table, const std::vector<KeyFactor>& factors,
                 const Spec& spec, const Problems& problems) {
+    if (factors.empty()) return;
     std::set<std::string> seen;
     Spec varied = spec;
     const std::vector<VariableKey> keys = variable_keys(varied);

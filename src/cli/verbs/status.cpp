@@ -15,7 +15,6 @@
 #include "run/job/way_on.hpp"
 #include "run/progress.hpp"
 #include "run/summary.hpp"
-#include "spec/reader.hpp"
 
 namespace ideotype {
 
@@ -100,9 +99,7 @@ CaseStatus report_on(const std::string& path) {
     if (!result.reason && result.plants > 0)
         report.left = (result.most_plants - result.plants) * result.wall_time /
                       result.plants;
-    report.has_one_seed =
-        result.is_evaluated_again &&
-        read_resolved(header.campaign_resolved).replicates == 1;
+    report.has_one_seed = result.is_evaluated_again && result.replicates == 1;
     return report;
 }
 

@@ -169,15 +169,17 @@ constexpr Key trait_constraint_keys[] = {
     key<&TraitConstraint::highest>("highest", within(0, 40), usual(), "number of leaves that the range limits, counted from the highest down; 0: all"),
 };
 
+//! The correlations of measured lines, in a record or a part of it.
+template <auto... Path>
+constexpr Key correlations = key<Path..., &MeasuredLines::correlations>("correlations", within(-1, 1), by("none: one trait"), "correlation of each pair of traits over the lines: the first with all later ones, then the second with all later ones, ...");
+
 constexpr Key feasibility_keys[] = {
     key_of<Feasibility>("lines", file_path, none(), "file of measured lines, relative to the campaign file; or its content as [[feasibility.trait]] and [[feasibility.line]]"),
     key<&Feasibility::limit>("limit", within(0, 1000), usual(), "largest Mahalanobis distance from the mean of the lines that is allowed; 0: any"),
-    key<&Feasibility::lines, &MeasuredLines::correlations>("correlations", within(-1, 1), by("none: one trait"), "correlation of each pair of traits over the lines: the first with all later ones, then the second with all later ones, ..."),
+    correlations<&Feasibility::lines>,
 };
 
-constexpr Key lines_keys[] = {
-    key<&MeasuredLines::correlations>("correlations", within(-1, 1), by("none: one trait"), "correlation of each pair of traits over the lines: the first with all later ones, then the second with all later ones, ..."),
-};
+constexpr Key lines_keys[] = {correlations<>};
 
 constexpr Key line_trait_keys[] = {
     key<&LineTrait::measure>("measure", words("measures of the plant"), required("\"leaf.insertion_angle\""), "measure of plants that was taken of several lines"),
@@ -297,23 +299,17 @@ constexpr Table constraint_tables[] = {
 constinit const Description constraints_table =
     describe<Constraints>("constraints", constraints_keys, constraint_tables);
 
-constexpr Table lines_tables[] = {
-    table<&MeasuredLines::traits>("trait", line_trait_table)
+//! The tables of measured lines, in a record or a part of it.
+template <auto... Path>
+constexpr std::array lines_tables{
+    table<Path..., &MeasuredLines::traits>("trait", line_trait_table)
         .optional()
         .at_most(30),
-    table<&MeasuredLines::lines>("line", line_table)
+    table<Path..., &MeasuredLines::lines>("line", line_table)
         .optional()
         .at_most(most_entries)};
-constexpr Table feasibility_tables[] = {
-    table<&Feasibility::lines, &MeasuredLines::traits>("trait",
-                                                       line_trait_table)
-        .optional()
-        .at_most(30),
-    table<&Feasibility::lines, &MeasuredLines::lines>("line", line_table)
-        .optional()
-        .at_most(most_entries)};
-constinit const Description feasibility_table =
-    describe<Feasibility>("feasibility", feasibility_keys, feasibility_tables);
+constinit const Description feasibility_table = describe<Feasibility>(
+    "feasibility", feasibility_keys, lines_tables<&Feasibility::lines>);
 
 constexpr Table search_tables[] = {
     table<&SearchSpec::keys>("keys", varied_table).optional(),
@@ -377,7 +373,7 @@ constexpr Table spec_tables[] = {
 constinit const Description own_bounds_table =
     describe<Range>("bounds", trait_bounds_keys);
 constinit const Description lines_table =
-    describe<MeasuredLines>("feasibility", lines_keys, lines_tables);
+    describe<MeasuredLines>("feasibility", lines_keys, lines_tables<>);
 constinit const Description spec_table =
     describe<Spec>("top", top_keys, spec_tables);
 

@@ -167,11 +167,11 @@ Campaign resolve(const Spec& spec);
 //! @throws InputError if the keys contradict each other.
 Campaign at_keys(const Campaign& campaign, Genome& genome);
 
-//! Tells how two resolved campaigns differ in the keys that concern a case, one
+//! Returns how two campaigns differ in the keys that concern a case, one
 //! line per key: "light.paths was 4096, is 8192". Empty if no key differs.
 //! Sites, days, climates, spacings and trait sets of other cases, the number of
 //! replicates, and the limits of workers are ignored.
-std::vector<std::string> differences(const std::string& was,
-                                     const std::string& is, const Case& chosen);
+std::vector<std::string> differences(const Spec& was, const Spec& is,
+                                     const Case& chosen);
 
 }  // namespace ideotype

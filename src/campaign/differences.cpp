@@ -8,83 +8,86 @@
 #include <fmt/format.h>
 
 #include "campaign.hpp"
+#include "spec/writer.hpp"
 
 namespace ideotype {
 
 namespace {
 
-//! Dotted names and values in the order of a resolved text, in which every line
-//! is a header or a key.
+//! Dotted names and values in the order of a resolved text.
 using Entries = std::vector<std::pair<std::string, std::string>>;
 
-//! AxisNames of the entries that a case has on each axis.
-using AxisNames = std::map<std::string, std::set<std::string>>;
+//! The names of a case's entries on each axis that may have several.
+struct EntriesOfCase {
+    std::set<std::string> sites, days, spacings, trait_sets;
 
-AxisNames names_of(const Case& chosen) {
-    AxisNames names;
-    for (const Case& each : scenarios(chosen)) {
-        names["site"].insert(each.site_name);
-        for (const char* axis : {"day", "climate"})
-            names[axis].insert(each.day_name);
-        names["spacing"].insert(each.spacing_name);
-        names["traits"].insert(each.trait_set_name);
+    explicit EntriesOfCase(const Case& chosen) {
+        for (const Case& each : scenarios(chosen)) {
+            sites.insert(each.site_name);
+            days.insert(each.day_name);
+            spacings.insert(each.spacing_name);
+            trait_sets.insert(each.trait_set_name);
+        }
     }
-    return names;
-}
 
-//! Returns whether a case includes a list's entry that has these keys.
-bool is_part(const std::string& list, const Entries& keys,
-             const AxisNames& names) {
-    const auto matches = [&](const std::string& axis, const char* key) {
-        return std::ranges::any_of(keys, [&](const auto& entry) {
-            return entry.first == key && entry.second.size() > 2 &&
-                   names.at(axis).contains(
-                       entry.second.substr(1, entry.second.size() - 2));
+    //! Returns whether a case has one entry of a list, which then needs no
+    //! number.
+    bool is_single(const std::string& list) const {
+        const std::pair<const char*, std::size_t> counts[] = {
+            {"site", sites.size()},
+            {"day", days.size()},
+            {"climate", days.size()},
+            {"spacing", spacings.size()},
+            {"traits", trait_sets.size()}};
+        return std::ranges::any_of(counts, [&](const auto& axis) {
+            return axis.first == list && axis.second == 1;
+        });
+    }
+};
+
+//! Returns the part of a campaign that determines the results of a case: of
+//! each axis the entries of the case, and neither the number of replicates nor
+//! the time that workers may take.
+Spec part_of(Spec spec, const EntriesOfCase& entries) {
+    const auto keep = [](auto& list, const std::set<std::string>& names) {
+        std::erase_if(list, [&](const auto& entry) {
+            return !names.contains(entry.name);
         });
     };
-    if (list == "weather")
-        return matches("site", "site") && matches("climate", "climate");
-    return !names.contains(list) || matches(list, "name");
+    keep(spec.sites, entries.sites);
+    keep(spec.days, entries.days);
+    keep(spec.climates, entries.days);
+    keep(spec.spacings, entries.spacings);
+    keep(spec.trait_sets, entries.trait_sets);
+    std::erase_if(spec.weathers, [&](const SiteWeather& weather) {
+        return !entries.sites.contains(weather.site) ||
+               !entries.days.contains(weather.climate);
+    });
+    spec.replicates = Spec().replicates;
+    spec.parallel = {};
+    return spec;
 }
 
-Entries entries(const std::string& resolved, const AxisNames& names) {
-    Entries result, keys;
+//! Returns the dotted names and the values of all keys.
+Entries entries_of(const Spec& spec, const EntriesOfCase& chosen) {
+    Entries entries;
     std::map<std::string, int> used;
-    std::string list, prefix;
-    const auto end_table = [&] {
-        if (!list.empty() && is_part(list, keys, names)) {
-            // An axis that is not over scenarios keeps one entry.
-            const bool is_one =
-                names.contains(list) && names.at(list).size() == 1;
-            prefix = is_one ? list + '.'
-                            : fmt::format("{}[{}].", list, used[list]++);
-        } else if (!list.empty()) {
-            keys.clear();
-        }
-        for (auto& [name, value] : keys)
-            result.emplace_back(prefix + name, std::move(value));
-        keys.clear();
-    };
-    std::istringstream lines(resolved);
+    std::string prefix;
+    std::istringstream lines(resolved_text(spec));
     for (std::string line; std::getline(lines, line);) {
         const std::size_t equals = line.find(" = ");
         if (line.starts_with("[")) {
-            end_table();
             const bool is_list = line.starts_with("[[");
-            list = is_list ? line.substr(2, line.find(']') - 2) : "";
-            prefix = is_list ? "" : line.substr(1, line.find(']') - 1) + '.';
+            prefix = line.substr(is_list + 1U, line.find(']') - is_list - 1U);
+            if (is_list && !chosen.is_single(prefix))
+                prefix += fmt::format("[{}]", used[prefix]++);
+            prefix += '.';
         } else if (equals != std::string::npos) {
-            keys.emplace_back(line.substr(0, equals), line.substr(equals + 3));
+            entries.emplace_back(prefix + line.substr(0, equals),
+                                 line.substr(equals + 3));
         }
     }
-    end_table();
-    // The number of replicates, and the time that workers may take, do not
-    // change the results of a case.
-    std::erase_if(result, [](const auto& entry) {
-        return entry.first == "replicates" ||
-               entry.first.starts_with("parallel.");
-    });
-    return result;
+    return entries;
 }
 
 const std::string* find(const Entries& entries, const std::string& name) {
@@ -103,13 +106,11 @@ std::string shown(const std::string& value) {
 
 }  // namespace
 
-std::vector<std::string> differences(const std::string& was,
-                                     const std::string& is,
+std::vector<std::string> differences(const Spec& was, const Spec& is,
                                      const Case& chosen) {
-    if (was == is) return {};
-    const AxisNames names = names_of(chosen);
-    const Entries before = entries(was, names);
-    const Entries after = entries(is, names);
+    const EntriesOfCase entries(chosen);
+    const Entries before = entries_of(part_of(was, entries), entries);
+    const Entries after = entries_of(part_of(is, entries), entries);
     std::vector<std::string> lines;
     for (const auto& [name, value] : before) {
         const std::string* now = find(after, name);

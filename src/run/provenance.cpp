@@ -11,6 +11,7 @@
 #include "parallel/session.hpp"
 #include "progress.hpp"
 #include "run/job/machines.hpp"
+#include "spec/reader.hpp"
 #include "stand/stand.hpp"
 
 namespace ideotype {
@@ -60,8 +61,8 @@ HistoryHeader header_of(const Campaign& campaign, const Case& chosen,
 void require_same_campaign(const HistoryHeader& header,
                            const Campaign& campaign, const Case& chosen,
                            const std::string& path) {
-    const auto changed =
-        differences(header.campaign_resolved, campaign.resolved, chosen);
+    const auto changed = differences(read_resolved(header.campaign_resolved),
+                                     campaign.spec, chosen);
     if (!changed.empty())
         throw Error(
             fmt::format("{}: the campaign has changed since this history was "

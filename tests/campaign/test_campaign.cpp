@@ -74,7 +74,7 @@ TEST(Campaign, AmesQuickIsTheSameCaseWithLessWork) {
     EXPECT_EQ(quick.spec.replicates, 1);
     EXPECT_EQ(quick.sampling.tolerance, full.sampling.tolerance);
     for (const std::string& line :
-         differences(full.resolved, quick.resolved, cases(full).front()))
+         differences(full.spec, quick.spec, cases(full).front()))
         for (const std::string same :
              {"site", "day", "spacing", "traits", "field", "plant", "optics"})
             EXPECT_NE(line.rfind(same, 0), 0u) << line;
@@ -87,7 +87,7 @@ TEST(Campaign, WhatIsLeftOutIsAsInTheStudyOfThePaperButTheSearch) {
         "name = \"ames\"\nreplicates = 3\n" + text.substr(text.find('\n'));
     const Campaign whole = ames();
     for (const std::string& line :
-         differences(whole.resolved, parse_campaign(reduced, "x").resolved,
+         differences(whole.spec, parse_campaign(reduced, "x").spec,
                      cases(whole).front()))
         EXPECT_TRUE(line.starts_with("plant.baseline") ||
                     line.starts_with("plant.organs") ||

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "sample_campaign.hpp"
+#include "spec/reader.hpp"
 
 namespace ideotype {
 
@@ -14,7 +15,8 @@ using Lines = std::vector<std::string>;
 //! Returns the changes that concern the first case.
 Lines changes(const std::string& was, const std::string& is) {
     const Campaign campaign = sample();
-    return differences(was, is, cases(campaign).front());
+    return differences(read_resolved(was), read_resolved(is),
+                       cases(campaign).front());
 }
 
 }  // namespace
@@ -88,13 +90,11 @@ TEST(Differences, AllEntriesOfAnAxisOfScenariosArePartOfACase) {
     const std::string spacing = "[[spacing]]\nrow = 0.381\nplant = 0.1524\n";
     const Campaign was = sample("", over);
     const Campaign is = sample("", spacing + over);
-    const Lines lines =
-        differences(was.resolved, is.resolved, cases(is).front());
+    const Lines lines = differences(was.spec, is.spec, cases(is).front());
     EXPECT_NE(std::find(lines.begin(), lines.end(),
                         "spacing[1].row was absent, is 0.381"),
               lines.end());
-    EXPECT_EQ(differences(is.resolved, is.resolved, cases(is).front()),
-              Lines{});
+    EXPECT_EQ(differences(is.spec, is.spec, cases(is).front()), Lines{});
 }
 
 }  // namespace ideotype

@@ -28,36 +28,14 @@ Scene with_a_group_per_face(Scene scene) {
     return scene;
 }
 
-//! Returns the leaf area index of each group of a scene, for plants that do not
-//! deviate from their line.
-std::vector<double> leaf_area_of_lines(const Scene& scene, std::size_t groups) {
-    std::vector<double> index;
-    index.reserve(groups);
-    for (const Component& each : scene.components) {
-        const std::vector<double> of_faces = face_areas(each.mesh);
-        const std::size_t first = index.size();
-        index.resize(first + each.mesh.groups.size());
-        for (std::size_t f = 0; f < of_faces.size(); ++f)
-            if (each.mesh.groups[each.mesh.face_group[f]].id.is_leaf())
-                index[first + each.mesh.face_group[f]] +=
-                    of_faces[f] / each.ground_per_plant;
-    }
-    index.resize(groups);
-    return index;
-}
-
 //! @param scene scene of the request, perhaps with other groups
 CanopyReport evaluate(const CanopyRequest& request, const Scene& scene,
                       const Device& device, const Clock& clock) {
-    SharedByFields shared{request, scene};
-    const std::vector<Group>& groups = shared.lines.groups;
-    if (scene.varies())
-        shared.leaves = leaf_groups(scene, groups,
-                                    leaf_area_of_lines(scene, groups.size()));
-    FieldLight all;
-    for (int number = 0; number < shared.plan.fields; ++number)
-        all.append(light_in_field(number, shared, device, clock));
-    return report_on(shared, all);
+    const Evaluation evaluation{request, scene};
+    auto [look, light] = first_field(evaluation, device, clock);
+    for (int number = 1; number < evaluation.plan.fields; ++number)
+        light.append(light_in_field(evaluation, look, number, device, clock));
+    return report_on(evaluation, look, light);
 }
 
 }  // namespace

@@ -33,13 +33,14 @@ PlantForm form_of(const Plant& plant, const Tessellation& tessellation) {
 class Reporter {
   public:
     //! Keeps references to its arguments.
-    Reporter(const SharedByFields& shared, const FieldLight& found)
-        : shared_(shared), found_(found) {}
+    Reporter(const Evaluation& all, const FirstLook& look,
+             const FieldLight& found)
+        : all_(all), look_(look), found_(found) {}
 
     CanopyReport result() && {
         IDEOTYPE_EXPECT(found_.fields > 0);
         IDEOTYPE_EXPECT(found_.light.size() == scene_.bands.size());
-        result_.layers = shared_.layers;
+        result_.layers = look_.layers;
         result_.days = scene_.light().series.days;
         result_.grows = scene_.light().series.grows;
         result_.has_living_organs = scene_.has_living_organs();
@@ -157,7 +158,7 @@ class Reporter {
                 if (!result_.assimilation) continue;
                 const AssimilationReport& all = *result_.assimilation;
                 one.assimilation.loss += all.losses[g].scaled(share_of_area(
-                    shared_.leaves, g, areas, found_.leaf_area_index));
+                    look_.leaves, g, areas, found_.leaf_area_index));
             }
             if (result_.assimilation) {
                 one.assimilation.loss_by_randomisation = losses_of_row(row);
@@ -191,7 +192,7 @@ class Reporter {
             const std::size_t groups = area.size();
             for (std::size_t g = 0; g < groups; ++g)
                 losses[r] += all.losses_in(r)[g].scaled(share_of_area(
-                    shared_.leaves, g, {&areas[row * groups], groups}, area));
+                    look_.leaves, g, {&areas[row * groups], groups}, area));
         }
         return losses;
     }
@@ -221,7 +222,7 @@ class Reporter {
             have_temperature
                 ? found_.fluxes[static_cast<std::size_t>(LeafFlux::respiration)]
                 : std::vector<FluxTally>{},
-            shared_.leaves, leaf_area_index, scene_.light());
+            look_.leaves, leaf_area_index, scene_.light());
         if (found_.fluxes.size() > 1) {
             std::vector<double> layers = found_.leaf_area_of_layers;
             for (double& index : layers) index /= found_.fields;
@@ -286,18 +287,20 @@ class Reporter {
         return faces;
     }
 
-    const SharedByFields& shared_;
+    const Evaluation& all_;
+    const FirstLook& look_;
     const FieldLight& found_;
-    const CanopyRequest& request_ = shared_.request;
-    const Scene& scene_ = shared_.scene;
-    const Lines& lines_ = shared_.lines;
+    const CanopyRequest& request_ = all_.request;
+    const Scene& scene_ = all_.scene;
+    const Lines& lines_ = all_.lines;
     CanopyReport result_;
 };
 
 }  // namespace
 
-CanopyReport report_on(const SharedByFields& shared, const FieldLight& found) {
-    return Reporter(shared, found).result();
+CanopyReport report_on(const Evaluation& all, const FirstLook& look,
+                       const FieldLight& found) {
+    return Reporter(all, look, found).result();
 }
 
 }  // namespace ideotype

@@ -16,150 +16,150 @@ namespace {
 //! Number of points that gives a sunlit fraction to some 0.2 %.
 constexpr int most_sunlit_points = 2048;
 
-//! The work on one field of an evaluation.
+//! A field as it was drawn.
+struct DrawnField {
+    Field field;
+    Pieces pieces;          //!< empty if leaves are not cut
+    Randomness randomness;  //!< random numbers of the light
+    FieldLight measured{};  //!< its areas, before light falls on it
+
+    const Mesh& mesh() const { return field.mesh; }
+};
+
+void measure_rows(const Evaluation& all, const std::vector<double>& of_faces,
+                  DrawnField& drawn) {
+    const Mesh& mesh = drawn.mesh();
+    const Pieces& pieces = drawn.pieces;
+    if (pieces.rows == 0) return;
+    const std::size_t groups = all.lines.groups.size();
+    std::vector<double>& rows = drawn.measured.areas_of_rows;
+    rows.resize(pieces.rows * groups);
+    for (std::size_t f = 0; f < of_faces.size(); ++f)
+        if (const std::uint32_t group = mesh.face_group[f];
+            mesh.groups[group].id.is_leaf())
+            rows[pieces.row[group] * groups + pieces.group[group]] +=
+                of_faces[f] / all.scene.cell.ground_area;
+}
+
+//! Measures the leaf area index of each group of the lines.
+void measure_groups(const Evaluation& all, const std::vector<double>& of_faces,
+                    DrawnField& drawn) {
+    const Mesh& mesh = drawn.mesh();
+    const Pieces& pieces = drawn.pieces;
+    const double ground = all.scene.cell.ground_area;
+    std::vector<double>& index = drawn.measured.leaf_area_index;
+    index.resize(all.lines.groups.size());
+    if (all.lines.are_cut) {
+        for (std::size_t v = 0; v < pieces.count; ++v)
+            if (all.lines.groups[pieces.group[v]].id.is_leaf())
+                index[pieces.group[v]] += pieces.area[v] / ground;
+        return;
+    }
+    for (std::size_t f = 0; f < of_faces.size(); ++f)
+        if (mesh.groups[mesh.face_group[f]].id.is_leaf())
+            index[mesh.face_group[f]] += of_faces[f] / ground;
+}
+
+//! Measures areas per ground area, and areas of groups if groups are faces.
+void measure(const Evaluation& all, DrawnField& drawn) {
+    const Mesh& mesh = drawn.mesh();
+    const double ground = all.scene.cell.ground_area;
+    const std::vector<double> of_faces = face_areas(mesh);
+    std::vector<PlantArea> areas(all.scene.components.size());
+    for (std::size_t f = 0; f < of_faces.size(); ++f) {
+        const SurfaceId& id = mesh.groups[mesh.face_group[f]].id;
+        if (id.is_leaf())
+            areas[id.component].leaves += of_faces[f];
+        else if (!id.is_object())
+            areas[id.component].other_organs += of_faces[f] / 2;
+    }
+    FieldLight& measured = drawn.measured;
+    for (const PlantArea& each : areas)
+        measured.areas.push_back(
+            {each.leaves / ground, each.other_organs / ground});
+    measure_rows(all, of_faces, drawn);
+    if (all.scene.assimilates()) measure_groups(all, of_faces, drawn);
+    if (!all.request.details.faces) return;
+    measured.areas_of_groups.resize(all.lines.groups.size());
+    for (std::size_t f = 0; f < of_faces.size(); ++f) {
+        const std::uint32_t group = mesh.face_group[f];
+        measured.areas_of_groups[all.lines.are_cut ? drawn.pieces.group[group]
+                                                   : group] += of_faces[f];
+    }
+}
+
+DrawnField draw(const Evaluation& all, int number) {
+    DrawnField drawn{
+        draw_field(all.scene, all.plan.of_plants(number), all.lines.meshes),
+        {},
+        all.plan.of_light(number)};
+    if (all.lines.are_cut) {
+        drawn.pieces = pieces_of_field(all.lines.pieces, drawn.field);
+        drawn.field.mesh = std::move(drawn.pieces.mesh);
+    }
+    measure(all, drawn);
+    return drawn;
+}
+
+LeafArea leaf_area_of(const Evaluation& all,
+                      const std::vector<PlantArea>& areas) {
+    LeafArea sum;
+    for (std::size_t c = 0; c < areas.size(); ++c) {
+        sum.all += areas[c].leaves;
+        if (all.scene.components[c].photosynthesis)
+            sum.assimilating += areas[c].leaves;
+    }
+    return sum;
+}
+
+//! Follows light and assimilation in a field, and collects the results.
 class FieldPass {
   public:
-    explicit FieldPass(SharedByFields& shared) : shared_(shared) {}
+    FieldPass(const Evaluation& all, const FirstLook& look, DrawnField& drawn,
+              const RayScene& surfaces)
+        : all_(all),
+          look_(look),
+          drawn_(drawn),
+          surfaces_(surfaces),
+          found_(std::move(drawn.measured)) {}
 
-    //! Draws the field, from which its surfaces follow.
-    Field draw(int number) {
-        randomness_ = plan_.of_light(number);
-        Field field =
-            draw_field(scene_, plan_.of_plants(number), lines_.meshes);
-        if (lines_.are_cut) {
-            pieces_ = pieces_of_field(lines_.pieces, field);
-            field.mesh = std::move(pieces_.mesh);
-        }
-        measure_areas(field.mesh);
-        return field;
-    }
-
-    void follow_light(const RayScene& surfaces, const Mesh& mesh) {
-        if (!(shared_.layers.thickness > 0))
-            shared_.layers.thickness =
-                surfaces.top() / static_cast<double>(shared_.layers.count);
-        Accuracy accuracy = plan_.accuracy;
-        // Each source needs a path of its own.
-        accuracy.paths =
-            std::max(accuracy.paths,
-                     static_cast<int>(scene_.light().light.sources.size()));
-        Simulation simulation = simulate(surfaces, mesh, accuracy);
+    FieldLight follow(Simulation simulation) && {
         if (scene_.assimilates()) {
             if (lines_.are_cut)
-                assimilate(surfaces, mesh, simulation.tallies);
+                assimilate(simulation.tallies);
             else if (scene_.water)
                 throw Error(
                     "exact assimilation has no leaves that exchange heat and "
                     "water; evaluate them without details.exact");
             else
-                assimilate_exactly(surfaces, mesh, accuracy);
+                assimilate_exactly();
             note_leaf_area();
         }
+        Accuracy accuracy = plan_.accuracy;
         accuracy.paths = simulation.paths;
         found_.paths = accuracy.all_paths();
         found_.is_capped |= simulation.is_capped;
         simulation.tallies.resize(scene_.bands.size());
-        take_light(std::move(simulation.tallies), mesh.groups);
-        if (!request_.details.sunlit) return;
-        accuracy.paths = std::min(accuracy.paths, most_sunlit_points);
-        found_.sunlit = sunlit_fractions(surfaces, mesh, scene_.light().light,
-                                         accuracy, randomness_);
-    }
-
-    FieldLight result() && {
+        take_light(std::move(simulation.tallies));
+        if (all_.request.details.sunlit) {
+            accuracy.paths = std::min(accuracy.paths, most_sunlit_points);
+            found_.sunlit =
+                sunlit_fractions(surfaces_, mesh_, scene_.light().light,
+                                 accuracy, drawn_.randomness);
+        }
         found_.fields = 1;
         return std::move(found_);
     }
 
-    Timing& seconds() { return found_.seconds; }
-
   private:
-    //! Adds areas per ground area, and areas of groups if groups are faces.
-    void measure_areas(const Mesh& mesh) {
-        const double ground = scene_.cell.ground_area;
-        const std::vector<double> of_faces = face_areas(mesh);
-        std::vector<PlantArea> areas(scene_.components.size());
-        for (std::size_t f = 0; f < of_faces.size(); ++f) {
-            const SurfaceId& id = mesh.groups[mesh.face_group[f]].id;
-            if (id.is_leaf())
-                areas[id.component].leaves += of_faces[f];
-            else if (!id.is_object())
-                areas[id.component].other_organs += of_faces[f] / 2;
-        }
-        for (const PlantArea& each : areas)
-            found_.areas.push_back(
-                {each.leaves / ground, each.other_organs / ground});
-        measure_rows(mesh, of_faces);
-        if (!request_.details.faces) return;
-        found_.areas_of_groups.resize(lines_.groups.size());
-        for (std::size_t f = 0; f < of_faces.size(); ++f) {
-            const std::uint32_t group = mesh.face_group[f];
-            found_.areas_of_groups[lines_.are_cut ? pieces_.group[group]
-                                                  : group] += of_faces[f];
-        }
+    LitLeaves lit() const {
+        return {surfaces_,      mesh_.groups, scene_.bands.front(),
+                scene_.photons, look_.leaves, look_.layers};
     }
 
-    void measure_rows(const Mesh& mesh, const std::vector<double>& of_faces) {
-        if (pieces_.rows == 0) return;
-        const std::size_t groups = lines_.groups.size();
-        found_.areas_of_rows.resize(pieces_.rows * groups);
-        for (std::size_t f = 0; f < of_faces.size(); ++f)
-            if (const std::uint32_t group = mesh.face_group[f];
-                mesh.groups[group].id.is_leaf())
-                found_.areas_of_rows[pieces_.row[group] * groups +
-                                     pieces_.group[group]] +=
-                    of_faces[f] / scene_.cell.ground_area;
-    }
-
-    //! Traces as much light as the tolerance needed in the first field.
-    Simulation simulate(const RayScene& surfaces, const Mesh& mesh,
-                        const Accuracy& accuracy) {
-        const Subject subject{surfaces, mesh.groups, shared_.bands,
-                              shared_.layers, pieces_.count};
-        if (!shared_.trial) {
-            Simulation first =
-                simulate_to_tolerance(subject, accuracy, randomness_);
-            shared_.trial =
-                Simulation{{}, first.paths, first.is_capped, first.work};
-            return first;
-        }
-        Simulation next = *shared_.trial;
-        next.tallies =
-            next.work.first_hits.empty()
-                ? ideotype::simulate(subject, accuracy, randomness_)
-                : ideotype::simulate(subject, next.work,
-                                     accuracy.randomisations, randomness_);
-        return next;
-    }
-
-    LitLeaves lit(const RayScene& surfaces, const Mesh& mesh) {
-        // All fields have equal groups of leaves.
-        if (shared_.leaves.empty())
-            shared_.leaves =
-                leaf_groups(scene_, lines_.groups, found_.leaf_area_index);
-        return {surfaces,       mesh.groups,    scene_.bands.front(),
-                scene_.photons, shared_.leaves, shared_.layers};
-    }
-
-    LeafArea leaf_area() const {
-        LeafArea sum;
-        for (std::size_t c = 0; c < found_.areas.size(); ++c) {
-            const double lai = found_.areas[c].leaves;
-            sum.all += lai;
-            if (scene_.components[c].photosynthesis) sum.assimilating += lai;
-        }
-        return sum;
-    }
-
-    void assimilate(const RayScene& surfaces, const Mesh& mesh,
-                    const BandTallies& bands) {
+    void assimilate(const BandTallies& bands) {
         const std::vector<Tally>& tallies = bands.front();
-        found_.leaf_area_index.resize(lines_.groups.size());
-        for (std::size_t v = 0; v < pieces_.count; ++v)
-            if (lines_.groups[pieces_.group[v]].id.is_leaf())
-                found_.leaf_area_index[pieces_.group[v]] +=
-                    pieces_.area[v] / scene_.cell.ground_area;
-        LitLeaves leaves = lit(surfaces, mesh);
+        LitLeaves leaves = lit();
         std::optional<LeafAir> air;
         if (scene_.water) {
             air.emplace(water_leaves(bands));
@@ -167,11 +167,12 @@ class FieldPass {
             measure_layers();
         }
         found_.fluxes = ideotype::assimilate(tallies, pieces_, leaves);
-        found_.hit_by_sun = sunlit_fractions(
-            tallies, surfaces, mesh.groups, leaves.par.optics,
-            leaves.par.light.light,
-            leaf_area().assimilating * scene_.cell.ground_area);
-        if (request_.details.sunlit)
+        found_.hit_by_sun =
+            sunlit_fractions(tallies, surfaces_, mesh_.groups,
+                             leaves.par.optics, leaves.par.light.light,
+                             leaf_area_of(all_, found_.areas).assimilating *
+                                 scene_.cell.ground_area);
+        if (all_.request.details.sunlit)
             found_.light_classes = leaf_area_by_light(tallies, pieces_, leaves);
         if (!plan_.is_one_of_many) return;
         for (std::vector<FluxTally>& flux : found_.fluxes)
@@ -193,11 +194,11 @@ class FieldPass {
 
     //! Returns the leaves of this field with the light that warms leaves.
     WaterLeaves water_leaves(const BandTallies& tallies) const {
-        WaterLeaves leaves{scene_, shared_.leaves, lines_.groups, lines_.height,
-                           randomness_};
+        WaterLeaves leaves{scene_, look_.leaves, lines_.groups, lines_.height,
+                           drawn_.randomness};
         if (!scene_.water->has_leaf_temperature) return leaves;
         for (std::size_t b = 1; b < tallies.size(); ++b) {
-            const Band& band = shared_.bands[b];
+            const Band& band = all_.bands[b];
             if (band.name == nir)
                 leaves.nir.emplace(OtherLight{band, tallies[b]});
             if (band.name == longwave)
@@ -208,33 +209,25 @@ class FieldPass {
 
     //! Measures the leaf area of each layer whose leaves assimilate.
     void measure_layers() {
-        found_.leaf_area_of_layers.resize(shared_.layers.count);
+        found_.leaf_area_of_layers.resize(look_.layers.count);
         for (std::size_t v = 0; v < pieces_.count; ++v)
-            if (shared_.leaves[pieces_.group[v]].exchanges_water())
-                found_.leaf_area_of_layers[shared_.layers.at(
-                    pieces_.height[v])] +=
+            if (look_.leaves[pieces_.group[v]].exchanges_water())
+                found_
+                    .leaf_area_of_layers[look_.layers.at(pieces_.height[v])] +=
                     pieces_.area[v] / scene_.cell.ground_area;
     }
 
-    void assimilate_exactly(const RayScene& surfaces, const Mesh& mesh,
-                            const Accuracy& accuracy) {
-        const std::vector<double> areas = face_areas(mesh);
-        found_.leaf_area_index.resize(lines_.groups.size());
-        for (std::size_t f = 0; f < areas.size(); ++f)
-            if (mesh.groups[mesh.face_group[f]].id.is_leaf())
-                found_.leaf_area_index[mesh.face_group[f]] +=
-                    areas[f] / scene_.cell.ground_area;
+    void assimilate_exactly() {
         ExactAssimilation exact = ideotype::assimilate_exactly(
-            mesh, lit(surfaces, mesh), accuracy, randomness_);
+            mesh_, lit(), plan_.accuracy, drawn_.randomness);
         found_.fluxes = {std::move(exact.tallies)};
         found_.is_capped |= exact.is_capped;
     }
 
-    //! @param groups groups of the surfaces
-    void take_light(BandTallies tallies, const std::vector<Group>& groups) {
+    void take_light(BandTallies tallies) {
         for (std::vector<Tally>& band : tallies) {
-            auto& rows =
-                found_.rows.emplace_back(light_of_rows(band, pieces_, groups));
+            auto& rows = found_.rows.emplace_back(
+                light_of_rows(band, pieces_, mesh_.groups));
             if (lines_.are_cut)
                 add_up_pieces(band, pieces_, lines_.groups.size());
             if (!plan_.is_one_of_many) continue;
@@ -242,36 +235,110 @@ class FieldPass {
             if (!rows.empty()) rows = {mean_of(rows)};
         }
         found_.light = std::move(tallies);
-        found_.leaf_area.assign(found_.light.front().size(), leaf_area());
+        found_.leaf_area.assign(found_.light.front().size(),
+                                leaf_area_of(all_, found_.areas));
     }
 
-    SharedByFields& shared_;
-    const CanopyRequest& request_ = shared_.request;
-    const Scene& scene_ = shared_.scene;
-    const Plan& plan_ = shared_.plan;
-    const Lines& lines_ = shared_.lines;
-    Randomness randomness_;
-    Pieces pieces_;
+    const Evaluation& all_;
+    const FirstLook& look_;
+    const DrawnField& drawn_;
+    const RayScene& surfaces_;
+    const Scene& scene_ = all_.scene;
+    const Plan& plan_ = all_.plan;
+    const Lines& lines_ = all_.lines;
+    const Mesh& mesh_ = drawn_.field.mesh;
+    const Pieces& pieces_ = drawn_.pieces;
     FieldLight found_;
 };
 
-}  // namespace
+Subject subject_of(const Evaluation& all, const Layers& layers,
+                   const DrawnField& drawn, const RayScene& surfaces) {
+    return {surfaces, drawn.mesh().groups, all.bands, layers,
+            drawn.pieces.count};
+}
 
-FieldLight light_in_field(int number, SharedByFields& shared,
-                          const Device& device, const Clock& clock) {
+//! Looks at the first field: its light decides how much work the tolerance
+//! needs, which other fields do without trials.
+//! @param simulation takes the light in this field
+FirstLook look_at(const Evaluation& all, const DrawnField& drawn,
+                  const RayScene& surfaces, Simulation& simulation) {
+    FirstLook look{all.request.layers};
+    if (!(look.layers.thickness > 0))
+        look.layers.thickness =
+            surfaces.top() / static_cast<double>(look.layers.count);
+    // All fields have equal groups of leaves.
+    if (all.scene.assimilates())
+        look.leaves =
+            leaf_groups(all.scene, all.lines.groups,
+                        all.scene.varies() ? all.lines.leaf_area_index
+                                           : drawn.measured.leaf_area_index);
+    simulation =
+        simulate_to_tolerance(subject_of(all, look.layers, drawn, surfaces),
+                              all.plan.accuracy, drawn.randomness);
+    look.trial = {{}, simulation.paths, simulation.is_capped, simulation.work};
+    return look;
+}
+
+//! Traces as much light as the tolerance needed in the first field.
+Simulation repeat(const Evaluation& all, const FirstLook& look,
+                  const DrawnField& drawn, const RayScene& surfaces) {
+    const Subject subject = subject_of(all, look.layers, drawn, surfaces);
+    const Accuracy& accuracy = all.plan.accuracy;
+    Simulation next = look.trial;
+    next.tallies = next.work.first_hits.empty()
+                       ? simulate(subject, accuracy, drawn.randomness)
+                       : simulate(subject, next.work, accuracy.randomisations,
+                                  drawn.randomness);
+    return next;
+}
+
+//! Draws a field and follows the light in it.
+//! @param trace returns the simulation of a drawn field and its surfaces, and
+//! the first look
+FieldLight light_in(const Evaluation& all, int number, const Device& device,
+                    const Clock& clock, const auto& trace) {
     double last = clock ? clock() : 0;
+    Timing seconds;
     const auto take = [&](double& part) {
         const double now = clock ? clock() : 0;
         part += now - std::exchange(last, now);
     };
-    FieldPass pass(shared);
-    const Field field = pass.draw(number);
-    take(pass.seconds().geometry);
-    const RayScene surfaces = build_scene(device, field);
-    take(pass.seconds().scene);
-    pass.follow_light(surfaces, field.mesh);
-    take(pass.seconds().light);
-    return std::move(pass).result();
+    DrawnField drawn = draw(all, number);
+    take(seconds.geometry);
+    const RayScene surfaces = build_scene(device, drawn.field);
+    take(seconds.scene);
+    auto [simulation, look] = trace(drawn, surfaces);
+    FieldLight found =
+        FieldPass(all, look, drawn, surfaces).follow(std::move(simulation));
+    take(seconds.light);
+    found.seconds = seconds;
+    return found;
+}
+
+}  // namespace
+
+FirstField first_field(const Evaluation& all, const Device& device,
+                       const Clock& clock) {
+    FirstField first;
+    first.light =
+        light_in(all, 0, device, clock,
+                 [&](const DrawnField& drawn, const RayScene& surfaces) {
+                     Simulation simulation;
+                     first.look = look_at(all, drawn, surfaces, simulation);
+                     return std::pair<Simulation, const FirstLook&>(
+                         std::move(simulation), first.look);
+                 });
+    return first;
+}
+
+FieldLight light_in_field(const Evaluation& all, const FirstLook& look,
+                          int number, const Device& device,
+                          const Clock& clock) {
+    return light_in(all, number, device, clock,
+                    [&](const DrawnField& drawn, const RayScene& surfaces) {
+                        return std::pair<Simulation, const FirstLook&>(
+                            repeat(all, look, drawn, surfaces), look);
+                    });
 }
 
 }  // namespace ideotype

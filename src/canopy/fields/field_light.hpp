@@ -50,26 +50,25 @@ struct Lines {
     std::vector<Pieces> pieces;  //!< without their meshes
     std::vector<Mesh> meshes;    //!< meshes of the pieces
     std::vector<Group> groups;   //!< groups of the scene before leaves were cut
-    double height = 0;           //!< height of the highest plant [m]
+    //! Leaf area index of each group, of plants that do not deviate from their
+    //! line; empty if no plants of the scene deviate.
+    std::vector<double> leaf_area_index;
+    double height = 0;  //!< height of the highest plant [m]
 };
 
-//! Returns the bands in which light is followed, see SharedByFields.
+//! Returns the bands in which light is followed, see Evaluation.
 //! @throws Error if leaves have a temperature and there is no near infrared.
 Bands bands_of(const Scene& scene);
 
-//! An evaluation: its parts, and numbers that all of its fields share. The
-//! first field fills in the numbers that are not known before.
-struct SharedByFields {
+//! An evaluation: the parts that all of its fields share.
+struct Evaluation {
     const CanopyRequest& request;
     const Scene& scene;  //!< scene of the request, perhaps with other groups
     Plan plan{request};
     Lines lines{scene, request};
-    Layers layers = request.layers;
-    std::vector<LeafGroup> leaves{};  //!< leaves of each group of the lines
     //! The bands of the scene and, if leaves exchange heat, the longwave
     //! radiation of the sky as a band in which surfaces are black.
     Bands bands = bands_of(scene);
-    std::optional<Simulation> trial{};  //!< work that the tolerance needs
 };
 
 //! Light and assimilation in some fields, by randomisation of all fields or,
@@ -99,11 +98,32 @@ struct FieldLight {
     int fields = 0;
 };
 
-//! Draws a field of a scene, and follows light and assimilation in it.
-FieldLight light_in_field(int number, SharedByFields& shared,
-                          const Device& device, const Clock& clock);
+//! What the first field decides for all fields.
+struct FirstLook {
+    Layers layers{};                  //!< layers with their thickness
+    std::vector<LeafGroup> leaves{};  //!< leaves of each group of the lines
+    Simulation trial{};  //!< work that the tolerance needs, without tallies
+};
+
+//! The first field of an evaluation.
+struct FirstField {
+    FirstLook look;
+    FieldLight light;
+};
+
+//! Draws the first field of an evaluation and follows light and assimilation in
+//! it, with as much work as the tolerance needs.
+FirstField first_field(const Evaluation& all, const Device& device,
+                       const Clock& clock);
+
+//! Draws another field and follows light and assimilation in it: a pure
+//! function, so that fields may be computed at the same time by several
+//! threads, each with a device of its own.
+FieldLight light_in_field(const Evaluation& all, const FirstLook& look,
+                          int number, const Device& device, const Clock& clock);
 
 //! Makes the report of an evaluation from the results in its fields.
-CanopyReport report_on(const SharedByFields& shared, const FieldLight& found);
+CanopyReport report_on(const Evaluation& all, const FirstLook& look,
+                       const FieldLight& found);
 
 }  // namespace ideotype

@@ -22,6 +22,24 @@ bool are_drawn(const Scene& scene) {
         [](const Component& each) { return each.plant || each.jitter > 0; });
 }
 
+//! Returns the leaf area index of each group of a scene, for plants that do not
+//! deviate from their line.
+std::vector<double> leaf_area_of_lines(const Scene& scene, std::size_t groups) {
+    std::vector<double> index;
+    index.reserve(groups);
+    for (const Component& each : scene.components) {
+        const std::vector<double> of_faces = face_areas(each.mesh);
+        const std::size_t first = index.size();
+        index.resize(first + each.mesh.groups.size());
+        for (std::size_t f = 0; f < of_faces.size(); ++f)
+            if (each.mesh.groups[each.mesh.face_group[f]].id.is_leaf())
+                index[first + each.mesh.face_group[f]] +=
+                    of_faces[f] / each.ground_per_plant;
+    }
+    index.resize(groups);
+    return index;
+}
+
 Pieces pieces_of_line(const Component& component,
                       const CanopyRequest& request) {
     const std::size_t per_blade = request.details.pieces;
@@ -48,6 +66,10 @@ Plan::Plan(const CanopyRequest& request)
         accuracy.randomisations = fewest_in_field;
     }
     is_one_of_many = fields > 1 && accuracy.randomisations > 1;
+    // Each source needs a path of its own.
+    accuracy.paths =
+        std::max(accuracy.paths,
+                 static_cast<int>(request.scene.light().light.sources.size()));
 }
 
 Randomness Plan::of_plants(int field) const {
@@ -68,6 +90,8 @@ Lines::Lines(const Scene& scene, const CanopyRequest& request)
     : are_cut((scene.assimilates() && !request.details.exact) ||
               !scene.cell.row_ground.empty()),
       groups(groups_of(scene)) {
+    if (scene.varies())
+        leaf_area_index = leaf_area_of_lines(scene, groups.size());
     if (!are_cut) return;
     for (const Component& each : scene.components) {
         pieces.push_back(pieces_of_line(each, request));

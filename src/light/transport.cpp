@@ -138,105 +138,159 @@ bool is_balanced(const Tally& tally) {
                        });
 }
 
-}  // namespace
+double brightest_soil_of(const Subject& subject) {
+    double brightest = 0;
+    for (const Band& band : subject.bands)
+        brightest = std::max(brightest, band.optics.soil_albedo);
+    return brightest;
+}
 
-BandTallies simulate(const Subject& subject, const Workload& work,
-                     int randomisations, const Randomness& randomness) {
-    const RayScene& scene = subject.scene;
-    const std::vector<Source>& sources = subject.light().sources;
-    const Counted counted{scene, subject.groups, subject.layers,
-                          subject.pieces};
-    IDEOTYPE_EXPECT(randomisations > 0 && subject.layers.count > 0);
-    IDEOTYPE_EXPECT(work.first_hits.size() == sources.size());
-    for (const Band& band : subject.bands)
-        IDEOTYPE_EXPECT(band.light.light.sources.size() == sources.size());
-    double brightest_soil = 0;
-    for (const Band& band : subject.bands)
-        brightest_soil = std::max(brightest_soil, band.optics.soil_albedo);
+std::vector<Launcher> launchers_of(const Subject& subject) {
     std::vector<Launcher> launchers;
-    for (const Source& source : sources)
-        launchers.emplace_back(scene, source, brightest_soil);
-    std::vector<BandRun> bands;
-    double most_paths = 0;
-    for (std::size_t b = 0; b < subject.bands.size(); ++b) {
-        bands.emplace_back(counted, subject, b, work, launchers,
-                           brightest_soil);
-        most_paths += bands.back().most_paths;
-    }
-    BandTallies tallies;
-    for (const BandRun& band : bands) {
-        Tally empty{std::vector<Budget>(sources.size()),
-                    std::vector<double>(subject.groups.size()),
-                    std::vector<double>(subject.layers.count)};
-        if (band.has_leaf_light) empty.leaf_light.resize(sources.size());
-        if (counted.parts.count() > 0)
-            empty.parts.assign(sources.size(),
-                               std::vector<double>(counted.parts.count()));
-        tallies.emplace_back(static_cast<std::size_t>(randomisations), empty);
-    }
-    if (sources.empty()) return tallies;
-    // The number of randomisations simulated together limits memory.
-    constexpr std::size_t room = 1 << 18;
-    const auto all = static_cast<std::size_t>(randomisations);
-    const auto together = static_cast<std::size_t>(
-        std::max(1., static_cast<double>(room) / (1 + most_paths)));
-    for (std::size_t first = 0; first < all; first += together) {
-        const std::size_t last = std::min(first + together, all);
-        // Paths are kept by band and randomisation.
-        std::vector paths(bands.size(), std::vector<std::vector<ScatteredPath>>(
-                                            last - first));
-        const auto follow = [&](std::size_t b, std::size_t r,
-                                std::uint32_t source) {
-            Randomness numbers = randomness;
-            numbers.first_randomisation += static_cast<std::uint32_t>(r);
-            bands[b].tracer.follow(
-                paths[b][r - first], numbers,
-                bands[b].first_net +
-                    static_cast<std::uint32_t>(sources.size()) + source,
-                tallies[b][r], bands[b].leaf_sums);
-        };
-        for (std::uint32_t s = 0; s < sources.size(); ++s) {
-            const std::uint32_t hits = work.first_hits[s];
-            if (hits == 0) continue;
-            const bool is_beam = sources[s].direction.has_value();
-            const auto use = [&](std::size_t r, const FirstHits& found,
-                                 double start) {
-                if (!found.are_drawn()) tallies.front()[r].rays += hits;
-                for (std::size_t b = 0; b < bands.size(); ++b) {
-                    BandRun& band = bands[b];
-                    std::vector<ScatteredPath>& on = paths[b][r - first];
-                    band.tracer.arrive(
-                        found,
-                        {s, is_beam, start, band.of_path[s], band.scale[s],
-                         band.scale[s] * band.from_soil},
-                        tallies[b][r], on, band.leaf_sums);
-                    if (on.size() > room) follow(b, r, s);
-                }
-            };
-            SourceRun{scene, sources[s], s, launchers[s], randomness}.find(
-                hits, randomisations, first, last, use);
+    for (const Source& source : subject.light().sources)
+        launchers.emplace_back(subject.scene, source,
+                               brightest_soil_of(subject));
+    return launchers;
+}
+
+//! Follows the light of all bands in all randomisations.
+class Transport {
+  public:
+    Transport(const Subject& subject, const Workload& work, int randomisations,
+              const Randomness& randomness)
+        : subject_(subject),
+          work_(work),
+          all_(static_cast<std::size_t>(randomisations)),
+          randomness_(randomness) {
+        for (std::size_t b = 0; b < subject.bands.size(); ++b) {
+            bands_.emplace_back(counted_, subject, b, work, launchers_,
+                                brightest_soil_of(subject));
+            tallies_.emplace_back(all_, empty_tally(bands_.back()));
         }
-        const auto last_source = static_cast<std::uint32_t>(sources.size() - 1);
-        for (std::size_t b = 0; b < bands.size(); ++b)
+    }
+
+    BandTallies run() && {
+        if (sources_.empty()) return std::move(tallies_);
+        // The number of randomisations simulated together limits memory.
+        double most_paths = 0;
+        for (const BandRun& band : bands_) most_paths += band.most_paths;
+        const auto together = static_cast<std::size_t>(
+            std::max(1., static_cast<double>(room) / (1 + most_paths)));
+        for (std::size_t first = 0; first < all_; first += together)
+            run(first, std::min(first + together, all_));
+        for (std::size_t b = 0; b < bands_.size(); ++b) note_resolution(b);
+        return std::move(tallies_);
+    }
+
+  private:
+    //! The number of paths of a band and a randomisation that are kept before
+    //! they are followed.
+    static constexpr std::size_t room = 1 << 18;
+
+    Tally empty_tally(const BandRun& band) const {
+        Tally empty{std::vector<Budget>(sources_.size()),
+                    std::vector<double>(subject_.groups.size()),
+                    std::vector<double>(subject_.layers.count)};
+        if (band.has_leaf_light) empty.leaf_light.resize(sources_.size());
+        if (counted_.parts.count() > 0)
+            empty.parts.assign(sources_.size(),
+                               std::vector<double>(counted_.parts.count()));
+        return empty;
+    }
+
+    //! Simulates some randomisations: first hits source by source, then the
+    //! light that they scatter.
+    void run(std::size_t first, std::size_t last) {
+        first_ = first;
+        paths_.assign(bands_.size(),
+                      std::vector<std::vector<ScatteredPath>>(last - first));
+        for (std::uint32_t s = 0; s < sources_.size(); ++s)
+            if (work_.first_hits[s] > 0) find_hits(s, first, last);
+        const auto last_source =
+            static_cast<std::uint32_t>(sources_.size() - 1);
+        for (std::size_t b = 0; b < bands_.size(); ++b)
             for (std::size_t r = first; r < last; ++r)
                 follow(b, r, last_source);
     }
-    for (std::size_t b = 0; b < bands.size(); ++b) {
-        std::vector<double> largest = bands[b].of_hit;
-        for (std::size_t s = 0; s < sources.size(); ++s)
-            for (const Tally& tally : tallies[b])
+
+    void find_hits(std::uint32_t s, std::size_t first, std::size_t last) {
+        const std::uint32_t hits = work_.first_hits[s];
+        const bool is_beam = sources_[s].direction.has_value();
+        const auto arrive = [&](std::size_t r, const FirstHits& found,
+                                double start) {
+            if (!found.are_drawn()) tallies_.front()[r].rays += hits;
+            for (std::size_t b = 0; b < bands_.size(); ++b) {
+                BandRun& band = bands_[b];
+                std::vector<ScatteredPath>& paths = paths_[b][r - first_];
+                band.tracer.arrive(
+                    found,
+                    {s, is_beam, start, band.of_path[s], band.scale[s],
+                     band.scale[s] * band.from_soil},
+                    tallies_[b][r], paths, band.leaf_sums);
+                if (paths.size() > room) follow(b, r, s);
+            }
+        };
+        SourceRun{subject_.scene, sources_[s], s, launchers_[s], randomness_}
+            .find(hits, static_cast<int>(all_), first, last, arrive);
+    }
+
+    //! Follows the kept paths of a band and a randomisation to their ends.
+    //! @param source the last source whose light they carry
+    void follow(std::size_t b, std::size_t r, std::uint32_t source) {
+        Randomness numbers = randomness_;
+        numbers.first_randomisation += static_cast<std::uint32_t>(r);
+        BandRun& band = bands_[b];
+        band.tracer.follow(paths_[b][r - first_], numbers,
+                           band.first_net +
+                               static_cast<std::uint32_t>(sources_.size()) +
+                               source,
+                           tallies_[b][r], band.leaf_sums);
+    }
+
+    //! Notes the largest energy that one path can carry to each surface, from
+    //! the largest of all randomisations.
+    void note_resolution(std::size_t b) {
+        const BandRun& band = bands_[b];
+        std::vector<double> largest = band.of_hit;
+        for (std::size_t s = 0; s < sources_.size(); ++s)
+            for (const Tally& tally : tallies_[b])
                 largest[s] = std::max(
                     largest[s],
-                    std::min(bands[b].of_path[s], tally.sources[s].sent_on));
+                    std::min(band.of_path[s], tally.sources[s].sent_on));
         const auto resolution = std::make_shared<const Resolution>(
-            resolution_of(scene, subject.groups, bands[b].band.optics,
-                          subject.layers, std::move(largest)));
-        for (Tally& tally : tallies[b]) {
+            resolution_of(subject_.scene, subject_.groups, band.band.optics,
+                          subject_.layers, std::move(largest)));
+        for (Tally& tally : tallies_[b]) {
             tally.resolution = resolution;
             IDEOTYPE_ENSURE(is_balanced(tally));
         }
     }
-    return tallies;
+
+    const Subject& subject_;
+    const Workload& work_;
+    std::size_t all_;  //!< number of randomisations
+    const Randomness& randomness_;
+    const std::vector<Source>& sources_ = subject_.light().sources;
+    Counted counted_{subject_.scene, subject_.groups, subject_.layers,
+                     subject_.pieces};
+    std::vector<Launcher> launchers_ = launchers_of(subject_);
+    std::vector<BandRun> bands_;
+    BandTallies tallies_;
+    std::size_t first_ = 0;  //!< first of the randomisations simulated together
+    //! Scattered paths [band][randomisation].
+    std::vector<std::vector<std::vector<ScatteredPath>>> paths_;
+};
+
+}  // namespace
+
+BandTallies simulate(const Subject& subject, const Workload& work,
+                     int randomisations, const Randomness& randomness) {
+    IDEOTYPE_EXPECT(randomisations > 0 && subject.layers.count > 0);
+    IDEOTYPE_EXPECT(work.first_hits.size() == subject.light().sources.size());
+    for (const Band& band : subject.bands)
+        IDEOTYPE_EXPECT(band.light.light.sources.size() ==
+                        subject.light().sources.size());
+    return Transport(subject, work, randomisations, randomness).run();
 }
 
 BandTallies simulate(const Subject& subject, const Accuracy& accuracy,

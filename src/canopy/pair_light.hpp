@@ -117,6 +117,11 @@ class PairLight {
     std::vector<Moments> weights_of_pieces(const Weights& weights,
                                            SkyWeights& of_sky) const;
 
+    //! Returns the weight of a beam's energy in a randomisation.
+    //! @param sun diffuse light of the sun on the piece in this randomisation
+    double weight_of_beam(const Hit& hit, const Weights& weights, std::size_t r,
+                          double sun) const;
+
     const std::vector<Tally>& tallies_;
     double n_;
     const LeafPlaces& places_;

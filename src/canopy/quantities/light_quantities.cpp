@@ -4,6 +4,7 @@
 
 #include "declaration.hpp"
 #include "ideotype/core/units.hpp"
+#include "randomised.hpp"
 
 namespace ideotype {
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "declaration.hpp"
 #include "ideotype/core/units.hpp"
+#include "randomised.hpp"
 
 namespace ideotype {
 

@@ -7,6 +7,7 @@
 #include "declaration.hpp"
 #include "ideotype/core/contract.hpp"
 #include "ideotype/core/units.hpp"
+#include "randomised.hpp"
 
 namespace ideotype {
 

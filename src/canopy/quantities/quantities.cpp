@@ -9,6 +9,7 @@
 #include "declaration.hpp"
 #include "ideotype/core/error.hpp"
 #include "ideotype/core/mapped.hpp"
+#include "randomised.hpp"
 
 namespace ideotype {
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "declaration.hpp"
+#include "randomised.hpp"
 
 namespace ideotype {
 

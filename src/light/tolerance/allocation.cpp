@@ -10,7 +10,10 @@ namespace ideotype {
 namespace {
 
 //! Returns the amounts at which one more unit of cost reduces the variance by a
-//! rate.
+//! rate r. With the law V = v (t / a)^q and the cost c of a unit of a,
+//!
+//!     -dV/da = q v t^q / a^(q + 1) = r c,  so that
+//!     a = t (q v / (t r c))^(1 / (q + 1)).
 Amounts amounts_at(double rate, const ByOrigin<Law>& laws,
                    const ByOrigin<double>& costs) {
     Amounts amounts{};

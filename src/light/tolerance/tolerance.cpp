@@ -2,6 +2,7 @@
 #include "ideotype/light/tolerance.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "ideotype/core/contract.hpp"
 #include "ideotype/light/report.hpp"
@@ -39,6 +40,21 @@ constexpr std::size_t trial_suns = 4;
 constexpr ByOrigin<double> worth_to_leaves{1.2, 2, 2};
 
 //! Finds the workload that a tolerance asks for in one band.
+//!
+//! With amounts a of work for the origins o of scatter, see LightOrigin, the
+//! variance of the leaves' light in one randomisation is
+//!
+//!     V(a) = sum_o v_o (t_o / a_o)^q_o,                                  (1)
+//!
+//! where a trial with amounts t has found the variances v; q is Law::power. A
+//! result of R randomisations with the mean light m has the tolerance e if
+//!
+//!     V(a) / R <= (e m)^2,                                               (2)
+//!
+//! and allocate() finds the amounts that meet (2) at the least cost. The result
+//! may not use random numbers of trials, so trials cost extra time. They begin
+//! with the smallest work and grow until the result needs at most `step()`
+//! times the work of the last trial, when its laws are known well enough.
 class Search {
   public:
     //! Makes a search that keeps references to its arguments.
@@ -60,10 +76,11 @@ class Search {
             std::vector(work.first_hits.size(), energy_ / fewest())};
         const Amounts least = amounts_of(work, light_);
         Amounts amounts = least;
-        bool is_drawn = false;
         for (;;) {
-            try_out(work, is_drawn);
+            try_out(work);
+            // No light can meet leaves.
             if (!found_.is_open && !(found_.mean > 0)) return work;
+            // A trial that met hardly any leaves shows nothing of (1).
             if (found_.is_open && found_.first_hits < fewest_hits) {
                 amounts = scaled(amounts, longest_step);
                 if (is_beyond(amounts)) {
@@ -73,32 +90,20 @@ class Search {
                 work = work_of(amounts, light_);
                 continue;
             }
-            Amounts enough = costs_.cheapest(found_.laws, is_drawn, least);
-            if (!is_drawn && costs_.pays_to_draw(enough, least)) {
-                is_drawn = true;
-                enough = costs_.cheapest(costs_.guess(), true, least);
-                amounts = drawn_trial(enough);
-            } else if (is_drawn &&
-                       enough[LightOrigin::beams] <=
-                           longest_step / 2 * amounts[LightOrigin::beams]) {
+            // Either the trial decides, or another one follows.
+            const Amounts enough =
+                costs_.cheapest(found_.laws, are_drawn_, least);
+            const auto next = next_trial(enough, amounts, least);
+            if (!next) {
                 is_capped_ = is_beyond(enough);
                 return work_of(is_capped_ ? capped(enough) : enough, light_);
-            } else {
-                const Amounts next = scaled(enough, 1 / step());
-                if (costs_.cost(next, is_drawn) <=
-                        costs_.cost(amounts, is_drawn) ||
-                    is_beyond(next)) {
-                    is_capped_ = is_beyond(enough);
-                    return work_of(is_capped_ ? capped(enough) : enough,
-                                   light_);
-                }
-                amounts = is_drawn ? drawn_trial(enough) : next;
             }
+            amounts = *next;
             for (std::size_t o = 0; o < origins; ++o)
                 amounts[o] = std::max(amounts[o], least[o]);
             work =
                 work_of(is_beyond(amounts) ? capped(amounts) : amounts, light_);
-            if (is_drawn) leave_suns_out(work, light_, trial_suns);
+            if (are_drawn_) leave_suns_out(work, light_, trial_suns);
         }
     }
 
@@ -110,6 +115,29 @@ class Search {
     //! the result. A trial may have more randomisations than the result.
     double step() const {
         return longest_step * trials_ / accuracy_.randomisations;
+    }
+
+    //! Returns the amounts of the next trial; nothing if the last one decides.
+    //! From the first trial in which that pays on, beams are drawn.
+    //! @param enough cheapest amounts by the last trial
+    //! @param last amounts of the last trial
+    std::optional<Amounts> next_trial(const Amounts& enough,
+                                      const Amounts& last,
+                                      const Amounts& least) {
+        // Drawn beams have another law, which so far is only guessed.
+        if (!are_drawn_ && costs_.pays_to_draw(enough, least)) {
+            are_drawn_ = true;
+            return drawn_trial(costs_.cheapest(costs_.guess(), true, least));
+        }
+        if (are_drawn_ && enough[LightOrigin::beams] <=
+                              longest_step / 2 * last[LightOrigin::beams])
+            return std::nullopt;
+        // A trial that costs no more than the last one would not show more.
+        const Amounts next = scaled(enough, 1 / step());
+        if (costs_.cost(next, are_drawn_) <= costs_.cost(last, are_drawn_) ||
+            is_beyond(next))
+            return std::nullopt;
+        return are_drawn_ ? drawn_trial(enough) : next;
     }
 
     //! Returns the amounts of a trial that draws beams, which takes about as
@@ -146,11 +174,12 @@ class Search {
         return most_amounts;
     }
 
-    void try_out(const Workload& work, bool is_drawn) {
+    void try_out(const Workload& work) {
         Randomness numbers = randomness_;
         numbers.first_randomisation += ++trial_ * first_of_trials;
         const Findings last = found_;
-        found_ = ideotype::try_out(subject_, work, trials_, numbers, is_drawn);
+        found_ =
+            ideotype::try_out(subject_, work, trials_, numbers, are_drawn_);
         if (has_pieces_)
             for (std::size_t o = 0; o < origins; ++o)
                 found_.laws[o].variance *= worth_to_leaves[o];
@@ -169,6 +198,7 @@ class Search {
     int trials_;
     std::uint32_t trial_ = 0;
     bool is_capped_ = false;
+    bool are_drawn_ = false;  //!< whether beams are drawn, not found by rays
 
     Findings found_;  //!< findings of the last trial
     WorkCosts costs_{subject_, has_pieces_, accuracy_, trials_, found_};

@@ -16,6 +16,43 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+// Equations of Akimoto and Hansen (2019), doi:10.1162/evco_a_00260, for n
+// coordinates and a population of l points x_1 (best) to x_l (worst). The
+// distribution is N(m, s^2 D C D), with D diagonal and C a correlation matrix.
+//
+// Weights, from w'_i = ln((l + 1) / 2) - ln i: positive ones sum to 1, and the
+// number of equal weights with the same variance is
+//
+//     mu = (sum w'_i)^2 / sum w'_i^2, over w'_i > 0.                        (1)
+//
+// Rates of a matrix with k degrees of freedom, n (n + 1) / 2 of C and n of D:
+//
+//     c_1  = 1 / (2 (k / n + 1) (n + 1)^(3/4) + mu / 2),                    (2)
+//     c_mu = min(1 - c_1, c_1 (mu + 1 / mu - 2 + l / (2 (l + 5)))),         (3)
+//     c_c  = min(1, sqrt(mu c_1) / 2);                                      (4)
+//
+// negative weights sum to the smaller of 1 + c_1 / c_mu and
+// 1 + 2 mu_- / (mu + 2), where mu_- is (1) over w'_i < 0.                   (5)
+//
+// An update whitens points, z_i = C^(-1/2) D^-1 (x_i - m) / s, and moves the
+// mean by s D C^(1/2) z, z = sum w_i z_i over positive weights.             (6)
+// Cumulation of z changes the step size:
+//
+//     p_s <- (1 - c_s) p_s + sqrt(c_s (2 - c_s) mu) z,                      (7)
+//     c_s = (mu + 2) / (n + mu + 5),
+//     d_s = 1 + 2 max(0, sqrt((mu - 1) / (n + 1)) - 1) + c_s,
+//     s <- s exp(c_s / d_s (|p_s| / E|N(0, I)| - sqrt(g_s))),               (8)
+//
+// with g <- (1 - c)^2 g + c (2 - c), the variance that a path has reached.
+// A path that is too long, |p_s|^2 >= (2 + 4 / (n + 1)) n g_s, does not enter
+// the paths p_c of C and D.                                                 (9)
+// With u = C^(-1/2) D^-1 p_c, and negative weights times n / |z_i|^2,      (10)
+//
+//     Z = c_mu (sum w_i z_i z_i' - sum w_i I) + c_1 (u u' - g_c I),        (11)
+//     C <- C^(1/2) (I + Z) C^(1/2),                                        (12)
+//     D <- D exp(diag of (11) with the rates of D, over 2 b),              (13)
+//     b = 1 + max(0, sqrt(cond C) - 2).                                    (14)
+
 std::vector<double> raw_weights(std::size_t population) {
     std::vector<double> weights(population);
     for (std::size_t i = 0; i < population; ++i)
@@ -25,7 +62,7 @@ std::vector<double> raw_weights(std::size_t population) {
 }
 
 //! Returns the number of equal weights with the variance of the weights of one
-//! sign.
+//! sign, equation (1).
 double effective(const std::vector<double>& weights, double sign) {
     double sum = 0, squares = 0;
     for (const double w : weights)
@@ -42,6 +79,7 @@ DdCma::Rates DdCma::rates(double n, double degrees_of_freedom,
                           const std::vector<double>& raw_weights) {
     const double mu = effective(raw_weights, 1);
     const auto population = static_cast<double>(raw_weights.size());
+    // Equations (2) to (4).
     Rates rates;
     rates.rank_one =
         1 / (2 * (degrees_of_freedom / n + 1) * std::pow(n + 1, .75) + mu / 2);
@@ -50,6 +88,7 @@ DdCma::Rates DdCma::rates(double n, double degrees_of_freedom,
                  (mu + 1 / mu - 2 + population / (2 * (population + 5))) *
                      rates.rank_one);
     rates.path = std::min(1.0, std::sqrt(mu * rates.rank_one) / 2);
+    // Equation (5).
     double positive = 0, negative = 0;
     for (const double w : raw_weights) (w > 0 ? positive : negative) += w;
     const double most_negative =
@@ -109,7 +148,7 @@ void DdCma::update(const MatrixXd& ranked) {
     IDEOTYPE_EXPECT(ranked.cols() == of_correlation_.weights.size());
     IDEOTYPE_EXPECT(ranked.allFinite());
     const auto n = static_cast<double>(mean_.size());
-    // Columns would be standard normal vectors without selection.
+    // Equation (6): columns would be standard normal without selection.
     const MatrixXd white = inverse_root_ *
                            (scales_ * step_size_).cwiseInverse().asDiagonal() *
                            (ranked.colwise() - mean_);
@@ -119,12 +158,14 @@ void DdCma::update(const MatrixXd& ranked) {
     const VectorXd moved = scales_.cwiseProduct(root_ * step);
     mean_ += step_size_ * moved;
 
+    // Equations (7) and (9).
     step_path_.add(step, step_rate_, effective_parents_, true);
     const double length = step_path_.steps.norm();
     const bool is_usual =
         length * length < (2 + 4 / (n + 1)) * n * step_path_.share;
 
-    // Vectors with negative weights count as if they had the expected length.
+    // Equation (10): vectors with negative weights count as if they had the
+    // expected length.
     const auto weighted = [&](const VectorXd& weights) {
         VectorXd scaled = weights;
         for (Eigen::Index i = 0; i < weights.size(); ++i)
@@ -136,6 +177,7 @@ void DdCma::update(const MatrixXd& ranked) {
         return inverse_root_ * path.steps.cwiseQuotient(scales_);
     };
 
+    // Equation (11) for C.
     path_of_correlation_.add(moved, of_correlation_.path, effective_parents_,
                              is_usual);
     const VectorXd along = whitened(path_of_correlation_);
@@ -154,6 +196,7 @@ void DdCma::update(const MatrixXd& ranked) {
             .minCoeff();
     if (least < -most) change *= most / -least;
 
+    // Diagonal of (11) for D.
     path_of_scales_.add(moved, of_scales_.path, effective_parents_, is_usual);
     const VectorXd squares_of_path = whitened(path_of_scales_).cwiseAbs2();
     const VectorXd squares = white.cwiseAbs2() * weighted(of_scales_.weights);
@@ -162,10 +205,11 @@ void DdCma::update(const MatrixXd& ranked) {
             (squares.array() - of_scales_.weights.sum()).matrix() +
         of_scales_.rank_one *
             (squares_of_path.array() - path_of_scales_.share).matrix();
-    // D changes more slowly if the directions of C are poorly known.
+    // Equation (14): D changes more slowly if C is far from a sphere.
     const double damping =
         1 + std::max(0.0, std::sqrt(correlation_condition_) - 2);
 
+    // Equations (12), (13) and (8).
     correlation_ += root_ * change * root_;
     scales_.array() *= (growth.array() / (2 * damping)).exp();
     step_size_ *=

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "campaign_size.hpp"
+#include "campaign_texts.hpp"
 #include "cli/formats/json.hpp"
 #include "cli/verbs.hpp"
 #include "history/history.hpp"
@@ -88,12 +88,24 @@ void tell_next(const std::string& path,
     fmt::print("next: {}\n", quoted(words));
 }
 
+double par_of(const SkyOverview& sky) {
+    return sky.par;
+}
+
+double diffuse_of(const SkyOverview& sky) {
+    return sky.diffuse;
+}
+
+double steps_of(const SkyOverview& sky) {
+    return static_cast<double>(sky.steps);
+}
+
 //! The results of `check`, for the first case unless said otherwise.
 struct Findings {
     Mesh plant;
     LightSeries light;
     Field field;
-    Stands stands;
+    StandsOverview stands;
     CampaignCost cost;
     DiskRoom room;
     double excess;  //!< violation of constraints by the baseline
@@ -120,7 +132,7 @@ Findings look_at(const Campaign& campaign) {
     Findings found{plant,
                    scene.light().series,
                    field,
-                   stands_of(campaign, leaf_area_of_place(scene, first)),
+                   overview_of(campaign, leaf_area_of_place(scene, first)),
                    CampaignCost(campaign, first),
                    disk_room(campaign, all),
                    0,
@@ -157,13 +169,14 @@ Json to_json(const CheckOptions& options, const Campaign& campaign,
           {"period_y_m", found.field.cell.period_y},
           {"lai",
            plant_area(found.field.mesh).leaves / found.field.cell.ground_area},
-          {"lai_of_cases", found.stands.lai.json()},
+          {"lai_of_cases", json_of(found.stands.lai)},
           {"faces", found.field.mesh.faces.size()}}},
         {"light",
          {{"steps", found.light.steps.size()},
           {"days", found.light.days},
           {"par_MJ_per_m2_per_day", found.light.incident() / 1e6},
-          {"par_MJ_per_m2_per_day_of_cases", found.stands.par.json(1e6)},
+          {"par_MJ_per_m2_per_day_of_cases",
+           json_of(found.stands.over_skies(par_of), 1e6)},
           {"diffuse_fraction",
            found.light.diffuse() / found.light.incident()}}},
         {"leaves", leaves_of(campaign)},
@@ -172,7 +185,7 @@ Json to_json(const CheckOptions& options, const Campaign& campaign,
         {"search", search_of(campaign)},
         {"genes", found.genes},
         {"free_genes", found.free_genes},
-        {"cost", found.cost.json(all.size())},
+        {"cost", json_of(found.cost, all.size())},
         {"disk",
          {{"largest_case_bytes", found.room.largest},
           {"all_cases_bytes", found.room.all}}}};
@@ -182,7 +195,7 @@ void print(const CheckOptions& options, const Campaign& campaign,
            const Findings& found) {
     const Cases all = cases(campaign);
     const Case first = all.front();
-    const Stands& stands = found.stands;
+    const StandsOverview& stands = found.stands;
     fmt::print("{}: no errors\n", options.campaign_path);
     fmt::print("campaign  {}, {} case{}\n", campaign.spec.name, all.size(),
                all.size() == 1 ? "" : "s (--cases lists them)");
@@ -203,25 +216,27 @@ void print(const CheckOptions& options, const Campaign& campaign,
             "several small fields has them: light.fields = 4\n");
     fmt::print("field     {} x {} plants, period {} x {} m, LAI {}, {} faces\n",
                campaign.spec.field.rows, campaign.spec.field.plants,
-               stands.period_x.text("{:.4g}"), stands.period_y.text("{:.4g}"),
-               stands.lai.text("{:.2f}"), found.field.mesh.faces.size());
+               text_of(stands.period_x, "{:.4g}"),
+               text_of(stands.period_y, "{:.4g}"),
+               text_of(stands.lai, "{:.2f}"), found.field.mesh.faces.size());
     fmt::print("light     {} {}, {} MJ m-2 day-1 of PAR, {} % diffuse\n",
-               stands.steps.text("{:.0f}"),
+               text_of(stands.over_skies(steps_of), "{:.0f}"),
                campaign.spec.climates.empty()
                    ? "instants with the sun up"
                    : fmt::format("time steps with the suns of {} of {} dates",
                                  std::min(campaign.spec.light.dates.value_or(0),
                                           found.light.days),
                                  found.light.days),
-               stands.par.text("{:.3f}", 1e6),
-               stands.diffuse.text("{:.0f}", 0.01));
+               text_of(stands.over_skies(par_of), "{:.3f}", 1e6),
+               text_of(stands.over_skies(diffuse_of), "{:.0f}", 0.01));
     fmt::print("{}\n", campaign.spec.climates.empty() ? "sun" : "climate");
-    print_table(stands.sky, 10);
+    print_table(rows_of(stands.skies, !campaign.spec.climates.empty()), 10);
     if (!campaign.spec.climates.empty())
         fmt::print(
             "          temperature and humidity are weighted by light; "
             "sunrise, noon and sunset are those of the middle date\n");
-    if (const Json season = season_of(campaign, first); !season.empty()) {
+    if (const Json season = rows_of(stages_overview(campaign, first));
+        !season.empty()) {
         fmt::print("season\n");
         print_table(season, 10);
     }
@@ -235,9 +250,9 @@ void print(const CheckOptions& options, const Campaign& campaign,
         fmt::print("          {} {} .. {} is one of them\n", each.key,
                    each.range.lower, each.range.upper);
     fmt::print("{}", search_text(campaign));
-    fmt::print("cost      {} per case{}\n", found.cost.text(),
+    fmt::print("cost      {} per case{}\n", cost_text(found.cost),
                all.size() == 1 ? "" : " (measured on the first)");
-    fmt::print("{}", found.cost.table(all.size()));
+    fmt::print("{}", cost_table(found.cost, all.size()));
     fmt::print(
         "workers   up to {} are busy while generations of {} plants end\n",
         busy_workers(campaign.search, all.size()), campaign.search.population);

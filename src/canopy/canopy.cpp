@@ -2,12 +2,16 @@
 #include "ideotype/canopy/canopy.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <future>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "fields/field_light.hpp"
 #include "ideotype/core/contract.hpp"
+#include "ideotype/light/device.hpp"
 
 namespace ideotype {
 
@@ -28,26 +32,44 @@ Scene with_a_group_per_face(Scene scene) {
     return scene;
 }
 
-//! @param scene scene of the request, perhaps with other groups
-CanopyReport evaluate(const CanopyRequest& request, const Scene& scene,
-                      const Device& device, const Clock& clock) {
-    const Evaluation evaluation{request, scene};
-    auto [look, light] = first_field(evaluation, device, clock);
-    for (int number = 1; number < evaluation.plan.fields; ++number)
-        light.append(light_in_field(evaluation, look, number, device, clock));
-    return report_on(evaluation, look, light);
+//! Follows light in all fields after the first one, which several threads
+//! share; each needs a device of its own.
+std::vector<FieldLight> light_in_others(const Evaluation& evaluation,
+                                        const FirstLook& look,
+                                        const Device& device,
+                                        const Clock& clock, int threads) {
+    const int count = evaluation.plan.fields - 1;
+    std::vector<FieldLight> fields(static_cast<std::size_t>(count));
+    std::atomic<int> next = 0;
+    const auto work = [&](const Device& own) {
+        for (int i = next++; i < count; i = next++)
+            fields[static_cast<std::size_t>(i)] =
+                light_in_field(evaluation, look, i + 1, own, clock);
+    };
+    std::vector<std::future<void>> helpers;
+    for (int i = 1; i < std::min(threads, count); ++i)
+        helpers.push_back(std::async(std::launch::async,
+                                     [&] { work(Device(device.isa())); }));
+    work(device);
+    for (std::future<void>& each : helpers) each.get();
+    return fields;
 }
 
 }  // namespace
 
 CanopyReport evaluate(const CanopyRequest& request, const Device& device,
-                      const Clock& clock) {
+                      const Clock& clock, int threads) {
     IDEOTYPE_EXPECT(request.scene.cell.ground_area > 0);
     IDEOTYPE_EXPECT(request.layers.count > 0 && request.details.pieces > 0);
-    if (!request.details.faces)
-        return evaluate(request, request.scene, device, clock);
-    return evaluate(request, with_a_group_per_face(request.scene), device,
-                    clock);
+    IDEOTYPE_EXPECT(threads > 0);
+    std::optional<Scene> split;
+    if (request.details.faces) split = with_a_group_per_face(request.scene);
+    const Evaluation evaluation{request, split ? *split : request.scene};
+    auto [look, light] = first_field(evaluation, device, clock);
+    for (FieldLight& each :
+         light_in_others(evaluation, look, device, clock, threads))
+        light.append(std::move(each));
+    return report_on(evaluation, look, light);
 }
 
 RayScene build_scene(const Device& device, const Field& field) {

@@ -101,6 +101,20 @@ void generation(benchmark::State& state) {
 }
 BENCHMARK(generation)->Unit(benchmark::kMillisecond)->Iterations(1);
 
+//! Evaluates sixteen fields of one canopy by a number of threads.
+void fields_beside_each_other(benchmark::State& state) {
+    BenchStand stand(BenchStand::ames());
+    stand.request.accuracy = {4096, 64, 0, 16};
+    for (auto _ : state)
+        benchmark::DoNotOptimize(evaluate(stand.request, stand.device, {},
+                                          static_cast<int>(state.range(0))));
+}
+BENCHMARK(fields_beside_each_other)
+    ->Arg(1)
+    ->Arg(2)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+
 //! Measures the peak memory of a process that does nothing but evaluate [MiB];
 //! run it alone, as table.sh does.
 void memory(benchmark::State& state) {

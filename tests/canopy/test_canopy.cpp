@@ -177,6 +177,19 @@ TEST_F(TwoLeaves, AReadyFieldHasTheLightOfItsPlants) {
                   drawn.par().budget_by_randomisation);
 }
 
+TEST_F(TwoLeaves, ThreadsThatShareFieldsFindTheSameBits) {
+    request.scene.components[0].photosynthesis.emplace();
+    request.scene.components[0].jitter = 45;
+    const CanopyReport alone = evaluated(Fields::each);
+    const CanopyReport shared = evaluate(request, device, {}, 3);
+    EXPECT_EQ(shared.par().budget_by_randomisation,
+              alone.par().budget_by_randomisation);
+    for (const char* name : {"net_assimilation", "absorbed_par", "lai"})
+        EXPECT_EQ(measure_objective(name, shared).by_randomisation,
+                  measure_objective(name, alone).by_randomisation)
+            << name;
+}
+
 TEST_F(TwoLeaves, LayersWithoutAThicknessReachTheTop) {
     request.layers = {0, 10};
     const CanopyReport report = evaluated();

@@ -172,8 +172,10 @@ using Clock = std::function<double()>;
 //! report. At least as many paths are traced as there are sources of light.
 //! @throws Error if the numbers of leaves differ, a scene cannot be built, or
 //! the energy balance does not close.
+//! @param threads threads that share the fields after the first one; results
+//! are the same for any number
 CanopyReport evaluate(const CanopyRequest& request, const Device& device,
-                      const Clock& clock = {});
+                      const Clock& clock = {}, int threads = 1);
 
 //! Builds the surfaces of a field, with the field's boundary.
 RayScene build_scene(const Device& device, const Field& field);

@@ -10,6 +10,7 @@
 #include "cli/formats/light_output.hpp"
 #include "cli/verbs.hpp"
 #include "ideotype/canopy/quantities.hpp"
+#include "ideotype/core/host.hpp"
 #include "ideotype/light/device.hpp"
 #include "run/progress.hpp"
 #include "spec/problems.hpp"
@@ -116,7 +117,7 @@ std::vector<Study> studies(const Task& task, const Campaign& campaign,
                        scene_of(campaign, each), plants);
         request.details.sunlit = true;
         const double began = now();
-        CanopyReport report = evaluate(request, device);
+        CanopyReport report = evaluate(request, device, {}, available_cores());
         const double seconds = now() - began;
         std::vector<Measured> objectives = objectives_of(report, campaign);
         all.push_back({each, std::move(report), std::move(objectives), seconds,

@@ -27,12 +27,12 @@ void try_ranges(const Spec& spec, const Problems& problems,
         const auto& [key, range, unit, value] = factors[i];
         const Problems own = problems.in(table).in("keys", i);
         if (!spec.is_study && (value < range.lower || value > range.upper))
-            doubts.outside.push_back(
-                {own.where("range"),
-                 fmt::format("search.keys: {} is {} in this campaign (outside "
-                             "the range {} .. {}, but a search begins there); "
-                             "widen the range, or give the key another value",
-                             key, value, range.lower, range.upper)});
+            doubts.outside.push_back(own.problem(
+                "range", ProblemCode::contradiction,
+                fmt::format("search.keys: {} is {} in this campaign (outside "
+                            "the range {} .. {}, but a search begins there); "
+                            "widen the range, or give the key another value",
+                            key, value, range.lower, range.upper)));
         for (const double part : {0.0, 1.0, inner}) {
             const double at = std::lerp(range.lower, range.upper, part);
             Spec varied = spec;
@@ -42,8 +42,9 @@ void try_ranges(const Spec& spec, const Problems& problems,
             try {
                 found.throw_if_any();
             } catch (const InputError& error) {
-                own.add("range", "{}.keys: if {} is {}, then {}", table, key,
-                        at, error.problems().front().what);
+                own.add("range", ProblemCode::contradiction,
+                        "{}.keys: if {} is {}, then {}", table, key, at,
+                        error.problems().front().what);
                 break;
             }
         }

@@ -175,15 +175,13 @@ bool is_stated(const CropSpec& crop) {
 //! Warns of a crop with leaves that assimilate by default.
 //! @param own problems of the keys of the crop
 void warn_of_default(const CropSpec& crop, const Problems& own) {
-    if (!crop.is_known || !own.usable({"name"})) return;
-    if (is_stated(crop)) return;
-    own.warn("name",
-             "the crop \"{}\" has no [photosynthesis] (its leaves assimilate "
-             "by the default, which is right for C4 crops such as maize, not "
-             "for C3 crops such as wheat); add the table to the crop file, "
-             "with model = \"farquhar\" for a C3 crop, or \"hyperbola\" or "
-             "\"collatz\" for a C4 crop",
-             crop.baseline.name);
+    own.doubt({"name"}, crop.is_known && !is_stated(crop),
+              "the crop \"{}\" has no [photosynthesis] (its leaves assimilate "
+              "by the default, which is right for C4 crops such as maize, not "
+              "for C3 crops such as wheat); add the table to the crop file, "
+              "with model = \"farquhar\" for a C3 crop, or \"hyperbola\" or "
+              "\"collatz\" for a C4 crop",
+              crop.baseline.name);
 }
 
 //! Reports rates in full light that are stated with amax, or that no amax
@@ -191,30 +189,30 @@ void warn_of_default(const CropSpec& crop, const Problems& own) {
 //! @param problems problems of the table
 void check_full_light(const PhotosynthesisSpec& table,
                       const Problems& problems) {
-    if (table.rate_2000.empty() || table.model != LeafModel::hyperbola ||
-        !problems.usable({"rate_2000", "amax", "phi"}))
-        return;
-    if (!table.amax.empty())
-        return problems.add("rate_2000",
-                            "photosynthesis.rate_2000 is given with "
-                            "photosynthesis.amax (each follows from the "
-                            "other); remove one of them");
-    const std::vector<double> phi =
-        table.phi.empty() ? std::vector{Hyperbola{}.phi} : table.phi;
-    for (std::size_t i = 0; i < leaves_of(table); ++i) {
-        const auto of_leaf = [&](const std::vector<double>& numbers) {
-            return numbers[numbers.size() == 1 ? 0 : i];
-        };
-        const double most = full_light * of_leaf(phi);
-        if (of_leaf(table.rate_2000) < most) continue;
-        return problems.add("rate_2000",
-                            "photosynthesis.rate_2000 is {} (the quantum yield "
-                            "photosynthesis.phi of {} gives less than {} at "
-                            "{} umol m-2 s-1, whatever the capacity); use "
-                            "less, or a larger phi",
-                            of_leaf(table.rate_2000), of_leaf(phi), most,
-                            full_light);
-    }
+    const bool is_given =
+        !table.rate_2000.empty() && table.model == LeafModel::hyperbola;
+    const Keys keys{"rate_2000", "amax", "phi"};
+    problems.rule(keys, is_given && !table.amax.empty(),
+                  "photosynthesis.rate_2000 is given with photosynthesis.amax "
+                  "(each follows from the other); remove one of them");
+    problems.rule(keys, [&]() -> std::string {
+        const std::vector<double>& rates = table.rate_2000;
+        const std::vector<double> phi =
+            table.phi.empty() ? std::vector{Hyperbola{}.phi} : table.phi;
+        const std::size_t leaves = std::max(rates.size(), phi.size());
+        for (std::size_t i = 0; is_given && i < leaves; ++i) {
+            const double rate = rates[rates.size() == 1 ? 0 : i];
+            const double yield = phi[phi.size() == 1 ? 0 : i];
+            const double most = full_light * yield;
+            if (rate < most) continue;
+            return fmt::format(
+                "photosynthesis.rate_2000 is {} (the quantum yield "
+                "photosynthesis.phi of {} gives less than {} at {} umol m-2 "
+                "s-1, whatever the capacity); use less, or a larger phi",
+                rate, yield, most, full_light);
+        }
+        return "";
+    });
 }
 
 }  // namespace
@@ -223,28 +221,21 @@ void check_photosynthesis(const PhotosynthesisSpec& table, std::size_t leaves,
                           const Problems& root) {
     const Problems problems = root.in("photosynthesis");
     const std::size_t count = leaves > 0 ? leaves : leaves_of(table);
-    bool are_usable = true;
     for (const LeafKey& key : leaf_keys) {
         const std::vector<double>& numbers = table.*key.numbers;
-        if (numbers.empty() || !problems.usable({key.name})) continue;
-        if (!has(model_of(table), key.numbers))
-            problems.add(
-                key.name,
-                "photosynthesis.{} is no number of the model \"{}\" (it is one "
-                "of \"{}\"); remove it",
-                key.name, name_of(table.model),
-                fmt::join(models_with(key.numbers), "\" or \""));
-        else if (numbers.size() != 1 && numbers.size() != count)
-            problems.add(key.name,
-                         "photosynthesis.{} has {} values ({} has {}); give "
-                         "one number, or one for each leaf",
-                         key.name, numbers.size(),
-                         leaves > 0 ? "the plant" : "another list", count);
-        else
-            continue;
-        are_usable = false;
+        problems.rule({key.name, "model"},
+                      !numbers.empty() && !has(model_of(table), key.numbers),
+                      "photosynthesis.{} is no number of the model \"{}\" (it "
+                      "is one of \"{}\"); remove it",
+                      key.name, name_of(table.model),
+                      fmt::join(models_with(key.numbers), "\" or \""));
+        problems.rule({key.name}, numbers.size() > 1 && numbers.size() != count,
+                      "photosynthesis.{} has {} values ({} has {}); give one "
+                      "number, or one for each leaf",
+                      key.name, numbers.size(),
+                      leaves > 0 ? "the plant" : "another list", count);
     }
-    if (are_usable) check_full_light(table, problems);
+    check_full_light(table, problems);
 }
 
 PhotosynthesisSpec photosynthesis_of_meshes() {
@@ -304,12 +295,13 @@ void check_water(const Spec& spec, const Problems& problems) {
     if (!spec.water) return;
     const auto check = [](const CropSpec& crop, const Problems& own,
                           const std::string& whose) {
-        if (crop.is_known && crop.photosynthesis.model == LeafModel::hyperbola)
-            own.add("photosynthesis.model",
-                    "photosynthesis.model{} is \"hyperbola\", which does not "
-                    "follow CO2 (leaves exchange water in [water]); use "
-                    "\"collatz\" or \"farquhar\"",
-                    whose);
+        own.rule(
+            {"photosynthesis.model"},
+            crop.is_known && crop.photosynthesis.model == LeafModel::hyperbola,
+            "photosynthesis.model{} is \"hyperbola\", which does not follow "
+            "CO2 (leaves exchange water in [water]); use \"collatz\" or "
+            "\"farquhar\"",
+            whose);
     };
     check(spec.plant.crop, problems, "");
     for (std::size_t i = 0; i < spec.components.size(); ++i) {

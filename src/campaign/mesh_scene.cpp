@@ -37,10 +37,10 @@ class SceneReader {
         for (const auto& [key, node] : top)
             if (key.str() != "soil_albedo" && key.str() != "material" &&
                 key.str() != "component")
-                add(location(key.source(), file_),
-                    fmt::format("unknown key '{}' (nothing would read it); use "
-                                "soil_albedo, [[material]] and [[component]]",
-                                key.str()));
+                add(key, std::string(key.str()), ProblemCode::unknown_key,
+                    "unknown key '{}' (nothing would read it); use "
+                    "soil_albedo, [[material]] and [[component]]",
+                    key.str());
         for (const toml::table* each : entries(top, "material"))
             read_material(*each);
         // Assimilation is computed from the first band.
@@ -56,11 +56,11 @@ class SceneReader {
     }
 
   private:
-    void add(const toml::node& node, const std::string& what) {
-        problems_.add(location(node.source(), file_), what);
-    }
-    void add(const Location& where, const std::string& what) {
-        problems_.add(where, what);
+    template <class Place, class... Args>
+    void add(const Place& place, const std::string& key, ProblemCode code,
+             fmt::format_string<Args...> text, Args&&... args) {
+        problems_.add_at(location(place.source(), file_), key, code, text,
+                         std::forward<Args>(args)...);
     }
 
     std::vector<const toml::table*> entries(const toml::table& top,
@@ -68,7 +68,7 @@ class SceneReader {
         std::vector<const toml::table*> all;
         const toml::node* node = top.get(name);
         if (!node && name == "material")
-            add(Location{file_, 1, 1},
+            add(top, name, ProblemCode::missing,
                 "there is no [[material]] (surfaces need reflectance and "
                 "transmittance); write [[material]] with groups = \"leaf\" and "
                 "par = [0.05, 0.05]");
@@ -77,9 +77,10 @@ class SceneReader {
             for (const toml::node& each : *array)
                 if (each.is_table()) all.push_back(each.as_table());
         if (all.empty())
-            add(*node, fmt::format("{} is {} (expected: tables); write [[{}]] "
-                                   "before the keys of each",
-                                   name, kind(*node), name));
+            add(*node, name, ProblemCode::wrong_type,
+                "{} is {} (expected: tables); write [[{}]] before the keys of "
+                "each",
+                name, kind(*node), name);
         return all;
     }
 
@@ -91,20 +92,20 @@ class SceneReader {
         const toml::node* node = table.get("groups");
         if (!node) {
             if (initial.empty())
-                add(table, fmt::format("{} has no groups (what the names of "
-                                       "its groups begin with); add groups = "
-                                       "\"maize_leaf\"",
-                                       in));
+                add(table, in + ".groups", ProblemCode::missing,
+                    "{} has no groups (what the names of its groups begin "
+                    "with); add groups = \"maize_leaf\"",
+                    in);
             return {initial};
         }
         const auto take = [&](const toml::node& text) {
             if (const auto found = text.value<std::string>())
                 groups.push_back(*found);
             else
-                add(text, fmt::format("{}.groups is {} (expected: a text or a "
-                                      "list of texts); write groups = "
-                                      "\"maize_leaf\"",
-                                      in, kind(text)));
+                add(text, in + ".groups", ProblemCode::wrong_type,
+                    "{}.groups is {} (expected: a text or a list of texts); "
+                    "write groups = \"maize_leaf\"",
+                    in, kind(text));
         };
         if (const toml::array* list = node->as_array())
             for (const toml::node& each : *list) take(each);
@@ -117,10 +118,11 @@ class SceneReader {
     double read_part(const toml::node& node, const std::string& what) {
         const std::optional<double> part = node.value<double>();
         if (part && *part >= 0 && *part <= 1) return *part;
-        add(node,
-            fmt::format("{} is {} (a part of light from 0 to 1); write a "
-                        "decimal number such as 0.05",
-                        what, part ? fmt::format("{}", *part) : kind(node)));
+        add(node, what,
+            part ? ProblemCode::out_of_range : ProblemCode::wrong_type,
+            "{} is {} (a part of light from 0 to 1); write a decimal number "
+            "such as 0.05",
+            what, part ? fmt::format("{}", *part) : kind(node));
         return 0;
     }
 
@@ -142,11 +144,11 @@ class SceneReader {
         const std::string name = "material." + band;
         const toml::array* list = node.as_array();
         if (!list || list->size() < 2 || list->size() > 3) {
-            add(node, fmt::format("{} is {} (expected: reflectance and "
-                                  "transmittance, or reflectance of the upper "
-                                  "and the lower face and transmittance); "
-                                  "write {} = [0.06, 0.03]",
-                                  name, kind(node), band));
+            add(node, name, ProblemCode::wrong_type,
+                "{} is {} (expected: reflectance and transmittance, or "
+                "reflectance of the upper and the lower face and "
+                "transmittance); write {} = [0.06, 0.03]",
+                name, kind(node), band);
             return {};
         }
         std::vector<double> parts;
@@ -155,11 +157,10 @@ class SceneReader {
         const double reflected = std::max(parts[0], parts[parts.size() - 2]);
         // Decimal fractions such as 0.7 + 0.3 may exceed 1 by rounding.
         if (reflected + parts.back() > 1 + 1e-12)
-            add(node,
-                fmt::format("{} sends on {} of the light (more than all); "
-                            "reflectance and transmittance sum to 1 at "
-                            "most",
-                            name, reflected + parts.back()));
+            add(node, name, ProblemCode::contradiction,
+                "{} sends on {} of the light (more than all); reflectance and "
+                "transmittance sum to 1 at most",
+                name, reflected + parts.back());
         return parts.size() == 2 ? Material(parts[0], parts[1])
                                  : Material(parts[0], parts[1], parts[2]);
     }
@@ -170,10 +171,10 @@ class SceneReader {
         for (const std::string& band : scene_.bands) {
             const auto found = std::ranges::find(entry.names, band);
             if (found == entry.names.end()) {
-                add(*entry.table,
-                    fmt::format("the material of groups {} has no {} (another "
-                                "material has); add {} = [0.06, 0.03]",
-                                fmt::join(matter.groups, ", "), band, band));
+                add(*entry.table, "material." + band, ProblemCode::missing,
+                    "the material of groups {} has no {} (another material "
+                    "has); add {} = [0.06, 0.03]",
+                    fmt::join(matter.groups, ", "), band, band);
                 matter.bands.emplace_back();
             } else {
                 matter.bands.push_back(
@@ -189,10 +190,10 @@ class SceneReader {
         scene_.soil_albedo.assign(scene_.bands.size(), usual_soil_albedo[0]);
         if (!node) {
             if (scene_.bands.size() > 1)
-                add(Location{file_, 1, 1},
-                    fmt::format("there is no soil_albedo (the soil reflects in "
-                                "each band); add soil_albedo = {{ {} = 0.1 }}",
-                                fmt::join(scene_.bands, " = 0.1, ")));
+                add(top, "soil_albedo", ProblemCode::missing,
+                    "there is no soil_albedo (the soil reflects in each band); "
+                    "add soil_albedo = {{ {} = 0.1 }}",
+                    fmt::join(scene_.bands, " = 0.1, "));
             return;
         }
         const toml::table* by_band = node->as_table();
@@ -203,18 +204,20 @@ class SceneReader {
         }
         for (const auto& [key, each] : *by_band)
             if (std::ranges::count(scene_.bands, key.str()) == 0)
-                add(location(key.source(), file_),
-                    fmt::format("soil_albedo.{} names no band (the materials "
-                                "have {}); remove it",
-                                key.str(), fmt::join(scene_.bands, ", ")));
+                add(key, "soil_albedo." + std::string(key.str()),
+                    ProblemCode::unknown_key,
+                    "soil_albedo.{} names no band (the materials have {}); "
+                    "remove it",
+                    key.str(), fmt::join(scene_.bands, ", "));
         for (std::size_t b = 0; b < scene_.bands.size(); ++b) {
             const std::string& band = scene_.bands[b];
             if (const toml::node* each = by_band->get(band))
                 scene_.soil_albedo[b] = read_part(*each, "soil_albedo." + band);
             else
-                add(*node, fmt::format("soil_albedo has no {0} (a band of the "
-                                       "materials); add {0} = 0.1",
-                                       band));
+                add(*node, "soil_albedo." + band, ProblemCode::missing,
+                    "soil_albedo has no {0} (a band of the materials); add {0} "
+                    "= 0.1",
+                    band);
         }
     }
 
@@ -223,23 +226,24 @@ class SceneReader {
         if (const auto name = table["name"].value<std::string>())
             kind.name = *name;
         if (!is_name(kind.name))
-            add(table,
-                "a component has no name (letters, digits, _ and -); "
-                "add name = \"maize\"");
+            add(table, "component.name", ProblemCode::missing,
+                "a component has no name (letters, digits, _ and -); add name "
+                "= \"maize\"");
         for (const MeshScene::Kind& other : scene_.components)
             if (other.name == kind.name)
-                add(table, fmt::format("component.name is \"{}\" (already "
-                                       "used); give each a name of its own",
-                                       kind.name));
+                add(table, "component.name", ProblemCode::duplicate,
+                    "component.name is \"{}\" (already used); give each a name "
+                    "of its own",
+                    kind.name);
         kind.groups = read_groups(table, "component", kind.name);
         for (const auto& [key, node] : table)
             if (key.str() != "name" && key.str() != "groups" &&
                 key.str() != "photosynthesis")
-                add(location(key.source(), file_),
-                    fmt::format("unknown key '{}' in [[component]] (nothing "
-                                "would read it); use name, groups or "
-                                "photosynthesis",
-                                key.str()));
+                add(key, "component." + std::string(key.str()),
+                    ProblemCode::unknown_key,
+                    "unknown key '{}' in [[component]] (nothing would read "
+                    "it); use name, groups or photosynthesis",
+                    key.str());
         if (const toml::node* node = table.get("photosynthesis"))
             kind.photosynthesis = read_leaves(*node);
         scene_.components.push_back(std::move(kind));
@@ -248,16 +252,16 @@ class SceneReader {
     std::optional<Photosynthesis> read_leaves(const toml::node& node) {
         const toml::table* table = node.as_table();
         if (!table) {
-            add(node, fmt::format("photosynthesis is {} (expected: a table); "
-                                  "write photosynthesis = {{ model = "
-                                  "\"hyperbola\", amax = 50 }}",
-                                  kind(node)));
+            add(node, "component.photosynthesis", ProblemCode::wrong_type,
+                "photosynthesis is {} (expected: a table); write "
+                "photosynthesis = {{ model = \"hyperbola\", amax = 50 }}",
+                kind(node));
             return std::nullopt;
         }
         if (scene_.bands.empty() || scene_.bands.front() != "par")
-            add(node,
-                "there is photosynthesis, but no band \"par\" (which "
-                "leaves assimilate); name a band of the materials par");
+            add(node, "component.photosynthesis", ProblemCode::contradiction,
+                "there is photosynthesis, but no band \"par\" (which leaves "
+                "assimilate); name a band of the materials par");
         PhotosynthesisSpec leaves = photosynthesis_of_meshes();
         const Problems own =
             problems_.in("component", scene_.components.size());
@@ -290,10 +294,11 @@ void read_tables(const std::string& text, const std::string& file,
         if (node && node->is_table())
             reader.in(at).read_keys(*node->as_table(), table);
         else
-            problems.add(Location{file, 1, 1},
-                         "there is no table [{0}] (this file is read for it); "
-                         "write [{0}] and its keys",
-                         table.name);
+            problems.add_at(Location{file, 1, 1}, table.name,
+                            ProblemCode::missing,
+                            "there is no table [{0}] (this file is read for "
+                            "it); write [{0}] and its keys",
+                            table.name);
     }
 }
 

@@ -20,16 +20,13 @@ namespace {
 bool check_climate(const Climate& climate, const Problems& problems) {
     const auto& [from, to] = climate.period;
     const ColumnMap& columns = climate.columns;
+    problems.rule({"to", "from"}, to < from,
+                  "climate.to is {} (before the first day, {}); give a later "
+                  "one",
+                  to_string(to), to_string(from));
     if (!problems.usable({"file", "stamp", "from", "to", "missing",
                           "utc_offset", "time", "date_order"}))
         return false;
-    if (to < from) {
-        problems.add("to",
-                     "climate.to is {} (before the first day, {}); give a "
-                     "later one",
-                     to_string(to), to_string(from));
-        return false;
-    }
     for (const auto& [key, column] :
          {std::pair("global", &columns.global),
           std::pair("beam_normal", &columns.beam_normal),
@@ -43,9 +40,9 @@ bool check_climate(const Climate& climate, const Problems& problems) {
           std::pair("longwave", &columns.longwave)}) {
         if (!problems.usable({key})) return false;
         if (!*column || !columns.time.empty()) continue;
-        problems.add(key,
-                     "climate has the column \"{}\" but no 'time' (a file "
-                     "that `ideotype weather` wrote needs neither); name the "
+        problems.add(key, ProblemCode::missing,
+                     "climate has the column \"{}\" but no 'time' (a file that "
+                     "`ideotype weather` wrote needs neither); name the "
                      "columns of the time too",
                      (*column)->name);
         return false;
@@ -90,11 +87,10 @@ void check_weather(const SiteWeather& weather, const Problems& problems) {
     const auto check = [&](const std::string& name,
                            const std::vector<double>& values, bool is_fine,
                            const std::string& expected) {
-        if (problems.usable(name) && !is_fine)
-            problems.add(name,
-                         "weather.{} has {} values (expected: {}); use the "
-                         "text that the program has written, unchanged",
-                         name, values.size(), expected);
+        problems.rule({name}, !is_fine,
+                      "weather.{} has {} values (expected: {}); use the text "
+                      "that the program has written, unchanged",
+                      name, values.size(), expected);
     };
     check("hours", hours,
           !hours.empty() && std::ranges::is_sorted(hours) &&
@@ -161,7 +157,7 @@ struct WeathersReader {
         const auto& [name, climate] = named;
         if (source != TextSource::file)
             return of_climate.add(
-                "file",
+                "file", ProblemCode::missing,
                 "climate \"{}\" has no [[weather]] of site \"{}\" (resolved "
                 "campaigns have it in them); use the campaign file",
                 name, site.name);
@@ -171,30 +167,32 @@ struct WeathersReader {
             return;
         if (climate.file.empty() && site.weather.empty())
             return of_climate.add(
-                "file",
+                "file", ProblemCode::missing,
                 "climate \"{}\" has no file (and site \"{}\" no weather); add "
                 "file = \"weather/mine.csv\" here, or weather = ... there",
                 name, site.name);
         if (!climate.file.empty() && !site.weather.empty())
-            return of_site.add("weather",
+            return of_site.add("weather", ProblemCode::contradiction,
                                "site \"{}\" has weather of its own (climate "
                                "\"{}\" has a file for all sites); remove one",
                                site.name, name);
         const bool is_of_site = climate.file.empty();
+        const Problems& of_file = is_of_site ? of_site : of_climate;
+        const std::string key = is_of_site ? "weather" : "file";
         const std::string path =
             path_from(campaign_file, is_of_site ? site.weather : climate.file);
         const FileText file = read_file(path, most_data_bytes);
         if (!file.is_there)
-            return (is_of_site ? of_site : of_climate)
-                .add(
-                    is_of_site ? "weather" : "file",
-                    file.refusal(path) + "; give a path relative to this file");
+            return of_file.add(key, ProblemCode::file,
+                               "{}; give a path relative to this file",
+                               file.refusal(path));
         problems.open(path);
         try {
             const Weather weather = parse_weather(
                 file.text, request_of(path, site, climate, spec.par_fraction));
             for (const Problem& warning : weather.warnings)
-                if (is_new(warning)) problems.warn(warning);
+                if (is_new(warning))
+                    problems.warn(of_file.named_by(key, warning));
             found.push_back(
                 to_site_weather(weather.series, spec.plant.crop.follows));
             found.back().site = site.name;
@@ -203,7 +201,8 @@ struct WeathersReader {
         } catch (const InputError& error) {
             // Sites may share a file, whose problems are reported only once.
             for (const Problem& problem : error.problems())
-                if (is_new(problem)) problems.add(problem.where, problem.what);
+                if (is_new(problem))
+                    problems.add(of_file.named_by(key, problem));
         }
     }
 

@@ -56,6 +56,8 @@ class Findings {
     void add(int line, int column, fmt::format_string<Args...> what,
              Args&&... args) {
         problems_.push_back({{{file_, line, column},
+                              "",
+                              ProblemCode::data,
                               fmt::format(what, std::forward<Args>(args)...)}});
     }
 
@@ -100,6 +102,8 @@ class Findings {
                            fmt::format_string<Args...> what,
                            Args&&... args) const {
         throw InputError({{{file_, line, column},
+                           "",
+                           ProblemCode::data,
                            fmt::format(what, std::forward<Args>(args)...)}});
     }
 
@@ -118,6 +122,8 @@ class Findings {
         std::vector<Problem> all;
         for (const auto& [text, line, count] : doubts_)
             all.push_back({{file_, line, 1},
+                           "",
+                           ProblemCode::doubt,
                            count == 0
                                ? text
                                : fmt::format("{} ({} time{})", text, count,

@@ -92,6 +92,8 @@ class ObjBuilder {
         if (result_.mesh.faces.empty())
             throw InputError(
                 {{{file_},
+                  "",
+                  ProblemCode::data,
                   polygons_.empty()
                       ? "there are no faces (lines that begin with f); add some"
                       : "no face has an area (the corners of each are on a "
@@ -199,7 +201,8 @@ class ObjBuilder {
     }
 
     [[noreturn]] void fail(int line, std::string what) const {
-        throw InputError({{{file_, line, 1}, std::move(what)}});
+        throw InputError(
+            {{{file_, line, 1}, "", ProblemCode::data, std::move(what)}});
     }
 
     const std::string& file_;
@@ -225,7 +228,7 @@ ObjMesh parse_obj(std::string text, const std::string& file) {
         std::string warning, error;
         if (!tinyobj::LoadObjWithCallback(stream, ObjBuilder::callbacks(),
                                           &builder, nullptr, &warning, &error))
-            throw InputError({{{file}, error}});
+            throw InputError({{{file}, "", ProblemCode::data, error}});
     }
     return builder.finish();
 }

@@ -128,7 +128,10 @@ class Checker {
 
   private:
     [[noreturn]] void fail(int line, const Word& word, std::string what) const {
-        throw InputError({{{file_, line, word.column}, std::move(what)}});
+        throw InputError({{{file_, line, word.column},
+                           "",
+                           ProblemCode::data,
+                           std::move(what)}});
     }
 
     void check_number(int line, const Word& word) const {

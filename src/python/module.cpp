@@ -7,12 +7,13 @@ namespace ideotype::python {
 
 namespace {
 
-//! Returns a list of (file, line, column, what).
+//! Returns a list of (file, line, column, what, key, code).
 nb::list to_list(const std::vector<Problem>& problems) {
     nb::list list;
     for (const Problem& each : problems)
         list.append(nb::make_tuple(each.where.file, each.where.line,
-                                   each.where.column, each.what));
+                                   each.where.column, each.what, each.key,
+                                   name_of(each.code)));
     return list;
 }
 

@@ -12,13 +12,13 @@
 
 namespace ideotype {
 
-bool is_table_of_leaves(const std::string& file, const Location& named_at,
-                        const Problems& problems) {
+bool is_table_of_leaves(const std::string& file, const std::string& named_by,
+                        const Location& named_at, const Problems& problems) {
     if (std::filesystem::path(file).extension() != ".csv") return false;
-    problems.add(named_at,
-                 "{} is a table (a plant is a crop file here); make a crop "
-                 "file of it: ideotype fit {}",
-                 file, file);
+    problems.add({named_at, named_by, ProblemCode::file,
+                  fmt::format("{} is a table (a plant is a crop file here); "
+                              "make a crop file of it: ideotype fit {}",
+                              file, file)});
     return true;
 }
 
@@ -28,12 +28,13 @@ void CropReader::read_key(const toml::node& baseline, const std::string& key) {
     const bool is_path = baseline.is_string();
     if (!is_path || source_ != TextSource::file)
         return problems_.add(
-            location(baseline.source(), file_),
-            "{} is {} (expected: {}); write {}", key, kind(baseline),
-            is_path ? "the plant itself" : "path or table",
-            is_path ? fmt::format("it as [{}]", key)
-                    : fmt::format("for example {} = \"crops/mine.toml\"",
-                                  key.substr(key.find('.') + 1)));
+            {location(baseline.source(), file_), key, ProblemCode::wrong_type,
+             fmt::format(
+                 "{} is {} (expected: {}); write {}", key, kind(baseline),
+                 is_path ? "the plant itself" : "path or table",
+                 is_path ? fmt::format("it as [{}]", key)
+                         : fmt::format("for example {} = \"crops/mine.toml\"",
+                                       key.substr(key.find('.') + 1)))});
     read_file(path_from(file_, *baseline.value<std::string>()), key,
               location(baseline.source(), file_));
 }
@@ -74,7 +75,8 @@ void CropReader::read(const toml::table& table, const std::string& file) {
 void CropReader::read_file(const std::string& file, const std::string& named_by,
                            const Location& named_at) {
     const auto text = text_of(file, named_by, named_at, problems_);
-    if (!text || is_table_of_leaves(file, named_at, problems_)) return;
+    if (!text || is_table_of_leaves(file, named_by, named_at, problems_))
+        return;
     if (const auto table = parse_toml(*text, file, problems_))
         read(*table, file);
 }

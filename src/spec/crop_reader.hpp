@@ -46,7 +46,8 @@ void note_leaves(const toml::table& top, const std::string& file,
 
 //! Reports a table of measured leaves, which `ideotype fit` turns into crop
 //! files; returns whether a file is one by its name.
-bool is_table_of_leaves(const std::string& file, const Location& named_at,
-                        const Problems& problems);
+//! @param named_by key that names the file; "" if none
+bool is_table_of_leaves(const std::string& file, const std::string& named_by,
+                        const Location& named_at, const Problems& problems);
 
 }  // namespace ideotype

@@ -50,8 +50,10 @@ std::optional<std::string> text_of(const std::string& file,
                                    const Problems& problems) {
     FileText read = read_file(file, most_input_bytes);
     if (read.is_there) return std::move(read.text);
-    problems.add(named_at, "{} (named by {}); {}", read.refusal(file), named_by,
-                 remedy_for(file, "give a path relative to this file"));
+    problems.add(
+        {named_at, named_by, ProblemCode::file,
+         fmt::format("{} (named by {}); {}", read.refusal(file), named_by,
+                     remedy_for(file, "give a path relative to this file"))});
     return std::nullopt;
 }
 

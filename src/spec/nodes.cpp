@@ -168,10 +168,10 @@ struct Replacer {
         if (!list || !list->is_homogeneous<toml::table>()) return nullptr;
         if (list->size() == 1) return list->front().as_table();
         is_refused = true;
-        problems.add(Location{name},
-                     "there are {} tables [[{}]] (it is not clear which one "
-                     "is meant); change the file",
-                     list->size(), path);
+        problems.add_at(Location{name}, path, ProblemCode::syntax,
+                        "there are {} tables [[{}]] (it is not clear which one "
+                        "is meant); change the file",
+                        list->size(), path);
         return nullptr;
     }
 };
@@ -215,17 +215,18 @@ std::optional<toml::table> parse_toml(const std::string& text,
                                       const Problems& problems) {
     problems.open(file);
     if (const auto at = find_deep_key(text)) {
-        problems.add(place(text, *at, file),
-                     "a key has more than {} parts (joined by dots, the keys "
-                     "of a campaign have at most 4); correct this line",
-                     most_parts);
+        problems.add_at(place(text, *at, file), "", ProblemCode::syntax,
+                        "a key has more than {} parts (joined by dots, the "
+                        "keys of a campaign have at most 4); correct this line",
+                        most_parts);
         return std::nullopt;
     }
     try {
         return toml::parse(text, file);
     } catch (const toml::parse_error& error) {
-        problems.add(location(error.source(), file),
-                     problem(error, line_of(text, error.source().begin.line)));
+        problems.add_at(
+            location(error.source(), file), "", ProblemCode::syntax, "{}",
+            problem(error, line_of(text, error.source().begin.line)));
         return std::nullopt;
     }
 }
@@ -238,8 +239,8 @@ void apply_settings(const std::vector<std::string>& settings,
         if (auto table = read(setting, name))
             Replacer{name, problems}.replace(campaign, *table, "");
         else
-            problems.add(
-                Location{name},
+            problems.add_at(
+                Location{name}, "", ProblemCode::syntax,
                 "this is not a key with its value (as a campaign file has "
                 "them); write for example --set search.optimizer=random");
     }

@@ -55,43 +55,59 @@ void Problems::spoil(const std::string& key) const {
     all_->unusable.insert(prefix_ + key);
 }
 
-bool Problems::usable(const std::string& key) const {
-    const std::string path = prefix_ + key;
-    return !all_->unusable.contains(path) &&
-           (all_->everywhere || all_->places.contains(path));
-}
-
-bool Problems::usable(std::initializer_list<const char*> keys) const {
-    return std::ranges::all_of(
-        keys, [&](const char* key) { return usable(std::string(key)); });
+bool Problems::usable(const Keys& keys) const {
+    return std::ranges::all_of(keys, [&](const std::string& key) {
+        const std::string path = prefix_ + key;
+        return !all_->unusable.contains(path) &&
+               (all_->everywhere || all_->places.contains(path));
+    });
 }
 
 bool Problems::empty() const {
     return all_->problems.empty();
 }
 
-void Problems::add(const Location& where, const std::string& what) const {
-    all_->problems.push_back({where, what});
+std::string Problems::written(const std::string& key) const {
+    std::string path;
+    bool is_number = false;
+    for (const char c : prefix_ + key) {
+        if (c == '[') is_number = true;
+        if (!is_number) path += c;
+        if (c == ']') is_number = false;
+    }
+    return path;
 }
 
-void Problems::add(const std::string& key, const std::string& what) const {
-    spoil(key);
-    add(where(key), what);
+Problem Problems::problem(const std::string& key, ProblemCode code,
+                          const std::string& what) const {
+    return {where(key), written(key), code, what};
+}
+
+Problem Problems::named_by(const std::string& key, Problem problem) const {
+    problem.key = written(key);
+    return problem;
+}
+
+void Problems::add(const Problem& problem) const {
+    all_->problems.push_back(problem);
 }
 
 void Problems::add_once(const std::string& key, const std::string& kind,
-                        const std::string& what) const {
+                        ProblemCode code, const std::string& what) const {
     spoil(key);
     if (all_->once.insert({where(key).file, kind}).second)
-        add(where(key), what);
+        add(problem(key, code, what));
 }
 
-void Problems::warn(const std::string& key, const std::string& what) const {
-    warn(Problem{where(key), with_short_quotes(what)});
+void Problems::rule(const Keys& keys, const std::function<std::string()>& fault,
+                    ProblemCode code) const {
+    const std::string what = usable(keys) ? fault() : "";
+    if (!what.empty()) add(keys.front(), code, "{}", what);
 }
 
-void Problems::warn(const Problem& warning) const {
-    all_->warnings.push_back(warning);
+void Problems::warn(Problem warning) const {
+    warning.what = with_short_quotes(warning.what);
+    all_->warnings.push_back(std::move(warning));
 }
 
 void Problems::open(const std::string& file) const {

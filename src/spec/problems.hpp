@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <initializer_list>
+#include <functional>
 #include <memory>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -23,10 +24,18 @@ Error wrong_usage(fmt::format_string<Args...> text, Args&&... args) {
                  ExitCode::usage);
 }
 
+//! Paths of keys, relative to a table.
+using Keys = std::vector<std::string>;
+
 //! Collects the problems of a campaign, and remembers where each value was
 //! written, for the messages of later checks. Values are known by the paths of
 //! their keys, such as "site[1].latitude". Copies, and the parts that in()
 //! returns, share all that is collected.
+//!
+//! Values are checked against each other by rules: problems that are reported
+//! at the first of some keys, and only if all of these values are sound, so
+//! that no problem follows from another. Whether a rule is broken is a bool, or
+//! a function that is called for sound values only.
 class Problems {
   public:
     Problems();
@@ -49,39 +58,69 @@ class Problems {
     void spoil(const std::string& key) const;
 
     //! Returns whether checks may rely on these values.
-    bool usable(std::initializer_list<const char*> keys) const;
-    bool usable(const std::string& key) const;
+    bool usable(const Keys& keys) const;
 
     //! Returns whether no problem has been reported so far.
     bool empty() const;
 
-    void add(const Location& where, const std::string& what) const;
+    //! Returns a problem of a value, without reporting it.
+    Problem problem(const std::string& key, ProblemCode code,
+                    const std::string& what) const;
 
-    //! Reports a problem of a value and spoils it.
-    void add(const std::string& key, const std::string& what) const;
+    //! Returns a problem inside a file that a value names, with the value's
+    //! key.
+    Problem named_by(const std::string& key, Problem problem) const;
 
-    //! Reports a problem of a place or a value, with a formatted text.
-    template <class Place, class... Args>
-    requires(sizeof...(Args) > 0) void add(const Place& place,
-                                           fmt::format_string<Args...> text,
-                                           Args&&... args) const {
-        add(place, fmt::format(text, std::forward<Args>(args)...));
+    //! Reports a problem of a value and spoils the value.
+    template <class... Args>
+    void add(const std::string& key, ProblemCode code,
+             fmt::format_string<Args...> text, Args&&... args) const {
+        spoil(key);
+        add_at(where(key), key, code, text, std::forward<Args>(args)...);
     }
+
+    //! Reports a problem at a place of its own, which spoils no value.
+    template <class... Args>
+    void add_at(const Location& where, const std::string& key, ProblemCode code,
+                fmt::format_string<Args...> text, Args&&... args) const {
+        add({where, written(key), code,
+             fmt::format(text, std::forward<Args>(args)...)});
+    }
+    void add(const Problem& problem) const;
 
     //! Reports only the first problem of its kind in a file, but spoils the
     //! values of all problems of this kind.
     void add_once(const std::string& key, const std::string& kind,
-                  const std::string& what) const;
+                  ProblemCode code, const std::string& what) const;
 
-    //! Warns of a value that may be wrong but stays usable.
-    void warn(const std::string& key, const std::string& what) const;
-    template <class... Args>
-    requires(sizeof...(Args) > 0) void warn(const std::string& key,
-                                            fmt::format_string<Args...> text,
-                                            Args&&... args) const {
-        warn(key, fmt::format(text, std::forward<Args>(args)...));
+    //! Reports that the first of some values breaks a rule, unless any of them
+    //! is unusable.
+    template <class Broken, class... Args>
+    void rule(const Keys& keys, const Broken& is_broken,
+              fmt::format_string<Args...> text, Args&&... args) const {
+        rule(ProblemCode::contradiction, keys, is_broken, text,
+             std::forward<Args>(args)...);
     }
-    void warn(const Problem& warning) const;
+    template <class Broken, class... Args>
+    void rule(ProblemCode code, const Keys& keys, const Broken& is_broken,
+              fmt::format_string<Args...> text, Args&&... args) const {
+        if (usable(keys) && holds(is_broken))
+            add(keys.front(), code, text, std::forward<Args>(args)...);
+    }
+    //! Reports the fault that a function finds in sound values; "": none.
+    void rule(const Keys& keys, const std::function<std::string()>& fault,
+              ProblemCode code = ProblemCode::contradiction) const;
+
+    //! Warns that the first of some values may be wrong, unless any of them is
+    //! unusable; it stays usable.
+    template <class Doubtful, class... Args>
+    void doubt(const Keys& keys, const Doubtful& is_doubtful,
+               fmt::format_string<Args...> text, Args&&... args) const {
+        if (usable(keys) && holds(is_doubtful))
+            warn(problem(keys.front(), ProblemCode::doubt,
+                         fmt::format(text, std::forward<Args>(args)...)));
+    }
+    void warn(Problem warning) const;
 
     //! Throws all problems, if there are any.
     //! @throws InputError with the problems of each file by position, files in
@@ -98,6 +137,17 @@ class Problems {
 
   private:
     struct Collected;
+
+    template <class Condition>
+    static bool holds(const Condition& condition) {
+        if constexpr (std::is_invocable_v<Condition>)
+            return condition();
+        else
+            return condition;
+    }
+
+    //! Returns the path of a key as users write it, without numbers of entries.
+    std::string written(const std::string& key) const;
 
     std::shared_ptr<Collected> all_;
     std::string prefix_;

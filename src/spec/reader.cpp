@@ -261,10 +261,11 @@ Spec read_spec(const std::string& text, const std::string& file,
     spec.is_study =
         source == TextSource::file ? is_study : table->contains("sensitivity");
     if (is_plant(*table))
-        problems.add(Location{file, 1, 1},
-                     "this is a crop file (it has leaves, but no site to "
-                     "light them); give a campaign, or evaluate the plant in "
-                     "one: ideotype compare PLANT --under CAMPAIGN");
+        problems.add_at(
+            Location{file, 1, 1}, "", ProblemCode::file,
+            "this is a crop file (it has leaves, but no site to "
+            "light them); give a campaign, or evaluate the plant in "
+            "one: ideotype compare PLANT --under CAMPAIGN");
     else
         SpecReader(file, source, spec, problems).read(*table);
     return spec;
@@ -278,7 +279,7 @@ std::optional<CropSpec> read_crop_spec(const std::string& text,
                                        const std::string& file,
                                        const Problems& problems) {
     CropSpec crop;
-    if (is_table_of_leaves(file, {file, 1, 1}, problems)) return crop;
+    if (is_table_of_leaves(file, "", {file, 1, 1}, problems)) return crop;
     if (const auto table = parse_toml(text, file, problems)) {
         if (!is_plant(*table)) return std::nullopt;
         CropReader(file, TextSource::file, crop, problems, problems)

@@ -113,11 +113,11 @@ void TableReader::read_keys(const toml::table& table, const Section& section,
         else if (misspelt.contains(key.name))
             problems_.spoil(key.name);
         else if (is_required(key, known_) && !table.contains(key.unless))
-            problems_.add(key.name,
-                          "missing key '{}' {} (it has no default); add {} = "
-                          "{}",
-                          key.name, place_of(section.name), key.name,
-                          key.initial.example);
+            problems_.add(
+                key.name, ProblemCode::missing,
+                "missing key '{}' {} (it has no default); add {} = {}",
+                key.name, place_of(section.name), key.name,
+                key.initial.example);
     }
 }
 
@@ -146,10 +146,10 @@ void TableReader::read_table(const toml::table& top, const Table& table,
                       : std::vector<const toml::table*>{};
     // Checking so many entries against each other would take too long.
     if (found.size() > table.most) {
-        problems_.add(where(*found[table.most]),
-                      "there are {} tables [[{}]] (the limit is {}); remove "
-                      "some",
-                      found.size(), table.name, table.most);
+        problems_.add_at(
+            where(*found[table.most]), table.name, ProblemCode::out_of_range,
+            "there are {} tables [[{}]] (the limit is {}); remove some",
+            found.size(), table.name, table.most);
         found.resize(table.most);
     }
     // Records that are there are defaults.
@@ -186,8 +186,9 @@ std::vector<const toml::table*> TableReader::entries(
     const std::string& section) const {
     if (const toml::table* one = node.as_table()) return {one};
     const auto refuse = [&](const toml::node& found, const std::string& how) {
-        problems_.add(where(found), "{} is {} (expected: {}", section,
-                      kind(found), how);
+        problems_.add_at(where(found), section.substr(section.rfind('.') + 1),
+                         ProblemCode::wrong_type, "{} is {} (expected: {}",
+                         section, kind(found), how);
     };
     const std::string lists =
         fmt::format("tables); write [[{}]] before the keys of each", section);
@@ -217,9 +218,10 @@ void TableReader::report_missing(const toml::table& top, const Table& table,
     for (const Key& key : table.description->keys())
         if (key.initial.is_required) needed.emplace_back(key.name);
     if (!needed.empty())
-        problems_.add(where(top),
-                      "missing table [{}] (it has no default); add it with {}",
-                      table.name, fmt::join(needed, ", "));
+        problems_.add_at(
+            where(top), table.name, ProblemCode::missing,
+            "missing table [{}] (it has no default); add it with {}",
+            table.name, fmt::join(needed, ", "));
 }
 
 std::set<std::string> TableReader::report_unknown(
@@ -239,9 +241,11 @@ std::set<std::string> TableReader::report_unknown(
         const bool is_table = value.is_table() || value.is_array_of_tables();
         const std::string nearest = nearest_name(name, is_table ? known : keys);
         misspelt.insert(nearest);
-        problems_.add(place, "unknown {} '{}' {} (nothing would read it); {}",
-                      is_table ? "table" : "key", name, place_of(section.name),
-                      advice(name, nearest, section.name, known));
+        problems_.add_at(place, name, ProblemCode::unknown_key,
+                         "unknown {} '{}' {} (nothing would read it); {}",
+                         is_table ? "table" : "key", name,
+                         place_of(section.name),
+                         advice(name, nearest, section.name, known));
     }
     return misspelt;
 }

@@ -57,22 +57,24 @@ std::string ValueFaults::name() const {
 
 void ValueFaults::fail_type(const toml::node& found) const {
     if (const auto meant = without_quotes(found, bound))
-        return fail("is a text (expected: {}); write {} = {} without quotes",
+        return fail(wrong_type,
+                    "is a text (expected: {}); write {} = {} without quotes",
                     key.values.type, key.name, *meant);
     if (const auto text = found.value<std::string>();
         text && has_dates(bound.value))
         if (text->size() == 10 && text->at(4) == '-' && text->at(7) == '-')
-            return fail("is {} (the calendar has no such day); use another day",
+            return fail(out_of_range,
+                        "is {} (the calendar has no such day); use another day",
                         *text);
     const std::string example = example_of(bound);
     if (const auto number = found.value<double>();
         number && !std::isfinite(*number))
-        return fail(
-            "is {} (not a finite number; expected: {}); write for "
-            "example {} = {}",
-            *number, key.values.type, key.name, example);
-    fail("is {} (expected: {}); write for example {} = {}", kind(found),
-         key.values.type, key.name, example);
+        return fail(wrong_type,
+                    "is {} (not a finite number; expected: {}); write for "
+                    "example {} = {}",
+                    *number, key.values.type, key.name, example);
+    fail(wrong_type, "is {} (expected: {}); write for example {} = {}",
+         kind(found), key.values.type, key.name, example);
 }
 
 //! Returns the fault of a number, or "" if it has none.
@@ -110,21 +112,20 @@ bool ValueFaults::is_mistaken(double value) const {
     if (units.empty()) return false;
     const bool is_length = std::string_view(key.values.unit) == "m";
     problems.add_once(
-        key.name, name(),
-        fmt::format("{} is {}{} (above the range {}, it looks like {}); "
-                    "give {}: {}{}",
-                    name(), value, with_unit(key), range_text(key),
-                    fmt::join(units, " or "),
-                    is_length ? "metres" : "a fraction",
-                    fmt::join(values, " or "),
-                    is_length ? ", and check all lengths of this file" : ""));
+        key.name, name(), out_of_range,
+        fmt::format(
+            "{} is {}{} (above the range {}, it looks like {}); give {}: {}{}",
+            name(), value, with_unit(key), range_text(key),
+            fmt::join(units, " or "), is_length ? "metres" : "a fraction",
+            fmt::join(values, " or "),
+            is_length ? ", and check all lengths of this file" : ""));
     return true;
 }
 
 bool ValueFaults::accepts(double value) const {
     if (is_mistaken(value)) return false;
     const std::string why = fault(value);
-    if (!why.empty()) fail("{}", why);
+    if (!why.empty()) fail(out_of_range, "{}", why);
     return why.empty();
 }
 

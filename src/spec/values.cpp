@@ -65,8 +65,8 @@ struct Reader : ValueFaults {
             if (const auto value = number(element)) values.push_back(*value);
         if (count == any_count || count == 0) count = array->size();
         if (array->size() != count)
-            fail("has {} values (expected: {}); give {} of them", array->size(),
-                 key.values.type, count);
+            fail(wrong_type, "has {} values (expected: {}); give {} of them",
+                 array->size(), key.values.type, count);
         if (values.size() != count) return std::nullopt;
         return values;
     }
@@ -77,7 +77,7 @@ struct Reader : ValueFaults {
         const auto text = node.value<std::string>();
         if (!text) return fail_type(node), std::nullopt;
         if (std::ranges::count(choices, *text) > 0) return text;
-        fail("is \"{}\" (not one of its values); {}", *text,
+        fail(unknown_name, "is \"{}\" (not one of its values); {}", *text,
              nearest_name(*text, choices).empty()
                  ? fmt::format("use \"{}\"", fmt::join(choices, "\" or \""))
                  : did_you_mean(*text, choices));
@@ -99,7 +99,8 @@ struct Reader : ValueFaults {
         const auto text = node.value<std::string>();
         if (!text) return fail_type(node);
         if (key.values.form == Form::name && !is_name(*text))
-            return fail("is \"{}\" (allowed: {}); use for example \"{}\"",
+            return fail(out_of_range,
+                        "is \"{}\" (allowed: {}); use for example \"{}\"",
                         *text, range_text(key), make_name(*text));
         *value = *text;
     }
@@ -108,7 +109,8 @@ struct Reader : ValueFaults {
         const toml::value<std::int64_t>* found = node.as_integer();
         if (!found) return fail_type(node);
         if (found->get() < 0)
-            return fail("is {} (below the range {}); use 0 or more",
+            return fail(out_of_range,
+                        "is {} (below the range {}); use 0 or more",
                         found->get(), range_text(key));
         *value = static_cast<std::uint64_t>(found->get());
     }
@@ -167,7 +169,8 @@ struct Reader : ValueFaults {
         const std::string text = *node.value<std::string>();
         const auto seconds = parse_duration(text);
         if (!seconds)
-            return fail("is \"{}\" (not a duration); write for example {} = {}",
+            return fail(wrong_type,
+                        "is \"{}\" (not a duration); write for example {} = {}",
                         text, key.name, key.initial.example);
         if (accepts(*seconds)) *value = *seconds;
     }
@@ -184,8 +187,8 @@ struct Reader : ValueFaults {
         const Date date{found->get().year, found->get().month,
                         found->get().day};
         if (date.year >= 1950 && date.year <= 2100) return date;
-        fail("is {} (outside the range {}); use a year within", to_string(date),
-             range_text(key));
+        fail(out_of_range, "is {} (outside the range {}); use a year within",
+             to_string(date), range_text(key));
         return std::nullopt;
     }
 
@@ -204,10 +207,10 @@ struct Reader : ValueFaults {
             const auto found = date(element);
             if (!found) return;
             if (!value->empty() && !(value->back() < *found))
-                return fail(
-                    "has {} after {} (not in order); give each date once, the "
-                    "earliest first",
-                    to_string(*found), to_string(value->back()));
+                return fail(contradiction,
+                            "has {} after {} (not in order); give each date "
+                            "once, the earliest first",
+                            to_string(*found), to_string(value->back()));
             value->push_back(*found);
         }
     }
@@ -217,10 +220,10 @@ struct Reader : ValueFaults {
         if (!found) return;
         const double lower = (*found)[0], upper = (*found)[1];
         if (lower >= upper)
-            return fail(
-                "is [{}, {}] (the lower bound is not below the upper); write "
-                "[lower, upper]",
-                lower, upper);
+            return fail(contradiction,
+                        "is [{}, {}] (the lower bound is not below the upper); "
+                        "write [lower, upper]",
+                        lower, upper);
         *value = {lower, upper};
     }
 
@@ -250,7 +253,7 @@ struct Reader : ValueFaults {
         if (!array) return fail_type(node);
         for (const toml::node& element : *array) add(element, texts);
         if (array->empty() && is_needed)
-            fail("is empty (nothing could be bred); name any of {}",
+            fail(missing, "is empty (nothing could be bred); name any of {}",
                  fmt::join(choices, ", "));
         *value = texts;
     }
@@ -262,10 +265,11 @@ struct Reader : ValueFaults {
             return std::ranges::count(list, *text) > 0;
         };
         if (is_in(texts))
-            return fail("has \"{}\" twice (once is enough); remove one", *text);
+            return fail(duplicate,
+                        "has \"{}\" twice (once is enough); remove one", *text);
         texts.push_back(*text);
         if (choices.empty() || is_in(choices)) return;
-        fail("has \"{}\" (not one of its values); {}", *text,
+        fail(unknown_name, "has \"{}\" (not one of its values); {}", *text,
              did_you_mean(*text, choices));
     }
 };

@@ -13,6 +13,8 @@ namespace ideotype {
 
 //! Reports faults of the value of one key.
 struct ValueFaults {
+    using enum ProblemCode;
+
     const std::string& section;
     const BoundKey& bound;
     const Problems& problems;
@@ -22,8 +24,9 @@ struct ValueFaults {
     std::string name() const;
     //! Reports a fault as a text that follows the name of the key.
     template <class... Args>
-    void fail(fmt::format_string<Args...> text, Args&&... args) const {
-        problems.add(key.name, "{} {}", name(),
+    void fail(ProblemCode code, fmt::format_string<Args...> text,
+              Args&&... args) const {
+        problems.add(key.name, code, "{} {}", name(),
                      fmt::format(text, std::forward<Args>(args)...));
     }
     //! Reports a value of a wrong type, or a text that without its quotes would

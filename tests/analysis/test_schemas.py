@@ -136,6 +136,7 @@ def test_check(folder: Path, tmp_path: Path) -> None:
         campaign.read_text().splitlines()[problem["line"] - 1] == "lines = 2"
     )
     assert "lines" in problem["message"]
+    assert (problem["key"], problem["code"]) == ("field.lines", "unknown_key")
 
 
 def test_scenarios(tmp_path: Path) -> None:

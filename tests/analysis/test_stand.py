@@ -349,6 +349,10 @@ def test_all_problems_of_a_campaign_come_at_once(tmp_path: Path) -> None:
     problems = caught.value.problems
     assert len(problems) >= 2
     assert all(each.file == str(path) and each.line for each in problems)
+    assert {(each.key, each.code) for each in problems} >= {
+        ("site.lattitude", "unknown_key"),
+        ("ligth", "unknown_key"),
+    }
     assert "did you mean 'latitude'" in str(caught.value)
     said = subprocess.run(
         [executable(), "check", path],

@@ -8,7 +8,7 @@ namespace ideotype {
 namespace {
 
 Problem problem_at(Location where, std::string what) {
-    return {std::move(where), std::move(what)};
+    return {std::move(where), "", ProblemCode::data, std::move(what)};
 }
 
 }  // namespace

@@ -29,12 +29,16 @@ class Error(Exception):
 
 class Problem(NamedTuple):
     """One problem of an input. Lines and columns count from 1; 0 means that a
-    line or column is not known."""
+    line or column is not known. `key` is the path of its key in a campaign or
+    crop file, such as "spacing.row", or "" if it concerns no key. `code` is
+    the kind of problem, as in `ideotype check --json`."""
 
     file: str
     line: int
     column: int
     what: str
+    key: str = ""
+    code: str = "data"
 
 
 class InputError(Error):
@@ -43,7 +47,7 @@ class InputError(Error):
     def __init__(
         self,
         message: str,
-        problems: Sequence[tuple[str, int, int, str]] = (),
+        problems: Sequence[tuple[str, int, int, str, str, str]] = (),
     ) -> None:
         super().__init__(message)
         self.problems = tuple(Problem(*each) for each in problems)

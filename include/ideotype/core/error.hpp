@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "ideotype/core/enum_names.hpp"
 
 namespace ideotype {
 
@@ -40,9 +43,40 @@ struct Location {
     int column = 0;
 };
 
+//! The kinds of problems, by which programs decide what to do about them.
+enum class ProblemCode {
+    syntax,         //!< a text that is no TOML, or no setting
+    file,           //!< a file that cannot be read, or of another kind
+    data,           //!< a fault inside a table of weather or a mesh
+    unknown_key,    //!< a key or a table that nothing would read
+    missing,        //!< a key, a table or an entry that is needed
+    wrong_type,     //!< a value of another type or length
+    out_of_range,   //!< a value outside its range, or a number of too many
+    unknown_name,   //!< a name of something that does not exist
+    duplicate,      //!< a name or an entry that was given before
+    contradiction,  //!< a value that contradicts other values
+    doubt,          //!< a value that may be wrong; only warnings have it
+};
+
+template <>
+inline constexpr std::array enum_names<ProblemCode>{
+    EnumName{"syntax", ProblemCode::syntax},
+    EnumName{"file", ProblemCode::file},
+    EnumName{"data", ProblemCode::data},
+    EnumName{"unknown_key", ProblemCode::unknown_key},
+    EnumName{"missing", ProblemCode::missing},
+    EnumName{"wrong_type", ProblemCode::wrong_type},
+    EnumName{"out_of_range", ProblemCode::out_of_range},
+    EnumName{"unknown_name", ProblemCode::unknown_name},
+    EnumName{"duplicate", ProblemCode::duplicate},
+    EnumName{"contradiction", ProblemCode::contradiction},
+    EnumName{"doubt", ProblemCode::doubt}};
+
 //! One fault of an input file.
 struct Problem {
     Location where;
+    std::string key;  //!< path of its key, such as "spacing.row"; "" if none
+    ProblemCode code = ProblemCode::data;
     std::string what;  //!< "problem (why); remedy"
 };
 

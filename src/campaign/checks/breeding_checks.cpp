@@ -54,10 +54,9 @@ std::vector<BredCrop> bred_crops(const Spec& spec, const Problems& problems) {
 
 void check_constraints(const Spec& spec, const Problems& problems) {
     const Constraints& constraints = spec.constraints;
-    if (problems.usable({"lai"}) && constraints.lai.upper <= 0)
-        problems.add("lai",
-                     "constraints.lai allows no leaves (its upper bound is 0); "
-                     "write [lower, upper]");
+    problems.rule({"lai"}, constraints.lai.upper <= 0,
+                  "constraints.lai allows no leaves (its upper bound is 0); "
+                  "write [lower, upper]");
     for (const TraitConstraint& limit : constraints.traits) {
         const Trait trait = complete(*std::ranges::find(
             spec.plant.crop.traits, limit.trait,
@@ -65,17 +64,16 @@ void check_constraints(const Spec& spec, const Problems& problems) {
         if (!constrains(limit) || trait.measures.empty()) continue;
         const Problems own = problems.in(limit.trait);
         const std::string& measure = trait.measures.front();
-        if (!measure.starts_with("leaf."))
-            own.add("step",
-                    "constraints.{} compares leaves (its trait acts on {}, "
-                    "which the plant has once); remove it, and narrow the "
-                    "bounds of the trait",
-                    trait.name, measure);
-        else if (limit.distichous > 0 && measure != "leaf.azimuth")
-            own.add("distichous",
-                    "constraints.{}.distichous is {} (its trait acts on {}, "
-                    "and only azimuths have a plane); remove it",
-                    trait.name, limit.distichous, measure);
+        own.rule(
+            {"step"}, !measure.starts_with("leaf."),
+            "constraints.{} compares leaves (its trait acts on {}, which the "
+            "plant has once); remove it, and narrow the bounds of the trait",
+            trait.name, measure);
+        own.rule({"distichous", "step"},
+                 limit.distichous > 0 && measure != "leaf.azimuth",
+                 "constraints.{}.distichous is {} (its trait acts on {}, and "
+                 "only azimuths have a plane); remove it",
+                 trait.name, limit.distichous, measure);
     }
 }
 
@@ -110,21 +108,20 @@ class BaselineCheck {
         const std::vector<TraitNumber> numbers = trait_numbers(crop_);
         const std::vector<double> baseline = baseline_numbers(crop_);
         for (std::size_t i = 0; i < numbers.size(); ++i)
-            if (!is_table || problems.usable(own_bounds(numbers[i].trait)))
+            if (!is_table || problems.usable({own_bounds(numbers[i].trait)}))
                 check(numbers[i], baseline[i]);
         if (found_.empty()) return {};
         found_ = problems.sorted(std::move(found_));
-        found_.push_back(
-            {problems.where(is_table ? own_bounds(0) : "bounds"),
-             fmt::format("{0} leave the baseline out (what is bred begins "
-                         "with it); {1}{2}",
-                         table_,
-                         is_table
-                             ? "write in [" + table_ + "]:"
-                             : "delete bounds = \"...\" if it is there, "
-                               "and add " +
-                                   place_of_table() + ":\n[" + table_ + ']',
-                         lines())});
+        found_.push_back(problems.problem(
+            is_table ? own_bounds(0) : "bounds", ProblemCode::contradiction,
+            fmt::format(
+                "{0} leave the baseline out (what is bred begins with it); "
+                "{1}{2}",
+                table_,
+                is_table ? "write in [" + table_ + "]:"
+                         : "delete bounds = \"...\" if it is there, and add " +
+                               place_of_table() + ":\n[" + table_ + ']',
+                lines())));
         return std::move(found_);
     }
 
@@ -148,7 +145,7 @@ class BaselineCheck {
             trait.effect == TraitEffect::sets
                 ? key_of(crop_.baseline, trait.measures[0], number.leaf)
                 : fmt::format("trait[{}].range", number.trait);
-        if (!set || !bred_.of_baseline.usable(key)) return;
+        if (!set || !bred_.of_baseline.usable({key})) return;
         const Range range = bounds_of(spec_, number.trait, value);
         std::optional<Range>& wider = wider_[number.trait];
         if (!wider) wider = range;
@@ -156,20 +153,20 @@ class BaselineCheck {
                  std::max({wider->upper, range.upper, value})};
         if (value >= range.lower && value <= range.upper) return;
         const std::string unit = trait.unit == "1" ? "" : ' ' + trait.unit;
-        found_.push_back(
-            {bred_.of_baseline.where(key),
-             fmt::format(
-                 "{}{} is {}{} (outside the {} bounds {:.6g} .. {:.6g}{}, and "
-                 "{} breeds it); change the baseline, the bounds or the free "
-                 "traits",
-                 trait.effect == TraitEffect::sets ? trait.measures[0]
-                                                   : "trait " + trait.name,
-                 number.leaf > 0 ? fmt::format(" of leaf {}", number.leaf) : "",
-                 value, unit,
-                 spec_.rule.empty() ? "table's" : '"' + spec_.rule + '"',
-                 range.lower, range.upper, unit,
-                 bred_.is_component() ? "component.free"
-                                      : "trait set \"" + set->name + '"')});
+        found_.push_back(bred_.of_baseline.problem(
+            key, ProblemCode::contradiction,
+            fmt::format(
+                "{}{} is {}{} (outside the {} bounds {:.6g} .. {:.6g}{}, and "
+                "{} breeds it); change the baseline, the bounds or the free "
+                "traits",
+                trait.effect == TraitEffect::sets ? trait.measures[0]
+                                                  : "trait " + trait.name,
+                number.leaf > 0 ? fmt::format(" of leaf {}", number.leaf) : "",
+                value, unit,
+                spec_.rule.empty() ? "table's" : '"' + spec_.rule + '"',
+                range.lower, range.upper, unit,
+                bred_.is_component() ? "component.free"
+                                     : "trait set \"" + set->name + '"')));
     }
 
     //! Returns the lines of bred traits whose bounds must differ from the
@@ -223,13 +220,12 @@ std::size_t check_start_of(const BredCrop& bred, std::span<const double> start,
         if (!bred.breeder(trait) ||
             (start[i] >= range.lower && start[i] <= range.upper))
             continue;
-        problems.add("search.start",
-                     "search.start has {:.6g} for {}{} (outside the bounds "
-                     "{:.6g} .. {:.6g}); begin with another plant, or widen "
-                     "the bounds",
-                     start[i], trait,
-                     leaf > 0 ? fmt::format(" of leaf {}", leaf) : "",
-                     range.lower, range.upper);
+        problems.add(
+            "search.start", ProblemCode::contradiction,
+            "search.start has {:.6g} for {}{} (outside the bounds {:.6g} .. "
+            "{:.6g}); begin with another plant, or widen the bounds",
+            start[i], trait, leaf > 0 ? fmt::format(" of leaf {}", leaf) : "",
+            range.lower, range.upper);
     }
     return numbers.size();
 }
@@ -237,24 +233,23 @@ std::size_t check_start_of(const BredCrop& bred, std::span<const double> start,
 //! Checks that a start has a number for each gene, bred genes within bounds.
 void check_start(const Spec& spec, const Problems& problems) {
     const std::vector<double>& start = spec.search.start;
-    if (start.empty() || !problems.usable({"search.start", "plant.bounds"}))
-        return;
-    if (!uses_cma_es(spec.search.optimizer_or_usual()))
-        return problems.add("search.start",
-                            "search.start is given (only CMA-ES begins around "
-                            "a plant of its own); leave it out, or use "
-                            "search.optimizer = \"auto\"");
+    const Keys keys{"search.start", "plant.bounds"};
+    if (start.empty()) return;
+    problems.rule(keys, !uses_cma_es(spec.search.optimizer_or_usual()),
+                  "search.start is given (only CMA-ES begins around a plant of "
+                  "its own); leave it out, or use search.optimizer = \"auto\"");
+    if (!problems.usable(keys)) return;
     std::size_t count = 0;
     for (const BredCrop& each : bred_crops(spec, problems))
         count += check_start_of(
             each, std::span(start).subspan(std::min(count, start.size())),
             problems);
     if (start.size() != count)
-        problems.add("search.start",
-                     "search.start has {} numbers (the traits that can be bred "
-                     "have {}); begin with run --start PLANT, which writes "
-                     "them",
-                     start.size(), count);
+        problems.add(
+            "search.start", ProblemCode::contradiction,
+            "search.start has {} numbers (the traits that can be bred have "
+            "{}); begin with run --start PLANT, which writes them",
+            start.size(), count);
 }
 
 }  // namespace

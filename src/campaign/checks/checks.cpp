@@ -16,16 +16,13 @@ namespace ideotype {
 void check_surface(const std::string& prefix, const Lambertian& surface,
                    double most, const Problems& problems) {
     const std::string transmittance = prefix + "transmittance";
-    if (!problems.usable(prefix + "reflectance") ||
-        !problems.usable(transmittance))
-        return;
     // Decimal fractions such as 0.7 + 0.3 may exceed 1 by rounding.
-    if (surface.scattered() <= most + 1e-12) return;
-    problems.add(transmittance,
-                 "{} is {} (with the reflectance of {} that is more than {} % "
-                 "of the light); use {} or less for both together",
-                 transmittance, surface.transmittance, surface.reflectance,
-                 100 * most, most);
+    problems.rule({transmittance, prefix + "reflectance"},
+                  surface.scattered() > most + 1e-12,
+                  "{} is {} (with the reflectance of {} that is more than {} % "
+                  "of the light); use {} or less for both together",
+                  transmittance, surface.transmittance, surface.reflectance,
+                  100 * most, most);
 }
 
 void check_plant_optics(const ByBand<PlantOptics>& optics,
@@ -38,14 +35,12 @@ void check_plant_optics(const ByBand<PlantOptics>& optics,
     }
 }
 
-std::vector<ObjectiveKey> objective_keys(const Spec& spec,
-                                         const Problems& problems) {
+std::vector<ObjectiveKey> objective_keys(const Spec& spec) {
     std::vector<ObjectiveKey> all;
-    for (const auto& [key, names] :
-         {std::pair("objective.maximise", &spec.objective.maximised),
-          std::pair("objective.minimise", &spec.objective.minimised)})
-        if (problems.usable({key}))
-            for (const std::string& each : *names) all.push_back({key, each});
+    for (const std::string& each : spec.objective.maximised)
+        all.push_back({"objective.maximise", each});
+    for (const std::string& each : spec.objective.minimised)
+        all.push_back({"objective.minimise", each});
     return all;
 }
 
@@ -55,23 +50,24 @@ template <class Entry>
 void check_names(const std::string& axis, const std::vector<Entry>& entries,
                  const Problems& problems) {
     // Names of cases become file names and are in lower case.
-    std::map<std::string, std::size_t> first;
+    std::map<std::string, int> lines;
     for (std::size_t i = 0; i < entries.size(); ++i) {
         const Problems own = problems.in(axis, i);
-        if (!own.usable({"name"})) continue;
-        const auto [earlier, is_new] =
-            first.emplace(lower_case(entries[i].name), i);
-        if (!is_new)
-            own.add("name",
-                    "{}.name is \"{}\" (already used in line {}); give each a "
-                    "name of its own",
-                    axis, entries[i].name,
-                    problems.in(axis, earlier->second).where("name").line);
+        const auto fault = [&]() -> std::string {
+            const auto [earlier, is_new] = lines.emplace(
+                lower_case(entries[i].name), own.where("name").line);
+            return is_new ? ""
+                          : fmt::format(
+                                "{}.name is \"{}\" (already used in line {}); "
+                                "give each a name of its own",
+                                axis, entries[i].name, earlier->second);
+        };
+        own.rule({"name"}, fault, ProblemCode::duplicate);
     }
 }
 
-//! Reports too many cases to compute; returns whether there are few enough.
-bool check_count(const Spec& spec, const Problems& problems) {
+//! Returns the number of cases, which may be too large to list them.
+double number_of_cases(const Spec& spec) {
     double count = spec.replicates;
     const auto multiply = [&](const std::string& axis, std::size_t entries) {
         if (!is_over(spec, axis)) count *= static_cast<double>(entries);
@@ -80,12 +76,7 @@ bool check_count(const Spec& spec, const Problems& problems) {
     multiply("day", spec.days.size() + spec.climates.size());
     multiply("spacing", spec.spacings.size());
     multiply("traits", spec.trait_sets.size());
-    if (count <= static_cast<double>(most_cases)) return true;
-    problems.add("replicates",
-                 "there are {:.0f} cases (sites x days x spacings x trait sets "
-                 "x replicates; the limit is {}); split the campaign",
-                 count, most_cases);
-    return false;
+    return count;
 }
 
 //! Reports equal names of cases: names may contain the joining underscore.
@@ -98,14 +89,12 @@ void check_case_names(const Spec& spec, const Problems& problems) {
         if (names.insert(chosen.name).second) continue;
         const auto named =
             std::ranges::find(spec.sites, chosen.site_name, &Site::name);
-        const Problems own = problems.in(
-            "site", static_cast<std::size_t>(named - spec.sites.begin()));
-        if (own.usable({"name"}))
-            own.add("name",
-                    "site.name is \"{}\" (two cases would be called {}, by the "
-                    "names of all axes); rename one of the entries",
-                    named->name, chosen.name);
-        return;
+        const auto site = static_cast<std::size_t>(named - spec.sites.begin());
+        return problems.in("site", site)
+            .add("name", ProblemCode::duplicate,
+                 "site.name is \"{}\" (two cases would be called {}, by the "
+                 "names of all axes); rename one of the entries",
+                 named->name, chosen.name);
     }
 }
 
@@ -114,26 +103,25 @@ void check_spacing(const Spacing& spacing, const Problems& problems) {
     constexpr double usual = 2;
     for (const auto& [name, value] :
          {std::pair("row", spacing.row), std::pair("plant", spacing.plant)})
-        if (problems.usable({name}) && value > usual)
-            problems.warn(name,
-                          "spacing.{} is {} m (crops stand closer; {} inches "
-                          "are {:.4g} m, {} feet {:.4g} m); give metres",
-                          name, value, value, value * 0.0254, value,
-                          value * 0.3048);
-    if (problems.usable({"row", "plant", "density"}) && !(spacing.plant > 0))
-        problems.add("row",
-                     "missing key 'plant' in [[spacing]], the distance [m] "
-                     "between neighbours in a row; or 'density', the number of "
-                     "plants per square metre");
+        problems.doubt({name}, value > usual,
+                       "spacing.{} is {} m (crops stand closer; {} inches are "
+                       "{:.4g} m, {} feet {:.4g} m); give metres",
+                       name, value, value, value * 0.0254, value,
+                       value * 0.3048);
+    problems.rule(ProblemCode::missing, {"row", "plant", "density"},
+                  !(spacing.plant > 0),
+                  "missing key 'plant' in [[spacing]], the distance [m] "
+                  "between neighbours in a row; or 'density', the number of "
+                  "plants per square metre");
     const Values& range = find_key("spacing", "plant")->values;
-    if (problems.usable({"density"}) && spacing.density > 0 &&
-        spacing.plant > 0 &&
-        (spacing.plant < range.lower || spacing.plant > range.upper))
-        problems.add("density",
-                     "spacing.density is {} m-2 (neighbours in a row would be "
-                     "{:.4g} m apart, and the range is {} .. {} m); use "
-                     "another density, or another distance between rows",
-                     spacing.density, spacing.plant, range.lower, range.upper);
+    problems.rule(
+        {"density"},
+        spacing.density > 0 && spacing.plant > 0 &&
+            (spacing.plant < range.lower || spacing.plant > range.upper),
+        "spacing.density is {} m-2 (neighbours in a row would be {:.4g} m "
+        "apart, and the range is {} .. {} m); use another density, or another "
+        "distance between rows",
+        spacing.density, spacing.plant, range.lower, range.upper);
 }
 
 //! Warns of positions that reach the neighbour's place in the row.
@@ -141,18 +129,13 @@ void check_positions(const Spec& spec, const Problems& problems) {
     const double position = spec.field.variation.position;
     for (const Named<Spacing>& each : spec.spacings)
         if (const double distance = each.value.plant;
-            distance > 0 && most_deviations * position > distance) {
-            problems.in("field")
-                .in("variation")
-                .warn("position",
-                      "field.variation.position is {} m (plants reach the "
-                      "places of "
-                      "their neighbours, {:.4g} m away; modern planters have "
-                      "0.035 "
-                      "m); check it and the spacing",
-                      position, distance);
-            return;
-        }
+            distance > 0 && most_deviations * position > distance)
+            return problems.doubt(
+                {"field.variation.position"}, true,
+                "field.variation.position is {} m (plants reach the places of "
+                "their neighbours, {:.4g} m away; modern planters have 0.035 "
+                "m); check it and the spacing",
+                position, distance);
 }
 
 //! Warns of stands in which the baseline has more leaves than fields have.
@@ -164,23 +147,23 @@ void check_leaf_area(const Spec& spec, const Problems& problems) {
         const Spacing& spacing = spec.spacings[i].value;
         const std::string doubt =
             doubt_of_lai(area / (spacing.row * spacing.plant));
-        if (!doubt.empty())
-            problems.in("spacing", i)
-                .warn("row",
-                      "spacing.row is {} m (with {} m between plants the "
-                      "baseline {}); check both distances",
-                      spacing.row, spacing.plant, doubt);
+        problems.in("spacing", i)
+            .doubt({"row"}, !doubt.empty(),
+                   "spacing.row is {} m (with {} m between plants the baseline "
+                   "{}); check both distances",
+                   spacing.row, spacing.plant, doubt);
     }
 }
 
 //! Reports a bounded waveband if light is not followed in the band.
 void check_bands(const Spec& spec, const Problems& problems) {
     for (std::size_t b = 0; b < wavebands.size(); ++b)
-        if (spec.light.band == wavebands[b].name && !spec.plant.crop.follows[b])
-            problems.add("light.band",
-                         "light.band is \"{0}\" (light is not followed in "
-                         "it); add [[band]] with name = \"{0}\"",
-                         wavebands[b].name);
+        problems.rule(
+            {"light.band"},
+            spec.light.band == wavebands[b].name && !spec.plant.crop.follows[b],
+            "light.band is \"{0}\" (light is not followed in it); add [[band]] "
+            "with name = \"{0}\"",
+            wavebands[b].name);
 }
 
 //! Checks that the faces of all leaves of a field fit into the memory.
@@ -188,35 +171,28 @@ void check_faces(const Spec& spec, const Problems& problems) {
     constexpr double most = 20e6;
     const FieldForm& field = spec.field;
     const int cells = spec.plant.tessellation.cells_along;
-    if (!problems.usable({"field.rows", "field.plants", "plant.cells_along"}))
-        return;
     const auto leaves =
         static_cast<double>(spec.plant.crop.baseline.leaves.size());
     const double faces = 2. * cells * leaves * field.rows * field.plants;
-    if (faces > most)
-        problems.add("plant.cells_along",
-                     "plant.cells_along is {} (the leaves of {} x {} plants "
-                     "have {:.0f} faces, the limit is {:.0f}); use fewer, or a "
-                     "smaller field",
-                     cells, field.rows, field.plants, faces, most);
+    problems.rule(
+        {"plant.cells_along", "field.rows", "field.plants"}, faces > most,
+        "plant.cells_along is {} (the leaves of {} x {} plants have {:.0f} "
+        "faces, the limit is {:.0f}); use fewer, or a smaller field",
+        cells, field.rows, field.plants, faces, most);
 }
 
 void check_field(const FieldForm& field, const Problems& problems) {
-    if (!problems.usable({"rows", "plants", "border_rows"}) ||
-        field.border_rows == 0)
-        return;
     const int fewest = std::min(field.rows, field.plants);
-    if (field.boundary == Boundary::periodic)
-        problems.add("border_rows",
-                     "field.border_rows is not 0 (a field that repeats without "
-                     "end has no edges); add boundary = \"isolated\" or leave "
-                     "it out");
-    else if (2 * field.border_rows >= fewest)
-        problems.add("border_rows",
-                     "field.border_rows is {} (nothing is left of {} x {} "
-                     "plants); use {} or less",
-                     field.border_rows, field.rows, field.plants,
-                     (fewest - 1) / 2);
+    const Keys keys{"border_rows", "rows", "plants"};
+    problems.rule(
+        keys, field.border_rows > 0 && field.boundary == Boundary::periodic,
+        "field.border_rows is not 0 (a field that repeats without end has no "
+        "edges); add boundary = \"isolated\" or leave it out");
+    problems.rule(
+        keys, field.border_rows > 0 && 2 * field.border_rows >= fewest,
+        "field.border_rows is {} (nothing is left of {} x {} plants); use {} "
+        "or less",
+        field.border_rows, field.rows, field.plants, (fewest - 1) / 2);
 }
 
 }  // namespace
@@ -224,8 +200,8 @@ void check_field(const FieldForm& field, const Problems& problems) {
 std::string doubt_of_lai(double lai) {
     constexpr double most = 8;
     return lai > most ? fmt::format(
-                            "has a leaf area index of {:.2f}, and "
-                            "fields hardly ever have more than {}",
+                            "has a leaf area index of {:.2f}, and fields "
+                            "hardly ever have more than {}",
                             lai, most)
                       : "";
 }
@@ -245,16 +221,22 @@ void check_stand(const Spec& spec, const Problems& problems) {
 }
 
 BaselineDoubts check_spec(const Spec& spec, const Problems& problems) {
-    if (spec.days.empty() && spec.climates.empty() && problems.empty())
-        problems.add("name",
-                     "there is neither [[day]] nor [[climate]] (each case has "
-                     "one of them); add one");
+    problems.rule(
+        ProblemCode::missing, {"name"},
+        spec.days.empty() && spec.climates.empty() && problems.empty(),
+        "there is neither [[day]] nor [[climate]] (each case has one of them); "
+        "add one");
     check_names("site", spec.sites, problems);
     check_names("day", spec.days, problems);
     check_names("climate", spec.climates, problems);
     check_names("spacing", spec.spacings, problems);
     check_names("traits", spec.trait_sets, problems);
-    const bool are_few = check_count(spec, problems);
+    const double count = number_of_cases(spec);
+    const bool are_few = count <= static_cast<double>(most_cases);
+    problems.rule({"replicates"}, !are_few,
+                  "there are {:.0f} cases (sites x days x spacings x trait "
+                  "sets x replicates; the limit is {}); split the campaign",
+                  count, most_cases);
     // Repeated names of one axis have been told apart already.
     if (problems.empty()) check_case_names(spec, problems);
     if (are_few) check_sky(spec, problems);

@@ -84,9 +84,8 @@ struct ObjectiveKey {
     std::string key, name;
 };
 
-//! Returns the objectives of the lists without problems, in their order.
-std::vector<ObjectiveKey> objective_keys(const Spec& spec,
-                                         const Problems& problems);
+//! Returns the objectives in the order of their lists.
+std::vector<ObjectiveKey> objective_keys(const Spec& spec);
 
 //! Returns the quantity of an objective, without the name of a component.
 inline std::string quantity_of(const std::string& objective) {

@@ -44,17 +44,6 @@ std::string fault(const VariableKey& found) {
     return "";
 }
 
-//! Reports a range that leaves that of its key.
-//! @param problems problems of the factor
-void check_range(const KeyFactor& factor, const VariableKey& found,
-                 const Problems& problems) {
-    for (const double bound : {factor.range.lower, factor.range.upper}) {
-        const std::string what = fault_of(bound, found.section, found.key.key);
-        if (what.empty()) continue;
-        return problems.add("range", what);
-    }
-}
-
 //! @param table name of the table of the study or search
 //! @param problems problems of the factor
 void check_key(const std::string& table, const KeyFactor& factor,
@@ -63,10 +52,14 @@ void check_key(const std::string& table, const KeyFactor& factor,
     const std::string what = found == keys.end()
                                  ? "(which is no numeric key of this campaign)"
                                  : fault(*found);
-    if (!what.empty())
-        return problems.add("key", "{}.keys has \"{}\" {}; {}", table,
-                            factor.key, what, advice(factor.key, keys));
-    if (problems.usable({"range"})) check_range(factor, *found, problems);
+    problems.rule(ProblemCode::unknown_name, {"key"}, !what.empty(),
+                  "{}.keys has \"{}\" {}; {}", table, factor.key, what,
+                  advice(factor.key, keys));
+    for (const double bound : {factor.range.lower, factor.range.upper})
+        problems.rule(
+            {"range", "key"},
+            [&] { return fault_of(bound, found->section, found->key.key); },
+            ProblemCode::out_of_range);
 }
 
 void check_keys(const std::string& table, const std::vector<KeyFactor>& factors,
@@ -77,17 +70,17 @@ void check_keys(const std::string& table, const std::vector<KeyFactor>& factors,
     const std::vector<VariableKey> keys = variable_keys(varied);
     for (std::size_t i = 0; i < factors.size(); ++i) {
         const KeyFactor& factor = factors[i];
-        const Problems own = problems.in(table).in("keys", i);
         // Without its crop file, nothing is known about the plant.
-        if (!own.usable({"key"}) || (!spec.plant.crop.is_known &&
-                                     factor.key.starts_with("plant.baseline.")))
+        if (!spec.plant.crop.is_known &&
+            factor.key.starts_with("plant.baseline."))
             continue;
-        if (seen.insert(factor.key).second)
-            check_key(table, factor, keys, own);
-        else
-            own.add("key",
-                    "{}.keys has \"{}\" twice (once is enough); remove one",
-                    table, factor.key);
+        const Problems own = problems.in(table).in("keys", i);
+        own.rule(
+            ProblemCode::duplicate, {"key"},
+            [&] { return !seen.insert(factor.key).second; },
+            "{}.keys has \"{}\" twice (once is enough); remove one", table,
+            factor.key);
+        check_key(table, factor, keys, own);
     }
 }
 
@@ -96,17 +89,15 @@ void check_keys(const std::string& table, const std::vector<KeyFactor>& factors,
 void check_sensitivity(const Spec& spec, const Problems& problems) {
     const Problems own = problems.in("sensitivity");
     const int levels = spec.sensitivity.levels;
-    if (own.usable({"levels"}) && levels % 2 != 0)
-        own.add("levels",
-                "sensitivity.levels is {} (a step of the design is half of all "
-                "levels); use {}",
-                levels, levels + 1);
-    if (own.usable({"traits"}) && !spec.sensitivity.has_traits &&
-        spec.sensitivity.keys.empty() && spec.is_study)
-        own.add("traits",
-                "sensitivity.traits is false (and there are no "
-                "sensitivity.keys, so nothing would vary); name a key, or "
-                "leave it out");
+    own.rule({"levels"}, levels % 2 != 0,
+             "sensitivity.levels is {} (a step of the design is half of all "
+             "levels); use {}",
+             levels, levels + 1);
+    own.rule({"traits"},
+             spec.is_study && !spec.sensitivity.has_traits &&
+                 spec.sensitivity.keys.empty(),
+             "sensitivity.traits is false (and there are no sensitivity.keys, "
+             "so nothing would vary); name a key, or leave it out");
     check_keys("sensitivity", spec.sensitivity.keys, spec, problems);
     check_keys("search", spec.search.keys, spec, problems);
 }

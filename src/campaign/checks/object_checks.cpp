@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -53,14 +53,15 @@ std::string remedy(const std::string& key, double part, double own,
 void check_period(const std::string& key, double value, double own,
                   const Period& period, const Problems& problems) {
     const double part = value + own, whole = period.length();
-    if (!divides(part, whole))
-        problems.add(key,
-                     "panel.{} is {} ({}{:.6g} m does not go into the cell of "
-                     "{} {} x {} {:.6g} m = {:.6g} m a whole number of times); "
-                     "use {}",
-                     key, value, own > 0 ? "module and gap, " : "", part,
-                     period.count_key, period.count, period.step_key,
-                     period.step, whole, remedy(key, part, own, period));
+    problems.rule({key}, [&]() -> std::string {
+        if (divides(part, whole)) return "";
+        return fmt::format(
+            "panel.{} is {} ({}{:.6g} m does not go into the cell of {} {} x "
+            "{} {:.6g} m = {:.6g} m a whole number of times); use {}",
+            key, value, own > 0 ? "module and gap, " : "", part,
+            period.count_key, period.count, period.step_key, period.step, whole,
+            remedy(key, part, own, period));
+    });
 }
 
 void check_rows(const PanelRows& rows, const FieldForm& field,
@@ -73,23 +74,22 @@ void check_rows(const PanelRows& rows, const FieldForm& field,
     cell.period_y = along.length();
     const double towards = spacing.row_direction;
     const auto layout = layout_of(rows, cell, towards);
-    if (!layout)
-        return problems.add(
-            "azimuth",
-            "panel.azimuth is {} (rows of plants run towards {} deg, so that "
-            "no cell repeats both); use {}, or another spacing.row_direction",
-            rows.azimuth, towards,
-            std::fmod(
-                towards + 90 * std::round((rows.azimuth - towards) / 90) + 360,
-                360));
+    problems.rule(
+        {"azimuth"}, !layout,
+        "panel.azimuth is {} (rows of plants run towards {} deg, so that no "
+        "cell repeats both); use {}, or another spacing.row_direction",
+        rows.azimuth, towards,
+        std::fmod(
+            towards + 90 * std::round((rows.azimuth - towards) / 90) + 360,
+            360));
+    if (!layout) return;
     if (!layout->is_along) std::swap(across, along);
     if (rows.pitch > 0) check_period("pitch", rows.pitch, 0, across, problems);
     const double pitch = in_cell(rows, cell, towards).pitch;
-    if (problems.usable({"width"}) && rows.width > pitch)
-        problems.add("width",
-                     "panel.width is {} (rows are {:.6g} m apart, so that "
-                     "modules would meet); use {:.6g} or less",
-                     rows.width, pitch, pitch);
+    problems.rule({"width"}, rows.width > pitch,
+                  "panel.width is {} (rows are {:.6g} m apart, so that modules "
+                  "would meet); use {:.6g} or less",
+                  rows.width, pitch, pitch);
     if (rows.module_length > 0)
         check_period("gap", rows.gap, rows.module_length, along, problems);
 }
@@ -102,76 +102,76 @@ void check_optics(const ByBand<Lambertian>& optics, const Problems& problems) {
 
 //! Reports modules that touch each other or the soil.
 void check_modules(const PanelRows& rows, const Problems& problems) {
-    if (!problems.usable({"width", "height", "tilt", "tracks", "max_angle"}))
-        return;
     const double steepest = rows.tracks ? rows.max_angle : rows.tilt;
     const double lowest = rows.width / 2 * std::sin(steepest * degree);
-    if (rows.height < lowest)
-        problems.add(
-            "height",
-            "panel.height is {} (the height of the middle of the modules, "
-            "whose lower edge would be in the soil); use {:.6g} or more",
-            rows.height, lowest);
-    if (problems.usable({"gap", "module_length"}) && rows.gap > 0 &&
-        rows.module_length == 0)
-        problems.add("gap",
-                     "panel.gap is {} (modules without end have none); add "
-                     "module_length, or remove it",
-                     rows.gap);
+    problems.rule(
+        {"height", "width", "tilt", "tracks", "max_angle"},
+        rows.height < lowest,
+        "panel.height is {} (the height of the middle of the modules, whose "
+        "lower edge would be in the soil); use {:.6g} or more",
+        rows.height, lowest);
+    problems.rule({"gap", "module_length"},
+                  rows.gap > 0 && rows.module_length == 0,
+                  "panel.gap is {} (modules without end have none); add "
+                  "module_length, or remove it",
+                  rows.gap);
 }
 
 //! Reports faces with numbers of vertices that do not exist.
 void check_faces(const ObjectEntry& object, const Problems& problems) {
     const double count = static_cast<double>(object.vertices.size()) / 3;
-    if (object.vertices.size() % 3 != 0 || object.faces.size() % 4 != 0 ||
-        object.faces.empty() ||
-        std::ranges::any_of(object.faces, [&](double v) {
-            return !(v >= 0 && v < count && v == std::floor(v));
-        }))
-        problems.add("faces",
-                     "object \"{}\" has no surfaces that fit its vertices; "
-                     "give a file: obj = \"post.obj\"",
-                     object.name);
+    const auto is_vertex = [&](double v) {
+        return v >= 0 && v < count && v == std::floor(v);
+    };
+    problems.rule({"faces", "obj", "vertices"},
+                  object.vertices.size() % 3 != 0 ||
+                      object.faces.size() % 4 != 0 || object.faces.empty() ||
+                      !std::ranges::all_of(object.faces, is_vertex),
+                  "object \"{}\" has no surfaces that fit its vertices; give a "
+                  "file: obj = \"post.obj\"",
+                  object.name);
 }
 
 //! Reports an object that is much larger than the cell with which it repeats,
 //! and warns of one that is below the soil.
-//! @param own problems of the object
+//! @param table path of the object, such as "object[0]"
 void check_size(const ObjectEntry& object, const Spec& spec,
-                const Problems& own, const Problems& problems) {
+                const std::string& table, const Problems& problems) {
+    const Problems own = problems.in(table);
+    if (!own.usable({"obj", "faces", "vertices", "x", "y", "z", "turn"}))
+        return;
     const Mesh mesh = mesh_of(object);
     const std::string key = object.file.empty() ? "vertices" : "obj";
     const std::string name =
         fmt::format("object.{} \"{}\"", key,
                     object.file.empty() ? object.name : object.file);
     const auto [bottom, top] = heights_of(mesh);
-    if (top <= 0)
-        own.warn(key,
-                 "{} is below the soil (its top is at z = {:.4g} m), so it has "
-                 "no effect; raise it by object.z",
-                 name, top);
-    else if (bottom < -least_depth)
-        own.warn(
-            key,
-            "{} reaches {:.4g} m below the soil (z = 0), where there is no "
-            "light; raise it by object.z",
-            name, -bottom);
-    if (!problems.usable({"field.rows", "field.plants", "field.boundary"}) ||
-        spec.field.boundary == Boundary::isolated)
-        return;
+    own.doubt({key}, top <= 0,
+              "{} is below the soil (its top is at z = {:.4g} m), so it has no "
+              "effect; raise it by object.z",
+              name, top);
+    own.doubt({key}, top > 0 && bottom < -least_depth,
+              "{} reaches {:.4g} m below the soil (z = 0), where there is no "
+              "light; raise it by object.z",
+              name, -bottom);
+    if (spec.field.boundary == Boundary::isolated) return;
     for (std::size_t i = 0; i < spec.spacings.size(); ++i) {
         const Spacing& spacing = spec.spacings[i].value;
-        if (!problems.in("spacing", i).usable({"row", "plant"}) ||
-            !(spacing.plant > 0))
-            continue;
-        Cell cell;
-        cell.period_x = spacing.row * spec.field.rows;
-        cell.period_y = spacing.plant * spec.field.plants;
-        const auto excess = excess_of(mesh, 1, cell);
-        if (!excess) continue;
-        return own.add(
-            key, "{} {}; check that it is in metres, or use a smaller object",
-            name, *excess);
+        const std::string between = fmt::format("spacing[{}].", i);
+        const auto fault = [&]() -> std::string {
+            if (!(spacing.plant > 0)) return "";
+            Cell cell;
+            cell.period_x = spacing.row * spec.field.rows;
+            cell.period_y = spacing.plant * spec.field.plants;
+            const auto excess = excess_of(mesh, 1, cell);
+            if (!excess) return "";
+            return fmt::format(
+                "{} {}; check that it is in metres, or use a smaller object",
+                name, *excess);
+        };
+        problems.rule({table + '.' + key, between + "row", between + "plant",
+                       "field.rows", "field.plants", "field.boundary"},
+                      fault);
     }
 }
 
@@ -211,44 +211,42 @@ void read_objects(const std::string& file, Spec& spec,
                                     face.end());
         } catch (const InputError& error) {
             for (const Problem& problem : error.problems())
-                own.add(problem.where, problem.what);
+                own.add(own.named_by("obj", problem));
         } catch (const Error& error) {
-            own.add("obj", std::string(error.what()) +
-                               "; give a path relative to this file");
+            own.add("obj", ProblemCode::file,
+                    "{}; give a path relative to this file", error.what());
         }
     }
 }
 
 void check_objects(const Spec& spec, const Problems& problems) {
-    std::map<std::string, int> names;
+    std::set<std::string> names;
     for (const ComponentSpec& each : spec.components)
-        names[lower_case(each.name)] = 1;
-    const auto check_name = [&](const std::string& table,
-                                const std::string& name, const Problems& own) {
-        if (own.usable({"name"}) && ++names[lower_case(name)] > 1)
-            own.add("name",
-                    "{}.name is \"{}\" (already used); give each a name of its "
-                    "own",
-                    table, name);
-        if (problems.usable({"field.boundary"}) && own.usable({"name"}) &&
-            spec.field.boundary == Boundary::isolated)
-            own.add("name",
-                    "{} \"{}\" repeats with the field (and field.boundary is "
-                    "\"isolated\"); use \"periodic\"",
-                    table, name);
+        names.insert(lower_case(each.name));
+    const auto check_name = [&](const std::string& table, std::size_t entry,
+                                const std::string& name) {
+        const std::string key = fmt::format("{}[{}].name", table, entry);
+        problems.rule(
+            ProblemCode::duplicate, {key},
+            [&] { return !names.insert(lower_case(name)).second; },
+            "{}.name is \"{}\" (already used); give each a name of its own",
+            table, name);
+        problems.rule({key, "field.boundary"},
+                      spec.field.boundary == Boundary::isolated,
+                      "{} \"{}\" repeats with the field (and field.boundary is "
+                      "\"isolated\"); use \"periodic\"",
+                      table, name);
     };
     for (std::size_t i = 0; i < spec.panels.size(); ++i) {
-        const Problems own = problems.in("panel", i);
-        check_name("panel", spec.panels[i].rows.name, own);
-        check_panel(spec.panels[i], spec, own, problems);
+        check_name("panel", i, spec.panels[i].rows.name);
+        check_panel(spec.panels[i], spec, problems.in("panel", i), problems);
     }
     for (std::size_t i = 0; i < spec.objects.size(); ++i) {
         const ObjectEntry& each = spec.objects[i];
         const Problems own = problems.in("object", i);
-        check_name("object", each.name, own);
-        if (own.usable({"obj", "faces", "vertices"})) check_faces(each, own);
-        if (own.usable({"obj", "faces", "vertices", "x", "y", "z", "turn"}))
-            check_size(each, spec, own, problems);
+        check_name("object", i, each.name);
+        check_faces(each, own);
+        check_size(each, spec, fmt::format("object[{}]", i), problems);
         check_optics(each.optics, own);
     }
 }

@@ -55,9 +55,8 @@ void check_paths(const Campaign& campaign, const Problems& problems) {
     // Each path counts as a hit of diffuse light, which is more than there are.
     const double hits =
         static_cast<double>(light.all_paths()) / (scenes * pieces);
-    if (!(pieces > 0) || hits >= hits_of_piece) return;
-    problems.warn(
-        "paths",
+    problems.doubt(
+        {"paths"}, pieces > 0 && hits < hits_of_piece,
         "light.paths is {} (with {} randomisations these are {:.2g} paths for "
         "each piece of leaf, too few to determine the objective: below {}, "
         "products of light scatter more than light); use {:.0f} or more, or "

@@ -16,44 +16,26 @@ namespace ideotype {
 namespace {
 
 void check_site(const Site& site, const Problems& problems) {
-    if (!problems.usable({"longitude", "utc_offset"})) return;
     // Real clocks differ from the sun by at most four hours, summer time
     // included, and few differ by more than two.
     constexpr double unusual = 2, impossible = 4;
     const double ahead = clock_ahead(site);
-    if (std::abs(ahead) <= unusual) return;
     const std::string what = fmt::format(
         "site.utc_offset is {} h (the clock would be {:.1f} h {} the sun's at "
         "longitude {} deg)",
         site.utc_offset, std::abs(ahead), ahead > 0 ? "ahead of" : "behind",
         site.longitude);
-    if (std::abs(ahead) > impossible)
-        problems.add("utc_offset",
-                     what + "; check the signs: east is positive in both");
-    else
-        problems.warn("utc_offset",
-                      what + "; check both, few places have such a clock");
+    const Keys keys{"utc_offset", "longitude"};
+    problems.rule(keys, std::abs(ahead) > impossible,
+                  "{}; check the signs: east is positive in both", what);
+    problems.doubt(keys, std::abs(ahead) > unusual,
+                   "{}; check both, few places have such a clock", what);
 }
 
-void check_day(const DaySpan& day, const Problems& problems) {
-    if (!problems.usable({"start", "end"})) return;
-    if (day.end <= day.start)
-        return problems.add("end",
-                            "day.end is {} (not after the start at {}); give a "
-                            "later end",
-                            clock_text(day.end), clock_text(day.start));
-    if (!problems.usable({"step_minutes"})) return;
-    const double span = (day.end - day.start) * 60;
-    const double steps = span / day.step_minutes;
-    const double instants = steps * static_cast<double>(day.dates.size());
-    constexpr double most = 1e6;
-    if (instants > most)
-        return problems.add("step_minutes",
-                            "day.step_minutes is {} min (with {} dates that is "
-                            "{:.0f} instants, the limit is {:.0f}); use fewer "
-                            "dates or a longer step",
-                            day.step_minutes, day.dates.size(), instants, most);
-    if (std::abs(steps - std::round(steps)) < 1e-6 && steps > 0.5) return;
+//! Returns the fault of a step that does not divide a span of a day [min].
+std::string fault_of_step(double step_minutes, double span) {
+    const double steps = span / step_minutes;
+    if (std::abs(steps - std::round(steps)) < 1e-6 && steps > 0.5) return "";
     // Steps of whole multiples of 3 s are decimal numbers of minutes.
     const long ticks = std::lround(span * 20);
     const auto step = [&](long count, long change) {
@@ -62,10 +44,27 @@ void check_day(const DaySpan& day, const Problems& problems) {
         return span / static_cast<double>(count);
     };
     const long fewer = std::max(1L, static_cast<long>(steps));
-    problems.add("step_minutes",
-                 "day.step_minutes is {} min (does not divide the {:.6g} min "
-                 "from start to end); use {:.6g} or {:.6g}",
-                 day.step_minutes, span, step(fewer + 1, 1), step(fewer, -1));
+    return fmt::format(
+        "day.step_minutes is {} min (does not divide the {:.6g} min from start "
+        "to end); use {:.6g} or {:.6g}",
+        step_minutes, span, step(fewer + 1, 1), step(fewer, -1));
+}
+
+void check_day(const DaySpan& day, const Problems& problems) {
+    const double span = (day.end - day.start) * 60;
+    const double instants =
+        span / day.step_minutes * static_cast<double>(day.dates.size());
+    constexpr double most = 1e6;
+    problems.rule({"end", "start"}, day.end <= day.start,
+                  "day.end is {} (not after the start at {}); give a later end",
+                  clock_text(day.end), clock_text(day.start));
+    problems.rule(
+        {"step_minutes", "start", "end"}, instants > most,
+        "day.step_minutes is {} min (with {} dates that is {:.0f} instants, "
+        "the limit is {:.0f}); use fewer dates or a longer step",
+        day.step_minutes, day.dates.size(), instants, most);
+    problems.rule({"step_minutes", "start", "end"},
+                  [&] { return fault_of_step(day.step_minutes, span); });
 }
 
 void check_light(const Site& site, const Named<DaySpan>& day,
@@ -80,14 +79,15 @@ void check_light(const Site& site, const Named<DaySpan>& day,
     const std::string what = fmt::format(
         "day \"{}\" has no light at site \"{}\" ", day.name, site.name);
     if (sun.sunrise && sun.sunset)
-        of_day.add(of_day.where("start"),
-                   "{}(the sun is up from {} to {}); give a start and an end "
-                   "within, or a shorter step",
-                   what, clock_time(*sun.sunrise), clock_time(*sun.sunset));
+        of_day.add_at(of_day.where("start"), "start",
+                      ProblemCode::contradiction,
+                      "{}(the sun is up from {} to {}); give a start and an "
+                      "end within, or a shorter step",
+                      what, clock_time(*sun.sunrise), clock_time(*sun.sunset));
     else
-        of_day.add(
-            of_day.where("date"),
-            what + "(the sun is down all day); take another date or site");
+        of_day.add_at(of_day.where("date"), "date", ProblemCode::contradiction,
+                      "{}(the sun is down all day); take another date or site",
+                      what);
 }
 
 double total(const std::vector<double>& values) {
@@ -108,18 +108,17 @@ void check_sky(const Spec& spec, const Problems& problems) {
             check_light(sites[s], days[d], problems.in("site", s),
                         problems.in("day", d));
     if (spec.climates.empty()) return;
-    const Location first = problems.in("climate", 0).where("name");
     if (!days.empty())
-        problems.add(first,
+        problems.add("climate[0].name", ProblemCode::contradiction,
                      "there are both [[climate]] and [[day]] (each case has "
                      "one of them); remove one, or write two campaigns");
     for (const SiteWeather& weather : spec.weathers)
-        if (problems.empty() &&
-            !(total(weather.beam[0]) + total(weather.diffuse[0]) > 0))
-            problems.add(first,
-                         "climate \"{}\" has no light at site \"{}\"; take "
-                         "another period",
-                         weather.climate, weather.site);
+        problems.rule(
+            {"climate[0].name"},
+            problems.empty() &&
+                !(total(weather.beam[0]) + total(weather.diffuse[0]) > 0),
+            "climate \"{}\" has no light at site \"{}\"; take another period",
+            weather.climate, weather.site);
 }
 
 }  // namespace ideotype

@@ -24,94 +24,91 @@ class TraitCheck {
     void run() {
         const int lists = !entry_.sets.empty() + !entry_.scales.empty() +
                           !entry_.shifts.empty();
-        if (lists != 1)
-            return problems_.add(
-                "name",
-                "trait {} has {} of the lists sets, scales and shifts (each "
-                "trait has one of them); give one",
-                trait_.name, lists == 0 ? "none" : "several");
-        if (trait_.effect == TraitEffect::sets &&
-            (list_.size() > 1 || trait_.numbers == TraitNumbers::profile))
-            return fail(list_.size() > 1
-                            ? "sets several measures (they would all be the "
-                              "same number); scale or shift them"
-                            : "sets a measure by a profile (the baseline need "
-                              "not be one); scale or shift it");
-        for (const std::string& name : list_) check(name);
-        check_range();
+        const auto& [lower, upper] = trait_.range;
+        constexpr double circle = 360;
+        problems_.rule({"name"}, lists != 1,
+                       "trait {} has {} of the lists sets, scales and shifts "
+                       "(each trait has one of them); give one",
+                       trait_.name, lists == 0 ? "none" : "several");
+        if (lists != 1) return;
+        rule(sets() && list_.size() > 1,
+             "sets several measures (they would all be the same number); scale "
+             "or shift them");
+        rule(sets() && trait_.numbers == TraitNumbers::profile,
+             "sets a measure by a profile (the baseline need not be one); "
+             "scale or shift it");
+        if (!problems_.usable({list_key()})) return;
+        for (const std::string& name : list_)
+            if (const auto measure = find_measure(plant_, name))
+                check(name, *measure);
+            else
+                report_unknown(name);
+        problems_.rule({"range"},
+                       trait_.effect == TraitEffect::scales && lower < 0,
+                       "trait {} has the range {} .. {} (a factor below 0 "
+                       "turns a measure around); begin at 0 or more",
+                       trait_.name, lower, upper);
+        problems_.rule({"circular", "range"},
+                       trait_.is_circular &&
+                           (trait_.unit != "deg" || upper - lower != circle),
+                       "trait {} is circular (its range of {} .. {} {} is no "
+                       "whole circle); give it 360 deg, or remove circular",
+                       trait_.name, lower, upper, trait_.unit);
     }
 
   private:
-    void fail(const std::string& what) {
-        const char* const list = !entry_.sets.empty()     ? "sets"
-                                 : !entry_.scales.empty() ? "scales"
-                                                          : "shifts";
-        problems_.add(list, "trait {} {}", trait_.name, what);
+    bool sets() const { return trait_.effect == TraitEffect::sets; }
+
+    std::string list_key() const {
+        return !entry_.sets.empty()     ? "sets"
+               : !entry_.scales.empty() ? "scales"
+                                        : "shifts";
     }
 
-    void check(const std::string& name) {
-        const auto measure = find_measure(plant_, name);
-        if (!measure) return fail_unknown(name);
+    void rule(bool is_broken, const std::string& what) {
+        problems_.rule({list_key()}, is_broken, "trait {} {}", trait_.name,
+                       what);
+    }
+
+    void check(const std::string& name, const MeasureInfo& measure) {
         const bool is_per_plant = trait_.numbers == TraitNumbers::plant;
-        if (!is_per_plant && !measure->is_of_leaves)
-            return fail(fmt::format(
-                "acts on {} (which the plant has once, but the trait has "
-                "several numbers); write per = \"plant\"",
-                name));
-        if (is_per_plant && measure->is_of_leaves &&
-            trait_.effect == TraitEffect::sets)
-            return fail(
-                fmt::format("sets {} (each leaf has a value of its own); scale "
-                            "or shift it, or write per = \"leaf\"",
-                            name));
         const std::vector<Leaf>& leaves = plant_.leaves;
-        if ((name == "leaf.insertion_height" || name == "stalk.height") &&
-            !leaves.empty() && leaves.back().internode > 0)
-            return fail(
-                fmt::format("acts on {} (which follows from the "
-                            "internodes); act on leaf.internode",
-                            name));
         const std::string unit =
-            trait_.effect == TraitEffect::scales ? "1" : measure->unit;
-        if (problems_.usable({"unit"}) && trait_.unit != unit)
-            problems_.add("unit",
-                          "trait {} has the unit \"{}\" (its numbers for {} "
-                          "have \"{}\"); write unit = \"{}\"",
-                          trait_.name, trait_.unit, name, unit, unit);
-        const auto& [least, most] = measure->limits;
-        if (trait_.effect == TraitEffect::sets &&
-            (trait_.range.lower < least || trait_.range.upper > most))
-            problems_.add("range",
-                          "trait {} has the range {} .. {} (the widest range "
-                          "for {} is {} .. {}); narrow it",
-                          trait_.name, trait_.range.lower, trait_.range.upper,
-                          name, least, most);
+            trait_.effect == TraitEffect::scales ? "1" : measure.unit;
+        const auto& [least, most] = measure.limits;
+        rule(!is_per_plant && !measure.is_of_leaves,
+             "acts on " + name +
+                 " (which the plant has once, but the trait has several "
+                 "numbers); write per = \"plant\"");
+        rule(is_per_plant && measure.is_of_leaves && sets(),
+             "sets " + name +
+                 " (each leaf has a value of its own); scale or shift it, or "
+                 "write per = \"leaf\"");
+        rule((name == "leaf.insertion_height" || name == "stalk.height") &&
+                 !leaves.empty() && leaves.back().internode > 0,
+             "acts on " + name +
+                 " (which follows from the internodes); act on leaf.internode");
+        problems_.rule({"unit", list_key()}, trait_.unit != unit,
+                       "trait {} has the unit \"{}\" (its numbers for {} have "
+                       "\"{}\"); write unit = \"{}\"",
+                       trait_.name, trait_.unit, name, unit, unit);
+        problems_.rule(
+            {"range", list_key()},
+            sets() && (trait_.range.lower < least || trait_.range.upper > most),
+            "trait {} has the range {} .. {} (the widest range for {} is {} .. "
+            "{}); narrow it",
+            trait_.name, trait_.range.lower, trait_.range.upper, name, least,
+            most);
     }
 
-    void fail_unknown(const std::string& name) {
+    void report_unknown(const std::string& name) {
         std::vector<std::string> known;
         for (const MeasureInfo& each : measures(plant_))
             known.push_back(each.name);
-        fail(fmt::format("acts on \"{}\" (the plant has no such measure); {}",
-                         name, did_you_mean(name, known)));
-    }
-
-    void check_range() {
-        constexpr double circle = 360;
-        const auto& [lower, upper] = trait_.range;
-        if (!problems_.usable({"range"})) return;
-        if (trait_.effect == TraitEffect::scales && lower < 0)
-            problems_.add("range",
-                          "trait {} has the range {} .. {} (a factor below 0 "
-                          "turns a measure around); begin at 0 or more",
-                          trait_.name, lower, upper);
-        if (trait_.is_circular &&
-            (trait_.unit != "deg" || upper - lower != circle))
-            problems_.add(
-                "circular",
-                "trait {} is circular (its range of {} .. {} {} is no whole "
-                "circle); give it 360 deg, or remove circular",
-                trait_.name, lower, upper, trait_.unit);
+        problems_.add(
+            list_key(), ProblemCode::unknown_name,
+            "trait {} acts on \"{}\" (the plant has no such measure); {}",
+            trait_.name, name, did_you_mean(name, known));
     }
 
     const TraitEntry& entry_;
@@ -134,22 +131,22 @@ void check_traits(const CropSpec& crop, const Problems& problems) {
     for (std::size_t t = 0; t < crop.traits.size(); ++t) {
         const Problems own = problems.in("trait", t);
         const std::string& name = crop.traits[t].trait.name;
-        if (own.usable({"name"}) && !names.insert(name).second)
-            own.add("name",
-                    "trait.name is \"{}\" (already used); give each trait a "
-                    "name of its own",
-                    name);
+        own.rule(
+            ProblemCode::duplicate, {"name"},
+            [&] { return !names.insert(name).second; },
+            "trait.name is \"{}\" (already used); give each trait a name of "
+            "its own",
+            name);
         if (is_sound(t, problems))
             TraitCheck(crop.traits[t], crop.baseline, own).run();
     }
     for (std::size_t b = 0; b < crop.bounds.size(); ++b) {
-        const Problems own = problems.in("bounds", b);
         const std::string& trait = crop.bounds[b].trait;
-        if (own.usable({"trait"}) && !names.contains(trait))
-            own.add("trait",
-                    "bounds.trait is \"{}\" (no trait of this file); use one "
-                    "of {}",
-                    trait, fmt::join(names, ", "));
+        problems.in("bounds", b)
+            .rule(
+                ProblemCode::unknown_name, {"trait"}, !names.contains(trait),
+                "bounds.trait is \"{}\" (no trait of this file); use one of {}",
+                trait, fmt::join(names, ", "));
     }
 }
 

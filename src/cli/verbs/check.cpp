@@ -51,10 +51,12 @@ Json to_json(const std::vector<CaseName>& all) {
 
 Json to_json(const std::vector<Problem>& problems) {
     Json all = Json::array();
-    for (const auto& [where, what] : problems)
+    for (const auto& [where, key, code, what] : problems)
         all.push_back({{"file", where.file},
                        {"line", where.line},
                        {"column", where.column},
+                       {"key", key},
+                       {"code", name_of(code)},
                        {"message", what}});
     return all;
 }

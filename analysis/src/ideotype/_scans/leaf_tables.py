@@ -213,7 +213,10 @@ class _Table:
         if self._problems:
             found = sorted(self._problems, key=lambda x: (x.line, x.column))
             raise InputError(
-                "\n".join(f"{a}:{b}:{c}: {what}" for a, b, c, what in found),
+                "\n".join(
+                    f"{each.file}:{each.line}:{each.column}: {each.what}"
+                    for each in found
+                ),
                 found,
             )
 

@@ -234,19 +234,15 @@ std::string checked_text(const NewOptions& options, const std::string& plant) {
     try {
         return text_for(options, plant);
     } catch (const InputError& error) {
-        NewOptions usual = options;
-        usual.objective = usual_objective;
-        if (options.objective == usual_objective) throw;
-        try {
-            text_for(usual, plant);
-        } catch (const InputError&) {
-            // The objective is not to blame for the problems of the campaign.
-            throw error;
-        }
+        const auto of_objective =
+            std::ranges::find_if(error.problems(), [](const Problem& each) {
+                return each.key.starts_with("objective.");
+            });
+        if (of_objective == error.problems().end()) throw;
         throw wrong_usage(
             "new writes no such campaign ({}); do so in a copy of "
             "campaigns/growing_season.toml or campaigns/agrivoltaic.toml",
-            error.problems().front().what);
+            of_objective->what);
     }
 }
 

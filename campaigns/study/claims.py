@@ -23,7 +23,15 @@ from typing import Any
 
 import numpy as np
 from conditions import CONDITIONS, FIRST, Condition, campaign
-from estimates import Estimate, gain, mean_over_seeds, print_table, told
+from estimates import (
+    Estimate,
+    difference,
+    gain,
+    has_percent,
+    mean_over_seeds,
+    print_table,
+    told,
+)
 from paper_table import bred
 from shared import (
     CAMPAIGNS,
@@ -104,6 +112,10 @@ def best(set_up: SetUp, where: Condition) -> list[Numbers]:
 
 def cell(values: list[Estimate]) -> str:
     return told(mean_over_seeds(values), sign="+")
+
+
+def mol(values: list[Estimate]) -> str:
+    return f"{told(mean_over_seeds(values), 3, '+')} mol"
 
 
 def gain_with(name: str) -> Callable[[SetUp], str]:
@@ -196,7 +208,8 @@ def distichous(here: Stand, genome: Numbers) -> Numbers:
 
 def elsewhere(names: tuple[str, ...]) -> Callable[[SetUp], str]:
     """Prints how the plant of 42 deg north and 30 x 6 inches does at other
-    places, relative to the plant that was bred there."""
+    places, over the plant that was bred there: [%], or the difference in mol
+    where that plant's carbon is not above zero."""
 
     def look(set_up: SetUp) -> str:
         cells = []
@@ -206,7 +219,11 @@ def elsewhere(names: tuple[str, ...]) -> Callable[[SetUp], str]:
                 stand(set_up, where),
                 np.array([*best(set_up, where), *best(set_up, FIRST)]),
             ).tolist()
-            lost = cell([gain(values[0], each) for each in values[1:]])
+            own, *others = values
+            if has_percent(own):
+                lost = cell([gain(own, each) for each in others])
+            else:
+                lost = mol([difference(own, each) for each in others])
             cells.append(f"{where.title}: {lost}")
         return "; ".join(cells)
 

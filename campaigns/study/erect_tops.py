@@ -13,9 +13,10 @@ else that a breeder can select is free (bounds "breedable", but insertion
 angles up to 50 deg above those of the baseline, without which no top is flat),
 and the plants of a line differ. Evaluates the best of both again with the same
 random numbers and prints how much more carbon the erect top gains [%], with
-its 95 % interval, and the density from which on it pays. Where the sign
-changes between two densities, both are bred with more seeds. The figure is the
-map.
+its 95 % interval, and the density from which on it pays. Where the carbon of
+the flat top is not above zero by three standard errors, the difference is
+printed instead [mol m-2 day-1]. Where the sign changes between two densities,
+both are bred with more seeds. The figure is the map.
 
 The light is a clear day (7 August), the season measured at Bondville, Illinois
 (40 deg north alone), or an overcast day with a quarter of the light outside of
@@ -33,10 +34,14 @@ from itertools import pairwise, product
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 from climates import CLEAR_DAY, bondville, overcast_day, season, site
 from estimates import (
     Estimate,
+    difference,
+    gain,
     half_interval,
+    has_percent,
     mean_over_seeds,
     print_table,
     sign_change,
@@ -52,8 +57,8 @@ from shared import (
     best,
     breed_tables,
     breedable_but,
-    gain_in,
     guard,
+    light,
     parser_of_searches,
     say,
 )  # fmt: skip
@@ -86,6 +91,25 @@ class Condition:
         return (
             f"{self.light}_{self.limit}_{self.latitude:g}_{self.density:g}"
         ).replace(".", "p")
+
+
+@dataclass(frozen=True)
+class Gains:
+    """What the erect top gains over the flat one, for each seed."""
+
+    differences: list[Estimate]
+    """In mol m-2 day-1."""
+    percents: list[Estimate]
+    """Empty if the carbon of a flat top is not above zero."""
+
+    @property
+    def is_positive(self) -> bool:
+        return mean_over_seeds(self.differences)[0] > 0
+
+    def told(self) -> str:
+        if self.percents:
+            return told(mean_over_seeds(self.percents), sign="+")
+        return f"{told(mean_over_seeds(self.differences), 3, '+')} mol"
 
 
 def campaign(where: Condition, folder: Path, is_rough: bool) -> dict[str, Any]:
@@ -155,18 +179,27 @@ def bred_pairs(
     ]
 
 
-def difference(
+def gains(pairs: Sequence[Sequence[Sequence[float]]]) -> Gains:
+    """Compares the randomisations of a flat and an erect top, for each
+    seed."""
+    return Gains(
+        [difference(*pair) for pair in pairs],
+        [gain(*pair) for pair in pairs]
+        if all(has_percent(flat) for flat, _ in pairs)
+        else [],
+    )
+
+
+def gains_of(
     tables: dict[str, Any], folder: Path, generations: int, seeds: int
-) -> list[Estimate]:
-    """Returns for each seed the gain of the erect top over the flat top
-    [%]."""
+) -> Gains:
     stand = Stand(tables)
     pairs = bred_pairs(tables, folder, generations, seeds)
-    return [gain_in(stand, *pair) for pair in pairs]
+    return gains([light(stand, np.array(pair)).tolist() for pair in pairs])
 
 
 def sign_changes(
-    results: dict[Condition, list[Estimate]],
+    results: dict[Condition, Gains],
 ) -> Iterator[tuple[Condition, Condition]]:
     """Yields neighbouring densities between which the gain changes its
     sign."""
@@ -176,44 +209,38 @@ def sign_changes(
             other.limit,
             other.latitude,
         )
-        signs = [mean_over_seeds(results[x])[0] > 0 for x in (one, other)]
-        if alike and signs[0] != signs[1]:
+        if alike and results[one].is_positive != results[other].is_positive:
             yield one, other
 
 
 def line(
-    results: dict[Condition, list[Estimate]], one: Condition, other: Condition
+    results: dict[Condition, Gains], one: Condition, other: Condition
 ) -> Estimate:
     """Returns where the difference is zero between two densities [m-2], by a
     straight line over the logarithm of density."""
     low, high = (
-        (math.log(x.density), mean_over_seeds(results[x]))
+        (math.log(x.density), mean_over_seeds(results[x].differences))
         for x in (one, other)
     )
     at, error = sign_change(low, high)
     return math.exp(at), math.exp(at) * error
 
 
-def tell(
-    results: dict[Condition, list[Estimate]], densities: Sequence[float]
-) -> None:
+def tell(results: dict[Condition, Gains], densities: Sequence[float]) -> None:
     lines = {
         (one.light, one.limit, one.latitude): line(results, one, other)
         for one, other in sign_changes(results)
     }
     rows = []
     for key in sorted({(x.light, x.limit, x.latitude) for x in results}):
-        row = [key[0], key[1], f"{key[2]:g}"]
-        for density in densities:
-            found = mean_over_seeds(results[Condition(*key, density)])
-            row.append(told(found, sign="+"))
+        cells = [results[Condition(*key, x)].told() for x in densities]
         pays = f"{told(lines[key])} m-2" if key in lines else ""
-        rows.append([*row, pays])
+        rows.append([key[0], key[1], f"{key[2]:g}", *cells, pays])
     titles = [f"{density:g} m-2" for density in densities]
     print_table(["light", "limit", "latitude", *titles, "pays from"], rows)
 
 
-def draw(results: dict[Condition, list[Estimate]], path: Path) -> None:
+def draw(results: dict[Condition, Gains], path: Path) -> None:
     lights = list(dict.fromkeys(x.light for x in sorted(results)))
     limits = list(dict.fromkeys(x.limit for x in sorted(results)))
     figure = new_figure(4 * len(limits), 3 * len(lights))
@@ -226,11 +253,13 @@ def draw(results: dict[Condition, list[Estimate]], path: Path) -> None:
     ):
         axis = axes[row][column]
         chosen = sorted(
-            x for x in results if (x.light, x.limit) == (of_light, limit)
+            x
+            for x, found in results.items()
+            if (x.light, x.limit) == (of_light, limit) and found.percents
         )
         for latitude in sorted({x.latitude for x in chosen}):
             at = [x for x in chosen if x.latitude == latitude]
-            found = [mean_over_seeds(results[x]) for x in at]
+            found = [mean_over_seeds(results[x].percents) for x in at]
             axis.errorbar(
                 [x.density for x in at],
                 [mean for mean, _ in found],
@@ -273,10 +302,10 @@ def main() -> None:
         for density in options.densities
     ]
 
-    def look(where: Condition, seeds: int) -> list[Estimate]:
+    def look(where: Condition, seeds: int) -> Gains:
         say(f"{where.name}: {seeds} seeds")
         tables = campaign(where, options.folder, options.rough)
-        return difference(tables, options.folder, options.generations, seeds)
+        return gains_of(tables, options.folder, options.generations, seeds)
 
     results = {where: look(where, 1) for where in wanted}
     for where in sorted({x for pair in sign_changes(results) for x in pair}):

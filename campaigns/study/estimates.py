@@ -52,6 +52,14 @@ def difference(before: Sequence[float], after: Sequence[float]) -> Estimate:
     return estimate(np.subtract(after, before).tolist())
 
 
+def has_percent(before: Sequence[float]) -> bool:
+    """Returns whether gains over these values have a meaning in per cent: their
+    mean is above zero by three standard errors. Over a value below zero even
+    the sign of a gain in per cent is wrong."""
+    mean, error = estimate(before)
+    return mean > 3 * error
+
+
 def ratio(a: Estimate, b: Estimate) -> Estimate:
     """Returns the ratio of two evaluations with independent errors."""
     mean = a[0] / b[0]

@@ -49,6 +49,7 @@ from estimates import (
     estimate,
     gain,
     half_interval,
+    has_percent,
     mean_over_seeds,
     print_table,
     told,
@@ -206,15 +207,14 @@ def find(
     if not tables["field"]:
         field = Stand({**tables, "field": SMALL_FIELD})
         varied = field.evaluate(genomes, [], final=True)
-    baseline = estimate(values[0].tolist())
-    has_percent = baseline[0] > 3 * baseline[1]
-    gains = compared(values, gain if has_percent else difference)
+    is_percent = has_percent(values[0].tolist())
+    gains = compared(values, gain if is_percent else difference)
     splits = dict(zip(keys, splits_of(stand, genomes, values)))
     least = 0.9 * max(mean for each in gains.values() for mean, _ in each)
-    is_timed = has_percent and tables["name"].endswith(FIRST.name)
+    is_timed = is_percent and tables["name"].endswith(FIRST.name)
     return Found(
-        baseline=baseline,
-        has_percent=has_percent,
+        baseline=estimate(values[0].tolist()),
+        has_percent=is_percent,
         gains=gains,
         lai=float(lai[first]),
         gain_per_leaf_area=gain(

@@ -38,6 +38,25 @@ def test_95_of_100_printed_intervals_contain_the_truth(
     assert abs(hits / 2000 - 0.95) < 4 * np.sqrt(0.95 * 0.05 / 2000)
 
 
+def test_gains_over_a_loss_are_differences(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """In per cent a plant that loses less than another one seems worse."""
+    estimates = module("estimates", monkeypatch)
+    erect_tops = module("erect_tops", monkeypatch)
+    flat, erect = [-0.16, -0.15, -0.16], [-0.06, -0.05, -0.05]
+    assert estimates.gain(flat, erect)[0] < 0
+    assert not estimates.has_percent(flat)
+    assert not estimates.has_percent([0.01, -0.02, 0.02])
+    assert estimates.has_percent([0.16, 0.15, 0.16])
+
+    over_loss = erect_tops.gains([(flat, erect)])
+    assert over_loss.is_positive and not over_loss.percents
+    assert re.fullmatch(r"\+0\.103 ± 0\.\d+ mol", over_loss.told())
+    over_gain = erect_tops.gains([([1.0, 1.1], [1.2, 1.32])])
+    assert over_gain.told().startswith("+20.0 ±")
+
+
 def test_only_the_last_digit_of_an_interval_may_differ(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:

@@ -95,7 +95,7 @@ class Condition:
 
 @dataclass(frozen=True)
 class Gains:
-    """What the erect top gains over the flat one, for each seed."""
+    """The gains of the erect top over the flat one, one for each seed."""
 
     differences: list[Estimate]
     """In mol m-2 day-1."""

@@ -112,8 +112,7 @@ void plan_study(Campaign& campaign) {
             std::max(campaign.search.population,
                      generation_size(design, search_genes(campaign, chosen)));
     }
-    campaign.stop = {.generations = generations_of(design),
-                     .failed_fraction = campaign.stop.failed_fraction};
+    campaign.stop = {.generations = generations_of(design)};
     campaign.search.design = design;
     campaign.has_light_by_row = true;
 }
@@ -129,7 +128,6 @@ void plan_search(Campaign& campaign) {
               .streams = spec.search.streams,
               .ga = spec.search.ga,
               .start = spec.search.start,
-              .step = spec.search.step,
               .axes = spec.search.axes,
               .reference = spec.search.reference};
     if (spec.is_study) campaign.varied = {};

@@ -44,7 +44,7 @@ Dispatcher::Dispatcher(std::unique_ptr<Workers> workers, const StopFlag& stop,
       given_(static_cast<std::size_t>(workers_->width())),
       looked_(clock.now()) {
     IDEOTYPE_EXPECT(workers_->width() > 0);
-    IDEOTYPE_EXPECT(rules.deadline > 0 && rules.attempts > 0);
+    IDEOTYPE_EXPECT(rules.deadline > 0);
     IDEOTYPE_EXPECT(rules.final_effort > 0 && rules.attention > 0);
     for (int worker = 0; worker < workers_->width(); ++worker)
         idle_.insert(idle_.end(), worker);
@@ -229,8 +229,7 @@ void Dispatcher::give_up(int worker, Director& director) {
     // If no worker is left, the fault is hardly the candidate's, which stays
     // pending.
     const bool is_alone = idle_.empty() && busy_in_time() == 0;
-    const bool is_last =
-        given.task.attempt >= static_cast<std::uint32_t>(rules_.attempts);
+    const bool is_last = given.task.attempt >= most_attempts;
     const bool ends = is_ending();
     if (is_needed && ends)
         what += "; left for the next start";

@@ -37,14 +37,15 @@ using NextWork = std::function<std::optional<Work>()>;
 //! outcome, and must make it durable. The task tells the answered attempt.
 using Record = std::function<void(const Work&, const Outcome&)>;
 
-//! The rules for the time to wait for an answer and the number of attempts.
+//! The number of late attempts after which an evaluation has failed, unless no
+//! worker is left.
+inline constexpr std::uint32_t most_attempts = 3;
+
+//! The rules for the time to wait for an answer.
 struct AnswerRules {
     //! The time after which an evaluation is late [s], or 20 times the longest
     //! so far if that is longer.
     double deadline = 60;
-    //! The number of late attempts after which an evaluation has failed, unless
-    //! no worker is left.
-    int attempts = 3;
     double final_effort = 1;  //!< time of a final over a usual evaluation
     //! The time within which a stop request, a passed deadline or new work of a
     //! source is noticed while evaluations are in flight [s].

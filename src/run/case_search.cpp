@@ -12,19 +12,22 @@ namespace ideotype {
 
 namespace {
 
-void require_few_failures(double most, History& history,
-                          std::uint32_t generation, const Population& rows) {
+//! The share of a generation that ends a case with an error when it fails.
+constexpr double most_failures = 0.5;
+
+void require_few_failures(History& history, std::uint32_t generation,
+                          const Population& rows) {
     const auto failures = std::count_if(
         rows.begin(), rows.end(),
         [](const Individual& row) { return row.status == Status::failed; });
-    const double limit = most * static_cast<double>(rows.size());
+    const double limit = most_failures * static_cast<double>(rows.size());
     if (failures == 0 || static_cast<double>(failures) < limit) return;
     std::string reason;
     for (std::uint32_t slot = 0; reason.empty(); ++slot)
         reason = history.row(generation, slot).outcome.message;
     const std::string message = fmt::format(
-        "{} of {} evaluations of generation {} failed, more than "
-        "stop.failed_fraction allows; the first reason: {}",
+        "{} of {} evaluations of generation {} failed (a case ends when half "
+        "of them do); the first reason: {}",
         failures, rows.size(), generation, reason);
     history.message(message);
     throw CaseError(message);
@@ -219,8 +222,7 @@ void CaseSearch::complete() {
     const Population rows = std::move(open_.front().rows);
     open_.pop_front();
     history_.set_wall_time(wall_time());
-    require_few_failures(evolution_.campaign.stop.failed_fraction, history_,
-                         generation, rows);
+    require_few_failures(history_, generation, rows);
     GenerationSummary summary = summarized_(rows);
     summary.wall_time = wall_time();
     progress_.wall_time = summary.wall_time;

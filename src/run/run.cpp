@@ -223,8 +223,7 @@ Start agree(const Session& session, const std::function<Start()>& make) {
 }
 
 AnswerRules answer_rules(const Campaign& campaign) {
-    return {campaign.spec.parallel.deadline, campaign.spec.parallel.attempts,
-            final_effort(campaign)};
+    return {campaign.spec.parallel.deadline, final_effort(campaign)};
 }
 
 ExitCode run(const RunOptions& options, const Session& session, StopFlag& stop,

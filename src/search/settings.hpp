@@ -71,9 +71,7 @@ struct SearchSettings {
     int population = 100;  //!< usual number of candidates of a generation
     int streams = 1;  //!< independent searches, whose generations take turns
     GaSettings ga;
-    std::vector<double> start;  //!< first genome of CMA-ES; empty: baseline
-    //! The first standard deviation of CMA-ES relative to the range of a gene.
-    double step = 0.2;
+    std::vector<double> start;      //!< first genome of CMA-ES; empty: baseline
     std::vector<AtlasAxis> axes{};  //!< axes of an atlas
     //! The sensitivity study that proposes the rows in place of an optimizer.
     std::optional<SensitivitySettings> design{};

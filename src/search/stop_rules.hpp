@@ -15,8 +15,6 @@ struct StopRules {
     int no_gain = 0;            //!< generations without a significant gain
     long long evaluations = 0;  //!< number of evaluated rows
     double wall_time = 0;       //!< wall time over all sessions [s]
-    //! The fraction of failures in a generation that ends the case in error.
-    double failed_fraction = 0.5;
 };
 
 //! The part of a history that stop rules use, after some committed generations.

@@ -272,7 +272,6 @@ struct SearchSpec {
     int streams = 1;
     GaSettings ga;
     std::vector<double> start;
-    double step = SearchSettings{}.step;
     std::vector<double> reference;
     std::vector<KeyFactor> keys;  //!< keys that a search varies
     std::vector<AtlasAxis> axes;
@@ -303,11 +302,10 @@ struct FinalSpec {
     int randomisations = 16;
 };
 
-//! The time and the number of attempts that workers may take. These limits do
-//! not belong to the study and may differ when a case is resumed.
+//! The time that workers may take. It does not belong to the study and may
+//! differ when a case is resumed.
 struct AnswerLimits {
     double deadline = 60;  //!< least deadline of an evaluation [s]
-    int attempts = 3;
 };
 
 //! All that a campaign file and the files that it names say. Every key, with

@@ -9,11 +9,11 @@ for search in cma_es random; do
         --set search.optimizer=$search >search.log
 done
 
-# CMA-ES around the plant of a file, and around the best of another history.
-write_campaign start 8 2
+# A search from the plant of a file, and from the best of another history. Its
+# first plant is the start.
+write_campaign start 8 3
 first=$(history_of cma_es searches)
-start=(run campaigns/start.toml --set search.optimizer=cma_es
-    --set search.step=1e-6)
+start=(run campaigns/start.toml --set search.optimizer=auto)
 "$ideotype" "${start[@]}" --out history --start "$first" >start.log
 "$ideotype" export "$first" --best --to best.toml
 "$ideotype" "${start[@]}" --out file --start best.toml >start.log

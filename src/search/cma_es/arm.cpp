@@ -15,6 +15,9 @@ namespace {
 
 using Eigen::VectorXd;
 
+//! The standard deviation at the beginning, relative to the range of a gene.
+constexpr double first_step = 0.2;
+
 VectorXd to_vector(const std::vector<double>& x) {
     return Eigen::Map<const VectorXd>(x.data(),
                                       static_cast<Eigen::Index>(x.size()));
@@ -58,11 +61,12 @@ Candidate plant_at(const VectorXd& point, const UnboundedGenes& coordinates,
             Origin::sample};
 }
 
-Arm::Arm(const UnboundedGenes& coordinates, const Genome& start, double step,
+Arm::Arm(const UnboundedGenes& coordinates, const Genome& start,
          std::size_t population)
     : population_(population),
       distribution_(to_vector(coordinates.of(start)),
-                    step * to_vector(coordinates.first_steps()), population) {}
+                    first_step * to_vector(coordinates.first_steps()),
+                    population) {}
 
 const VectorXd& Arm::point(std::uint64_t seed, std::uint32_t generation,
                            std::uint32_t slot, std::size_t plant) {

@@ -14,7 +14,7 @@ namespace ideotype {
 //! ranked by is_better(), so that feasible plants come first.
 class Arm {
   public:
-    Arm(const UnboundedGenes& coordinates, const Genome& start, double step,
+    Arm(const UnboundedGenes& coordinates, const Genome& start,
         std::size_t population);
 
     std::size_t population() const { return population_; }

@@ -132,8 +132,7 @@ class AutoSearch : public GenerationalOptimizer {
             const Population part(first, last);
             const Genome& start =
                 part[ranking(part, space_.senses).front()].candidate.genome;
-            arms_.emplace_back(coordinates_, start, settings_.step,
-                               population_ / 2);
+            arms_.emplace_back(coordinates_, start, population_ / 2);
         };
         begin_at_best(design.begin(), middle);
         begin_at_best(middle, design.end());

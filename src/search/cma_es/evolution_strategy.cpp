@@ -19,7 +19,7 @@ class CmaEs : public GenerationalOptimizer {
           seed_(seed),
           arm_(coordinates_,
                settings.start.empty() ? space_.baseline : settings.start,
-               settings.step, static_cast<std::size_t>(settings.population)) {}
+               static_cast<std::size_t>(settings.population)) {}
 
     std::size_t next_size() const override { return arm_.population(); }
 

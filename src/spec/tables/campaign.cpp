@@ -199,12 +199,7 @@ constexpr Key search_keys[] = {
     key<&SearchSpec::streams>("streams", within(1, 1000), usual(), "number of independent searches whose generations take turns, so that many workers do not wait for the end of a generation; not by chance"),
     key<&SearchSpec::ga, &GaSettings::elites>("elites", within(0, 99999), usual(), "best plants carried over and evaluated again; fewer than the population"),
     key<&SearchSpec::ga, &GaSettings::tournament>("tournament", within(1, 100000), usual(), "contestants per selected parent; at most the population"),
-    key<&SearchSpec::ga, &GaSettings::crossover_probability>("crossover_probability", within(0, 1), usual(), "probability that a couple is crossed"),
-    key<&SearchSpec::ga, &GaSettings::crossover_index>("crossover_index", within(0, 1000), usual(), "index of simulated binary crossover; the larger, the nearer children are to their parents"),
-    key<&SearchSpec::ga, &GaSettings::mutations_per_child>("mutations_per_child", within(0, 160), usual(), "expected number of mutated genes"),
-    key<&SearchSpec::ga, &GaSettings::mutation_index>("mutation_index", within(0, 1000), usual(), "index of polynomial mutation; the larger, the smaller are changes"),
     key<&SearchSpec::start>("start", numbers(0, 0), usual(), "plant to begin around by auto and CMA-ES, a number for each gene; see run --start; none: the baseline"),
-    key<&SearchSpec::step>("step", within(1e-06, 1), usual(), "standard deviation around the start at the beginning, by auto and CMA-ES, relative to the range of a gene; circular genes have half of it"),
     key<&SearchSpec::reference>("reference", numbers(0, 0), by("the worst of each in generation 0"), "reference point of several objectives, in their order and units; the hypervolume of a generation is relative to it"),
 };
 
@@ -237,7 +232,6 @@ constexpr Key stop_keys[] = {
     key<&StopRules::no_gain>("no_gain", within(0, 1e6), usual(), "generations over which a line through the means, or the hypervolume, must rise by more than twice its standard error; 0: off, else 5 or more"),
     key<&StopRules::evaluations>("evaluations", within(0, 1e12), usual(), "evaluations after which the search ends; generations that have begun are finished; 0: no limit"),
     key<&StopRules::wall_time>("wall_time", duration(0, 1000000000), usual("\"12:00:00\""), "longest time of all sessions together; 0: no limit"),
-    key<&StopRules::failed_fraction>("failed_fraction", within(0, 1), usual(), "share of a generation that ends the run with an error when it fails; 0: any failure does"),
 };
 
 constexpr Key final_keys[] = {
@@ -248,7 +242,6 @@ constexpr Key final_keys[] = {
 
 constexpr Key parallel_keys[] = {
     key<&AnswerLimits::deadline>("deadline", duration(0.001, 1000000000), usual("\"00:10:00\""), "time after which an evaluation is given to another worker; at least 20 times the longest so far"),
-    key<&AnswerLimits::attempts>("attempts", within(1, 1000), usual(), "number of attempts that may miss the deadline before an evaluation has failed"),
 };
 // clang-format on
 

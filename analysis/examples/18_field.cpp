@@ -23,7 +23,6 @@ std::vector<StepReport> by_hour(double angle, const Device& device) {
     plant.blade.width_controls = {.28, .89, .9, 1.15, .38, 0};
     plant.stalk.height = 2;
     plant.stalk.base_diameter = .027;
-    plant.stalk.leaf_base = LeafBase::axis;
     const FieldForm form{2, 2, {.76, .15, 90}};
     Scene ames;
     ames.components = {component_of(plant, form)};

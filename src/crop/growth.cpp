@@ -25,7 +25,8 @@ double ramp(double value, double from, double to) {
 
 //! Returns the thermal time from tip to collar, piecewise linear in rank.
 double extension(const Growth& growth, double rank) {
-    const double slowest = growth.slowest * growth.leaves;
+    constexpr double slowest_rank = 0.45;  // over the number of leaves
+    const double slowest = slowest_rank * growth.leaves;
     if (rank <= slowest)
         return growth.first_extension +
                (growth.longest_extension - growth.first_extension) *
@@ -43,7 +44,8 @@ double final_area(const Growth& growth, double rank) {
 }
 
 double death(const Growth& growth, int rank) {
-    const int lower = static_cast<int>(growth.lower_leaves * growth.leaves);
+    constexpr double lower_leaves = 0.4;  // highest rank over all leaves
+    const int lower = static_cast<int>(lower_leaves * growth.leaves);
     if (rank <= lower)
         return growth.lower_death + growth.lower_interval * (rank - 1);
     return silking_time(growth) + growth.upper_death +

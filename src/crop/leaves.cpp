@@ -83,10 +83,8 @@ glm::dvec3 about_stalk(const glm::dvec3& v, double azimuth) {
 }
 
 glm::dvec2 petiole_end(const Plant& plant, const Leaf& leaf) {
-    const bool is_outside =
-        plant.stalk.is_present && plant.stalk.leaf_base == LeafBase::surface;
     const double out =
-        is_outside ? plant.stalk.radius(leaf.insertion_height) : 0;
+        plant.stalk.is_present ? plant.stalk.radius(leaf.insertion_height) : 0;
     const double angle = leaf.petiole_angle * degree;
     return {out + leaf.petiole_length * std::sin(angle),
             leaf.insertion_height + leaf.petiole_length * std::cos(angle)};
@@ -108,8 +106,6 @@ void add_leaf(Mesh& mesh, std::uint32_t group, const Plant& plant,
             steps == 0 ? rachis_end(plant, leaf) : petiole_end(plant, leaf);
         Leaf leaflet = leaf;
         leaflet.insertion_height = base.y;
-        if (steps != 0) leaflet.length *= blade.lateral_size;
-        if (steps != 0) leaflet.width *= blade.lateral_size;
         add_leaflet(mesh, group, leaflet, blade, base.x,
                     steps * blade.leaflet_divergence,
                     cells_of(blade, green_cells(leaf, cells_along)),

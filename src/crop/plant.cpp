@@ -134,8 +134,8 @@ void add_organ(Mesh& mesh, const Plant& plant, const Organ& organ) {
     const double sine = std::sin(organ.inclination * degree);
     const double cosine = std::cos(organ.inclination * degree);
     for (int i = 0; i < organ.count; ++i) {
-        const double azimuth = (leaf ? leaf->azimuth : 0) + organ.azimuth +
-                               360.0 * i / organ.count;
+        const double azimuth =
+            (leaf ? leaf->azimuth : 0) + 360.0 * i / organ.count;
         const double up =
             organ.count < 2 ? 0 : organ.spread * i / (organ.count - 1);
         // An organ that leans out begins at the stalk's surface.

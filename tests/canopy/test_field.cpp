@@ -72,7 +72,6 @@ TEST(Field, AFractionOfPlantsIsMissingOrLate) {
     FieldForm gaps = form;
     gaps.variation.missing = 0.1;  // 2.4 of 24
     gaps.variation.late = 0.25;
-    gaps.variation.late_size = 0.5;
     std::set<std::size_t> numbers, places;
     double plants = 0, area = 0;
     constexpr int fields = 200;
@@ -91,7 +90,7 @@ TEST(Field, AFractionOfPlantsIsMissingOrLate) {
     EXPECT_EQ(numbers, (std::set<std::size_t>{21, 22}));
     EXPECT_GT(places.size(), 1u);  // fields without the first
     EXPECT_NEAR(plants, 24 - 2.4, 4 * .5 / std::sqrt(fields));
-    EXPECT_NEAR(area, 24 - 2.4 - 6 * .75, .2);
+    EXPECT_NEAR(area, 24 - 2.4 - 6 * (1 - late_size * late_size), .2);
 }
 
 TEST(Field, OfManyMissingPlantsOneStays) {

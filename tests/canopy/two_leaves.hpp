@@ -13,7 +13,7 @@ inline CanopyRequest two_leaves(const Accuracy& accuracy, double erect = 0) {
     plant.leaves = {{.7, .08, 40 - erect, 60 - erect, 90, .2},
                     {.5, .06, 30 - erect, 40 - erect, 270, .5}};
     plant.blade.width_controls = {.28, .89, .9, 1.15, .38, 0};
-    plant.stalk = {{}, true, 2, .027, 0, LeafBase::axis};
+    plant.stalk = {{}, true, 2, .027};
     const FieldForm form{2, 2, {.76, .15, 90}};
     Scene ames;
     ames.components = {component_of(plant, form)};

@@ -14,7 +14,7 @@ inline Plant sample_plant() {
                     {0.484, 0.0545, 80, 0, 15, 1.6}};
     plant.blade.width_controls = {0.28,     0.885870, 0.895017,
                                   1.149943, 0.379696, 0.0};
-    plant.stalk = {{}, true, 2.0, 0.027, 0, LeafBase::axis};
+    plant.stalk = {{}, true, 2.0, 0.027};
     return plant;
 }
 

@@ -58,8 +58,9 @@ TEST(Leaflets, BeginWherePetioleAndRachisEnd) {
     const Mesh mesh = built(plant);
     const Leaf& leaf = plant.leaves[0];
     const double lean = 30 * degree, along = leaf.insertion_angle * degree;
-    const glm::dvec3 end{petiole_length * std::sin(lean), 0,
-                         0.25 + petiole_length * std::cos(lean)};
+    const glm::dvec3 end{
+        plant.stalk.radius(0) + petiole_length * std::sin(lean), 0,
+        0.25 + petiole_length * std::cos(lean)};
     const glm::dvec3 middle =
         end + rachis * glm::dvec3(std::sin(along), 0, std::cos(along));
     const glm::dvec3 expected[] = {end, middle, end};
@@ -91,15 +92,13 @@ TEST(Leaflets, AreOneGroupWithTheAreaOfAllOfThem) {
     const double one = area_in(build_plant(plant, {broad_cells, 8}), "leaf01");
     EXPECT_NEAR(area_in(mesh, "leaf01") / (3 * one), 1, 1e-3);
     plant.blade.leaflets = 5;
-    plant.blade.lateral_size = 0.5;
-    EXPECT_NEAR(area_in(built(plant), "leaf01") / (2 * one), 1, 1e-3);
+    EXPECT_NEAR(area_in(built(plant), "leaf01") / (5 * one), 1, 1e-3);
 }
 
 TEST(Leaflets, OfOneBladeWithoutPetioleAreAsEver) {
     Plant plant = sample_plant();
     const Mesh mesh = built(plant);
     plant.blade.leaflet_divergence = 80;
-    plant.blade.lateral_size = 0.5;
     for (Leaf& leaf : plant.leaves) leaf.petiole_angle = 30;
     EXPECT_EQ(built(plant).vertices, mesh.vertices);
     EXPECT_EQ(built(plant).faces, mesh.faces);

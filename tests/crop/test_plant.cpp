@@ -92,7 +92,7 @@ TEST(Plant, StalkIsOptional) {
 
 TEST(Plant, StalksTaper) {
     Plant sample = sample_plant();
-    sample.stalk = {{}, true, 1.6, 0.024, 0.011, LeafBase::axis};
+    sample.stalk = {{}, true, 1.6, 0.024, 0.011};
     EXPECT_DOUBLE_EQ(sample.stalk.radius(0), 0.012);
     EXPECT_DOUBLE_EQ(sample.stalk.radius(0.8), 0.00875);
     EXPECT_DOUBLE_EQ(sample.stalk.radius(9), 0.0055);
@@ -107,7 +107,6 @@ TEST(Plant, StalksTaper) {
 
 TEST(Plant, LeavesBeginAtTheSurfaceOfTheStalk) {
     Plant sample = sample_plant();
-    sample.stalk.leaf_base = LeafBase::surface;
     const Mesh mesh = build_plant(sample, {});
     constexpr std::size_t per_leaf = 13 * 3;
     for (std::size_t leaf = 0; leaf < 3; ++leaf) {
@@ -115,15 +114,16 @@ TEST(Plant, LeavesBeginAtTheSurfaceOfTheStalk) {
         EXPECT_NEAR(std::hypot(base.x, base.y), 0.0135, 1e-12);
         EXPECT_DOUBLE_EQ(base.z, sample.leaves[leaf].insertion_height);
     }
-    EXPECT_NEAR(plant_area(mesh).leaves /
-                    plant_area(build_plant(sample_plant(), {})).leaves,
-                1, 1e-9);
+    sample.stalk.is_present = false;
+    const Mesh bare = build_plant(sample, {});
+    EXPECT_NEAR(bare.vertices[1].x, 0, 1e-12);
+    EXPECT_NEAR(plant_area(mesh).leaves / plant_area(bare).leaves, 1, 1e-9);
 }
 
 TEST(Plant, TheMassOfSheathsDoesNotShrinkWithTheStalk) {
     Plant sample = sample_plant();
     sample.leaves[0].insertion_height = 0.5;
-    sample.stalk = {{}, true, 2, 0.03, 0.01, LeafBase::surface};
+    sample.stalk = {{}, true, 2, 0.03, 0.01};
     sample.sheath = {{}, true, 0.2, 0.001};
     sample.stalk.density = 100;
     sample.sheath.density = 90;
@@ -146,7 +146,7 @@ TEST(Plant, TheMassOfSheathsDoesNotShrinkWithTheStalk) {
 
 TEST(Plant, EachGreenSheathHasFacesOfItsOwn) {
     Plant sample = sample_plant();
-    sample.stalk = {{}, true, 1.6, 0.02, 0.02, LeafBase::surface};
+    sample.stalk = {{}, true, 1.6, 0.02, 0.02};
     sample.sheath = {{}, true, 0.81, 0.001};
     const Mesh dead = build_plant(sample, {});
     sample.sheath.capacity = 0.1;
@@ -160,7 +160,7 @@ TEST(Plant, EachGreenSheathHasFacesOfItsOwn) {
 TEST(Plant, SheathsCoverTheStalkBelowEachLeafAndAreNoLeaves) {
     Plant sample = sample_plant();
     const double leaves = plant_area(build_plant(sample, {})).leaves;
-    sample.stalk = {{}, true, 1.6, 0.02, 0.02, LeafBase::surface};
+    sample.stalk = {{}, true, 1.6, 0.02, 0.02};
     sample.sheath = {{}, true, 0.5, 0.001};
     Mesh mesh = build_plant(sample, {});
     EXPECT_EQ(organ_names(sample),
@@ -188,7 +188,7 @@ TEST(Plant, SheathsCoverTheStalkBelowEachLeafAndAreNoLeaves) {
 
 TEST(Plant, OtherOrgansStandOnTheStalkOrAtALeaf) {
     Plant sample = sample_plant();
-    sample.stalk = {{}, true, 1.6, 0.02, 0.02, LeafBase::surface};
+    sample.stalk = {{}, true, 1.6, 0.02, 0.02};
     Organ branches;
     branches.name = "branches";
     branches.count = 3;

@@ -102,6 +102,9 @@ struct FixedObject {
     bool is_panel = false;  //!< whether the object is a panel
 };
 
+//! Leaves that are warmer count as hot [deg C].
+inline constexpr double hot_leaf = 35;
+
 //! The exchange of heat and water of leaves with the air, see leaf_exchange().
 struct LeafWater {
     //! True if leaves have a temperature of their own, by their energy balance;
@@ -110,10 +113,8 @@ struct LeafWater {
     //! True if the air within the canopy has a state of its own: one node,
     //! which the canopy warms and moistens. Else leaves are in the air above.
     bool has_canopy_air = true;
-    double emissivity = 0.96;     //!< emissivity of leaves
     double stomatal_ratio = 1;    //!< conductance of lower over upper face
     double wind_attenuation = 2;  //!< a in exp(-a (1 - z / h)), z in the canopy
-    double hot = 35;              //!< warmer leaves count as hot [deg C]
 };
 
 //! All that light can meet, the light itself, and how leaves use it: the only

@@ -21,15 +21,13 @@ struct Growth {
     //! Exponents of the area by rank, see final_area().
     double narrowing = 4.5, skewness = 1.1;
     //! The time from tip to collar of the first leaf, of the slowest leaf and
-    //! of the last leaf [deg C d], and the rank of the slowest leaf over the
-    //! number of leaves.
-    double first_extension = 70, longest_extension = 190, last_extension = 105,
-           slowest = 0.45;
-    //! Leaves with ranks up to this fraction of all leaves die one by one from
-    //! `lower_death` on, `lower_interval` apart, the other leaves from
-    //! `upper_death` after silking on [deg C d].
-    double lower_leaves = 0.4, lower_death = 200, lower_interval = 100,
-           upper_death = 500, upper_interval = 84;
+    //! of the last leaf [deg C d].
+    double first_extension = 70, longest_extension = 190, last_extension = 105;
+    //! The lower 40 % of leaves die one by one from `lower_death` on,
+    //! `lower_interval` apart, the other leaves from `upper_death` after
+    //! silking on [deg C d].
+    double lower_death = 200, lower_interval = 100, upper_death = 500,
+           upper_interval = 84;
     double fading = 150;            //!< time from death to loss of all green
     double silking = 20;            //!< time after `leaves` intervals
     double maturity = 970;          //!< time after silking [deg C d]

@@ -70,8 +70,6 @@ inline constexpr std::array blade_measures{
             "angle at arc length s is insertion_angle + curvature s^exponent"),
     measure("leaflet_divergence", "deg", 0, 180, &Blade::leaflet_divergence,
             "azimuth between neighbouring leaflets"),
-    measure("lateral_size", "1", 0.1, 2, &Blade::lateral_size,
-            "length and width of other leaflets over those of the middle one"),
     measure("rachis_length", "m", 0, 0.5, &Blade::rachis_length,
             "distance by which the middle leaflet begins further out")};
 
@@ -118,10 +116,7 @@ inline constexpr std::array organ_measures{
     measure("top_diameter", "m", 0, 0.5, &Organ::top_diameter,
             "diameter where a cone ends"),
     measure("inclination", "deg", 0, 180, &Organ::inclination,
-            "angle of a cone from the vertical"),
-    measure("azimuth", "deg", 0, 360, &Organ::azimuth,
-            "azimuth of the first cone; 0 is along the row, or the azimuth of "
-            "its leaf")};
+            "angle of a cone from the vertical")};
 
 //! The name of a measure in a plant, such as "leaf.length" or "stalk.height",
 //! and the measure's properties and values.

@@ -58,7 +58,6 @@ struct Blade {
     double curvature_exponent = 1.5;  //!< exponent of relative arc length
     int leaflets = 1;
     double leaflet_divergence = 0;  //!< azimuth from leaflet to leaflet [deg]
-    double lateral_size = 1;        //!< size of lateral over middle leaflets
     //! Distance by which the middle leaflet begins further out than the others,
     //! along its own direction [m].
     double rachis_length = 0;
@@ -70,9 +69,6 @@ struct Petiole {
     bool is_present = true;
     double diameter = 0.003;  //!< diameter [m]
 };
-
-//! The place where the midribs of leaves begin.
-enum class LeafBase { surface, axis };
 
 //! The tissue of an organ other than a leaf. Without a capacity its surface
 //! assimilates nothing; without a density it neither respires nor costs carbon.
@@ -91,13 +87,13 @@ struct Tissue {
     bool is_living() const { return capacity > 0 || density > 0; }
 };
 
-//! A truncated cone that stands on the soil.
+//! A truncated cone that stands on the soil. Leaves begin at its surface, or at
+//! the axis of plants without a stalk.
 struct Stalk : Tissue {
     bool is_present = true;
     double height = 2.0;           //!< height [m]
     double base_diameter = 0.024;  //!< diameter at the soil [m]
     double top_diameter = 0;       //!< diameter [m]; 0: as at the base
-    LeafBase leaf_base = LeafBase::surface;
 
     //! Returns half the diameter at a height above the soil [m].
     double radius(double z) const;
@@ -117,7 +113,7 @@ enum class PlantMaterial : std::uint32_t { leaf, stalk, sheath };
 inline constexpr std::uint32_t plant_materials = 3;
 
 //! Another organ: one or more truncated cones, on top of the stalk or at the
-//! insertion of a leaf.
+//! insertion of a leaf. The first has the azimuth of the row or of the leaf.
 struct Organ : Tissue {
     std::string name;
     bool is_present = true;
@@ -130,9 +126,7 @@ struct Organ : Tissue {
     double base_diameter = 0;  //!< diameter at the base [m]
     double top_diameter = 0;   //!< diameter at the tip [m]
     double inclination = 0;    //!< angle from the vertical [deg]
-    //! Azimuth of the first cone [deg]; 0 is along the row or along the leaf.
-    double azimuth = 0;
-    int sides = 6;  //!< faces around each cone
+    int sides = 6;             //!< faces around each cone
     //! Thermal time after silking at which the organ dies [deg C d]: it then
     //! has the optics of the stalk, and does not assimilate; 0: it stays green.
     double senescence = 0;

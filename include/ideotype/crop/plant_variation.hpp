@@ -14,6 +14,10 @@ namespace ideotype {
 //! middle and upper third. One number holds for all leaves.
 using LeafSpread = std::vector<double>;
 
+//! All lengths of plants that emerged late over those of the others: E, 0.5 to
+//! 0.9.
+inline constexpr double late_size = 0.7;
+
 //! The differences between plants of one line in a field, as standard
 //! deviations of distributions that are cut at three standard deviations.
 struct PlantVariation {
@@ -29,9 +33,8 @@ struct PlantVariation {
     //! Deviation of a Laplace distribution, in which most blades are hardly
     //! twisted and some are twisted a lot.
     LeafSpread twist{0};
-    double missing = 0;      //!< fraction of plants that are missing
-    double late = 0;         //!< fraction of plants that emerged late
-    double late_size = 0.7;  //!< length of late over other plants
+    double missing = 0;  //!< fraction of plants that are missing
+    double late = 0;     //!< fraction of plants that emerged late
     //! Fraction of plants whose leaves point across the row, within 45 deg;
     //! none: plants have only the random turn of the field.
     std::optional<double> across_row{};

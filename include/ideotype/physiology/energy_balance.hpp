@@ -72,11 +72,14 @@ struct LeafSurroundings {
     double width = 0.08;      //!< width of the blade at this point, above 0 [m]
 };
 
+//! The emissivity of leaves for longwave radiation.
+inline constexpr double leaf_emissivity = 0.96;
+
 //! A leaf that exchanges heat and water.
 struct ThermalLeaf {
     Co2Leaf rates = CollatzLeaf{};
     Stomata stomata{};
-    double emissivity = 0.96;
+    double emissivity = leaf_emissivity;
     //! Conductance of the stomata of the lower face over that of the upper; 0
     //! or infinite if they are on one face only.
     double ratio = 1;

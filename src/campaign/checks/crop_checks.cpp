@@ -82,12 +82,10 @@ void check_growth(const CropSpec& crop, const Problems& problems) {
     if (!crop.growth) return;
     const Growth& growth = *crop.growth;
     const auto leaves = static_cast<int>(crop.baseline.leaves.size());
-    for (const auto& [name, share] : {std::pair("largest", growth.largest),
-                                      std::pair("slowest", growth.slowest)})
-        problems.rule({name, "leaves"}, share * growth.leaves <= 1,
-                      "growth.{} is {} (a rank below the second of {} leaves); "
-                      "use more than {:.3g}",
-                      name, share, growth.leaves, 1. / growth.leaves);
+    problems.rule({"largest", "leaves"}, growth.largest * growth.leaves <= 1,
+                  "growth.largest is {} (a rank below the second of {} "
+                  "leaves); use more than {:.3g}",
+                  growth.largest, growth.leaves, 1. / growth.leaves);
     for (const auto& [name, points] :
          {std::pair("ageing", &growth.ageing),
           std::pair("maintenance", &growth.maintenance)})

@@ -147,7 +147,7 @@ std::vector<Mesh> draw_plants(const Component& component, const Mesh& line,
                                          pairs[p - half], -1);
         if (emergence == Emergence::none) continue;
         if (emergence == Emergence::late)
-            one = scaled(std::move(one), variation.late_size);
+            one = scaled(std::move(one), late_size);
         plants[p] = build_plant(one, component.tessellation);
         if (plants[p].faces.size() != line.faces.size())
             throw Error(

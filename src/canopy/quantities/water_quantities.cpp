@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
 #include "declaration.hpp"
 #include "randomised.hpp"
 
@@ -122,8 +124,9 @@ std::vector<Declaration> water_quantities() {
                  "ground area, mean over the time with light"},
                 MeanOver::time, number(&WaterReport::conductance)),
         declare({"hot_hours", "h day-1",
-                 "time for which leaves are warmer than water.hot, mean over "
-                 "leaf area"},
+                 fmt::format("time for which leaves are warmer than {} deg C, "
+                             "mean over leaf area",
+                             hot_leaf)},
                 MeanOver::leaf_area, mean_of_leaves(&WaterReport::hot)),
         declare(by({"leaf"}, {"transpiration_by_leaf", depth,
                               "water that each leaf transpires"}),

@@ -172,11 +172,10 @@ LeafAir::Leaf LeafAir::leaf_in(std::size_t number, std::uint32_t group) const {
     const Component& component =
         leaves_.scene.components[leaves_.groups[group].id.component];
     const Air air = air_of(step, *of.photosynthesis);
-    Leaf result{
-        {{}, component.stomata, water_.emissivity, water_.stomatal_ratio},
-        {},
-        air.humidity * saturated_vapour(air.temperature),
-        dark_respiration(of.rates, air.temperature)};
+    Leaf result{{{}, component.stomata, leaf_emissivity, water_.stomatal_ratio},
+                {},
+                air.humidity * saturated_vapour(air.temperature),
+                dark_respiration(of.rates, air.temperature)};
     result.above.temperature = air.temperature;
     result.above.humidity = air.humidity;
     result.above.co2 = series_.co2;
@@ -231,7 +230,7 @@ LeafSurroundings LeafAir::around(const Point& point) const {
                  light_.nir_of_sky * place.nir_of_sky +
                  place.nir_absorptance * light_.nir_beam * point.cosine;
     around.longwave =
-        water_.emissivity *
+        leaf_emissivity *
         (2 * leaf.black + place.view * (light_.longwave - leaf.black));
     around.wind *= place.wind;
     around.width = place.width;
@@ -264,7 +263,7 @@ LeafAir::Fluxes LeafAir::fluxes_of(const LeafExchange& found,
             {found.sensible, 0, 0},
             {found.temperature - leaf.above.temperature, 0, 0},
             {found.conductance, 0, 0},
-            {found.temperature > water_.hot ? 1. : 0., 0, 0},
+            {found.temperature > hot_leaf ? 1. : 0., 0, 0},
             {more, 0, 0}};
 }
 

@@ -94,7 +94,7 @@ class LeafAir {
     //! Returns by how much a leaf is warmer than the air above when it counts
     //! as hot [K].
     double hot_over_air(std::uint32_t group) const {
-        return water_.hot - leaf_[group]->above.temperature;
+        return hot_leaf - leaf_[group]->above.temperature;
     }
 
     //! Returns the canopy air that follows if leaves lose this heat and water

@@ -5,9 +5,6 @@
 namespace ideotype {
 
 template <>
-inline constexpr std::array enum_names<LeafBase>{
-    EnumName{"surface", LeafBase::surface}, EnumName{"axis", LeafBase::axis}};
-template <>
 inline constexpr std::array enum_names<PlantMaterial>{
     EnumName{"stalk", PlantMaterial::stalk},
     EnumName{"sheath", PlantMaterial::sheath}};
@@ -90,7 +87,6 @@ constexpr Key stalk_keys[] = {
     measured<tissue_measures<Stalk>, "density">().written_if<Stalk, is_living>(),
     measured<tissue_measures<Stalk>, "maintenance">().written_if<Stalk, is_living>(),
     measured<tissue_measures<Stalk>, "construction">().written_if<Stalk, is_living>(),
-    key<&Stalk::leaf_base>("leaf_base", any_value, usual(), "place where the midribs of leaves begin"),
 };
 
 constexpr Key sheath_keys[] = {
@@ -112,7 +108,6 @@ constexpr Key blade_keys[] = {
     measured<blade_measures, "folding_angle">(),
     measured<blade_measures, "curvature_exponent">(),
     measured<blade_measures, "leaflet_divergence">().written_if<Blade, has_leaflets>(),
-    measured<blade_measures, "lateral_size">().written_if<Blade, has_leaflets>(),
     measured<blade_measures, "rachis_length">().written_if<Blade, has_leaflets>(),
     key<&Blade::leaflets>("leaflets", within(1, 15), usual(), "number of leaflets of each leaf").written_if<Blade, has_leaflets>(),
     key<&Blade::width_controls>("width_controls", six_numbers(0, 2), by("[0.28, 0.88587, 0.895017, 1.149943, 0.379696, 0]"), "width from base to tip: control values of a cubic B-spline with knots at 1/3 and 2/3, scaled to a maximum of 1"),
@@ -128,8 +123,6 @@ constexpr Key growth_keys[] = {
     key<&Growth::first_extension>("first_extension", within(0, 5000, "deg C d"), usual(), "thermal time from tip to collar of the first leaf"),
     key<&Growth::longest_extension>("longest_extension", within(0, 5000, "deg C d"), usual(), "thermal time from tip to collar of the leaf that takes longest"),
     key<&Growth::last_extension>("last_extension", within(0, 5000, "deg C d"), usual(), "thermal time from tip to collar of the highest leaf"),
-    key<&Growth::slowest>("slowest", within(0.01, 0.99), usual(), "rank of the leaf that takes longest over the leaves"),
-    key<&Growth::lower_leaves>("lower_leaves", within(0.01, 0.99), usual(), "ranks up to it over the leaves die while the plant grows"),
     key<&Growth::lower_death>("lower_death", within(0, 5000, "deg C d"), usual(), "thermal time from emergence to the death of the lowest leaf"),
     key<&Growth::lower_interval>("lower_interval", within(0, 5000, "deg C d"), usual(), "thermal time between the deaths of lower leaves"),
     key<&Growth::upper_death>("upper_death", within(0, 5000, "deg C d"), usual(), "thermal time from silking to the death of the first upper leaf"),
@@ -174,7 +167,6 @@ constexpr Key organ_keys[] = {
     measured<organ_measures, "base_diameter">(required("0.01")),
     measured<organ_measures, "top_diameter">(),
     measured<organ_measures, "inclination">(),
-    measured<organ_measures, "azimuth">(),
     measured<tissue_measures<Organ>, "capacity">().written_if<Organ, is_living>(),
     measured<tissue_measures<Organ>, "density">().written_if<Organ, is_living>(),
     measured<tissue_measures<Organ>, "maintenance">().written_if<Organ, is_living>(),

@@ -68,7 +68,6 @@ constexpr std::array variation_keys{
     key<Path..., &PlantVariation::across_row>("across_row", within(0, 1), by("as the baseline"), "fraction of plants whose leaves point across the row, within 45 deg; left out, plants stand as the baseline does, but for `field.jitter`"),
     key<Path..., &PlantVariation::missing>("missing", within(0, 0.5), usual(), "fraction of places without a plant"),
     key<Path..., &PlantVariation::late>("late", within(0, 0.5), usual(), "fraction of plants that emerged late"),
-    key<Path..., &PlantVariation::late_size>("late_size", within(0.1, 1), usual(), "all lengths of late plants over those of the others"),
     key<Path..., &PlantVariation::position>("position", within(0, 0.3, "m"), usual(), "standard deviation of the position of each plant along the row"),
     key<Path..., &PlantVariation::position_across>("position_across", within(0, 0.3, "m"), usual(), "standard deviation of the position of each plant across the row")};
 

@@ -48,10 +48,8 @@ constexpr Key water_keys[] = {
     key<&WaterSpec::model>("stomata", any_value, usual(), "model of stomata, by Medlyn et al. 2011 or by Ball, Woodrow and Berry 1987"),
     key<&WaterSpec::slope>("slope", within(0.01, 50), by("by Medlyn 1.6 of C4 leaves and photosynthesis.g1 of C3 leaves [kPa^0.5], by Ball and Berry 4.53"), "slope of the conductance of stomata with assimilation over CO2"),
     key<&WaterSpec::intercept>("intercept", within(0, 1, "mol m-2 s-1"), by("0.01 by Medlyn, 0.017 by Ball and Berry"), "conductance of stomata without assimilation"),
-    key<&WaterSpec::rules, &LeafWater::emissivity>("emissivity", within(0.5, 1), usual(), "emissivity of leaves for longwave radiation"),
     key<&WaterSpec::rules, &LeafWater::stomatal_ratio>("stomatal_ratio", within(0, 1000), usual(), "conductance of the lower face over that of the upper face"),
     key<&WaterSpec::rules, &LeafWater::wind_attenuation>("wind_attenuation", within(0, 10), usual(), "attenuation of wind within the canopy: a in exp(-a (1 - z / h))"),
-    key<&WaterSpec::rules, &LeafWater::hot>("hot", within(0, 60, "deg C"), usual(), "temperature above which the time of leaves counts as hot"),
     key<&WaterSpec::limit>("limit", within(0, 100000, "mm"), usual(), "water that plants may transpire on all days; those that need more, by two standard errors on the safe side, are not feasible; 0: any"),
 };
 // clang-format on

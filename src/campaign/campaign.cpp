@@ -56,6 +56,8 @@ Campaign parse(const std::string& text, const std::string& file,
                bool is_study = false) {
     Problems problems;
     Spec spec = read_spec(text, file, source, settings, is_study, problems);
+    if (!spec.passed_over.empty())
+        problems.warn({Location{file}, passed_over_text(spec.passed_over)});
     read_weathers(file, source, spec, problems);
     read_objects(file, spec, problems);
     complete_factors(spec);

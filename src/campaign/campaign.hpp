@@ -121,7 +121,8 @@ Campaign parse_campaign(const std::string& text, const std::string& file,
                         const std::vector<std::string>& settings = {});
 
 //! Parses the campaign of a history in the same way. Keys that this version
-//! does not have are passed over.
+//! does not have are passed over, with a warning unless they have their former
+//! default.
 Campaign parse_history_campaign(const std::string& text,
                                 const std::string& file,
                                 const std::vector<std::string>& settings = {});

@@ -6,8 +6,10 @@
 #include <fmt/format.h>
 
 #include "campaign/campaign.hpp"
+#include "ideotype/core/text.hpp"
 #include "run/summary.hpp"
 #include "spec/problems.hpp"
+#include "spec/reader.hpp"
 
 namespace ideotype {
 
@@ -70,6 +72,9 @@ ChosenRow choose_row(const std::string& path, const RowChoice& choice) {
     const HistoryHeader& header = history.header();
     ChosenRow result;
     result.campaign = parse_history_campaign(header.campaign_resolved, path);
+    if (const auto& keys = result.campaign.spec.passed_over; !keys.empty())
+        fmt::print(stderr, "ideotype: warning: {}: {}\n", path,
+                   printable(passed_over_text(keys)));
     result.chosen = case_of(history, result.campaign);
     result.task.case_index = static_cast<std::uint32_t>(result.chosen.index);
     result.row = row_of(history, choice, result.task);

@@ -144,6 +144,7 @@ CaseResult result_of(const History& history) {
     CaseResult result;
     const Spec spec = read_resolved(header.campaign_resolved);
     result.is_study = spec.is_study;
+    result.passed_over = spec.passed_over;
     result.replicates = spec.replicates;
     result.reason = history.finished();
     result.generations = header.generations;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -55,6 +56,8 @@ struct CaseResult {
     BoundCount bounds{};
     std::size_t finalists = 0, failed_finalists = 0;
     std::string failure;  //!< first reason of failed finalists
+    //! Keys of its campaign that this version does not have, see Spec.
+    std::set<std::string> passed_over{};
 };
 
 CaseResult result_of(const History& history);

@@ -24,6 +24,7 @@ struct Problems::Collected {
     std::set<std::string> unusable;
     std::set<std::pair<std::string, std::string>> once;
     std::vector<Problem> problems, warnings;
+    std::set<std::string> passed_over;
 };
 
 Problems::Problems() : all_(std::make_shared<Collected>()) {}
@@ -108,6 +109,14 @@ void Problems::rule(const Keys& keys, const std::function<std::string()>& fault,
 void Problems::warn(Problem warning) const {
     warning.what = with_short_quotes(warning.what);
     all_->warnings.push_back(std::move(warning));
+}
+
+void Problems::pass_over(const std::string& key) const {
+    all_->passed_over.insert(key);
+}
+
+const std::set<std::string>& Problems::passed_over() const {
+    return all_->passed_over;
 }
 
 void Problems::open(const std::string& file) const {

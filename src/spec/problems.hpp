@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <set>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -121,6 +122,10 @@ class Problems {
                          fmt::format(text, std::forward<Args>(args)...)));
     }
     void warn(Problem warning) const;
+
+    //! Notes a key of a history that this version does not have.
+    void pass_over(const std::string& key) const;
+    const std::set<std::string>& passed_over() const;
 
     //! Throws all problems, if there are any.
     //! @throws InputError with the problems of each file by position, files in

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "ideotype/canopy/quantities.hpp"
 #include "spec/crop_reader.hpp"
@@ -268,11 +269,20 @@ Spec read_spec(const std::string& text, const std::string& file,
             "one: ideotype compare PLANT --under CAMPAIGN");
     else
         SpecReader(file, source, spec, problems).read(*table);
+    spec.passed_over = problems.passed_over();
     return spec;
 }
 
 Spec read_resolved(const std::string& text) {
     return read_spec(text, "", TextSource::history, {}, false, Problems());
+}
+
+std::string passed_over_text(const std::set<std::string>& keys) {
+    return fmt::format(
+        "the campaign of this history has keys that this version does not have "
+        "({}); they are passed over, and the version that made the history "
+        "reads them",
+        fmt::join(keys, ", "));
 }
 
 std::optional<CropSpec> read_crop_spec(const std::string& text,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,9 @@ Spec read_spec(const std::string& text, const std::string& file,
 //! Returns what a resolved text says; keys that this version does not have are
 //! passed over.
 Spec read_resolved(const std::string& text);
+
+//! Returns a warning of keys in Spec::passed_over.
+std::string passed_over_text(const std::set<std::string>& keys);
 
 //! Reads the text of a crop file. Returns nothing if the text is a campaign.
 std::optional<CropSpec> read_crop_spec(const std::string& text,

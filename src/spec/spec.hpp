@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -340,6 +341,9 @@ struct Spec {
     FinalSpec final;
     AnswerLimits parallel;
     std::vector<SiteWeather> weathers;  //!< weather by site and climate
+    //! Keys of a history's campaign that this version does not have, but for
+    //! those with their former default.
+    std::set<std::string> passed_over;
 };
 
 //! Returns whether light is followed in each waveband.

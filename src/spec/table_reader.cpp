@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "spec/nodes.hpp"
+#include "spec/removed_keys.hpp"
 #include "spec/tables.hpp"
 #include "spec/values.hpp"
 
@@ -235,9 +236,12 @@ std::set<std::string> TableReader::report_unknown(
     for (const auto& [key, value] : table) {
         const std::string name(key.str());
         const Location place = location(key.source(), file_);
-        if (std::ranges::count(known, name) > 0 ||
-            (known_.passes_over_others && place.file == file_))
+        if (std::ranges::count(known, name) > 0) continue;
+        if (known_.passes_over_others && place.file == file_) {
+            const std::string path = inside(section.name, name);
+            if (!has_former_default(path, value)) problems_.pass_over(path);
             continue;
+        }
         const bool is_table = value.is_table() || value.is_array_of_tables();
         const std::string nearest = nearest_name(name, is_table ? known : keys);
         misspelt.insert(nearest);

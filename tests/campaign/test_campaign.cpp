@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -165,6 +166,31 @@ TEST(Campaign, ResolvedTextKeepsUnusualValues) {
     EXPECT_EQ(again.spec.trait_sets[0].value, (TraitSet{"length", "azimuth"}));
     EXPECT_EQ(again.bounds[0].lower, 0.1);
     EXPECT_EQ(again.bounds[3].upper, 360);
+}
+
+// Keys that were removed have no effect in histories of earlier versions.
+TEST(Campaign, OfAHistoryWarnsOnceOfKeysThatThisVersionDoesNotHave) {
+    const auto of_history = [](const std::string& step,
+                               const std::string& base) {
+        std::string text = sample().resolved;
+        for (const auto& [table, key] :
+             {std::pair{"\n[search]\n", "step = " + step + "\nwindow = 4\n"},
+              {"\n[plant.baseline.stalk]\n", "leaf_base = " + base + '\n'}})
+            text.insert(text.find(table) + std::string(table).size(), key);
+        return parse_history_campaign(text, "old.h5");
+    };
+    const Campaign usual = of_history("0.2", "\"surface\"");
+    EXPECT_EQ(usual.spec.passed_over, (std::set<std::string>{"search.window"}));
+    const Campaign other = of_history("0.5", "\"axis\"");
+    EXPECT_EQ(other.resolved, sample().resolved);
+    ASSERT_EQ(other.warnings.size(), sample().warnings.size() + 1);
+    EXPECT_EQ(to_string(other.warnings.front()),
+              "old.h5: the campaign of this history has keys that this version "
+              "does not have (search.step, search.window, stalk.leaf_base); "
+              "they are passed over, and the version that made the history "
+              "reads them");
+    EXPECT_THROW(parse_campaign(sample().resolved + "[water]\nhot = 35\n", ""),
+                 InputError);
 }
 
 TEST(Campaign, SkyIsUniformUnlessItIsNamed) {

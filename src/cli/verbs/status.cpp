@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <set>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -15,6 +16,7 @@
 #include "run/job/way_on.hpp"
 #include "run/progress.hpp"
 #include "run/summary.hpp"
+#include "spec/reader.hpp"
 
 namespace ideotype {
 
@@ -203,10 +205,13 @@ ExitCode status(const StatusOptions& options) {
     ExitCode worst = ExitCode::ok;
     std::vector<CaseStatus> reports;
     std::vector<std::string> commands;  // one for all cases of a job
+    std::set<std::string> warnings;     // one for all cases with the same keys
     Json json{{"histories", Json::array()}, {"unreadable", Json::array()}};
     const std::vector<std::string> paths = histories_in(options.paths);
     for (const std::string& path : paths) try {
             const CaseStatus& report = reports.emplace_back(report_on(path));
+            if (const auto& keys = report.result.passed_over; !keys.empty())
+                warnings.insert(passed_over_text(keys));
             if (!report.way_on.empty() &&
                 std::ranges::count(commands, report.way_on) == 0)
                 commands.push_back(report.way_on);
@@ -224,6 +229,8 @@ ExitCode status(const StatusOptions& options) {
             json["unreadable"].push_back(
                 {{"path", path}, {"message", error.what()}});
         }
+    for (const std::string& warning : warnings)
+        fmt::print(stderr, "ideotype: warning: {}\n", printable(warning));
     json["go_on_with"] = commands;
     if (options.is_json)
         fmt::print("{}\n", to_text(json));

@@ -57,7 +57,8 @@ Campaign parse(const std::string& text, const std::string& file,
     Problems problems;
     Spec spec = read_spec(text, file, source, settings, is_study, problems);
     if (!spec.passed_over.empty())
-        problems.warn({Location{file}, passed_over_text(spec.passed_over)});
+        problems.warn({Location{file}, "", ProblemCode::doubt,
+                       passed_over_text(spec.passed_over)});
     read_weathers(file, source, spec, problems);
     read_objects(file, spec, problems);
     complete_factors(spec);

@@ -63,10 +63,34 @@ void set_organs(const Component& component, std::uint32_t number,
     }
 }
 
+//! Returns the leaf area index of the leaves of a group's component.
+double lai_of_component(const std::vector<LeafGroup>& leaves, std::size_t group,
+                        std::span<const double> leaf_area_index) {
+    double sum = 0;
+    for (std::size_t g = 0; g < leaves.size(); ++g)
+        if (leaves[g].exchanges_water() &&
+            leaves[g].component == leaves[group].component)
+            sum += leaf_area_index[g];
+    return sum;
+}
+
+//! Returns the plants of a group's component in a field over those of its line,
+//! by their leaf area.
+double share_of_line(const std::vector<LeafGroup>& leaves, std::size_t group,
+                     std::span<const double> leaf_area_index) {
+    const double line = leaves[group].lai_of_line;
+    return line > 0 ? lai_of_component(leaves, group, leaf_area_index) / line
+                    : 1;
+}
+
 //! Returns the amount of a group that respires: leaf area index, or dry mass
 //! per ground area [kg m-2].
-double respiring(const LeafGroup& group, double leaf_area_index) {
-    return group.organ ? group.organ->mass : leaf_area_index;
+double respiring(const std::vector<LeafGroup>& leaves, std::size_t group,
+                 std::span<const double> leaf_area_index) {
+    return leaves[group].organ
+               ? leaves[group].organ->mass *
+                     share_of_line(leaves, group, leaf_area_index)
+               : leaf_area_index[group];
 }
 
 //! Returns the dry mass of leaves [kg m-2], or 1, that of a mass of an organ.
@@ -101,24 +125,38 @@ double building_cost(const LeafGroup& group) {
 
 //! Returns the leaf area, or the dry mass of an organ, per ground area that is
 //! built: all, unless plants grow.
-double built(const LeafGroup& group, double leaf_area_index) {
-    return group.built.value_or(respiring(group, leaf_area_index));
+double built(const std::vector<LeafGroup>& leaves, std::size_t group,
+             std::span<const double> leaf_area_index) {
+    return leaves[group].built
+               ? *leaves[group].built *
+                     share_of_line(leaves, group, leaf_area_index)
+               : respiring(leaves, group, leaf_area_index);
 }
 
 }  // namespace
 
-double share_of_area(const std::vector<LeafGroup>& leaves, std::size_t group,
-                     std::span<const double> part,
-                     std::span<const double> whole) {
-    double own = part[group], all = whole[group];
-    if (leaves[group].organ)
-        for (std::size_t g = 0; g < leaves.size(); ++g)
-            if (!leaves[g].organ &&
-                leaves[g].component == leaves[group].component) {
-                own += part[g];
-                all += whole[g];
-            }
-    return all > 0 ? own / all : 1;
+namespace {
+
+//! Returns the share that a part of a field has of the plants of a component.
+double share_of_plants(const std::vector<LeafGroup>& leaves, std::size_t group,
+                       std::span<const double> part,
+                       std::span<const double> whole) {
+    const double all = lai_of_component(leaves, group, whole);
+    return all > 0 ? lai_of_component(leaves, group, part) / all : 1;
+}
+
+}  // namespace
+
+CarbonLoss loss_of_part(const CarbonLoss& loss,
+                        const std::vector<LeafGroup>& leaves, std::size_t group,
+                        std::span<const double> part,
+                        std::span<const double> whole) {
+    const double of_plants = share_of_plants(leaves, group, part, whole);
+    const bool is_leaf = !leaves[group].organ && whole[group] > 0;
+    CarbonLoss result =
+        loss.scaled(is_leaf ? part[group] / whole[group] : of_plants);
+    if (leaves[group].built) result.building = of_plants * loss.building;
+    return result;
 }
 
 std::vector<LeafGroup> leaf_groups(const Scene& scene,
@@ -165,6 +203,10 @@ std::vector<LeafGroup> leaf_groups(const Scene& scene,
                     built[leaf[i]] / scene.components[c].ground_per_plant;
         }
     }
+    if (scene.varies())
+        for (std::size_t g = 0; g < groups.size(); ++g)
+            result[g].lai_of_line =
+                lai_of_component(result, g, leaf_area_index);
     return result;
 }
 
@@ -239,28 +281,30 @@ namespace {
 
 //! Returns the respiration of leaves, or of an organ, in one step of a mean
 //! day.
-double respiration(const LeafGroup& group, double leaf_area_index,
+//! @param amount see respiring()
+double respiration(const LeafGroup& group, double amount,
                    const LightSeries& series, const TimeStep& step) {
-    return mol_per_umol * respiring(group, leaf_area_index) /
-           static_cast<double>(series.days) * step.seconds *
+    return mol_per_umol * amount / static_cast<double>(series.days) *
+           step.seconds *
            respiration_rate(group,
                             air_of(step, *group.photosynthesis).temperature);
 }
 
 //! Returns the respiration of leaves, or of an organ, over a mean day.
-CarbonLoss respiration(const LeafGroup& group, double leaf_area_index,
+//! @param amount see respiring()
+CarbonLoss respiration(const LeafGroup& group, double amount,
                        const LightSeries& series) {
-    if (!(respiring(group, leaf_area_index) > 0)) return {};
-    const double scale = mol_per_umol * respiring(group, leaf_area_index) /
-                         static_cast<double>(series.days);
+    if (!(amount > 0)) return {};
+    const double scale =
+        mol_per_umol * amount / static_cast<double>(series.days);
     CarbonLoss result;
     double known = 0;
     for (const TimeStep& step : series.steps) {
-        const double amount = respiration(group, leaf_area_index, series, step);
+        const double lost = respiration(group, amount, series, step);
         if (step.is_lit())
-            result.in_light += amount;
+            result.in_light += lost;
         else
-            result.at_night += amount;
+            result.at_night += lost;
         known += step.seconds;
     }
     if (series.grows) return result;  // further stages add the rest
@@ -269,15 +313,6 @@ CarbonLoss respiration(const LeafGroup& group, double leaf_area_index,
     result.at_night += scale * std::max(0., series.days * day - known) *
                        respiration_rate(group, Air{}.temperature);
     return result;
-}
-
-//! Returns the leaf area of a group in a randomisation over its mean.
-double share_of_area(const std::vector<LeafGroup>& leaves,
-                     const FluxTally& tally, std::size_t group,
-                     const std::vector<double>& leaf_area_index) {
-    return tally.leaf_area.empty()
-               ? 1
-               : share_of_area(leaves, group, tally.leaf_area, leaf_area_index);
 }
 
 //! Returns net assimilation less respiration at night after silking by
@@ -295,35 +330,30 @@ std::vector<double> late_net(const std::vector<FluxTally>& tallies,
             gross[r] +=
                 mol_per_umol * tallies[r].steps[i] * step.seconds / series.days;
         for (std::size_t g = 0; g < leaves.size(); ++g) {
-            if (!leaves[g].photosynthesis ||
-                !(respiring(leaves[g], leaf_area_index[g]) > 0))
-                continue;
-            const double loss =
-                respiration(leaves[g], leaf_area_index[g], series, step);
-            for (std::size_t r = 0; r < tallies.size(); ++r)
-                lost[r] += loss * share_of_area(leaves, tallies[r], g,
-                                                leaf_area_index);
+            if (!leaves[g].photosynthesis) continue;
+            for (std::size_t r = 0; r < tallies.size(); ++r) {
+                const std::vector<double>& own = tallies[r].leaf_area;
+                lost[r] += respiration(
+                    leaves[g],
+                    respiring(leaves, g, own.empty() ? leaf_area_index : own),
+                    series, step);
+            }
         }
     }
     for (std::size_t r = 0; r < tallies.size(); ++r) gross[r] -= lost[r];
     return gross;
 }
 
-//! Returns losses by randomisation: respiration and building follow the leaf
-//! area of the field, but not the building of leaves that have grown.
+//! Returns losses by randomisation, which follow the leaf area of the field.
 std::vector<std::vector<CarbonLoss>> losses_by_randomisation(
     const AssimilationReport& report, const std::vector<LeafGroup>& leaves,
     const std::vector<double>& leaf_area_index) {
     std::vector<std::vector<CarbonLoss>> all;
     for (const FluxTally& tally : report.before_losses().tallies) {
         std::vector<CarbonLoss>& losses = all.emplace_back();
-        for (std::size_t g = 0; g < leaves.size(); ++g) {
-            const double share =
-                share_of_area(leaves, tally, g, leaf_area_index);
-            losses.push_back(report.losses[g].scaled(share));
-            if (leaves[g].built)
-                losses.back().building = report.losses[g].building;
-        }
+        for (std::size_t g = 0; g < leaves.size(); ++g)
+            losses.push_back(loss_of_part(report.losses[g], leaves, g,
+                                          tally.leaf_area, leaf_area_index));
     }
     return all;
 }
@@ -417,8 +447,9 @@ AssimilationReport report(std::vector<FluxTally> uptake,
         if (!group.photosynthesis) continue;
         const Photosynthesis* photosynthesis = group.photosynthesis;
         IDEOTYPE_EXPECT(photosynthesis->building_days > 0);
-        loss = respiration(group, leaf_area_index[g], series);
-        const double amount_built = built(group, leaf_area_index[g]);
+        loss =
+            respiration(group, respiring(leaves, g, leaf_area_index), series);
+        const double amount_built = built(leaves, g, leaf_area_index);
         result.dry_mass.back() = unit_mass(group) * amount_built;
         loss.building =
             building_cost(group) * amount_built /

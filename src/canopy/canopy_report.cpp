@@ -157,8 +157,9 @@ class Reporter {
                 one.lai += areas[g] / found_.fields;
                 if (!result_.assimilation) continue;
                 const AssimilationReport& all = *result_.assimilation;
-                one.assimilation.loss += all.losses[g].scaled(share_of_area(
-                    look_.leaves, g, areas, found_.leaf_area_index));
+                one.assimilation.loss +=
+                    loss_of_part(all.losses[g], look_.leaves, g, areas,
+                                 found_.leaf_area_index);
             }
             if (result_.assimilation) {
                 one.assimilation.loss_by_randomisation = losses_of_row(row);
@@ -191,8 +192,8 @@ class Reporter {
                       is_own ? tally.leaf_area_of_rows : found_.areas_of_rows;
             const std::size_t groups = area.size();
             for (std::size_t g = 0; g < groups; ++g)
-                losses[r] += all.losses_in(r)[g].scaled(share_of_area(
-                    look_.leaves, g, {&areas[row * groups], groups}, area));
+                losses[r] += loss_of_part(all.losses_in(r)[g], look_.leaves, g,
+                                          {&areas[row * groups], groups}, area);
         }
         return losses;
     }

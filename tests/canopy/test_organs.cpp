@@ -191,6 +191,30 @@ TEST_F(Organs, LoseByTheFieldInWhichPlantsAreMissing) {
     EXPECT_NEAR(mean, report.assimilation->losses[stalk].all(), 1e-12);
 }
 
+TEST_F(Organs, OfMissingPlantsCostNothing) {
+    plant.stalk.density = 100;
+    plant.stalk.maintenance = .015;
+    set(plant);
+    const CanopyReport alike = evaluated(Fields::each);
+    request.scene.components[0].variation.missing = .5;
+    const CanopyReport report = evaluated(Fields::each);
+    const double share = report.lai / alike.lai;
+    EXPECT_LT(share, .6);
+    for (const auto part : {&CarbonLoss::at_night, &CarbonLoss::building})
+        EXPECT_NEAR(report.assimilation->losses[stalk].*part,
+                    share * alike.assimilation->losses[stalk].*part, 1e-12);
+    // Each field loses what it would lose alone.
+    request.accuracy = {512, 4};
+    for (std::uint32_t r = 0; r < 8; ++r) {
+        request.randomness.first_randomisation = r;
+        const CanopyReport alone = evaluated();
+        EXPECT_NEAR(
+            alone.assimilation->losses[stalk].all(),
+            report.assimilation->losses_by_randomisation[r][stalk].all(),
+            1e-12);
+    }
+}
+
 TEST_F(Organs, CountByOrganAsTheyDoInAllOfTheCanopy) {
     plant.sheath.capacity = .3;
     plant.sheath.density = 90;

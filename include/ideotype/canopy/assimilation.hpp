@@ -140,19 +140,15 @@ struct LeafGroup {
     Roots roots{};                      //!< roots that bear the group
     double ear_share = 0;               //!< see Component::ear_share
     std::uint32_t component = 0;        //!< component of a living group
+    //! Leaf area index of the component if no plant is missing or deviates from
+    //! its line; 0: fields do not differ. Dry mass and what was built are those
+    //! of such plants, and fields have them in proportion to leaf area.
+    double lai_of_line = 0;
 
     //! Returns whether leaves of the group exchange heat and water with the
     //! air. Other organs have few stomata, and exchange neither.
     bool exchanges_water() const { return photosynthesis && !organ; }
 };
-
-//! Returns the part of the leaf area of a group that is in some field or row;
-//! of an organ, that of all leaves of its component, so that organs that do not
-//! show are where plants are.
-//! @param part,whole leaf area by group in the field or row, and in all
-double share_of_area(const std::vector<LeafGroup>& leaves, std::size_t group,
-                     std::span<const double> part,
-                     std::span<const double> whole);
 
 //! Tells how the leaves of each group of a scene assimilate, by their rank.
 //! If any leaf of a component has no rank, all its leaves count as one leaf.
@@ -160,11 +156,22 @@ double share_of_area(const std::vector<LeafGroup>& leaves, std::size_t group,
 //! capacity and without its respiration, which follows from their mass. Roots
 //! count with the groups in proportion to the mass of which they grow.
 //! @param groups groups of the scene
-//! @param leaf_area_index leaf area index of each group
+//! @param leaf_area_index leaf area index of each group; if plants vary, that
+//! of plants that do not deviate from their line
 //! @throws Error if leaves that differ have no rank.
 std::vector<LeafGroup> leaf_groups(const Scene& scene,
                                    const std::vector<Group>& groups,
                                    const std::vector<double>& leaf_area_index);
+
+//! Returns what a group loses in some field or row: leaves in proportion to
+//! their area there, organs and what was built in proportion to the leaf area
+//! of their component, since these are where its plants are.
+//! @param loss loss in the whole
+//! @param part,whole leaf area by group in the field or row, and in the whole
+CarbonLoss loss_of_part(const CarbonLoss& loss,
+                        const std::vector<LeafGroup>& leaves, std::size_t group,
+                        std::span<const double> part,
+                        std::span<const double> whole);
 
 //! Reports assimilation, respiration and the building of leaves.
 //! @param uptake tallies of LeafFlux::uptake

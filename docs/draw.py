@@ -17,7 +17,7 @@ import matplotlib
 from matplotlib.figure import Figure
 from PIL import Image
 
-from ideotype.analysis.figures.style import RC
+from ideotype.figures.style import RC
 
 DOCS = Path(__file__).resolve().parent
 sys.path.insert(0, str(DOCS.parent / "campaigns" / "study"))

@@ -11,8 +11,8 @@ from drawn_plants import INK, MARK, Shapes, bare, show_side
 from matplotlib.figure import Figure
 from matplotlib.patches import Arc
 
-from ideotype._geometry import Mesh
-from ideotype.analysis.figures.style import new_figure
+from ideotype import Mesh
+from ideotype.figures.style import new_figure
 
 
 def azimuth(shapes: Shapes) -> Figure:

@@ -18,7 +18,7 @@ from plant_shapes import drawn
 from shared import campaign_of
 
 from ideotype import Stand, mesh
-from ideotype.analysis.figures.style import new_figure
+from ideotype.figures.style import new_figure
 
 
 def light(shapes: Shapes) -> Figure:

@@ -16,9 +16,8 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 from shared import ANYWHERE
 
-from ideotype import Stand
-from ideotype._geometry import Mesh
-from ideotype.analysis.figures.style import new_figure
+from ideotype import Mesh, Stand
+from ideotype.figures.style import new_figure
 
 DOCS = Path(__file__).resolve().parent
 

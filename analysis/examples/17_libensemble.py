@@ -3,7 +3,7 @@
 them.
 
 libEnsemble spreads evaluations over the nodes of a cluster; here it has three
-processes of one machine. This teaches `ideotype.gest`, which describes genes and
+processes of one machine. This teaches `ideotype.search.gest`, which describes genes and
 objectives in the standard of gest-api."""
 
 import cma
@@ -22,7 +22,7 @@ from libensemble.specs import (
 )
 
 import ideotype
-from ideotype.gest import Evaluator, vocs
+from ideotype.search.gest import Evaluator, vocs
 
 POPULATION = 16
 

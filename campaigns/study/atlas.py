@@ -23,10 +23,10 @@ from shared import (
 )  # fmt: skip
 
 from ideotype import Error
-from ideotype.analysis import Case, open_history
-from ideotype.analysis.atlas import Atlas
-from ideotype.analysis.figures.atlas_figure import draw_atlas
-from ideotype.analysis.figures.style import RC
+from ideotype.figures.atlas import draw_atlas
+from ideotype.figures.style import RC
+from ideotype.history import Case, open_history
+from ideotype.history.atlas import Atlas
 
 
 def table_of(atlas: Atlas) -> tuple[list[str], list[list[str]]]:

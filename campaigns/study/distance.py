@@ -33,8 +33,8 @@ from shared import (
 )
 
 from ideotype import Stand
-from ideotype.analysis import Estimate
-from ideotype.analysis.interval import gain_interval
+from ideotype.history import Estimate
+from ideotype.history.interval import gain_interval
 
 
 def main() -> None:

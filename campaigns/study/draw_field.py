@@ -26,9 +26,9 @@ from PIL import Image
 from plant_shapes import drawn, field_of
 from shared import FIELD_PLANTS, Numbers, best, campaign_of, guard
 
-from ideotype import Stand, mesh
-from ideotype._geometry import Mesh
-from ideotype.analysis.figures.field import (
+from ideotype import Mesh, Stand, mesh
+from ideotype.common.labels import unit_label
+from ideotype.figures.field import (
     Field,
     add_key,
     at_eye_height,
@@ -37,7 +37,7 @@ from ideotype.analysis.figures.field import (
     lit,
     show,
 )
-from ideotype.analysis.figures.style import RC, new_figure, unit_label
+from ideotype.figures.style import RC, new_figure
 
 IN_MIDRIBS = {"insertion_angle", "curvature", "azimuth", "roll", "twist"}
 """Numbers of the variation that are left out if leaves were measured one by

@@ -19,9 +19,8 @@ from matplotlib.collections import PolyCollection
 from matplotlib.colors import to_rgb
 from shared import ANYWHERE, best, guard
 
-from ideotype import Stand
-from ideotype._geometry import Mesh
-from ideotype.analysis.figures.style import new_figure
+from ideotype import Mesh, Stand
+from ideotype.figures.style import new_figure
 
 COLORS = {"leaf": "#4E9A3A", "sheath": "#A3B57E", "stalk": "#A98F62"}
 TURN = np.deg2rad(30)

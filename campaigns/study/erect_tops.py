@@ -64,7 +64,7 @@ from shared import (
 )  # fmt: skip
 
 from ideotype import Stand
-from ideotype.analysis.figures.style import new_figure
+from ideotype.figures.style import new_figure
 
 ROW = 0.762
 DENSITIES = (4.0, 7.0, 12.0, 20.0)

@@ -11,9 +11,9 @@ from statistics import fmean, stdev
 
 import numpy as np
 
-from ideotype.analysis.interval import interval
-from ideotype.analysis.reading.estimate import NORMAL, relative_gain
-from ideotype.analysis.reading.estimate import Estimate as Figure
+from ideotype.history.estimate import NORMAL, relative_gain
+from ideotype.history.estimate import Estimate as Figure
+from ideotype.history.interval import interval
 
 Estimate = tuple[float, float]
 """A mean and its standard error."""

@@ -41,8 +41,8 @@ from shared import (
 )  # fmt: skip
 
 from ideotype import Stand
-from ideotype.analysis.figures.style import BASELINE, BEST, QUIET, new_figure
-from ideotype.analysis.front import non_dominated
+from ideotype.figures.style import BASELINE, BEST, QUIET, new_figure
+from ideotype.history.front import non_dominated
 
 SHOWN = 8
 DRAWN = 5

@@ -31,7 +31,7 @@ from estimates import print_table, sign_change, told
 from shared import HYBRID, gain_in, guard
 
 from ideotype import Crop, Stand
-from ideotype.analysis.figures.style import new_figure
+from ideotype.figures.style import new_figure
 
 STAGES = (4, 6, 8, 10, 14, 20)
 DENSITIES = (2.0, 3.0, 4.5, 6.0, 7.5, 10.0)

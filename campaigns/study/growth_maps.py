@@ -64,7 +64,7 @@ from shared import (
 )  # fmt: skip
 
 from ideotype import Stand
-from ideotype.analysis.figures.style import new_figure
+from ideotype.figures.style import new_figure
 
 DENSITIES = (3.0, 5.0, 8.0)
 WAYS = ("growth", "full canopy")

@@ -7,7 +7,7 @@ interventions.py FOLDER [--fields N] [--generations N] [--seeds N] [--rough]
 Gives each trait that quickstart.toml breeds other values, half way to its
 bounds and at them, while all other traits stay those of the baseline. Prints
 the change of the season's carbon and of the PAR that leaves absorb in each
-variant of `ideotype.analysis.organ_split`: with stalk, sheaths, peduncle,
+variant of `ideotype.report.organ_split`: with stalk, sheaths, peduncle,
 tassel and ear and with leaves alone (`plant.organs = []`); the difference
 between successive variants; and the light that other organs and dead leaves
 take. Prints the same of height in the hybrid that grows in 2011 at Bondville.
@@ -42,8 +42,8 @@ from shared import (
 
 import ideotype
 from ideotype import Stand
-from ideotype.analysis.organ_split import Split, Variant, split, variants_of
-from ideotype.analysis.reading.estimate import Estimate as Figure
+from ideotype.history.estimate import Estimate as Figure
+from ideotype.report.organ_split import Split, Variant, split, variants_of
 
 STEPS = (-1.0, -0.5, 0.5, 1.0)
 """The parts of the way from the baseline to the lower (-) or upper bound."""

@@ -54,13 +54,8 @@ from shared import (
 )  # fmt: skip
 
 from ideotype import Stand
-from ideotype.analysis.figures.style import (
-    BEST,
-    MEAN,
-    RC,
-    new_figure,
-    unit_label,
-)
+from ideotype.common.labels import unit_label
+from ideotype.figures.style import BEST, MEAN, RC, new_figure
 
 Tables = Mapping[str, Any]
 #: The distances of single crops, between rows and plants [m].

@@ -20,7 +20,7 @@ from shared import (
 )  # fmt: skip
 
 from ideotype import Stand
-from ideotype.analysis.figures.style import BASELINE, BEST, MEAN, new_figure
+from ideotype.figures.style import BASELINE, BEST, MEAN, new_figure
 
 
 def tables_of(file: str, options: Options, **more: Any) -> dict[str, Any]:

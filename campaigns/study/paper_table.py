@@ -71,8 +71,8 @@ from shared import (
 )  # fmt: skip
 
 from ideotype import Stand
-from ideotype.analysis.figures.style import new_figure, series
-from ideotype.analysis.organ_split import Split, split, variants_of
+from ideotype.figures.style import new_figure, series
+from ideotype.report.organ_split import Split, split, variants_of
 
 TITLES_OF_SEARCHES = {
     "random": "random search",

@@ -39,8 +39,8 @@ from shared import (
     run_program,
 )
 
-from ideotype._geometry import Mesh
-from ideotype.analysis.figures.style import RC, new_figure
+from ideotype import Mesh
+from ideotype.figures.style import RC, new_figure
 
 MEASURED = Path(__file__).parent / "measured"
 V02 = CAMPAIGNS / "plants" / "maize_v02.toml"

@@ -33,7 +33,7 @@ from shared import (
 )  # fmt: skip
 
 from ideotype import Stand
-from ideotype.analysis.figures.style import new_figure
+from ideotype.figures.style import new_figure
 
 LINES: dict[str, dict[str, Any]] = {
     "alike": {},

@@ -46,7 +46,7 @@ from shared import (
 )  # fmt: skip
 
 from ideotype import Stand
-from ideotype.analysis.figures.style import new_figure, series
+from ideotype.figures.style import new_figure, series
 
 ROBUST, BASELINE = "all of them", "baseline, not bred"
 LATITUDES = (7.0, 39.35, 42.0, 46.8, 56.2)

@@ -35,7 +35,7 @@ from shared import (
 )
 
 from ideotype import Stand, open_history
-from ideotype.analysis.figures.style import new_figure, series
+from ideotype.figures.style import new_figure, series
 
 #: Searches by name: keys of [search], and the candidates of a generation.
 SEARCHES: dict[str, tuple[tuple[str, ...], int]] = {

@@ -75,7 +75,7 @@ from shared import (
     parser_of,
 )  # fmt: skip
 
-from ideotype.analysis.figures.style import new_figure
+from ideotype.figures.style import new_figure
 
 
 def of_fields(

@@ -38,7 +38,7 @@ from shared import (
 from water import WEEK
 
 from ideotype import Stand
-from ideotype.analysis import Case, open_history
+from ideotype.history import Case, open_history
 
 SEASON_LIMIT = 300.0
 """The highest transpiration of plants in a growing season [mm]."""

@@ -58,8 +58,8 @@ from shared import (
 )  # fmt: skip
 
 from ideotype import Stand, open_history
-from ideotype.analysis.figures.style import new_figure, series
-from ideotype.analysis.indices import Indices, indices_of
+from ideotype.figures.style import new_figure, series
+from ideotype.history.indices import Indices, indices_of
 
 DAY, SEASON = CAMPAIGNS / "ames.toml", CAMPAIGNS / "bondville.toml"
 #: The objectives of breeding, and the campaign of the light of each.

@@ -77,7 +77,7 @@ nb::tuple season(const GrowingCrop& crop, const Input<double, 1>& hourly) {
                           to_array(dead, {days}));
 }
 
-//! Reads the leaf of a point, whose columns ideotype._energy lists.
+//! Reads the leaf of a point, whose columns ideotype.stand.energy lists.
 ThermalLeaf leaf_of(const double* x, bool is_c3) {
     ThermalLeaf leaf{
         .stomata = {static_cast<Stomata::Model>(x[9]), x[10], x[11]},

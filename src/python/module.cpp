@@ -17,12 +17,12 @@ nb::list to_list(const std::vector<Problem>& problems) {
     return list;
 }
 
-//! Turns errors into exceptions of ideotype._errors.
+//! Turns errors into exceptions of ideotype.errors.
 void translate_errors() {
     nb::register_exception_translator(
         [](const std::exception_ptr& thrown, void*) {
             const auto errors = [] {
-                return nb::module_::import_("ideotype._errors");
+                return nb::module_::import_("ideotype.errors");
             };
             try {
                 std::rethrow_exception(thrown);

@@ -19,7 +19,7 @@ from made_kinds import Measured
 from made_report import CASES, ELITE, Made
 from real_program import run_shortened, start
 
-from ideotype.analysis.commands import report
+from ideotype.tools.commands import report
 
 HERE = Path(__file__).parent
 # The program hands verbs of the package to the Python that runs the tests.

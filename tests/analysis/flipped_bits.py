@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import ideotype
-from ideotype.analysis.reading.file import _Unmarked, lookup3, open_file
+from ideotype.history.file import _Unmarked, lookup3, open_file
 
 OPEN = 5
 """The marks of a file that a process has open to write."""

@@ -6,7 +6,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
-from ideotype.analysis.figures.case_figures import CASE_FIGURES
+from ideotype.figures.case import CASE_FIGURES
 
 CASES = ("ames_0807_762x152_all", "edmonton_0807_762x152_all")
 DRAWN = CASE_FIGURES.keys() - {

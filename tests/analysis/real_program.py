@@ -13,6 +13,12 @@ from pathlib import Path
 import pytest
 
 CAMPAIGNS = Path(__file__).parents[2] / "campaigns"
+SAMPLE = Path(__file__).parents[1] / "data" / "history" / "format_2_0.h5"
+"""A history that version 0.2.0 wrote."""
+FACES = 10 * 24 + 16 + (10 + 3) * 8 + 2 * 12 + 8 + 7 * 6
+"""The number of faces of a plant: leaves of 12 x 2 cells, stalk, sheaths,
+peduncle and ear, spike, and seven branches of three sides, each of which has a
+cover of as many faces as sides."""
 _PLANT = CAMPAIGNS / "crops" / "maize.toml"
 
 _CAMPAIGN = """

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # The batch evaluator: genomes through pipes, alone and on all ranks; bad
 # lines; clients, ranks and pipes that go away. Same bits as a run:
-# tests/analysis/test_serve.py.
+# tests/analysis/program/test_serve.py.
 . "$(dirname "$0")/common.sh"
 time_limit=(timeout 60)
 write_campaign served 8 3

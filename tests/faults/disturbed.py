@@ -14,7 +14,7 @@ from pathlib import Path
 import numpy as np
 
 from ideotype import Error
-from ideotype.analysis.reading.file import open_file
+from ideotype.history.file import open_file
 
 # Seconds after which a run is called hung; it takes a quarter of one.
 _PATIENCE = 60

@@ -49,9 +49,9 @@ sys.path.insert(0, str(Path(__file__).parents[1] / "analysis"))
 from flipped_bits import OPEN, flip, marked, metadata
 
 import ideotype
-from ideotype.analysis import HistoryError, open_history, open_study
-from ideotype.analysis.reading.provenance import provenance
-from ideotype.analysis.tables import gains
+from ideotype.history import HistoryError, open_history, open_study
+from ideotype.report.provenance import provenance
+from ideotype.report.tables import gains
 
 LIMIT = 60  # The longest time that a reader may take [s].
 CAMPAIGN = Path(__file__).parents[2] / "campaigns" / "ames_quick.toml"

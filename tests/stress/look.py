@@ -11,7 +11,7 @@ import sys
 
 import numpy as np
 
-from ideotype.analysis import Rows, open_history
+from ideotype.history import Rows, open_history
 
 
 def values(rows: Rows) -> list[np.ndarray]:

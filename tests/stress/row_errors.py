@@ -12,7 +12,7 @@ import sys
 import numpy as np
 
 from ideotype import Stand
-from ideotype.analysis import open_history
+from ideotype.history import open_history
 
 
 def main(path: str, count: str = "50", tolerance: str = "1e-4") -> None:

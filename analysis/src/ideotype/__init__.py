@@ -3,52 +3,76 @@
 
 `Stand` evaluates plants of a campaign and `mesh` any surfaces; both need the
 compiled module. `open`, `open_history` and `open_study` read what the program
-has written, on any system."""
+has written, on any system.
+
+The packages are `stand` (plants and their light), `search` (optimizers),
+`history` (what the program has written), `figures`, `report`, `live` (pages
+that follow) and `tools` (a module for each command)."""
 
 from __future__ import annotations
 
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-from ._errors import Error, InputError, Problem
+from .errors import Error, InputError, NotCompiled, Problem
+from .mesh import mesh
 
 if TYPE_CHECKING:
-    from ._crop import Crop
-    from ._energy import leaf_energy_balance
-    from ._mesh import Canopy, mesh
-    from ._search import Search
-    from ._stand import Stand
-    from .analysis import open_arrays as open
-    from .analysis import open_history, open_study
+    from . import figures, history, live, report, search, stand, tools
+    from .history import open_arrays as open
+    from .history import open_history, open_study
+    from .mesh.canopy import Canopy
+    from .mesh.geometry import Mesh
+    from .search import Search
+    from .stand import Crop, Stand, leaf_energy_balance
 
 __all__ = [
     "Canopy",
     "Crop",
     "Error",
     "InputError",
+    "Mesh",
+    "NotCompiled",
     "Problem",
     "Search",
     "Stand",
+    "figures",
+    "history",
     "leaf_energy_balance",
+    "live",
     "mesh",
     "open",
     "open_history",
     "open_study",
+    "report",
+    "search",
+    "stand",
+    "tools",
 ]
 
-# The module that defines each name. Names are imported at their first use:
-# reading needs no compiled module, and evaluating needs no plotting library.
+# Names are imported at their first use: reading needs no compiled module, and
+# evaluating needs no plotting library. The function `mesh` is made at once,
+# because the package of this name would hide it.
 _PLACES = {
-    "Canopy": ("._mesh", "Canopy"),
-    "Crop": ("._crop", "Crop"),
-    "Search": ("._search", "Search"),
-    "Stand": ("._stand", "Stand"),
-    "leaf_energy_balance": ("._energy", "leaf_energy_balance"),
-    "mesh": ("._mesh", "mesh"),
-    "open": (".analysis", "open_arrays"),
-    "open_history": (".analysis", "open_history"),
-    "open_study": (".analysis", "open_study"),
+    "Canopy": (".mesh.canopy", "Canopy"),
+    "Crop": (".stand", "Crop"),
+    "Mesh": (".mesh.geometry", "Mesh"),
+    "Search": (".search", "Search"),
+    "Stand": (".stand", "Stand"),
+    "leaf_energy_balance": (".stand", "leaf_energy_balance"),
+    "open": (".history", "open_arrays"),
+    "open_history": (".history", "open_history"),
+    "open_study": (".history", "open_study"),
 }
+_PACKAGES = [
+    "figures",
+    "history",
+    "live",
+    "report",
+    "search",
+    "stand",
+    "tools",
+]
 
 
 def __dir__() -> list[str]:
@@ -58,19 +82,11 @@ def __dir__() -> list[str]:
 def __getattr__(name: str) -> Any:
     if name == "__version__":
         return import_module("importlib.metadata").version(__name__)
+    if name in _PACKAGES:
+        return import_module(f".{name}", __name__)
     if name not in _PLACES:
         raise AttributeError(f"module 'ideotype' has no attribute '{name}'")
     module, own = _PLACES[name]
-    try:
-        found = getattr(import_module(module, __name__), own)
-    except ImportError as error:
-        if "_core" not in str(error):
-            raise
-        raise Error(
-            f"ideotype.{name} needs the compiled module, which this "
-            "installation lacks (it can only read and report); install a "
-            "wheel of this system, or build it with pip install and without "
-            "IDEOTYPE_PURE_PYTHON"
-        ) from error
+    found = getattr(import_module(module, __name__), own)
     globals()[name] = found
     return found

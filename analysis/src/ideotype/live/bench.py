@@ -14,9 +14,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from .._errors import Error
-from .._stand import Stand
-from .._views.stand_views import processors
+from ..common.processors import processors
+from ..errors import Error
+from ..stand.stand import Stand
 from .conditions import Conditions, Tables, tables_under
 from .numbers import Array, Layout, Samples
 from .opened import Opened
@@ -87,6 +87,16 @@ def evaluate(
     return float(violation), np.array(numbers).reshape(-1, 2)
 
 
+def coarse_numbers(place: Place, layout: Layout, genome: Array) -> Array:
+    """Returns the numbers of a plant in the coarse stand of a place, in the
+    layout of another stand; numbers that the coarse stand lacks or divides
+    differently are NaN."""
+    known = place.samples(genome).by_seed
+    if 1 not in known:
+        known[1] = place.evaluate(genome, 1)
+    return layout.like(place.layout, known[1])
+
+
 class Bench:
     """Evaluates plants of an opened campaign for all pages.
 
@@ -143,6 +153,16 @@ class Bench:
             while len(self._places) > _STANDS:
                 self._places.popitem(last=False)
         return found
+
+    def coarse_pair(
+        self, place: Place, layout: Layout, shown: Shown
+    ) -> tuple[Array, Array]:
+        """Returns the numbers of the plant that is shown and of its reference,
+        as coarse_numbers() does, side by side in two threads."""
+        its = self.beside.submit(
+            coarse_numbers, place, layout, shown.reference
+        )
+        return coarse_numbers(place, layout, shown.genome), its.result()
 
     def careful(self, now: Conditions) -> Stand:
         """Returns a stand that evaluates each plant in several fields."""

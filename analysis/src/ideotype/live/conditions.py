@@ -10,7 +10,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, fields, replace
 from typing import Any
 
-from .._errors import Error
+from ..errors import Error
 
 Tables = dict[str, Any]
 

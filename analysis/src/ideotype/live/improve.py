@@ -9,8 +9,8 @@ from typing import Any
 
 import numpy as np
 
-from .._errors import Error
-from .._search import Search
+from ..errors import Error
+from ..search.search import Search
 from .bench import Bench, Genome, Shown, evaluate
 from .numbers import Layout
 

@@ -9,8 +9,8 @@ from typing import Any
 
 import numpy as np
 
-from .._labels import title
-from .._stand import Stand
+from ..common.labels import title
+from ..stand.stand import Stand
 from .conditions import Tables
 
 _WORDS = {

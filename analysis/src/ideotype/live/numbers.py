@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from .._labels import title
-from .._stand import Stand
+from ..common.labels import title
+from ..stand.stand import Stand
 
 Array = NDArray[np.float64]
 

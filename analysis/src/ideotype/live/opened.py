@@ -9,18 +9,26 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from importlib.resources import as_file, files
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from .._errors import Error
-from .._scans.plant_sources import is_digitised
-from .._stand import Stand
+from ..errors import Error
+from ..history.atlas import Atlas
+from ..history.history import open_history
+from ..stand.measured.agreement import agreement
+from ..stand.measured.fitted import mesh_of, readable_crop
+from ..stand.measured.leaf_tables import measured_crops
+from ..stand.measured.plant_sources import (
+    crop_tables,
+    is_digitised,
+    read_crop,
+    read_plant,
+    require_blades,
+)
+from ..stand.stand import Stand
 from .conditions import Conditions, Tables, one_case
-
-if TYPE_CHECKING:
-    from ..analysis.atlas import Atlas
 
 CROPS = ("maize", "sorghum", "soybean", "cowpea")
 """The crops that come with the package."""
@@ -193,8 +201,6 @@ def _free_all(base: Tables) -> None:
 
 
 def _of_history(path: Path) -> Opened:
-    from ..analysis import open_history
-
     with open_history(path) as history:
         best, atlas = history.best(), history.atlas()
         name = str(history.attributes.get("case", path.stem))
@@ -209,10 +215,6 @@ def _of_history(path: Path) -> Opened:
 
 
 def _of_measured(path: Path, plant: str | None, crop: str) -> Opened:
-    from .._scans.agreement import agreement
-    from .._scans.plant_sources import read_crop, read_plant, require_blades
-    from ..fit import mesh_of, readable_crop
-
     source = Path(_known(crop) if crop in CROPS else crop)
     blades = read_plant(path, plant)
     like = read_crop(source)
@@ -228,9 +230,6 @@ def _of_measured(path: Path, plant: str | None, crop: str) -> Opened:
 
 
 def _of_leaves(path: Path, plant: str | None, crop: str) -> Opened:
-    from .._scans.leaf_tables import measured_crops
-    from .._scans.plant_sources import crop_tables
-
     found = measured_crops(
         path, plant=plant or "", otherwise=crop_tables(crop)
     )

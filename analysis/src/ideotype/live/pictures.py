@@ -7,11 +7,11 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from .._errors import Error
-from .._stand import Stand
-from ..analysis.figures.scene import packed, shape_of
-from ..analysis.reading.history import open_history
-from ..analysis.stand import leaf_light
+from ..errors import Error
+from ..history.history import open_history
+from ..history.layout import leaf_light
+from ..report.scene import packed, shape_of
+from ..stand.stand import Stand
 
 
 def plants_of(path: Path) -> dict[str, Any]:

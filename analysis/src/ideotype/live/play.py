@@ -15,8 +15,8 @@ import tomli_w
 from tornado.web import HTTPError
 from tornado.websocket import WebSocketClosedError
 
-from .._errors import Error
-from .._stand import Stand
+from ..errors import Error
+from ..stand.stand import Stand
 from .bench import Bench, Shown
 from .conditions import Tables, tables_under
 from .opened import CROPS, open_place

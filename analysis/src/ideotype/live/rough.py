@@ -11,16 +11,13 @@ coarse stands."""
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from .conditions import Conditions, Tables
 from .numbers import Array, Layout, told
 from .shapes import grows
-
-if TYPE_CHECKING:
-    from .bench import Bench, Place, Shown
 
 _CELLS = 6
 """The number of pieces along a leaf."""
@@ -126,22 +123,3 @@ def _apart(one: Array, other: Array) -> Array:
     both plants have the same random numbers. Equal numbers do not differ."""
     error = np.hypot(one[:, 1], other[:, 1])
     return np.where(one[:, 0] == other[:, 0], 0.0, error)
-
-
-def coarse_numbers(place: Place, layout: Layout, genome: Array) -> Array:
-    """Returns the numbers of a plant in the coarse stand of a place, in the
-    layout of another stand; numbers that the coarse stand lacks or divides
-    differently are NaN."""
-    known = place.samples(genome).by_seed
-    if 1 not in known:
-        known[1] = place.evaluate(genome, 1)
-    return layout.like(place.layout, known[1])
-
-
-def coarse_pair(
-    bench: Bench, place: Place, layout: Layout, shown: Shown
-) -> tuple[Array, Array]:
-    """Returns the numbers of the plant that is shown and of its reference, as
-    coarse_numbers() does, side by side in two threads."""
-    its = bench.beside.submit(coarse_numbers, place, layout, shown.reference)
-    return coarse_numbers(place, layout, shown.genome), its.result()

@@ -9,13 +9,13 @@ from typing import Any
 
 import numpy as np
 
-from .._errors import Error
-from ..analysis.reading.estimate import NORMAL, Estimate, relative_gain
-from ..analysis.reading.file import HistoryError, Writer
-from ..analysis.reading.history import History, open_history
-from ..analysis.reading.names import distinct_names
-from ..analysis.reading.rows import Status
-from ..analysis.shrinkage import shrunken
+from ..errors import Error
+from ..history.estimate import NORMAL, Estimate, relative_gain
+from ..history.file import HistoryError, Writer
+from ..history.history import History, open_history
+from ..history.names import distinct_names
+from ..history.rows import Status
+from ..history.shrinkage import shrunken
 
 RECENT = 5
 """The number of last generations that define the present rate."""

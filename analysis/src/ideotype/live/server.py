@@ -29,7 +29,7 @@ from tornado.netutil import bind_sockets
 from tornado.web import Application, HTTPError, RequestHandler
 from tornado.websocket import WebSocketHandler
 
-from .._errors import Error, printable_lines
+from ..errors import Error, printable_lines
 
 _HEADERS = {
     "Content-Security-Policy": (
@@ -49,8 +49,8 @@ _LARGEST = 1_000_000
 """The largest request or message that is read [bytes]."""
 
 _SHARED = {
-    "raster.js": "ideotype.analysis.page",
-    "drawing.js": "ideotype.analysis.page",
+    "raster.js": "ideotype.report.page",
+    "drawing.js": "ideotype.report.page",
     **dict.fromkeys(("base.js", "chart.js"), "ideotype.live.page"),
 }
 """The packages of the scripts that both pages load."""

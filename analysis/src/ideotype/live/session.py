@@ -12,13 +12,13 @@ from typing import Any
 
 import numpy as np
 
-from .._arrays import real
-from .._errors import Error
-from .bench import Bench, Genome, Place, Shown
+from ..common.arrays import real
+from ..errors import Error
+from .bench import Bench, Genome, Place, Shown, coarse_numbers
 from .improve import EVALUATIONS, Improvement
 from .levers import levers_of
 from .numbers import Samples, message_of
-from .rough import Anchor, coarse_numbers, coarse_pair
+from .rough import Anchor
 from .shapes import neighbours_of, panels_of, plant_of
 
 REFINING = 0.9
@@ -207,7 +207,7 @@ class Session:
         place = self._bench.coarse(shown.conditions)
         if place is None:
             return None
-        both = coarse_pair(self._bench, place, anchor.layout, shown)
+        both = self._bench.coarse_pair(place, anchor.layout, shown)
         return anchor.message(*both, shown.conditions)
 
     def _drop_anchor(self, shown: Shown, place: Place, its: Samples) -> None:

@@ -11,11 +11,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-import ideotype._core as _core
-
-from .._geometry import Mesh
-from .._stand import Stand
-from ..analysis.figures.scene import packed, shape_of
+from ..common.compiled import _core
+from ..mesh.geometry import Mesh
+from ..report.scene import packed, shape_of
+from ..stand.stand import Stand
 from .conditions import Conditions, Tables
 
 

@@ -16,8 +16,8 @@ from typing import Any
 
 from tornado.web import HTTPError
 
-from .._errors import Error
-from ..analysis.reading.file import HistoryError
+from ..errors import Error
+from ..history.file import HistoryError
 from .runs import Folder
 from .server import Guarded, add_options, answer, application, serve
 

@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Checks arrays and tables that users give."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, TypeVar
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..errors import Error
+
+if TYPE_CHECKING:
+    import pandas
+
+_Given = TypeVar("_Given")
+
+
+def real(given: ArrayLike, name: str) -> NDArray[np.float64]:
+    """Returns an array of real numbers.
+
+    Raises Error for masked and complex arrays and for dates: numpy would use
+    the hidden values of a masked array, drop the imaginary part of complex
+    numbers, and count dates from 1970."""
+    try:
+        found = np.asarray(unmasked(given, name))
+        if found.dtype.kind in "mM":
+            raise Error(
+                f"{name} is no array of numbers: it has dates or times "
+                f"({found.dtype}); give real numbers"
+            )
+        if not np.iscomplexobj(found):
+            return np.asarray(found, float)
+    except (
+        TypeError, ValueError, OverflowError, RecursionError
+    ) as error:  # fmt: skip
+        raise Error(f"{name} is no array of numbers: {error}") from error
+    raise Error(
+        f"{name} has complex numbers; give real ones, such as its .real"
+    )
+
+
+def unmasked(given: _Given, name: str) -> _Given:
+    """Returns the argument. Raises Error if the argument is or holds a masked
+    array."""
+    if _is_masked(given):
+        raise Error(
+            f"{name} is or holds a masked array, whose hidden values would "
+            "count; give an array without a mask, such as its .filled() or "
+            ".compressed()"
+        )
+    return given
+
+
+def _is_masked(given: Any) -> bool:
+    if isinstance(given, list | tuple):
+        return any(map(_is_masked, given))
+    return isinstance(given, np.ma.MaskedArray)
+
+
+def require_whole(given: object, name: str, least: int, most: int) -> None:
+    """Raises Error unless the argument is a whole number in a range."""
+    if not isinstance(given, (int, np.integer)) or not least <= given <= most:
+        raise Error(
+            f"{name} is {given!r}; use a whole number from {least} to {most}"
+        )
+
+
+def require_file(path: Path) -> None:
+    """Raises Error unless a regular file is there: pipes and devices could be
+    read without end."""
+    if not path.exists():
+        raise Error(f"{path}: there is no such file")
+    if not path.is_file():
+        raise Error(f"{path}: this is no regular file; name one")
+
+
+def read_columns(path: Path) -> pandas.DataFrame:
+    """Reads a CSV file, whose column names are then in lower case.
+
+    Raises Error if the file cannot be read."""
+    import pandas
+
+    require_file(path)
+    try:
+        table = pandas.read_csv(path, comment="#", skipinitialspace=True)
+    except pandas.errors.EmptyDataError:
+        raise Error(
+            f"{path}:1: this file is empty; begin with a line of column names"
+        ) from None
+    except (OSError, ValueError) as error:
+        raise Error(f"{path}: {error}") from None
+    table.columns = table.columns.str.strip().str.lower()
+    return table

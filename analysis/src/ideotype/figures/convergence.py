@@ -1,0 +1,230 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Draws the objective over all generations."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+import pandas
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
+from numpy.typing import NDArray
+
+from ..history.case import Case
+from ..history.file import HistoryError
+from ..history.state import Generations
+from ..history.trend import (
+    LEAST,
+    MATTERS,
+    PART_THAT_MATTERS,
+    End,
+    FurtherGain,
+    further_gain,
+    searches_differ,
+    verdict,
+)
+from . import style
+from .style import answer, axis_label, half_width
+
+_WITHOUT_LEARNING = ("random", "sobol")
+"""Optimisers whose plants do not depend on earlier plants."""
+
+RACE = 16
+"""The generations of the race with which `auto` begins, with its design
+(src/search/cma_es/auto_search.cpp)."""
+
+
+def draw_convergence(case: Case) -> Figure:
+    """Draws the first objective by generation, numbered from 0 as in the file,
+    against the baseline, and the best plant evaluated again. For a single seed
+    the figure has the best plant with its standard error, and the mean with
+    the spread of the population; for several seeds it has means over seeds,
+    with the range of seeds as a band."""
+    runs = [history.generations() for history in case.histories]
+    runs = [run for run in runs if len(run)]
+    if not runs:
+        raise HistoryError("no generation is complete yet")
+    figure = style.new_figure(style.WIDTH, 4.4)
+    axes = figure.add_subplot()
+    if len(runs) == 1:
+        _draw_seed(axes, runs[0])
+    else:
+        _draw_seeds(axes, runs)
+    count = max(map(len, runs))
+    if case.pairs:
+        _draw_pairs(axes, case, count)
+    objective = case.histories[0].objectives[0]
+    axes.set_ylabel(axis_label(objective.name, objective.unit))
+    axes.set_xlabel("generation")
+    _set_ticks(axes, count, case.is_final)
+    figure.legend(loc="outside lower center", ncols=1)
+    answer(figure, verdict_of(case, runs))
+    return figure
+
+
+def verdict_of(case: Case, runs: Sequence[Generations]) -> str:
+    """States whether the searches of a case have converged, by how much as
+    many generations again could still gain."""
+    optimizer = case.resolved.get("search", {}).get("optimizer", "")
+    if optimizer in _WITHOUT_LEARNING:
+        return (
+            "Cannot tell: this search draws plants without learning, so that "
+            "its populations have no trend."
+        )
+    if len(case.histories[0].objectives) > 1:
+        return (
+            "Cannot tell from one of several objectives; the hypervolume of "
+            "the front shows progress in all of them."
+        )
+    scale = _scale(case, runs)
+    sign = case.histories[0].objectives[0].sign
+    further = further_gain([run.mean.values for run in runs], sign)
+    if further is None or not scale > 0:
+        return (
+            f"Cannot tell: {_count(runs)} generations are too few; at least "
+            f"{2 * LEAST - 1} are needed."
+        )
+    low, mean, high = (
+        100 * x / scale for x in (further.low, further.mean, further.high)
+    )
+    gains = [pair.gain for pair in case.pairs if pair.is_final]
+    gain = abs(float(np.mean([x.mean for x in gains]))) if gains else 0.0
+    matters = max(MATTERS, PART_THAT_MATTERS * gain)
+    found = verdict(FurtherGain(mean, low, high), matters)
+    again = (
+        f"by the trend of the mean plant, as many generations again "
+        f"({_count(runs)}) would gain {_range(low, high)} % more (95 % "
+        "confidence interval)"
+    )
+    if found is End.NO:
+        return f"No: {again}."
+    if optimizer == "auto" and min(map(len, runs)) < RACE:
+        return (
+            f"Cannot tell: the race of two searches with which this optimiser "
+            f"begins takes {RACE} generations; {again}."
+        )
+    if searches_differ(gains, matters):
+        least, most = (f(x.mean for x in gains) for f in (min, max))
+        return (
+            f"Cannot tell: the searches gained {least:.1f} to {most:.1f} %, "
+            f"which differ by more than their errors; {again}."
+        )
+    if found is End.UNKNOWN:
+        return f"Cannot tell: {again}."
+    return (
+        f"Yes: {again}, and less than {matters:.1f} % is taken as converged. "
+        "A better plant elsewhere is not excluded."
+    )
+
+
+def _scale(case: Case, runs: Sequence[Generations]) -> float:
+    """Returns the size of the baseline's objective, or that of the last
+    populations as long as the baseline is not known."""
+    if case.pairs:
+        return abs(case.baseline.objective.mean)
+    return abs(float(np.mean([run.mean.values[-1] for run in runs])))
+
+
+def _count(runs: Sequence[Generations]) -> str:
+    counts = sorted({len(run) for run in runs})
+    return " to ".join(str(n) for n in dict.fromkeys((counts[0], counts[-1])))
+
+
+def _range(low: float, high: float) -> str:
+    text = f"{low:.1f} to {high:.1f}"
+    return text.replace("-0.0", "0.0").replace("-", "\N{MINUS SIGN}")
+
+
+def _draw_seed(axes: Axes, run: Generations) -> None:
+    number = range(len(run))
+    axes.errorbar(
+        number,
+        run.best.values,
+        half_width(run.best.standard_error),
+        color=style.BEST,
+        marker="o",
+        markersize=3,
+        elinewidth=1,
+        label="best of its generation (not evaluated again)",
+    )
+    mean, spread = run.mean.values, run.spread.values
+    axes.plot(number, mean, color=style.MEAN, label="mean")
+    _fill(
+        axes, mean - spread, mean + spread, style.MEAN,
+        "standard deviation about the mean",
+    )  # fmt: skip
+
+
+def _draw_seeds(axes: Axes, runs: list[Generations]) -> None:
+    for what, color, label in (
+        ("best", style.BEST, "best of its generation (not evaluated again)"),
+        ("mean", style.MEAN, "mean of the population"),
+    ):
+        # The table has NaN for generations that a seed has not reached.
+        table = pandas.DataFrame(
+            [[*getattr(run, what).values] for run in runs]
+        )
+        axes.plot(
+            range(table.shape[1]),
+            table.mean(),
+            color=color,
+            marker="o" if what == "best" else None,
+            markersize=3,
+            label=f"{label}, mean of seeds",
+        )
+        _fill(
+            axes, table.min(), table.max(), color, f"{label}, range of seeds"
+        )
+
+
+def _fill(
+    axes: Axes, lower: NDArray, upper: NDArray, color: str, label: str
+) -> None:
+    axes.fill_between(
+        range(len(lower)), lower, upper,
+        color=color, alpha=0.2, linewidth=0, label=label,
+    )  # fmt: skip
+
+
+def _draw_pairs(axes: Axes, case: Case, end: int) -> None:
+    baseline = case.baseline.objective
+    axes.axhline(
+        baseline.mean,
+        color=style.BASELINE,
+        linestyle="--",
+        label="baseline",
+    )
+    error = float(half_width(baseline.standard_error))
+    axes.axhspan(
+        baseline.mean - error,
+        baseline.mean + error,
+        color=style.BASELINE,
+        alpha=0.15,
+        linewidth=0,
+    )
+    again = [pair.best.objective for pair in case.pairs if pair.is_final]
+    if again:
+        axes.errorbar(
+            [end] * len(again),
+            [best.mean for best in again],
+            half_width([best.standard_error for best in again]),
+            color=style.ANEW,
+            marker="D",
+            linestyle="none",
+            label="best plant, evaluated again",
+        )
+
+
+def _set_ticks(axes: Axes, count: int, has_final: bool) -> None:
+    """Sets ticks at whole generations, and at "final" after them for the final
+    evaluation."""
+    ticks = MaxNLocator(8, integer=True).tick_values(0, max(count - 1, 1))
+    room = 0.07 * count if has_final else 0
+    shown = [int(t) for t in ticks if 0 <= t <= min(count - 1, count - room)]
+    labels = [str(t) for t in shown]
+    if has_final:
+        shown.append(count)
+        labels.append("final")
+    axes.set_xticks(shown, labels)

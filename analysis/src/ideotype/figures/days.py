@@ -1,0 +1,127 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Draws the objective and other quantities by day of a season."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from ..history.case import Case
+from ..history.estimate import NORMAL, Estimate
+from . import style
+from .profiles import PLANTS, Course, course_of, draw_courses, names_along
+from .season import DAY
+
+_BY_DAY = {
+    "absorbed_par": "absorbed_by_day",
+    "gross_assimilation": "assimilation_by_day",
+    "transpiration": "transpiration_by_day",
+}
+"""Objectives with a quantity that is the objective by day."""
+
+_GROSS, _GROSS_BY_DAY = "gross_assimilation", "assimilation_by_day"
+_LOWERED = {
+    "net_assimilation": "respiration in the light",
+    "carbon_balance": "respiration and the building of leaves",
+}
+"""Objectives that are gross assimilation less losses, and the losses."""
+
+
+def draw_days(case: Case) -> Figure:
+    """Draws quantities by day of a season: first the objective, or if it is
+    not known by day the quantity nearest to it, with best minus baseline.
+
+    Losses of carbon are not known by day: each day has those of the mean day.
+
+    Raises HistoryError if no quantity is known by day."""
+    names = names_along(case, "day", "day")
+    goal = case.best.row.goals[0].name
+    own = _BY_DAY.get(goal, "")
+    computed = _lowered(case, goal) if _GROSS_BY_DAY in names else None
+    nearest = _GROSS_BY_DAY if goal in _LOWERED else own
+    names.sort(key=lambda name: name != nearest)
+    courses = [_course(case, name) for name in names]
+    if computed:
+        courses.insert(0, computed)
+    figure = draw_courses(courses)
+    is_objective = computed is not None or own == names[0]
+    ahead = _days_ahead(case, courses[0], is_objective)
+    style.answer(figure, f"{ahead}{_how(case)}")
+    return figure
+
+
+def _course(case: Case, name: str) -> Course:
+    found = course_of(case, name)
+    return replace(found, title=_GROSS) if name == _GROSS_BY_DAY else found
+
+
+def _lowered(case: Case, goal: str) -> Course | None:
+    """Returns an objective that is gross assimilation less losses. None for
+    plants that grow: what they lose changes with their leaf area."""
+    losses = _losses(case)
+    if (
+        goal not in _LOWERED
+        or losses is None
+        or DAY in case.best.row.quantities
+    ):
+        return None
+    gross = course_of(case, _GROSS_BY_DAY).plants
+    return Course(
+        goal,
+        {who: gross[who].lowered(loss) for who, loss in zip(PLANTS, losses)},
+    )
+
+
+def _losses(case: Case) -> tuple[float, ...] | None:
+    """Returns gross assimilation less the objective of baseline and best, on a
+    mean day."""
+    if _GROSS not in case.best.row.quantities:
+        return None
+    plants = [getattr(case, who) for who in PLANTS]
+    return tuple(
+        plant.estimate(_GROSS).mean - plant.objective.mean for plant in plants
+    )
+
+
+def _days_ahead(case: Case, course: Course, is_objective: bool) -> str:
+    was, now = course.plants["baseline"], course.plants["best"]
+    sign = case.best.row.goals[0].sign if is_objective else 1
+    count = int(np.count_nonzero(sign * (now.values - was.values) > 0))
+    verb = "is ahead in" if is_objective else "has more"
+    return (
+        f"The best plant {verb} {style.words(course.title)} on {count} of "
+        f"{len(now.values)} days."
+    )
+
+
+def _how(case: Case) -> str:
+    """Divides the difference in carbon into gross assimilation and losses.
+    Losses follow from leaf area, which is exact, so that the difference in
+    gross assimilation has the paired error of the objective."""
+    goal = case.best.row.goals[0]
+    if goal.name not in _LOWERED or (losses := _losses(case)) is None:
+        return ""
+    less = losses[0] - losses[1]
+    gain = case.best_pair.difference
+    gross = gain.mean - less
+    reach = NORMAL * gain.standard_error
+    text = Estimate(gross, gain.standard_error).interval_text()
+    unit = style.unit_label(gain.unit)
+    told = (
+        f" On a mean day its gross assimilation differs by {_signed(text)} {unit}, and "
+        f"it loses {abs(less):.2g} {unit} {'less' if less > 0 else 'more'} by "
+        f"{_LOWERED[goal.name]}"
+    )
+    if gain.mean - reach > 0 and less > 0 and gross + reach < 0:
+        return told + ": it gains by losing less, not by assimilating more."
+    if gain.mean - reach > 0 and less < 0:
+        return told + ": it gains by assimilating more."
+    return told + "."
+
+
+def _signed(text: str) -> str:
+    if text.startswith("-"):
+        return text.replace("-", "\N{MINUS SIGN}", 1)
+    return f"+{text}"

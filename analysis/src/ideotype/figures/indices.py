@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Draws the indices of a sensitivity study."""
+
+from __future__ import annotations
+
+import numpy as np
+import pandas
+from matplotlib.figure import Figure
+
+from ..history.case import Case
+from ..history.file import HistoryError
+from ..history.indices import NORMAL, OF_NOISE, indices_of
+from . import style
+
+_SOBOL = ("first", "total")
+_MORRIS = ("mu_star", "sigma")
+_SHOWN = 15
+_LABELS = {
+    "first": "first order",
+    "total": "total",
+    "mu_star": "mean size μ*",
+    "sigma": "standard deviation σ",
+}
+
+
+def draw_indices(case: Case) -> Figure:
+    """Draws bars of the factors that matter most to the first objective, with
+    95 % intervals, for the first seed.
+
+    Raises HistoryError if the study is not finished or has no indices."""
+    history = case.histories[0]
+    name = history.objectives[0].name
+    found = indices_of(history).get(name)
+    if found is None:
+        raise HistoryError("the sensitivity study is not finished yet")
+    shown = _SOBOL if "total" in found.index else _MORRIS
+    main = found.main
+    if not np.isfinite(main).any():
+        raise HistoryError(f"{style.words(name)} varies by no more than noise")
+    order = np.argsort(-np.nan_to_num(main, nan=-np.inf))[:_SHOWN][::-1]
+    figure = style.new_figure(style.WIDTH, 1.3 + 0.32 * len(order))
+    axes = figure.subplots()
+    labels = [style.words(found.factors[k]) for k in order]
+    bars, errors = (
+        pandas.DataFrame({_LABELS[x]: of[x][order] for x in shown}, labels)
+        for of in (found.index, found.standard_error)
+    )
+    bars.plot.barh(
+        ax=axes, xerr=NORMAL * errors, width=0.8, capsize=2,
+        color=[style.series(i)[0] for i in range(len(shown))],
+    )  # fmt: skip
+    if shown == _MORRIS:
+        axes.axvline(
+            float(np.nanmax(found.index[OF_NOISE])),
+            color=style.BASELINE,
+            linewidth=1,
+            linestyle="--",
+            label="μ* of noise alone",
+        )
+    axes.axvline(0, color=style.BASELINE, linewidth=1)
+    axes.grid(visible=False, axis="y")
+    axes.set_xlabel(
+        f"share of the variance of {style.words(name)}, 95 % intervals"
+        if shown == _SOBOL
+        else f"change of {style.axis_label(name, found.unit)} over the range"
+    )
+    axes.legend(loc="lower right")
+    most = style.words(found.factors[order[-1]])
+    style.answer(
+        figure,
+        f"Most on {most}, as {found.samples} samples tell. They have "
+        f"{found.mean:.4g} {style.unit_label(found.unit)} on average, with a "
+        f"standard deviation of {found.standard_deviation:.2g}.",
+    )
+    return figure

@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The baseline compared with the best bred plant."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from .estimate import Estimate, difference, relative_gain
+from .rows import Evaluation
+
+
+@dataclass(frozen=True)
+class Pair:
+    """The baseline and the best plant of one history, evaluated in the same
+    way."""
+
+    baseline: Evaluation
+    best: Evaluation
+
+    @property
+    def is_final(self) -> bool:
+        """Whether both were evaluated again at the end. If not, the best plant
+        was chosen by noisy numbers, so that its objective is too high on
+        average."""
+        return self.baseline.is_final and self.best.is_final
+
+    @property
+    def is_paired(self) -> bool:
+        """Whether the history holds randomisations that both plants share:
+        errors of differences are then computed from paired randomisations;
+        otherwise both plants are taken as independent."""
+        baseline, best = self.baseline.row, self.best.row
+        return (
+            baseline.generation[0] == best.generation[0]
+            and baseline.randomisations.shape[2] > 1
+            and bool(np.isfinite(baseline.randomisations).all())
+            and bool(np.isfinite(best.randomisations).all())
+        )
+
+    @property
+    def difference(self) -> Estimate:
+        """The first objective of the best plant less the baseline's, in the
+        objective's unit."""
+        return difference(
+            *self._both(self.best.objective, self.baseline.objective)
+        )
+
+    @property
+    def gain(self) -> Estimate:
+        """The gain in the first objective [%]."""
+        return self.gain_in(self.best.row.goals[0].name)
+
+    def gain_in(self, name: str) -> Estimate:
+        """Returns the gain of the best plant in a quantity without axes or an
+        objective [%]. Errors are paired for objectives; for quantities both
+        plants are taken as independent.
+
+        Raises HistoryError if the history does not tell it."""
+        best, baseline = self.best.estimate(name), self.baseline.estimate(name)
+        return relative_gain(*self._both(best, baseline))
+
+    @property
+    def gain_per_leaf_area(self) -> Estimate:
+        """The gain in PAR that a unit of leaf area absorbs [%].
+
+        Raises HistoryError if the history does not tell it."""
+        best, baseline = self.best.per_leaf_area, self.baseline.per_leaf_area
+        return relative_gain(*self._both(best, baseline))
+
+    def _both(
+        self, best: Estimate, baseline: Estimate
+    ) -> tuple[Estimate, ...]:
+        if self.is_paired:
+            return best, baseline
+        return replace(best, draws=np.empty(0)), baseline

@@ -1,0 +1,120 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Estimates how much more searches would gain, by the trend of the means of
+their populations."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from enum import Enum
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from .estimate import Estimate
+from .interval import student
+
+LEAST = 4
+"""The smallest number of generations from which a trend is estimated."""
+
+MATTERS = 0.5
+"""The gain that matters [% of the baseline], if a tenth of the gain found is
+not larger."""
+
+PART_THAT_MATTERS = 0.1
+"""The part of the gain found that matters."""
+
+
+class End(Enum):
+    """Whether searches have converged."""
+
+    YES = "yes"
+    NO = "no"
+    UNKNOWN = "unknown"
+
+
+@dataclass(frozen=True)
+class FurtherGain:
+    """The gain by as many generations again, by a linear trend, with the ends
+    of its 95 % interval, in the unit of the values."""
+
+    mean: float
+    low: float
+    high: float
+
+
+def further_gain(runs: Sequence[ArrayLike], sign: int) -> FurtherGain | None:
+    """Extrapolates the means of populations by generation of one or more
+    searches over as many generations again, and returns the mean over
+    searches. `sign` is that of an improvement.
+
+    A line is fitted to the second half of the generations of each search. The
+    standard error of its slope allows for the correlation of successive
+    residuals by the effective number of generations n (1 - r) / (1 + r), with
+    r their correlation at lag 1 if it is positive. A linear trend is an upper
+    bound where searches gain less and less. None if a search has fewer than
+    LEAST generations in its second half."""
+    found = []
+    for run in runs:
+        values = sign * np.asarray(run, dtype=float)
+        half = values[len(values) // 2 :]
+        if len(half) < LEAST or not np.isfinite(half).all():
+            return None
+        slope, error, freedom = _slope(half)
+        found.append((len(values) * slope, len(values) * error, freedom))
+    if not found:
+        return None
+    gains, errors, freedoms = np.array(found).T
+    mean = float(gains.mean())
+    variance = float(np.sum(errors**2))
+    # Welch and Satterthwaite: degrees of freedom of a sum of variances
+    freedom = (
+        variance**2 / float(np.sum(errors**4 / freedoms)) if variance else 1.0
+    )
+    reach = student(freedom) * math.sqrt(variance) / len(found)
+    return FurtherGain(mean, mean - reach, mean + reach)
+
+
+def _slope(values: NDArray[np.float64]) -> tuple[float, float, float]:
+    """Returns the slope of a line through values, its standard error and its
+    degrees of freedom."""
+    count = len(values)
+    number = np.arange(count)
+    slope, start = np.polyfit(number, values, 1)
+    rest = values - (slope * number + start)
+    squares = float(rest @ rest)
+    scatter = float(np.sum((number - number.mean()) ** 2))
+    lag = float(rest[1:] @ rest[:-1]) / squares if squares > 0 else 0.0
+    lag = max(lag, 0.0)
+    effective = count * (1 - lag) / (1 + lag)
+    freedom = max(effective - 2, 1.0)
+    error = math.sqrt(squares / freedom / scatter)
+    return float(slope), error, freedom
+
+
+def verdict(further: FurtherGain, matters: float) -> End:
+    """Judges whether searches have converged: only if the interval of what
+    they could still gain excludes a gain that matters, and an equal loss, as
+    of populations after a restart; not if the interval is above 0."""
+    if -matters < further.low and further.high < matters:
+        return End.YES
+    return End.NO if further.low > 0 else End.UNKNOWN
+
+
+def searches_differ(gains: Sequence[Estimate], matters: float) -> bool:
+    """Returns whether the gains of searches differ by more than their errors
+    (Cochran's Q at 5 %) and by more than what matters."""
+    means = np.array([gain.mean for gain in gains])
+    errors = np.array([gain.standard_error for gain in gains])
+    if len(means) < 2 or np.ptp(means) < matters:
+        return False
+    if not (errors > 0).all():
+        return True
+    # SciPy is imported at its use, because its import takes long.
+    from scipy.special import chdtri
+
+    weights = errors**-2
+    mean = weights @ means / weights.sum()
+    q = float(weights @ (means - mean) ** 2)
+    return q > float(chdtri(len(means) - 1, 0.05))

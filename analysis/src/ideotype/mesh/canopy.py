@@ -1,0 +1,227 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The light in any mesh."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from datetime import date
+from os import PathLike
+from typing import Any
+
+import numpy as np
+import xarray
+from numpy.typing import ArrayLike, NDArray
+
+from ..common.arrays import real, unmasked
+from ..common.compiled import _core
+from ..errors import Error
+from .datasets import dataset, scene_dataset
+
+Pair = tuple[float, float]
+
+
+class Canopy:
+    """A mesh whose light can be found; `ideotype.mesh` makes it."""
+
+    def __init__(
+        self,
+        vertices: ArrayLike,
+        faces: ArrayLike | Sequence[Sequence[int]],
+        groups: Sequence[str] | None = None,
+    ) -> None:
+        self._vertices = _vertices(vertices)
+        self._corners, self._counts = _polygons(faces, len(self._vertices))
+        count = len(self._counts)
+        names = ["leaf"] * count if groups is None else list(groups)
+        if len(names) != count:
+            raise Error(
+                f"groups has {len(names)} names for {count} faces; "
+                "give the name of each face's organ"
+            )
+        self._names = list(dict.fromkeys(names))
+        places = {name: i for i, name in enumerate(self._names)}
+        self._face_group = np.array([places[x] for x in names], np.uint32)
+
+    def evaluate(
+        self,
+        *,
+        period: Pair | None = None,
+        isolated: bool = False,
+        ground_area: float | None = None,
+        field: tuple[int, int, float, float] | None = None,
+        jitter: float | None = None,
+        sun: Pair | None = None,
+        sky: str | None = None,
+        site: tuple[float, float, float] | None = None,
+        day: date | str | None = None,
+        beam_ppfd: float | None = None,
+        sky_ppfd: float | None = None,
+        climate: str | PathLike[str] | None = None,
+        photosynthesis: str | PathLike[str] | None = None,
+        exact: bool = False,
+        leaf: Pair | None = None,
+        stalk: Pair | None = None,
+        sheath: Pair | None = None,
+        soil_albedo: float | None = None,
+        scene: str | PathLike[str] | None = None,
+        tolerance: float | None = None,
+        paths: int | None = None,
+        by_face: bool = False,
+        seed: int | None = None,
+    ) -> xarray.Dataset:
+        """Evaluates where light goes, as `ideotype light` does: an option that
+        is not given has the default of the command line.
+
+        period: the period of the lattice on which the mesh repeats, along x
+            and y [m].
+        isolated: whether the mesh stands alone on endless soil, with the
+            `ground_area` [m2] to which light per area refers.
+        field: rows, plants of a row, row and plant spacing [m]. The mesh is a
+            plant at x = y = 0 and repeats in rows along y, each plant turned
+            at random by up to `jitter` [deg].
+        sun: elevation and azimuth, clockwise from north = +y [deg]; level
+            ground receives 1, or `beam_ppfd` [umol m-2 s-1].
+        sky: "uniform", "overcast" or "clear"; level ground receives 1, or
+            `sky_ppfd` [umol m-2 s-1].
+        site: latitude, longitude [deg] and UTC offset [h] of the sun and sky
+            of a clear `day`, "2021-07-01".
+        climate: file with the tables [site] and [climate] of a campaign.
+        photosynthesis: file with the table [photosynthesis], for assimilation;
+            `exact` has the meaning of `--exact` on the command line.
+        leaf, stalk, sheath: reflectance and transmittance, by default the
+            values of the command line. Groups whose names begin with "stalk"
+            or "sheath" are stalks or sheaths, all others are leaves.
+        scene: file of materials, components and wavebands, as for `--scene` of
+            the command line; the file gives all optics and photosynthesis.
+        tolerance: relative standard error of the leaves' light; `paths` gives
+            a number of paths instead.
+        by_face: whether the light that each face absorbs is returned too.
+
+        Returns a Dataset: `incident` is the light on the ground; `leaves`,
+        `stalks` (all other organs) and `soil` are the light that each absorbs,
+        and `reflected` is the light that escapes from the canopy, per area of
+        ground; `absorbed` is the light absorbed by `group`, and
+        `absorbed_by_layer` is the light of leaves by height. The Dataset also
+        has the quantities of a history; for a single sun or sky only those
+        quantities that are not rates. Each quantity has its
+        NAME_standard_error. With a `scene` the Dataset has instead, by `band`,
+        `incident`, `soil`, `reflected`, `absorbed_by_component` and `absorbed`
+        by `group`; and by `component` the leaf area index `lai`,
+        `gross_assimilation` and `net_assimilation`.
+
+        Raises Error if options contradict each other."""
+        arguments = _arguments(
+            period=period,
+            boundary="isolated" if isolated else None,
+            ground_area=ground_area,
+            field=field,
+            jitter=jitter,
+            sun=sun,
+            sky=sky,
+            site=site,
+            date=day,
+            beam_ppfd=beam_ppfd,
+            sky_ppfd=sky_ppfd,
+            climate=climate,
+            photosynthesis=photosynthesis,
+            exact=exact,
+            soil_albedo=soil_albedo,
+            scene=scene,
+            tolerance=tolerance,
+            paths=paths,
+            seed=seed,
+        )
+        surfaces = {"leaf": leaf, "stalk": stalk, "sheath": sheath}
+        for name, pair in surfaces.items():
+            if pair is not None:
+                for part, value in zip(
+                    ("reflectance", "transmittance"), pair, strict=True
+                ):
+                    arguments += [f"--{name}-{part}", str(value)]
+        try:
+            found = _core.evaluate_mesh(
+                self._vertices,
+                self._corners,
+                self._counts,
+                self._face_group,
+                self._names,
+                arguments,
+                by_face,
+            )
+        except Error as error:
+            raise type(error)(_in_python(str(error))) from None
+        is_ppfd = beam_ppfd is not None or sky_ppfd is not None
+        if scene is not None:
+            return scene_dataset(found, found["is_day"], is_ppfd)
+        if found["is_day"]:
+            return dataset(found, "MJ m-2 day-1", 1e-6)
+        return dataset(found, "umol m-2 s-1" if is_ppfd else "1", 1)
+
+
+def _vertices(given: ArrayLike) -> NDArray[np.float64]:
+    vertices = np.ascontiguousarray(real(given, "vertices"))
+    if vertices.ndim != 2 or vertices.shape[1] != 3:
+        raise Error(
+            f"vertices are an array of {vertices.shape}; give [vertices, 3]"
+        )
+    bad = np.flatnonzero(~np.isfinite(vertices).all(axis=1))
+    if bad.size:
+        raise Error(
+            f"vertices[{bad[0]}] is {vertices[bad[0]]}; coordinates must be "
+            "finite"
+        )
+    return vertices
+
+
+def _polygons(
+    given: ArrayLike | Sequence[Sequence[int]], vertices: int
+) -> tuple[NDArray[np.uint32], NDArray[np.uint32]]:
+    """Returns the corners of all faces, and the number of corners of each."""
+    # Faces may differ in their number of corners, unlike rows of an array.
+    every: Any = unmasked(given, "faces")
+    if not len(every):
+        raise Error("faces is empty; a mesh needs at least one face")
+    counts = np.fromiter(map(len, every), np.uint32, len(every))
+    few = np.flatnonzero(counts < 3)
+    if few.size:
+        raise Error(
+            f"faces[{few[0]}] has {counts[few[0]]} corners; give three or more"
+        )
+    corners = real(
+        np.concatenate([np.asarray(face) for face in every]), "faces"
+    )
+    whole = corners.astype(np.int64)
+    wrong = (whole != corners) | (whole < 0) | (whole >= vertices)
+    if wrong.any():
+        place = int(np.flatnonzero(wrong)[0])
+        face = int(np.searchsorted(np.cumsum(counts), place, side="right"))
+        raise Error(
+            f"faces[{face}] has the corner {corners[place]:.15g}; name "
+            "vertices from 0 to "
+            f"{vertices - 1}"
+        )
+    return whole.astype(np.uint32), counts
+
+
+def _arguments(**given: Any) -> list[str]:
+    """Returns the words of a command line with the given options; an option of
+    value None is left out."""
+    words: list[str] = []
+    for name, value in given.items():
+        if value is None or value is False:
+            continue
+        words.append("--" + name.replace("_", "-"))
+        if value is not True:
+            values = value if isinstance(value, tuple | list) else [value]
+            words += map(str, values)
+    return words
+
+
+def _in_python(message: str) -> str:
+    """Replaces names of options by names of arguments."""
+    message = re.sub(r"--(leaf|stalk|sheath)-\w+", r"\1", message)
+    message = message.replace("--date", "--day")
+    return re.sub(
+        r"--([a-z-]+)", lambda found: found[1].replace("-", "_"), message
+    )

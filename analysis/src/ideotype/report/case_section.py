@@ -1,0 +1,121 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The part of a report about a single case."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import partial
+from pathlib import Path
+
+from matplotlib.figure import Figure
+
+from ..errors import Error
+from ..figures.case import figures_of
+from ..figures.field import draw_field
+from ..figures.front_plants import draw_front_plants
+from ..figures.importance import draw_importance
+from ..figures.season import DAY, chosen_stages, draw_stages, stages
+from ..history.case import Case
+from ..history.file import HistoryError
+from .blocks import Note, Section
+from .importance import changes_of
+from .scene import Plants, build_plants
+
+_FIELD = (
+    "At eye height, 1.6 m, and from above. Leaves have the colour of the PAR "
+    "that they absorb over the day per area of leaf, as a mean over the leaf, "
+    "shaded a little; other organs are dull green or grey. Plants are alike "
+    "and turned at random."
+)
+_ALONG = (
+    "The baseline, and plants at equal steps along the front in the order of "
+    "the first objective, from the side at one scale."
+)
+
+
+def plants_of(case: Case, own: Sequence[Path] = ()) -> Plants | Note:
+    """Returns the shapes of the plants of a case and of the user's own plants,
+    or the reason why shapes are not known."""
+    try:
+        return build_plants(case, own)
+    except Error as reason:
+        return Note(f"Plants: not drawn, {reason}.")
+
+
+def section_of(case: Case, plants: Plants | Note) -> Section:
+    section = Section(case.name, is_folded=True)
+    if isinstance(plants, Note):
+        section.blocks.append(plants)
+    else:
+        if case.fronts:
+            section.draw(
+                f"{case.name}_front_plants",
+                "How do plants change along the front?",
+                _ALONG,
+                partial(
+                    draw_front_plants, case, plants.baseline, plants.members
+                ),
+            )
+        section.draw(
+            f"{case.name}_field",
+            "How does the bred field look, and which leaves get the light?",
+            _FIELD,
+            partial(draw_field, case, plants.baseline, plants.best),
+        )
+    section.draw(
+        f"{case.name}_importance",
+        "Which traits make the gain, and which must be right?",
+        "The best plant with one trait changed, evaluated in the same fields "
+        "and light as the best plant itself; the interval is that of pairs.",
+        partial(_draw_importance, case),
+    )
+    if case.pairs and DAY in case.best.row.quantities:
+        section.draw(
+            f"{case.name}_stages",
+            "How do the plants grow and age?",
+            "From the side, at one scale.",
+            partial(_draw_stages, case),
+        )
+    for name, (draw, question, caption) in figures_of(case).items():
+        section.draw(
+            f"{case.name}_{name}", question, caption, partial(draw, case)
+        )
+    return section
+
+
+def _draw_importance(case: Case) -> Figure:
+    """Draws the importance of traits.
+
+    Raises HistoryError if plants cannot be evaluated on this machine."""
+    case.need_pairs()
+    try:
+        changes = changes_of(case)
+    except Error as reason:
+        raise HistoryError(str(reason)) from reason
+    return draw_importance(case, changes)
+
+
+def _draw_stages(case: Case) -> Figure:
+    """Draws baseline and best at each stage.
+
+    Raises HistoryError if the shapes of the plants are not known."""
+    times = stages(case).labels
+    try:
+        from ..stand.stand import Stand
+
+        stand = Stand.from_history(case.best_history.path, same_isa=False)
+        plants = [
+            (
+                name,
+                [
+                    stand.mesh(plant.row.genome[0], 0, float(times[k]))
+                    for k in chosen_stages(len(times))
+                ],
+            )
+            for name, plant in (
+                ("baseline", case.baseline), ("best", case.best),
+            )
+        ]  # fmt: skip
+    except Error as reason:
+        raise HistoryError(str(reason)) from reason
+    return draw_stages(case, plants)

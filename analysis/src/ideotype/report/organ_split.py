@@ -1,0 +1,323 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Splits the gain of a bred plant by intervention: plant and baseline are
+evaluated again without other organs, so that only what leaves gain by
+themselves is left."""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..errors import Error
+from ..history.case import Case
+from ..history.estimate import NORMAL, Estimate, difference
+from .blocks import Block, Note, Table
+
+Numbers = NDArray[np.float64]
+
+_OF_LEAVES = {
+    *("absorbed_par", "absorbed_par_per_leaf_area"),
+    *("gross_assimilation", "gross_co2", "net_co2", "net_assimilation"),
+    *("net_assimilation_per_leaf_area", "carbon_balance", "dry_matter"),
+    "carbon_after_silking",
+}
+"""The objectives that other organs lower by the light that they take from
+leaves."""
+
+_LEAST_BASELINE = 3.0
+"""The standard errors above 0 of a baseline from which on gains have a meaning
+in per cent."""
+
+
+@dataclass(frozen=True)
+class Variant:
+    """A change of the organs of all plants of a campaign."""
+
+    name: str
+    title: str
+    settings: Mapping[str, Any]
+    """The keys of the campaign that make the change."""
+    removed: str = ""
+    """The source of the gain that this variant lacks and the one before it
+    has; none of the first."""
+    meaning: str = ""
+    """A sentence that explains the variant."""
+
+
+AS_SHIPPED = Variant("all_organs", "with all organs", {})
+LEAVES_ALONE = Variant(
+    "leaves_alone",
+    "with leaves alone",
+    {"plant.organs": []},
+    "light of other organs",
+    "Plants with leaves alone have no other organs (plant.organs = []).",
+)
+
+
+_CARBON = ("capacity", "density")
+"""The keys by which organs assimilate and cost carbon; 0: they do not."""
+
+
+def variants_of(resolved: Mapping[str, Any]) -> list[Variant]:
+    """Returns the variants of a resolved campaign, each with less of its other
+    organs than the one before; none if its plants are leaves alone. Where
+    other organs assimilate or cost carbon, a variant has organs that only
+    take light."""
+    plant = resolved.get("plant", {})
+    if not plant.get("organs"):
+        return []
+    dead = _without_carbon(plant.get("baseline", {}))
+    between = [
+        Variant(
+            "dead_organs",
+            "with dead organs",
+            dead,
+            "carbon of other organs",
+            "Dead organs take light, but neither assimilate nor cost carbon.",
+        )
+    ]
+    return [AS_SHIPPED, *(between if dead else ()), LEAVES_ALONE]
+
+
+def _without_carbon(crop: Mapping[str, Any]) -> dict[str, Any]:
+    """Returns the settings with which the organs of a crop neither assimilate
+    nor cost carbon; none if they do neither."""
+    settings: dict[str, Any] = {
+        f"plant.baseline.{part}.{key}": 0
+        for part in ("stalk", "sheath", "petiole")
+        for key in _CARBON
+        if crop.get(part, {}).get(key)
+    }
+    organs = crop.get("organ", [])
+    if any(organ.get(key) for organ in organs for key in _CARBON):
+        # A setting replaces a list as a whole.
+        settings["plant.baseline.organ"] = [
+            organ | {key: 0 for key in _CARBON if key in organ}
+            for organ in organs
+        ]
+    return settings
+
+
+@dataclass(frozen=True)
+class Split:
+    """The gain of a plant over the baseline by variant, of plants that all
+    stand in the same fields with common random numbers."""
+
+    variants: tuple[Variant, ...]
+    gains: tuple[Estimate, ...]
+    """The gain in each variant: in % of the baseline there, or in the unit of
+    the objective where a baseline is not above zero."""
+
+    @property
+    def parts(self) -> tuple[Estimate, ...]:
+        """The gain that each variant lacks and the one before it has, with
+        paired standard errors."""
+        return tuple(map(difference, self.gains, self.gains[1:]))
+
+    @property
+    def unit(self) -> str:
+        """The unit of gains."""
+        return self.gains[0].unit
+
+
+def split(
+    variants: Sequence[Variant], values: Sequence[Numbers], unit: str
+) -> Split:
+    """Returns the split of the gain of a plant. `values` are the objective of
+    baseline and plant in each variant [plants, randomisations], `unit` is that
+    of the objective."""
+    if all(_is_above_zero(baseline) for baseline, _ in values):
+        gains = [_relative(*each) for each in values]
+    else:
+        gains = [_mean(best - baseline, unit) for baseline, best in values]
+    return Split(tuple(variants), tuple(gains))
+
+
+def _is_above_zero(values: Numbers) -> bool:
+    found = _mean(values, "1")
+    return found.mean > _LEAST_BASELINE * found.standard_error
+
+
+def _relative(baseline: Numbers, best: Numbers) -> Estimate:
+    """Returns 100 (best / baseline - 1) [%]. Its randomisations are those of
+    the ratio to first order, so that their scatter gives its standard error,
+    and that of differences between gains."""
+    mean = float(baseline.mean())
+    ratio = float(best.mean()) / mean
+    draws = ratio - 1 + (best - ratio * baseline) / mean
+    return _mean(100 * draws, "%")
+
+
+def _mean(draws: Numbers, unit: str) -> Estimate:
+    error = float(draws.std(ddof=1)) / math.sqrt(len(draws))
+    return Estimate(float(draws.mean()), error, unit, draws)
+
+
+def split_of(case: Case) -> Split | Note | None:
+    """Evaluates the best plant of a case and the baseline in each variant, as
+    finalists are evaluated, with the random numbers of their history. Returns
+    None if the search has not ended, its plants have no other organs, or its
+    first objective is not the light or the assimilation of leaves, and the
+    reason if the plants cannot be evaluated."""
+    if case.is_sensitivity or not case.pairs or not case.best_pair.is_final:
+        return None
+    variants = variants_of(case.best_history.resolved)
+    goal = case.best.row.goals[0]
+    is_of_leaves = goal.name.rpartition(".")[2] in _OF_LEAVES
+    if not variants or not is_of_leaves or goal.sign < 0:
+        return None
+    plants = np.array(
+        [plant.row.genome[0] for plant in (case.baseline, case.best)]
+    )
+    try:
+        values = [_evaluate(case, each, plants) for each in variants]
+    except Error as reason:
+        return Note(f"The gain of {case.name} is not split: {reason}.")
+    return split(variants, values, goal.unit)
+
+
+def _evaluate(case: Case, variant: Variant, plants: Numbers) -> Numbers:
+    """Returns the first objective by randomisation [plants,
+    randomisations]."""
+    from ..stand.stand import Stand
+
+    stand = Stand.from_history(
+        case.best_history.path, settings=variant.settings, same_isa=False
+    )
+    found = stand.evaluate(plants, [], final=True)
+    for message in found.message.values:
+        if message:
+            raise Error(f"{variant.title}: {message}")
+    return np.asarray(found.objective_by_randomisation[:, 0])
+
+
+def splits_of(
+    cases: Sequence[Case],
+    tell: Callable[[int, int], object] = lambda done, count: None,
+) -> dict[str, Split | Note]:
+    """Returns the splits of the cases that have one by the names of the cases,
+    by as many threads as there are processors. `tell` gets the number of
+    finished cases and of all."""
+    found: list[Split | Note | None] = []
+    with ThreadPoolExecutor(len(os.sched_getaffinity(0))) as pool:
+        for each in pool.map(split_of, cases):
+            found.append(each)
+            tell(len(found), len(cases))
+    return by_name(cases, found)
+
+
+def by_name(
+    cases: Sequence[Case], found: Iterable[Split | Note | None]
+) -> dict[str, Split | Note]:
+    """Returns the splits of the cases that have one by the names of the
+    cases."""
+    return {
+        case.name: each
+        for case, each in zip(cases, found, strict=True)
+        if each is not None
+    }
+
+
+def table_of(splits: Mapping[str, Split | Note]) -> list[Block]:
+    """Tabulates splits by the names of cases, with notes on cases that cannot
+    be split; nothing if there is no split."""
+    known = {x: each for x, each in splits.items() if isinstance(each, Split)}
+    notes: list[Block] = [x for x in splits.values() if isinstance(x, Note)]
+    if not known:
+        return notes
+    # Cases have all or some of the same variants.
+    variants = max((x.variants for x in known.values()), key=len)
+    titles = [f"gain {v.title} [%]" for v in variants]
+    titles += [f"by {v.removed} [points]" for v in variants if v.removed]
+    rows = [[case, *_cells(each, variants)] for case, each in known.items()]
+    return [
+        Table(
+            ("case", *titles),
+            rows,
+            "The best plant of each case against the baseline, evaluated again "
+            "in the same fields with common random numbers. Gains are in % of "
+            "the baseline with the same organs, and differences between them "
+            "are in percentage points. "
+            + "".join(f"{v.meaning} " for v in variants if v.meaning)
+            + "A plant gains by light of other organs if these take less "
+            "light from its leaves than those of the baseline do. The 95 % intervals are those of paired "
+            "differences, without the differences between searches.",
+        ),
+        *notes,
+    ]
+
+
+def _cells(each: Split, variants: Sequence[Variant]) -> list[str]:
+    names = [v.name for v in each.variants]
+    gains = dict(zip(names, each.gains, strict=True))
+    parts = dict(zip(names[1:], each.parts, strict=True))
+    found = [gains.get(v.name) for v in variants]
+    found += [parts.get(v.name) for v in variants if v.removed]
+    return [_text(x) if x else "" for x in found]
+
+
+def _text(value: Estimate) -> str:
+    unit = "" if value.unit == "%" else f" {value.unit}"
+    text = f"{value.interval_text()}{unit}"
+    return text.replace(" ", "\u00a0").replace("-", "\N{MINUS SIGN}")
+
+
+def in_words(found: Sequence[Split | Note | None]) -> str:
+    """Returns a sentence with a space before it about the gain that is left in
+    the last variant; "" without a split."""
+    known = [each for each in found if isinstance(each, Split)]
+    if not known:
+        return ""
+    last = known[0].variants[-1]
+    if len(found) == 1:
+        (each,) = known
+        unit = "points" if each.unit == "%" else each.unit
+        parts = " and ".join(
+            f"{part.interval_text()} {unit} by {variant.removed}"
+            for variant, part in zip(
+                each.variants[1:], each.parts, strict=True
+            )
+        )
+        return (
+            f" Evaluated again {last.title}, the best plant gains "
+            f"{each.gains[-1].interval_text()} {each.unit}; it gains {parts}."
+        )
+    smaller = sum(
+        each.parts[-1].mean > NORMAL * each.parts[-1].standard_error
+        for each in known
+    )
+    return (
+        f" In {smaller} of {len(known)} cases the best plants gain "
+        f"significantly less {last.title}."
+    )
+
+
+def columns_of(
+    splits: Mapping[str, Split | Note],
+) -> dict[str, dict[str, Any]]:
+    """Returns the columns of splits in tables of results by the names of
+    cases: gains and their differences with standard errors."""
+    return {
+        case: _columns(each)
+        for case, each in splits.items()
+        if isinstance(each, Split)
+    }
+
+
+def _columns(found: Split) -> dict[str, Any]:
+    columns: dict[str, Any] = {"split_unit": found.unit}
+    names = [f"gain_{v.name}" for v in found.variants]
+    names += [
+        f"gain_by_{v.removed.replace(' ', '_')}" for v in found.variants[1:]
+    ]
+    for name, value in zip(names, (*found.gains, *found.parts), strict=True):
+        columns[name] = value.mean
+        columns[f"{name}_standard_error"] = value.standard_error
+    return columns

@@ -1,0 +1,155 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The optimizers of the program for any function: ask for points, tell their
+values."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..common.arrays import real, require_whole
+from ..common.compiled import _core
+from ..errors import Error
+
+Numbers = NDArray[np.float64]
+
+
+class Search:
+    """Looks for the best point between bounds, a generation at a time.
+
+    A point follows from the arguments and from the told values of earlier
+    generations alone. docs/optimisers.md tells what each optimizer does."""
+
+    def __init__(
+        self,
+        lower: ArrayLike,
+        upper: ArrayLike,
+        *,
+        start: ArrayLike | None = None,
+        maximise: Sequence[bool] = (True,),
+        optimizer: str = "auto",
+        population: int | None = None,
+        seed: int = 1,
+        circular: ArrayLike | None = None,
+        traits: Sequence[str] | None = None,
+        axes: Sequence[tuple[float, float, int]] = (),
+    ) -> None:
+        """Begins a search. lower and upper: bounds [genes]. start: point at
+        which the search begins, by default the middle. maximise: whether each
+        objective is maximised or else minimised. population: number of points
+        of a generation. circular: whether both bounds of each gene are the
+        same point. traits: names of groups of genes that belong together, by
+        default each gene by itself. axes: lower bound, upper bound and number
+        of cells of each feature of an atlas, which looks for the best point of
+        each cell and needs the features of points in tell()."""
+        bounds = [real(lower, "lower"), real(upper, "upper")]
+        if (
+            bounds[0].ndim != 1
+            or bounds[0].shape != bounds[1].shape
+            or not np.all(bounds[0] < bounds[1])
+        ):
+            raise Error(
+                "lower and upper: two lists of the same length are needed, and "
+                "each lower bound must be below its upper bound"
+            )
+        require_whole(seed, "seed", 0, 2**64 - 1)
+        if population is not None:
+            require_whole(population, "population", 2, 100_000)
+        if np.ndim(maximise) != 1 or len(maximise) == 0:
+            raise Error(
+                "maximise: one truth value is needed for each objective, such "
+                "as [True]"
+            )
+        count = len(bounds[0])
+        middle = (
+            np.mean(bounds, axis=0) if start is None else real(start, "start")
+        )
+        around = (
+            np.zeros(count, bool) if circular is None else np.asarray(circular)
+        )
+        if middle.shape != (count,) or around.shape != (count,):
+            raise Error(
+                f"start and circular: {count} numbers are needed, one for each bound"
+            )
+        names = (
+            [str(i) for i in range(count)] if traits is None else list(traits)
+        )
+        if len(names) != count:
+            raise Error(
+                f"traits: {count} names are needed, one for each bound"
+            )
+        if bool(axes) != (optimizer == "atlas") or not all(
+            lower < upper and cells > 0 for lower, upper, cells in axes
+        ):
+            raise Error(
+                "axes: an atlas needs (lower, upper, cells) of each feature, "
+                "with lower < upper and cells > 0; other searches have none"
+            )
+        senses = ["maximises" if each else "minimises" for each in maximise]
+        self._words = (
+            f"{optimizer}, {count} genes, {' and '.join(dict.fromkeys(senses))}"
+            f" {len(maximise)} objective{'s' if len(maximise) > 1 else ''}, "
+            f"seed {seed}"
+        )
+        self._objectives = len(maximise)
+        self._features = len(axes)
+        self._search = _core.make_search(
+            optimizer,
+            population or 0,
+            seed,
+            middle.tolist(),
+            bounds[0].tolist(),
+            bounds[1].tolist(),
+            around.astype(bool).tolist(),
+            names,
+            [bool(each) for each in maximise],
+            list(axes),
+        )
+
+    def __repr__(self) -> str:
+        return f"<Search: {self._words}>"
+
+    def ask(self) -> Numbers:
+        """Returns the points of the next generation [points, genes], which
+        stay as they are until tell()."""
+        return np.array(self._search.ask())
+
+    def tell(
+        self,
+        values: ArrayLike,
+        violations: ArrayLike | None = None,
+        features: ArrayLike | None = None,
+    ) -> None:
+        """Learns the values of the points that were asked for [points] or
+        [points, objectives]; NaN where a point could not be evaluated.
+        violations: amount by which each point violates constraints; 0 if none.
+        features: features of each point for an atlas [points, axes]."""
+        count = len(self._search.ask())
+        told = np.asarray(values, float).reshape(-1, self._objectives)
+        failed = (
+            np.zeros(count)
+            if violations is None
+            else real(violations, "violations")
+        )
+        if len(told) != count or failed.shape != (count,):
+            raise Error(
+                f"values: {count} points were asked for, but {len(told)} are "
+                "given; give one value for each"
+            )
+        kinds = (
+            np.empty((0, 0))
+            if features is None
+            else np.asarray(features, float)
+        )
+        if self._features and kinds.shape != (count, self._features):
+            raise Error(
+                f"features: an atlas needs {self._features} of each of {count} points"
+            )
+        self._search.tell(told.tolist(), failed.tolist(), kinds.tolist())
+
+    def best(self, count: int = 1) -> Numbers:
+        """Returns the points to evaluate again at the end, best first [at most
+        count, genes]."""
+        return np.array(self._search.best(count))

@@ -1,0 +1,9 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The plants of a campaign and the light on them, evaluated in this process."""
+
+from .comparison import Comparison, Quantity
+from .crop import Crop
+from .energy import leaf_energy_balance
+from .stand import Stand
+
+__all__ = ["Comparison", "Crop", "Quantity", "Stand", "leaf_energy_balance"]

@@ -1,0 +1,177 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The energy balance of single leaves."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..common.arrays import real
+from ..common.compiled import _core
+from ..errors import Error, did_you_mean
+
+_NONE = np.nan  # The mark of a parameter without a default.
+
+# Default, least and most, in the order of columns of the compiled module.
+_SURROUNDINGS = {
+    "ppfd": (_NONE, 0, 1e5),
+    "nir": (_NONE, 0, 1e5),
+    "longwave": (_NONE, 0, 1e5),
+    "air": (_NONE, -90, 80),
+    "rh": (_NONE, 0, 1),
+    "co2": (_NONE, 1, 1e6),
+    "pressure": (_NONE, 1, 1e3),
+    "wind": (_NONE, 0, 1e3),
+    "width": (_NONE, 1e-4, 100),
+}
+_BODY = {"emissivity": (0.96, 0.01, 1), "ratio": (1, 0, np.inf)}
+_STOMATA = {
+    "medlyn": {"g0": (0.01, 0, 100), "g1": (1.6, 0, 1e3)},
+    "ball-berry": {"b0": (0.017, 0, 100), "b1": (4.53, 0, 1e3)},
+}
+_RATES = {
+    "collatz": {
+        "vmax": (39, 0, 1e6),
+        "alpha": (0.067, 0, 1),
+        "theta": (0.83, 0, 1),
+        "beta": (0.93, 0, 1),
+        "k": (0.7, 0, 100),
+        "rd": (0.8, 0, 1e3),
+    },
+    "farquhar": {
+        "vcmax": (110, 0, 1e6),
+        "jmax": (195, 0, 1e6),
+        "tpu": (13, 0, 1e6),
+        "theta": (0.97875, 0, 1),
+        "beta": (0.98, 0, 1),
+        "rd": (1.28, 0, 1e3),
+    },
+}
+_C3_SLOPE = {"g1": (5.79, 0, 1e3)}
+_KEYS = (
+    "leaf",
+    "net",
+    "gs",
+    "ci",
+    "transpiration",
+    "latent",
+    "sensible",
+    "net_radiation",
+    "boundary_heat",
+    "roots",
+)
+
+
+def leaf_energy_balance(
+    inputs: Mapping[str, Any], *, roots: bool = False
+) -> dict[str, Any]:
+    """Returns temperature, stomatal conductance, assimilation and
+    transpiration of points on leaves.
+
+    Inputs are numbers or arrays of one shape. Radiation that a point absorbs
+    on both faces together per area of leaf: `ppfd` [umol m-2 s-1], `nir` and
+    `longwave` [W m-2]; the air at the leaf: `air` [deg C], `rh` (0 to 1),
+    `co2` [umol mol-1], `pressure` [kPa] and `wind` [m s-1]; and `width` [m] of
+    the blade. Parameters, as keywords or in a dict `parameters`, which takes
+    precedence: `model`, "collatz" (C4) or "farquhar" (C3), with the keys of
+    the model in a [photosynthesis] table (`vmax`, ...); `stomata`, "medlyn"
+    with `g0` and `g1` or "ball-berry" with `b0` and `b1`; `emissivity`, and
+    `ratio`, the conductance of the lower face over the conductance of the
+    upper face.
+
+    Returns, per area of leaf, `leaf` [deg C], `net` [umol m-2 s-1], `gs` [mol
+    m-2 s-1], `ci` [umol mol-1], `transpiration` [mmol m-2 s-1], `latent`,
+    `sensible` and `net_radiation` [W m-2], and `boundary_heat` [mol m-2 s-1]
+    of one face. Where a point has several balances, the coolest is returned;
+    with `roots` the number of balances is returned too.
+
+    Raises Error if inputs are missing, unknown or out of range."""
+    given = dict(inputs)
+    nested = given.pop("parameters", {})
+    if not isinstance(nested, Mapping):
+        raise Error("parameters is no dictionary; give names and numbers")
+    given |= nested
+    model = given.pop("model", "collatz")
+    if not isinstance(model, str) or model not in _RATES:
+        raise Error(f"model is {model!r}; use one of {', '.join(_RATES)}")
+    _check_names(given, model)
+    which = _choices(given.pop("stomata", "medlyn"))
+    stomata = _STOMATA | {
+        "medlyn": _STOMATA["medlyn"]
+        | (_C3_SLOPE if model == "farquhar" else {})
+    }
+    ranges = _SURROUNDINGS | _BODY | _RATES[model]
+    for each in stomata.values():
+        ranges = ranges | each
+    arrays = {
+        name: _numbers(name, given.get(name, limits[0]), limits)
+        for name, limits in ranges.items()
+    }
+    try:
+        shape = np.broadcast_shapes(
+            which.shape, *(x.shape for x in arrays.values())
+        )
+    except ValueError as error:
+        shapes = {n: x.shape for n, x in arrays.items() if x.ndim}
+        raise Error(
+            f"the inputs have shapes that do not fit: {shapes}; give "
+            "numbers, or arrays of one shape"
+        ) from error
+    columns = [arrays[name] for name in _SURROUNDINGS] + [which]
+    for first, second in zip(*(x for x in stomata.values()), strict=True):
+        columns.append(np.where(which == 0, arrays[first], arrays[second]))
+    columns += [arrays[name] for name in (*_BODY, *_RATES[model])]
+    points = np.stack(
+        [np.broadcast_to(x, shape).ravel() for x in columns], axis=-1
+    )
+    found = _core.energy_balances(points, model == "farquhar")
+    results: dict[str, Any] = {}
+    for name, values in zip(_KEYS, found.T, strict=True):
+        results[name] = values.reshape(shape) if shape else values.item()
+    count = results.pop("roots")
+    if roots:
+        results["roots"] = np.asarray(count, int) if shape else int(count)
+    return results
+
+
+def _check_names(given: Mapping[str, Any], model: str) -> None:
+    known = [*_SURROUNDINGS, "parameters", "model", "stomata", *_BODY]
+    known += [x for each in _STOMATA.values() for x in each]
+    # A dict of C4 defaults may be given for a C3 leaf, too.
+    known += [*_RATES["collatz"], *_RATES[model]]
+    for name in given:
+        if name not in known:
+            raise Error(
+                f"a leaf has no input {name!r}"
+                f"{did_you_mean(str(name), known)} (model {model!r} has "
+                f"{', '.join(dict.fromkeys(known))})"
+            )
+    missing = [name for name in _SURROUNDINGS if name not in given]
+    if missing:
+        raise Error(f"the inputs lack {', '.join(missing)}; give them")
+
+
+def _choices(given: Any) -> NDArray[np.float64]:
+    names = list(_STOMATA)
+    found = np.asarray(given)
+    for each in found.ravel().tolist():
+        if each not in names:
+            raise Error(f"stomata is {each!r}; use one of {', '.join(names)}")
+    return np.asarray(found == names[1], float)
+
+
+def _numbers(
+    name: str, given: Any, limits: tuple[float, float, float]
+) -> NDArray[np.float64]:
+    found = real(given, name)
+    outside = ~((found >= limits[1]) & (found <= limits[2]))
+    if outside.any():
+        value = found[outside].flat[0]
+        raise Error(
+            f"{name} is {value:g}, outside {limits[1]:g} to {limits[2]:g}; "
+            "check its unit"
+        )
+    return found

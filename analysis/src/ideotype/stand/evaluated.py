@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Evaluations of plants as labelled arrays."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import xarray
+
+from ..common.compiled import _core
+
+
+def dataset_of(
+    case: _core.CaseStand, found: list[tuple[Any, ...]], wanted: list[str]
+) -> xarray.Dataset:
+    """Returns the results of evaluations of plants in a case, one tuple for
+    each plant, as arrays of the wanted quantities."""
+    axes = {each[0]: each for each in case.axes}
+    messages = [each[1] for each in found]
+    numbers = np.array([each[5] for each in found]).reshape(len(found), -1, 2)
+    arrays: dict[str, Any] = {}
+    begin = 0
+    for name, unit, meaning, along, is_exact, counted in case.quantities:
+        shape = tuple(len(axes[axis][3]) for axis in along)
+        size = int(np.prod(shape))
+        part = numbers[:, begin : begin + size]
+        begin += size
+        if name not in wanted:
+            continue
+        dims = ("plant", *along)
+        about: dict[str, Any] = {"units": unit, "long_name": meaning}
+        if counted:
+            about["names"] = list(counted)
+        whole = part.reshape(len(found), *shape, 2)
+        arrays[name] = (dims, whole[..., 0], about)
+        if not is_exact:
+            error = {"units": unit, "long_name": "standard error"}
+            arrays[f"{name}_standard_error"] = (dims, whole[..., 1], error)
+    arrays["violation"] = (
+        "plant",
+        np.array([each[4] for each in found]),
+        {"units": "1", "long_name": "violation of the constraints, 0: none"},
+    )
+    arrays["message"] = (
+        "plant",
+        np.array(messages, dtype=object),
+        {"long_name": "reason why the evaluation failed"},
+    )
+    names, units, _ = zip(*case.objectives)
+    arrays["objective_by_randomisation"] = (
+        ("plant", "objective", "randomisation"),
+        np.array([each[3] for each in found]),
+        {"units": ", ".join(dict.fromkeys(units)), "long_name": "objective"},
+    )
+    used = {axis for dims, *_ in arrays.values() for axis in dims}
+    labels = {
+        name: (name, each[3], {"units": each[1], "long_name": each[2]})
+        for name, each in axes.items()
+        if name in used
+    }
+    return xarray.Dataset(
+        arrays,
+        {**labels, "objective": list(names)},
+        {"case": case.name, "isa": case.isa},
+    )

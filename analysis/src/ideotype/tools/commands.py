@@ -1,0 +1,209 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The verbs `ideotype summary` and `ideotype report`."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import shlex
+import sys
+from collections.abc import Callable, Sequence
+from pathlib import Path
+
+from ..common.output import REFUSED, OutputRefused
+from ..common.progress import Progress
+from ..errors import printable_lines
+from ..history.file import HistoryError
+from ..history.study import Study, open_study
+
+_EXIT_CODES = (
+    "Exit codes: 0 ok, 1 failed, 2 wrong usage, 3 done without the histories "
+    "that can't be read, which are named, 4 the output is a symbolic link or a "
+    "special file."
+)
+
+
+def summary(arguments: Sequence[str] | None = None) -> int:
+    """Prints the table of gains and returns the exit code: 0, 1 if no file can
+    be used, 2 for a wrong command line, 3 if only some files can be used."""
+    parser = argparse.ArgumentParser(
+        prog="ideotype summary",
+        description="Prints the report's table of gains as Markdown, a line for "
+        "each case, its seeds put together; ideotype status tells the result of "
+        "each history.",
+        epilog=_EXIT_CODES,
+    )
+    _add_results(parser)
+    _add_split(parser)
+    parser.add_argument(
+        "--csv",
+        action="store_true",
+        help="print a line of CSV for each case, with its coordinates",
+    )
+    parser.add_argument(
+        "--all",
+        action="store_true",
+        help="print all cases, however many, and what should be known about "
+        "the numbers",
+    )
+    return guarded(parser, arguments, _summarize)
+
+
+def report(arguments: Sequence[str] | None = None) -> int:
+    """Writes a report and returns the exit code, which has the meaning of the
+    exit code of summary()."""
+    parser = argparse.ArgumentParser(
+        prog="ideotype report",
+        description="Writes one HTML page about all histories, which needs "
+        "nothing else to be viewed, and its figures as files; also "
+        "while they are being written.",
+        epilog=_EXIT_CODES,
+    )
+    _add_results(parser)
+    _add_split(parser)
+    add = parser.add_argument
+    add(
+        "-o", "--output", type=Path, default=Path("report"), metavar="DIR",
+        help="gets report.html, results.csv and figures/ (default: report)",
+    )  # fmt: skip
+    add(
+        "--figures", action="append", metavar="CASE",
+        help="figures of the cases whose names have this in them; \"\" of all "
+        "(default: of all, if there are three or fewer)",
+    )  # fmt: skip
+    add(
+        "--plant", action="append", default=[], type=Path, metavar="FILE",
+        help="a plant of your own to see in three dimensions beside the others: "
+        "a crop file, measured leaves (.csv), or a digitised plant (.obj, .ply, "
+        ".dat); may be repeated",
+    )  # fmt: skip
+    add(
+        "--cross",
+        type=Path,
+        metavar="FILE",
+        help="a cross-evaluation, .json or .csv",
+    )
+    add(
+        "--pdf",
+        action="store_true",
+        help="write each figure as PDF too, besides SVG",
+    )
+    add(
+        "-j", "--jobs", type=int, default=0, metavar="N",
+        help="processes that draw figures (default: one per core)",
+    )  # fmt: skip
+    words = sys.argv[1:] if arguments is None else arguments
+    parser.set_defaults(command=shlex.join(["ideotype", "report", *words]))
+    return guarded(parser, arguments, _report)
+
+
+def _add_results(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "results",
+        nargs="+",
+        metavar="RESULTS",
+        help="histories (.h5), folders of them, or patterns",
+    )
+
+
+def _add_split(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "--no-split",
+        dest="has_split",
+        action="store_false",
+        help="do not evaluate the best plant of each case and its baseline "
+        "again with leaves alone, which shows the part of the gain that is "
+        "light taken from other organs",
+    )
+
+
+def guarded(
+    parser: argparse.ArgumentParser,
+    arguments: Sequence[str] | None,
+    run: Callable[[argparse.Namespace, Study], None],
+) -> int:
+    def warn(words: object) -> None:
+        print(printable_lines(f"{parser.prog}: {words}"), file=sys.stderr)
+
+    try:
+        try:
+            options = parser.parse_args(arguments)
+            with open_study(*options.results, skip_damaged=True) as study:
+                for error in study.damaged:
+                    warn(f"left out: {error}")
+                run(options, study)
+                return 3 if study.damaged else 0
+        finally:
+            # The flush reports a full disk before Python ends.
+            sys.stdout.flush()
+    except BrokenPipeError:
+        # The reader of the output has closed the pipe.
+        _drop_output()
+        return 1
+    except (HistoryError, OutputRefused, OSError) as error:
+        warn(error)
+        _drop_output()
+        return REFUSED if isinstance(error, OutputRefused) else 1
+
+
+def _drop_output() -> None:
+    """Drops output that cannot be written, which Python would try to write
+    again at its end."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+
+
+def _summarize(options: argparse.Namespace, study: Study) -> None:
+    # The imports stand here, so that wrong command lines need not wait for the
+    # plotting library.
+    from ..history.results import results_of
+    from ..report.organ_split import columns_of, splits_of, table_of
+    from ..report.tables import ends_of, gains, markdown, on_a_screen
+
+    cases = study.cases()
+    if options.csv:
+        cases = [case for case in cases if not case.is_sensitivity]
+    is_whole = options.all or options.csv
+    splits = {}
+    if options.has_split:
+        with Progress("cases split") as progress:
+            splits = splits_of(
+                cases if is_whole else ends_of(cases), progress.tell
+            )
+    if options.csv:
+        table = results_of(cases, columns_of(splits))
+        print(printable_lines(table.to_csv(index=False)), end="")
+        return
+    first, *others = gains(cases, None) if options.all else on_a_screen(cases)
+    print(printable_lines(markdown([first, *table_of(splits), *others])))
+
+
+def _report(options: argparse.Namespace, study: Study) -> None:
+    # The import stands here, so that wrong command lines need not wait for the
+    # plotting library.
+    from ..figures.cross import read_cross
+    from ..report.report import write_report
+
+    # Processes use all cores; more threads in a process would slow down other
+    # processes.
+    os.environ.setdefault("OMP_NUM_THREADS", "1")
+    cross = read_cross(options.cross) if options.cross else None
+    with Progress("figures drawn") as progress:
+        written = write_report(
+            study,
+            options.output,
+            cross=cross,
+            command=options.command,
+            tell=progress.tell,
+            has_pdf=options.pdf,
+            jobs=options.jobs or len(os.sched_getaffinity(0)),
+            figures_of=options.figures,
+            plants=options.plant,
+            has_split=options.has_split,
+        )
+    size = written.page.stat().st_size / 1e6
+    folder = written.page.parent
+    print(
+        f"{len(written.figures)} files of figures and their numbers in "
+        f"{folder / 'figures'}, a line for each case in "
+        f"{folder / 'results.csv'}\nopen {written.page} ({size:.1f} MB)"
+    )

@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The verb `ideotype indices`."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from ..errors import did_you_mean, printable_lines
+from ..history.file import HistoryError
+from ..history.history import History, open_history
+from ..history.indices import NORMAL, Indices, indices_of
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Prints the indices of a history and returns the exit code: 0, or 1 if
+    the history has no indices."""
+    parser = argparse.ArgumentParser(
+        prog="ideotype indices",
+        description="Tells what the objectives of a finished sensitivity study "
+        "depend on, the factors that matter most first, with 95 % intervals.",
+    )
+    add = parser.add_argument
+    add("file", help="history of `ideotype sensitivity`")
+    add(
+        "--quantity", action="append", default=[],
+        help="print the indices of this quantity too, such as lai",
+    )  # fmt: skip
+    add("--json", action="store_true", help="print all quantities as JSON")
+    options = parser.parse_args(arguments)
+    try:
+        with open_history(options.file) as history:
+            print(printable_lines(_told(history, options)))
+    except (HistoryError, OSError) as error:
+        print(printable_lines(f"ideotype: {error}"), file=sys.stderr)
+        return 1
+    return 0
+
+
+def _told(history: History, options: argparse.Namespace) -> str:
+    found = indices_of(history)
+    if not found:
+        raise HistoryError(
+            f"{history.path}: "
+            + (
+                "the sensitivity study is not finished yet; go on with "
+                "ideotype sensitivity CAMPAIGN --resume"
+                if history.is_sensitivity
+                else "this is no history of a sensitivity study; write one "
+                "with "
+                "ideotype sensitivity CAMPAIGN"
+            )
+        )
+    case = str(history.attributes["case"])
+    if options.json:
+        table = {name: _to_json(each) for name, each in found.items()}
+        return json.dumps({"case": case, "quantities": table}, indent=2)
+    names = [each.name for each in history.objectives] + options.quantity
+    for name in options.quantity:
+        if name not in found:
+            raise HistoryError(
+                f"--quantity: there is no '{name}'"
+                + did_you_mean(name, list(found))
+            )
+    text = "\n\n".join(f"{case}  {_to_text(found[name])}" for name in names)
+    known = found[names[0]].samples
+    samples = history.resolved["sensitivity"]["samples"]
+    if known < samples:
+        text += (
+            f"\n{samples - known} of {samples} samples have rows that failed; "
+            "the indices are from the others"
+        )
+    return text
+
+
+def _to_json(found: Indices) -> dict[str, Any]:
+    def number(x: float) -> float | None:
+        return float(x) if np.isfinite(x) else None
+
+    def of_factor(k: int) -> dict[str, Any]:
+        return {
+            name: {
+                "mean": number(values[k]),
+                "standard_error": number(found.standard_error[name][k]),
+            }
+            for name, values in found.index.items()
+        }
+
+    return {
+        "unit": found.unit,
+        "mean": number(found.mean),
+        "standard_deviation": number(found.standard_deviation),
+        "noise_standard_deviation": number(found.noise),
+        "samples": found.samples,
+        "factors": {x: of_factor(k) for k, x in enumerate(found.factors)},
+    }
+
+
+def _to_text(found: Indices) -> str:
+    head = (
+        f"{found.quantity} [{found.unit}]: mean {found.mean:.6g}, standard "
+        f"deviation {found.standard_deviation:.3g} (without that of noise, "
+        f"{found.noise:.2g}); {found.samples} samples, 95 % intervals"
+    )
+    rows = [("factor", *found.index)]
+    for k in np.argsort(-np.nan_to_num(found.main), kind="stable"):
+        cells = (
+            _with_interval(values[k], found.standard_error[name][k])
+            for name, values in found.index.items()
+        )
+        rows.append((found.factors[k], *cells))
+    lines = (
+        f"  {factor:<32}" + "".join(f"{cell:>28}" for cell in cells)
+        for factor, *cells in rows
+    )
+    return "\n".join([head, *lines])
+
+
+def _with_interval(value: float, error: float) -> str:
+    if not np.isfinite(value):
+        return "-"
+    if not np.isfinite(error):
+        return f"{value:.4g}"
+    half = NORMAL * error
+    digits = 4 if half <= 0 else int(1 - np.floor(np.log10(half)))
+    digits = min(max(digits, 0), 4)
+    low, high = value - half, value + half
+    return f"{value:.{digits}f} ({low:.{digits}f} .. {high:.{digits}f})"
+
+
+if __name__ == "__main__":
+    sys.exit(main())

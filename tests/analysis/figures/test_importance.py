@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The importance of traits is the change of the best plant with each trait."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import ideotype
+from ideotype.figures.importance import Change, answer_of, draw_importance
+from ideotype.figures.season import chosen_stages, weekly
+from ideotype.history.estimate import Estimate
+from ideotype.report.importance import changes_of
+
+
+def test_changes_are_paired_and_of_one_trait(own: Path) -> None:
+    with ideotype.open_study(own) as study:
+        (case,) = study.cases()
+        changes = changes_of(case)
+        genes = case.genes
+        best, baseline = (x.row.genome[0] for x in (case.best, case.baseline))
+        figure = draw_importance(case, changes)
+    assert len(changes) == len({change.trait for change in changes}) > 1
+    assert [x.back.mean for x in changes] == sorted(
+        (x.back.mean for x in changes), reverse=True
+    )
+    # The first change is evaluated again in a separate stand.
+    first = changes[0]
+    plant = best.copy()
+    columns = genes.columns(first.trait)
+    plant[columns] = baseline[columns]
+    stand = ideotype.Stand.from_history(own, same_isa=False)
+    found = np.concatenate(
+        [
+            stand.evaluate(
+                [best, plant, baseline], [], generation=1_000_000 + k
+            ).objective_by_randomisation.values[:, 0]
+            for k in range(16)
+        ],
+        axis=1,
+    )
+    loss = 100 * (found[0] - found[1]) / found[2].mean()
+    assert first.back.mean == pytest.approx(loss.mean())
+    error = loss.std(ddof=1) / np.sqrt(len(loss))
+    assert first.back.standard_error == pytest.approx(error)
+    apart = 100 * np.hypot(*found[:2].std(axis=1, ddof=1)) / found[2].mean()
+    assert error < apart / np.sqrt(len(loss))
+    ticks = figure.axes[0].get_yticklabels()
+    assert ticks[0].get_text() == first.trait.replace("_", " ")
+
+
+def test_nothing_is_told_that_the_interval_does_not_bear() -> None:
+    noise = Change("width", Estimate(0.3, 0.2), Estimate(0.1, 0.2))
+    assert answer_of([noise]).startswith("No single trait")
+    clear = Change("length", Estimate(2.0, 0.2), Estimate(0.5, 0.2))
+    assert answer_of([clear, noise]).startswith("Length (2.00 ± 0.39 points)")
+
+
+def test_weeks_are_sums_of_days() -> None:
+    days, rates = np.array([0.0, 10.0, 20.0]), np.array([0.0, 1.0, 1.0])
+    weeks = weekly(days, rates, 20.0)
+    # A triangle of ten days, and ten days at 1.
+    assert weeks.sum() == pytest.approx(15)
+    assert weeks[0] == pytest.approx(0.5 * 7 * 0.7)
+    assert weeks[2] == pytest.approx(6)
+    assert chosen_stages(10)[0] == 0 and chosen_stages(10)[-1] == 9
+    assert len(chosen_stages(10)) == 8 and chosen_stages(3) == [0, 1, 2]

@@ -1,0 +1,157 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Imports of the package have no circle, and its public names are those that
+the manual documents."""
+
+from __future__ import annotations
+
+import ast
+import graphlib
+import inspect
+import pkgutil
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import ideotype
+
+TOP = Path(__file__).parents[3]
+PACKAGE = TOP / "analysis/src/ideotype"
+
+
+def sources(package: Path) -> dict[str, Path]:
+    """Returns the files of a package by the names of their modules."""
+    found = {}
+    for path in package.rglob("*.py"):
+        parts = path.relative_to(package.parent).with_suffix("").parts
+        name = ".".join(parts).removesuffix(".__init__")
+        found[name] = path
+    return found
+
+
+def imported(name: str, files: dict[str, Path]) -> set[str]:
+    """Returns the modules of the package that a module imports anywhere: at
+    its top, in functions, and for types alone."""
+    tree = ast.parse(files[name].read_text())
+    found = set()
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Import):
+            found |= {each.name for each in node.names}
+        elif isinstance(node, ast.ImportFrom):
+            is_package = files[name].name == "__init__.py"
+            place = name.split(".")
+            above = place[: len(place) - node.level + is_package]
+            module = node.module or ""
+            if node.level:
+                module = ".".join([*above, *filter(None, [node.module])])
+            for each in node.names:
+                inner = f"{module}.{each.name}"
+                found.add(inner if inner in files else module)
+    return (found & files.keys()) - {name}
+
+
+def graph(package: Path) -> dict[str, set[str]]:
+    files = sources(package)
+    return {name: imported(name, files) for name in files}
+
+
+def between_packages(modules: dict[str, set[str]]) -> dict[str, set[str]]:
+    """Returns the packages, and modules beside them, that each imports."""
+
+    def place(module: str) -> str:
+        return ".".join(module.split(".")[:2])
+
+    found: dict[str, set[str]] = {place(module): set() for module in modules}
+    for module, others in modules.items():
+        found[place(module)] |= {place(x) for x in others} - {place(module)}
+    return found
+
+
+def test_modules_and_packages_import_without_a_circle() -> None:
+    modules = graph(PACKAGE)
+    assert len(modules) > 100
+    # Imports inside functions count as well.
+    assert "ideotype.figures.field" in modules["ideotype.stand.stand"]
+    # Each call raises CycleError, which names the circle, if there is one.
+    graphlib.TopologicalSorter(modules).prepare()
+    graphlib.TopologicalSorter(between_packages(modules)).prepare()
+
+
+def test_packages_import_those_above_them_in_the_table() -> None:
+    text = (TOP / "analysis/README.md").read_text()
+    table = re.findall(r"^\| `(ideotype\.\w+)` \|", text, re.MULTILINE)
+    helpers = {"ideotype.common", "ideotype.errors", "ideotype.__main__"}
+    found = between_packages(graph(PACKAGE))
+    assert {*table, *helpers, "ideotype"} == {*found}
+    for place, package in enumerate(table):
+        assert found[package] <= {*table[:place], *helpers}, package
+
+
+def test_a_circle_of_imports_is_found(tmp_path: Path) -> None:
+    package = tmp_path / "circle"
+    package.mkdir()
+    (package / "__init__.py").write_text("")
+    (package / "first.py").write_text("from .second import name\n")
+    (package / "second.py").write_text(
+        "def name():\n    from . import first\n    return first\n"
+    )
+    with pytest.raises(graphlib.CycleError):
+        graphlib.TopologicalSorter(graph(package)).prepare()
+
+
+def test_importing_the_package_loads_no_large_library() -> None:
+    large = ("matplotlib", "pandas", "xarray", "h5py", "scipy", "numpy")
+    program = (
+        "import sys, ideotype; dir(ideotype); "
+        f"print([x for x in {large} if x in sys.modules]); "
+        "ideotype.Stand; print('matplotlib' in sys.modules)"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", program],
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    assert done.stdout.split("\n")[:2] == ["[]", "False"]
+
+
+def documented() -> list[str]:
+    """Returns the names that the page of the Python package documents."""
+    text = (TOP / "docs/python_api.md").read_text()
+    found = re.findall(r"^\.\. auto\w+:: (\S+)$", text, re.MULTILINE)
+    assert len(found) > 30
+    return found
+
+
+@pytest.mark.parametrize("name", documented())
+def test_documented_names_are_public(name: str) -> None:
+    package, *inner = name.split(".")
+    assert package == "ideotype" and inner[0] in dir(ideotype)
+    assert not any(part.startswith("_") for part in inner)
+    value = pkgutil.resolve_name(name)
+    owner = pkgutil.resolve_name(name.rpartition(".")[0])
+    if not inspect.ismodule(value) and hasattr(owner, "__all__"):
+        assert inner[-1] in owner.__all__
+
+
+def test_all_public_names_of_packages_are_documented() -> None:
+    names = {name.rpartition(".")[2] for name in documented()}
+    packages = (ideotype, *map(ideotype.__getattr__, ideotype._PACKAGES))
+    public = {x for each in packages for x in getattr(each, "__all__", ())}
+    assert public - names == set(ideotype._PACKAGES)
+
+
+def test_the_function_mesh_is_not_hidden_by_the_package_mesh() -> None:
+    program = (
+        "import ideotype.mesh.canopy, ideotype; "
+        "print(callable(ideotype.mesh), ideotype.Canopy.__module__)"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", program],
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    assert done.stdout == "True ideotype.mesh.canopy\n"

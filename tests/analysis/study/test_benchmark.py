@@ -1,0 +1,161 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The public benchmark: its scorer, its two ways and its theory agree."""
+
+from __future__ import annotations
+
+import json
+import sys
+from pathlib import Path
+from types import ModuleType
+
+import pytest
+
+FOLDER = Path(__file__).parents[3] / "campaigns" / "benchmark"
+NAMES = ("cases", "leaf", "meshes", "plain", "program", "score", "theory")
+
+
+@pytest.fixture(scope="module")
+def benchmark() -> ModuleType:
+    """The modules of the benchmark, which are scripts and no package."""
+    folders = [str(FOLDER), str(FOLDER / "adapters")]
+    sys.path[:0] = folders
+    try:
+        found = ModuleType("benchmark")
+        for name in NAMES:
+            setattr(found, name, __import__(name))
+        yield found
+    finally:
+        del sys.path[:2]
+        for name in NAMES:
+            sys.modules.pop(name, None)
+
+
+def write(path: Path, *rows: str, header: str = "") -> Path:
+    header = header or "case,quantity,value,standard_error"
+    path.write_text("\n".join([header, *rows]) + "\n")
+    return path
+
+
+def test_answers_are_scored(benchmark: ModuleType, tmp_path: Path) -> None:
+    score = benchmark.score
+    values = {
+        ("a", "soil"): (0.5, 0.0),
+        ("a", "reflected"): (0.001, 0.0),
+        ("b", "leaf"): (20.0, 0.3),
+        ("b", "net"): (40.0, 0.0),
+    }
+    answers = score.read(
+        write(
+            tmp_path / "a.csv",
+            "a,soil,0.51,0.005",
+            "a,reflected,0.002,",
+            "b,leaf,21,0.4",
+        )
+    )
+    found = score.score(values, answers, {"a": "black", "b": "energy"})
+    assert list(found) == ["black", "energy", "all"]
+    # A small part of the light is relative to a hundredth of all light.
+    assert found["black"].relative == pytest.approx([0.02, 0.1])
+    assert found["black"].deviations == pytest.approx([2], rel=1e-6)
+    assert found["energy"].relative == pytest.approx([0.05])
+    assert found["energy"].deviations == pytest.approx([2], rel=1e-6)
+    assert found["energy"].asked == 2 and found["all"].asked == 4
+    rows = score.table(found).splitlines()
+    assert rows[2] == (
+        "| black | 2 of 2 | 6.000 % | 10.000 % | 0 % | 100 % | 2.0 |"
+    )
+    assert rows[-1].startswith("| all | 3 of 4 | 5.000 %")
+
+
+@pytest.mark.parametrize(
+    ("rows", "words"),
+    [
+        (["a,soil,x,"], r"a.csv:2: .*'x'; write a number"),
+        (["a,soil,1"], "a.csv:2: 3 columns; write 4"),
+        (["a,soil,1,", "a,soil,2,"], "a.csv:3: a soil is answered twice"),
+        (["a,soil,nan,"], "a.csv:2: nan .* is no result"),
+        (["a,soil,1,-1"], "a.csv:2: 1 ± -1 is no result"),
+    ],
+)
+def test_a_wrong_answer_is_told(
+    benchmark: ModuleType, tmp_path: Path, rows: list[str], words: str
+) -> None:
+    with pytest.raises(benchmark.score.AnswersError, match=words):
+        benchmark.score.read(write(tmp_path / "a.csv", *rows))
+
+
+def test_an_answer_to_nothing_is_told(
+    benchmark: ModuleType, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = write(tmp_path / "a.csv", "no_case,soil,1,")
+    assert benchmark.score.main([str(path)]) == 1
+    assert "no case asks for 'soil' of 'no_case'" in capsys.readouterr().err
+    write(path, header="case,value")
+    assert benchmark.score.main([str(path)]) == 1
+    assert "the header is 'case,value'" in capsys.readouterr().err
+
+
+def test_files_of_cases_are_those_that_are_made(
+    benchmark: ModuleType, tmp_path: Path
+) -> None:
+    made = benchmark.cases.all_cases()
+    assert json.loads(json.dumps(made)) == benchmark.cases.read_cases()
+    assert len(made) > 100
+    for name, make in benchmark.meshes.MESHES.items():
+        path = tmp_path / "mesh.obj"
+        benchmark.meshes.write_obj(make(), path)
+        kept = FOLDER / "meshes" / f"{name}.obj"
+        assert path.read_text() == kept.read_text()
+    values = benchmark.score.read(FOLDER / "values.csv")
+    asked = {
+        (name, quantity)
+        for name, case in made.items()
+        for quantity in case["quantities"]
+    }
+    assert values.keys() == asked
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        "beer-beer4-black-overcast",
+        "black-maize-black-sun20_250",
+        "nir-flat-nir-soil0.2-sun45_120",
+        "panels-panels_tilted-black-soil0.25-uniform",
+        "par-mixture-par-soil0.1-overcast",
+        "sheets-sheet2-unlike-soil0.3-uniform",
+        "strips-walls-black-soil0.3-uniform",
+        "assimilation-spherical-black-sun45_120-collatz",
+        "assimilation-sheet2-par-soil0.1-sun30_180-farquhar",
+        "energy-calm",
+    ],
+)
+def test_both_ways_find_the_values(benchmark: ModuleType, name: str) -> None:
+    case = benchmark.cases.read_cases()[name]
+    values = benchmark.score.read(FOLDER / "values.csv")
+    ways = [
+        benchmark.program.answer(case, paths=2**14, seed=91),
+        benchmark.plain.answer(case, 2**11, 16, 91),
+    ]
+    exact = benchmark.theory.answer(case)
+    for quantity in case["quantities"]:
+        value, error = values[name, quantity]
+        if quantity in exact:
+            assert value == pytest.approx(exact[quantity], rel=1e-7)
+            assert error == 0
+        for way in filter(None, ways):
+            found, uncertain = way[quantity]
+            together = (error**2 + uncertain**2) ** 0.5
+            # The bound is wide since errors are those of 16 repetitions.
+            assert abs(found - value) <= 5 * together + 1e-6 * abs(value)
+            scale = 50 if case["class"] == "assimilation" else 1
+            assert together < 0.02 * scale
+
+
+def test_values_are_what_both_ways_found(benchmark: ModuleType) -> None:
+    """Each value that theory lacks is between those of both ways or near."""
+    values = benchmark.score.read(FOLDER / "values.csv")
+    for (name, quantity), (value, error) in values.items():
+        assert error <= (0.05 if name.startswith("assim") else 1e-3), name
+        if quantity == "soil" and not name.startswith("energy"):
+            assert 0 <= value < 1

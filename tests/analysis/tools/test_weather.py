@@ -1,0 +1,388 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`ideotype weather` converts what pvlib, which is independent code, reads
+from the same file, and the program reads the same from the conversion."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+import tomllib
+import zipfile
+from pathlib import Path
+
+import h5py
+import numpy as np
+import pandas as pd
+import pvlib
+import pytest
+from made_weather import (
+    DATA,
+    HOUR,
+    MADE,
+    SHIPPED,
+    minutes,
+    read_expected,
+    write_dwd,
+)
+from real_program import output_of, write_campaign
+
+from ideotype.tools.weather import main
+
+YEAR = SHIPPED / "723170TYA.CSV"
+PAR = 0.45  # The share of PAR in all solar radiation.
+
+_SITE = """
+[[site]]
+name = "greensboro"
+latitude = 36.1
+longitude = -79.95
+utc_offset = -5
+elevation = 273
+
+[[climate]]
+name = "period"
+file = "{file}"
+from = {first}
+to = {last}
+
+"""
+
+
+def convert(folder: Path, *arguments: object) -> pd.DataFrame:
+    """Returns the table that main() writes, by the middles of time steps on
+    its clock."""
+    to = folder / "weather.csv"
+    assert main([*map(str, arguments), "--to", str(to)]) == 0
+    return read(to)
+
+
+def read(file: Path) -> pd.DataFrame:
+    table = pd.read_csv(file, comment="#", index_col="time")
+    table.index = pd.DatetimeIndex(table.index.str[:19])
+    return table
+
+
+def weather_of(folder: Path, file: Path, first: str, last: str) -> dict:
+    """Returns the weather that the program reads for a campaign of the given
+    period."""
+    campaign = write_campaign(folder, 1)
+    text = campaign.read_text()
+    begin, end = text.index("[[site]]"), text.index("[[spacing]]")
+    table = _SITE.format(file=file, first=first, last=last)
+    campaign.write_text(text[:begin] + table + text[end:])
+    output_of("run", campaign, "--out", folder)
+    (path,) = (folder / "tiny").glob("*.h5")
+    with h5py.File(path) as history:
+        resolved = history["campaign/resolved"].asstr()[()]
+    (weather,) = tomllib.loads(resolved)["weather"]
+    return weather
+
+
+@pytest.mark.parametrize("year", [1981, 2023])
+def test_the_program_reads_a_typical_year_as_pvlib(
+    year: int, tmp_path: Path
+) -> None:
+    first, last = f"{year}-01-01", f"{year}-12-31"
+    convert(tmp_path, YEAR, "--from", first, "--until", last)
+    weather = weather_of(tmp_path, tmp_path / "weather.csv", first, last)
+    table = pvlib.iotools.read_tmy3(YEAR, map_variables=True)[0]
+    steps = len(table)
+    assert len(weather["dates"]) * 24 == steps
+    assert weather["hours"] == [hour + 0.5 for hour in range(24)]
+    at = pd.DatetimeIndex(
+        [pd.Timestamp(date) for date in weather["dates"] for _ in range(24)]
+    ) + pd.to_timedelta(np.tile(weather["hours"], steps // 24), "h")
+    sun = pvlib.solarposition.get_solarposition(
+        at.tz_localize("Etc/GMT+5"), 36.1, -79.95
+    )
+    cosine = np.cos(np.radians(sun.zenith.to_numpy()))
+    found = np.array(weather["beam"]) + np.array(weather["diffuse"])
+    ghi, dhi = table.ghi.to_numpy(), table.dhi.to_numpy()
+    assert found == pytest.approx(PAR * ghi, abs=1e-9)
+    temperature = table.temp_air.to_numpy()
+    assert np.array(weather["temperature"]) == pytest.approx(temperature)
+    # Diffuse light is as given, but with the sun at or below the horizon, and
+    # where the beam would exceed the beam outside the atmosphere.
+    is_up = cosine > 0.02
+    outside = (
+        pvlib.irradiance.get_extra_radiation(at, 1361.1).to_numpy() * cosine
+    )
+    plain = is_up & (ghi - dhi < 0.99 * outside)
+    diffuse = np.array(weather["diffuse"])
+    assert diffuse[plain] == pytest.approx(
+        PAR * np.minimum(dhi, ghi)[plain], abs=1e-9
+    )
+    assert plain[ghi > 0].mean() > 0.9
+    assert np.array(weather["beam"])[cosine < -0.01] == pytest.approx(0)
+
+
+@pytest.mark.parametrize(
+    "name",
+    ["tmy3.csv", "small.epw", "nsrdb.csv", "power_utc.csv", "power_lst.csv"],
+)
+def test_formats_that_the_program_once_read(name: str, tmp_path: Path) -> None:
+    found = convert(tmp_path, DATA / name)
+    # test_wind_and_pressure() tests wind and pressure.
+    found = found.drop(columns=["wind", "pressure"], errors="ignore")
+    expected = read_expected()[list(found)]
+    assert ("diffuse" in found) == (name != "power_lst.csv")
+    assert list(found.index) == list(expected.index)
+    assert found.to_numpy() == pytest.approx(expected.to_numpy(), rel=1e-5)
+
+
+@pytest.mark.parametrize("name", ["tmy3.csv", "small.epw"])
+def test_wind_and_pressure(name: str, tmp_path: Path) -> None:
+    found = convert(tmp_path, DATA / name)
+    assert "longwave" not in found
+    assert found["pressure"].iloc[0] == pytest.approx(98.6)
+    if name == "tmy3.csv":
+        assert found["wind"].iloc[0] == pytest.approx(2.6)
+
+
+def test_the_program_reads_what_is_written(tmp_path: Path) -> None:
+    convert(tmp_path, DATA / "nsrdb.csv")
+    written = (tmp_path / "weather.csv").read_text()
+    assert written == (DATA / "converted.csv").read_text()
+    weather = weather_of(
+        tmp_path, tmp_path / "weather.csv", "1981-07-01", "1981-07-05"
+    )
+    found = np.array(weather["beam"]) + np.array(weather["diffuse"])
+    assert found == pytest.approx(PAR * read_expected()["global"].to_numpy())
+
+
+def test_a_file_of_another_format_is_told_how_to_convert(
+    tmp_path: Path,
+) -> None:
+    """The command in the error message works."""
+    file = tmp_path / "mine.epw"
+    file.write_bytes((DATA / "small.epw").read_bytes())
+    with pytest.raises(AssertionError) as failure:
+        weather_of(tmp_path, file, "1981-07-02", "1981-07-03")
+    (command,) = (
+        line.split("ideotype weather", 1)[1]
+        for line in str(failure.value).splitlines()
+        if "ideotype weather" in line
+    )
+    done = subprocess.run(
+        f"{sys.executable} -m ideotype.tools.weather {command}",
+        shell=True,
+        check=True,
+        capture_output=True,
+        text=True,
+    )
+    assert 'file = "mine_weather.csv"' in done.stdout
+    assert "from = 1981-07-02\nto = 1981-07-03" in done.stdout
+    assert len(read(tmp_path / "mine_weather.csv")) == 48
+
+
+def test_what_pvlib_refuses_or_misreads(tmp_path: Path) -> None:
+    """The cases are half hours, names in Latin-1, commas in names, the end of
+    28 February in a leap year, and clocks of half an hour."""
+    sun = read_expected()["global"].iloc[:24].tolist()
+    head = "LOCATION,S\xe3o,b,c,d,1,36.1,-79.95,-5.5,300\nDATA PERIODS,1,2\n"
+    rows = [
+        f"2011,7,{day},{hour + 1},{minute},?,20,1,50,9,9,9,9,{sun[hour]},9999,9999"
+        for day in range(1, 11)
+        for hour in range(24)
+        for minute in (30, 60)
+    ]
+    file = tmp_path / "half.epw"
+    file.write_text(head + "\n".join(rows) + "\n", encoding="latin-1")
+    found = convert(tmp_path, file)
+    assert len(found) == 480
+    assert found.index[0] == pd.Timestamp("2011-07-01 00:15")
+    assert found["global"].iloc[24] == sun[12]
+    assert "beam_normal" not in found
+    assert "-05:30" in (tmp_path / "weather.csv").read_text()
+    head = (
+        '1,"MADE, FOR A TEST",NC,-5.0,36.1,-79.95,300\n'
+        "Date (MM/DD/YYYY),Time (HH:MM),GHI (W/m^2),Dry-bulb (C),RHum (%)\n"
+    )
+    rows = [
+        f"{day:%m/%d/%Y},{hour + 1:02}:00,{sun[hour]},-9900,50"
+        for day in pd.date_range("2012-02-20", "2012-02-28")
+        for hour in range(24)
+    ]
+    file.write_text(head + "\n".join(rows) + "\n")
+    found = convert(tmp_path, file)
+    assert found.index[-1] == pd.Timestamp("2012-02-28 23:30")
+    assert list(found) == ["global", "humidity"]
+
+
+# ------------------------------------------------------------- other formats
+
+
+@pytest.mark.parametrize("form", MADE)
+def test_other_formats(form: str, tmp_path: Path) -> None:
+    write, columns = MADE[form]
+    file = tmp_path / f"file.{'csv' if form == 'pvgis' else 'txt'}"
+    write(file)
+    place = ["--latitude", 36.1, "--longitude", -79.95]
+    found = convert(tmp_path, file, "--step", 60, *place)
+    assert list(found) == columns
+    expected = read_expected().reindex(found.index)[columns]
+    assert len(found) == 120
+    assert np.abs(found - expected).max(axis=None) <= (
+        0.51 if form in ("crn", "knmi") else 0.06
+    )
+
+
+def test_hours_of_the_true_solar_time_keep_their_light(
+    tmp_path: Path,
+) -> None:
+    """DWD's hours of light end some minutes after the hours of its clock; its
+    temperature has a file of its own."""
+    light = minutes(1)[["global"]]
+    light.index += pd.Timedelta("18min")
+    hours = light.resample("1h", offset="18min").mean()
+    rows = [
+        f"123;{t + HOUR:%Y%m%d%H:%M};1;-999;-999;{v * 0.36:.4f};0;50;x;eor"
+        for t, v in hours["global"].items()
+    ]
+    head = "STATIONS_ID;MESS_DATUM;QN_592;ATMO_LBERG;FD_LBERG;FG_LBERG;"
+    text = head + "SD_LBERG;ZENIT;MESS_DATUM_WOZ;eor\n" + "\n".join(rows)
+    with zipfile.ZipFile(tmp_path / "light.zip", "w") as folder:
+        folder.writestr("Metadaten_Geographie_123.txt", "x")
+        folder.writestr("produkt_st_stunde_123.txt", text)
+    air = minutes(60)
+    rows = [
+        f"123;{t + HOUR:%Y%m%d%H};9;{r.temperature:6.1f};{r.humidity:6.1f};eor"
+        for t, r in air.iterrows()
+    ]
+    head = "STATIONS_ID;MESS_DATUM;QN_9;TT_TU;RF_TU;eor\n"
+    (tmp_path / "air.txt").write_text(head + "\n".join(rows))
+    place = ["--latitude", 36.1, "--longitude", -79.95]
+    files = (tmp_path / "light.zip", tmp_path / "air.txt")
+    found = convert(tmp_path, *files, *place)
+    expected = read_expected()
+    assert list(found) == ["global", "temperature", "humidity"]
+    shifted = light["global"].resample("1D").mean()
+    assert found["global"].sum() == pytest.approx(
+        expected["global"].sum(), rel=0.01
+    )
+    assert len(shifted) >= 5
+    known = found["temperature"].dropna()
+    assert known.to_numpy() == pytest.approx(
+        expected["temperature"].reindex(known.index).to_numpy()
+    )
+
+
+def test_a_typical_year_of_pvgis_begins_on_the_site_s_clock(
+    tmp_path: Path,
+) -> None:
+    year = pd.read_csv(SHIPPED / "723170TYA.CSV", skiprows=1)
+    utc = pd.date_range("2005-01-01", periods=8760, freq="1h")
+    columns = ["Dry-bulb (C)", "RHum (%)", "GHI (W/m^2)"]
+    values = np.roll(year[columns].to_numpy(), 5, axis=0)
+    rows = [
+        f"{t:%Y%m%d:%H%M},{a},{b},{g},0,0,0,0,0,0"
+        for t, (a, b, g) in zip(utc, values)
+    ]
+    head = "Latitude (decimal degrees): 36.1\nLongitude (decimal degrees): "
+    head += "-79.95\nElevation (m): 273\nIrradiance Time Offset (h): 0.5\n"
+    head += "month,year\n" + "".join(f"{m},2005\n" for m in range(1, 13))
+    names = "time(UTC),T2m,RH,G(h),Gb(n),Gd(h),IR(h),WS10m,WD10m,SP\n"
+    file = tmp_path / "tmy.csv"
+    file.write_text(head + names + "\n".join(rows) + "\n\n")
+    text = file.read_text()
+    for month, other in ((2, 2011), (7, 2015)):
+        text = text.replace(f"\n2005{month:02}", f"\n{other}{month:02}")
+    file.write_text(text)
+    found = convert(
+        tmp_path, file, "--from", "2023-01-01", "--until", "2023-12-31"
+    )
+    assert len(found) == 8760
+    assert found.index[0] == pd.Timestamp("2023-01-01 00:30")
+    assert found["global"].to_numpy() == pytest.approx(
+        year["GHI (W/m^2)"].to_numpy()
+    )
+
+
+# ---------------------------------------------------------------- checks
+
+
+def without_hours(folder: Path, *hours: int) -> Path:
+    """Writes the NSRDB file without the given rows."""
+    lines = (DATA / "nsrdb.csv").read_text().splitlines()
+    for hour in sorted(hours, reverse=True):
+        del lines[3 + hour]
+    file = folder / "gaps.csv"
+    file.write_text("\n".join(lines) + "\n")
+    return file
+
+
+def test_gaps_are_told_with_their_dates_and_can_be_filled(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = without_hours(tmp_path, 34, 36, 37, 50)
+    found = convert(tmp_path, file)
+    told = capsys.readouterr().err
+    assert "the light of 1981-07-02 10:00 to 1981-07-02 11:00" in told
+    assert "the light of 1981-07-02 12:00 to 1981-07-02 14:00" in told
+    assert "2 gaps by day, the longest of 2 h" in told
+    assert "--fill HOURS" in told
+    assert found["global"].isna().sum() == 4
+    found = convert(tmp_path, file, "--fill", 1)
+    assert found["global"].isna().sum() == 2
+    assert "1 gaps by day" in capsys.readouterr().err
+    found = convert(tmp_path, file, "--fill", 2)
+    assert capsys.readouterr().err == ""
+    expected = read_expected()
+    assert not found.isna().any(axis=None)
+    for hour in (34, 36, 37):
+        near = expected["global"].iloc[[hour - 2, hour + 2]]
+        assert near.min() * 0.8 < found["global"].iloc[hour] < 1100
+
+
+def test_a_wrong_clock_or_place_is_refused(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    to = ["--to", str(tmp_path / "x.csv")]
+    text = YEAR.read_text().replace(",-5.0,36.1", ",-3.0,36.1", 1)
+    file = tmp_path / "clock.csv"
+    file.write_text(text)
+    assert main([str(file), *to]) == 3
+    assert "the light comes 2 h earlier" in capsys.readouterr().err
+    near = ["--latitude", "36.1", "--longitude"]
+    assert main([str(YEAR), *near, "-72", *to]) == 3
+    assert "km from the site (another climate)" in capsys.readouterr().err
+    assert main([str(YEAR), *near, "-79.3", *to]) == 0
+    assert "58 km from the site" in capsys.readouterr().err
+    write_dwd(tmp_path / "dwd.txt")
+    assert main([str(tmp_path / "dwd.txt"), *to]) == 3
+    assert "give --latitude and --longitude" in capsys.readouterr().err
+
+
+def test_what_cannot_be_read_is_told_on_one_line(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    to = ["--to", str(tmp_path / "x.csv")]
+    file = tmp_path / "file.csv"
+    for text, words in {
+        "a,b\n1,2\n": "no file of a known format",
+        "LOCATION,a,b,c,d,1,north,-90,-6,300\n": "cannot be read",
+        "-BEGIN HEADER-\n-END HEADER-\nYEAR,DOY,T2M\n1,1,1\n": "no column HR",
+        "Source,Location ID\nNSRDB,1\nYear\n1\n": "cannot be read",
+    }.items():
+        file.write_text(text)
+        assert main([str(file), *to]) == 3
+        told = capsys.readouterr().err
+        assert words in told and told.count("\n") == 1
+    assert main([str(tmp_path / "none.csv"), *to]) == 1
+    assert "none.csv" in capsys.readouterr().err
+    assert (
+        main([str(YEAR), *to, "--from", "2023-01-01", "--until", "2024-12-31"])
+        == 3
+    )
+    assert "longer than the typical year" in capsys.readouterr().err
+    assert not (tmp_path / "x.csv").exists()
+
+
+def test_without_pvlib_the_way_to_install_it_is_told(
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setitem(sys.modules, "pvlib", None)
+    assert main([str(YEAR), "--to", str(tmp_path / "x.csv")]) == 1
+    assert "pip install 'pvlib>=0.13'" in capsys.readouterr().err

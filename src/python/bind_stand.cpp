@@ -153,6 +153,15 @@ std::vector<std::string> warnings(const CaseStand& stand) {
     return texts;
 }
 
+//! Returns key, value and values to try, for each key that trades accuracy for
+//! speed.
+nb::list accuracy(const CaseStand& stand) {
+    nb::list list;
+    for (const AccuracyKey& each : accuracy_keys(stand.campaign().spec))
+        list.append(nb::make_tuple(each.path, each.value, each.values));
+    return list;
+}
+
 //! Returns name, unit and whether it is maximised, for each objective.
 nb::list objectives(const CaseStand& stand) {
     nb::list list;
@@ -209,6 +218,7 @@ void bind_stand(nb::module_& module) {
             [](const CaseStand& x) { return resolved_text(x.campaign().spec); })
         .def_prop_ro("warnings", &warnings)
         .def_prop_ro("genes", &genes)
+        .def_prop_ro("accuracy", &accuracy)
         .def_prop_ro("objectives", &objectives)
         .def_prop_ro("axes", &axes)
         .def_prop_ro("quantities", &quantities)

@@ -17,6 +17,7 @@ from pathlib import Path
 import pytest
 from real_program import CAMPAIGNS, executable, output_of, write_campaign
 
+from ideotype import Stand
 from ideotype.figures.fidelity import draw_fidelity
 from ideotype.tools import fidelity
 from ideotype.tools.survey import (
@@ -218,20 +219,39 @@ def test_ctrl_c_prints_what_is_measured(tmp_path: Path) -> None:
 
 
 def test_what_is_wrong_is_told_once(
-    tmp_path: Path,
-    capsys: pytest.CaptureFixture[str],
-    monkeypatch: pytest.MonkeyPatch,
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     campaign = of_a_day(tmp_path)
     assert fidelity.main([str(campaign), "--set", "light.path=3"]) == 3
-    assert "light.path" in capsys.readouterr().err
+    (line,) = capsys.readouterr().err.splitlines()
+    assert line.startswith("ideotype fidelity: ") and "light.path" in line
+    assert fidelity.main([str(campaign), "--case", "99"]) == 1
+    assert "99" in capsys.readouterr().err
     with pytest.raises(SystemExit):
         fidelity.main([str(campaign), "--seconds", "-1"])
     assert "-1 (expected: 1 .. 1e+06)" in capsys.readouterr().err
-    monkeypatch.setenv("IDEOTYPE_EXECUTABLE", "nowhere")
-    monkeypatch.setenv("PATH", str(tmp_path))
-    assert fidelity.main([str(campaign)]) == 1
-    assert "no compiled program" in capsys.readouterr().err
+
+
+def test_evaluations_are_those_of_the_program(tmp_path: Path) -> None:
+    campaign = of_a_day(tmp_path)
+    evaluator = fidelity.Evaluator(campaign, 0, ["light.paths=256"])
+    draw = evaluator.draw((("field.rows", 1.0),), 7)
+    settings = ["--set", "light.paths=256", "--set", "field.rows=1"]
+    baseline = Stand.from_campaign(campaign).baseline
+    request = {"genome": baseline.tolist(), "seed": 7, "generation": 1 << 30}
+    done = subprocess.run(
+        [executable(), "serve", campaign, "--quiet", *settings],
+        input=json.dumps(request) + "\n",
+        capture_output=True,
+        text=True,
+        timeout=60,
+        check=True,
+    )
+    hello, answer = map(json.loads, done.stdout.splitlines())
+    keys = [x for x in hello["accuracy"] if x["key"] != "field.rows"]
+    assert keys == [x for x in evaluator.accuracy if x["key"] != "field.rows"]
+    served = answer["objectives"][evaluator.objective]["mean"]
+    assert draw.value == served and draw.seconds > 0
 
 
 def test_both_panels_have_all_settings() -> None:

@@ -6,9 +6,7 @@ from __future__ import annotations
 
 import argparse
 import json
-import re
 import signal
-import subprocess
 import sys
 import time
 import tomllib
@@ -16,9 +14,9 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
+import pandas as pd
 import tomli_w
 
-from ..__main__ import compiled_program
 from ..common.output import (
     REFUSED,
     OutputRefused,
@@ -28,83 +26,61 @@ from ..common.output import (
     write_file,
 )
 from ..common.settings import number_within
-from ..errors import Error, printable_lines
-from .survey import FEWEST, OWN, Draw, Refused, Setting, Survey, result, words
+from ..errors import Error, InputError, printable_lines
+from ..stand.stand import Stand
+from .survey import FEWEST, OWN, Draw, Setting, Survey, result, words
 
 
-class Program:
-    """The program `ideotype serve`, one process for each setting, which
-    evaluates two plants: the baseline, and a plant whose free genes are moved
-    by a tenth of their ranges, a typical distance between candidates."""
+class Evaluator:
+    """Evaluates two plants with settings of a campaign: the baseline, and a
+    plant whose free genes are moved by a tenth of their ranges, a typical
+    distance between candidates."""
 
-    def __init__(self, *arguments: str) -> None:
-        if not (program := compiled_program()):
-            raise Error(
-                "there is no compiled program; build it by ./quickstart.sh, "
-                "then put it in the PATH or name it in IDEOTYPE_EXECUTABLE"
-            )
-        own = ["--threads", "1", "--quiet"]
-        self._command = [program, "serve", *arguments, *own]
-        self._servers: dict[Setting, subprocess.Popen[str]] = {}
-        self.hello = self._start(OWN)
-        self.objective = self.hello["objectives"][0]["name"]
-        genes = self.hello["genes"]
-        baseline = [gene["baseline"] for gene in genes]
-        self._plants = [baseline, list(map(_moved, genes))]
+    def __init__(
+        self, campaign: Path, case: int, settings: Sequence[str]
+    ) -> None:
+        self._campaign, self._number = campaign, case
+        self._settings = list(settings)
+        self._stands: dict[Setting, Stand] = {}
+        own = self._stand(OWN)
+        self.case = own.name
+        self.objective = next(iter(own.objectives))
+        self.accuracy = [
+            {"key": key, "value": value, "values": values}
+            for key, value, values in own._case.accuracy
+        ]
+        moved = own.genes.apply(_moved, axis="columns")
+        self._plants = [own.baseline, moved.to_numpy(float)]
 
     def draw(self, setting: Setting, number: int) -> Draw:
         """Evaluates both plants; equal numbers share random numbers."""
-        if setting not in self._servers:
-            self._start(setting)
-        server = self._servers[setting]
-        assert server.stdin and server.stdout
-        # Linux numbers the clock of a process's processor time so.
-        clock = (~server.pid << 3) | 2
+        stand = self._stand(setting)
         values, seconds = [], 0.0
         for genome in self._plants:
+            began = time.thread_time()
             # The last generation always has the tolerance of the campaign.
-            request = {"genome": genome, "seed": number, "generation": 1 << 30}
-            began = time.clock_gettime(clock)
-            print(json.dumps(request), file=server.stdin, flush=True)
-            answer = json.loads(server.stdout.readline() or "{}")
-            if answer.get("status") != "done":
-                why = answer.get("message", "the program has ended")
-                raise Error(f"{words(setting)}: {why}")
-            values.append(answer["objectives"][self.objective]["mean"])
-            # The time of the second plant counts: a process needs longer for
+            is_done, message, objectives, *_ = stand._case.evaluate(
+                genome, 1 << 30, False, number, None
+            )
+            # The time of the second plant counts: a stand needs longer for
             # its very first plant.
-            seconds = time.clock_gettime(clock) - began
+            seconds = time.thread_time() - began
+            if not is_done:
+                raise Error(f"{words(setting)}: {message}")
+            values.append(float(objectives[0][0]))
         return Draw(values[0], values[1] - values[0], seconds)
 
-    def end(self) -> None:
-        """Ends all processes."""
-        for server in self._servers.values():
-            server.kill()
-
-    def _start(self, setting: Setting) -> dict[str, Any]:
-        sets = [w for pair in setting for w in ("--set", words((pair,)))]
-        # The new process has a separate group, so that Ctrl-C reaches only the
-        # present process.
-        server = subprocess.Popen(
-            [*self._command, *sets],
-            stdin=subprocess.PIPE,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.PIPE,
-            text=True,
-            process_group=0,
-        )
-        self._servers[setting] = server
-        assert server.stdout and server.stderr
-        if line := server.stdout.readline():
-            return json.loads(line)
-        message = server.stderr.read().strip() or "the program has ended"
-        # The time and the name of the program are removed from the message,
-        # because this command adds its own name.
-        message = re.sub(r"^\S+  ideotype: ", "", message, flags=re.MULTILINE)
-        raise Refused(message, server.wait())
+    def _stand(self, setting: Setting) -> Stand:
+        if setting not in self._stands:
+            self._stands[setting] = Stand.from_campaign(
+                self._campaign,
+                case=self._number,
+                settings=[*self._settings, *(words((x,)) for x in setting)],
+            )
+        return self._stands[setting]
 
 
-def _moved(gene: dict[str, Any]) -> float:
+def _moved(gene: pd.Series) -> float:
     step = gene["is_free"] * 0.1 * (gene["upper"] - gene["lower"])
     has_room = gene["baseline"] + step <= gene["upper"]
     return gene["baseline"] + (
@@ -208,7 +184,6 @@ def main(arguments: Sequence[str] | None = None) -> int:
             require_output(path)
     except OutputRefused as error:
         return _fail(error)
-    program = None
     code = 0
     # Both signals end the survey, even in a background job of a script, which
     # would ignore SIGINT.
@@ -216,11 +191,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
         signal.signal(number, signal.default_int_handler)
     try:
         began = time.monotonic()
-        sets = [word for each in options.set for word in ("--set", each)]
-        case = ["--case", str(options.case)]
-        program = Program(str(options.campaign), *case, *sets)
+        evaluator = Evaluator(options.campaign, options.case, options.set)
         left = options.seconds - (time.monotonic() - began)
-        survey = Survey(program.hello["accuracy"], program.draw, left)
+        survey = Survey(evaluator.accuracy, evaluator.draw, left)
         try:
             survey.run(options.tolerance)
         except KeyboardInterrupt:
@@ -229,8 +202,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         if len(survey.draws[OWN]) < FEWEST:
             raise KeyboardInterrupt
         found = {
-            "case": program.hello["case"],
-            "objective": program.objective,
+            "case": evaluator.case,
+            "objective": evaluator.objective,
             **result(survey, options.tolerance),
         }
         print(
@@ -250,9 +223,6 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return 5
     except (Error, OSError) as error:
         return _fail(error)
-    finally:
-        if program:
-            program.end()
     return code
 
 
@@ -260,7 +230,7 @@ def _fail(error: Exception) -> int:
     print(printable_lines(f"ideotype fidelity: {error}"), file=sys.stderr)
     if isinstance(error, OutputRefused):
         return REFUSED
-    return error.code if isinstance(error, Refused) else 1
+    return 3 if isinstance(error, InputError) else 1
 
 
 if __name__ == "__main__":

@@ -12,7 +12,7 @@ from itertools import product
 from statistics import fmean, median, stdev
 from typing import Any, NamedTuple
 
-from ..errors import Error
+from ..errors import InputError
 from ..history.estimate import NORMAL
 
 Setting = tuple[tuple[str, float], ...]
@@ -26,15 +26,6 @@ _FOR_LADDERS = 0.6
 _COMBINATIONS = 6
 """The number of combinations that are measured, which are predicted to be the
 best."""
-
-
-class Refused(Error):
-    """An error for a setting that the program refuses; `code` is the exit
-    code."""
-
-    def __init__(self, message: str, code: int) -> None:
-        super().__init__(message)
-        self.code = code
 
 
 class Draw(NamedTuple):
@@ -118,7 +109,7 @@ class Survey:
                     last = each
                     continue
                 why = _TOO_LONG
-            except Refused as error:
+            except InputError as error:
                 why = str(error)
             self.left_out[words(each)] = why
             settings.remove(each)

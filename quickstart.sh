@@ -29,8 +29,8 @@ echo
 }
 
 # Reports draw the shapes of plants, which the compiled module knows. The extras
-# are those of commands in the manual: weather, indices and fit.
-install_python release weather,sensitivity,fit
+# are those of commands in the manual: crate, fit, indices and weather.
+install_python release crate,fit,sensitivity,weather
 echo
 "$ideotype" summary "$out/quickstart"
 echo

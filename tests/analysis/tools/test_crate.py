@@ -6,6 +6,7 @@ from __future__ import annotations
 import hashlib
 import json
 import shutil
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -93,6 +94,15 @@ def test_what_is_not_finished_or_elsewhere_has_no_crate(
         pytest.raises(HistoryError, match="'12' is no ORCID"),
     ):
         write_crate(study, sweep, ["Ada, 12"], "CC-BY-4.0")
+
+
+def test_without_rocrate_the_way_to_install_it_is_told(
+    sweep: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(sys.modules, "rocrate.rocrate", None)
+    remedy = "run pip install 'rocrate>=0.16'"
+    with open_study(sweep) as study, pytest.raises(HistoryError, match=remedy):
+        write_crate(study, sweep, ["Ada"], "CC-BY-4.0")
 
 
 @pytest.mark.long

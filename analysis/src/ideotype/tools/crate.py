@@ -11,8 +11,7 @@ import re
 from collections.abc import Iterator, Sequence
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import Any
-from urllib.parse import quote
+from typing import TYPE_CHECKING, Any
 
 import tomli_w
 
@@ -24,6 +23,10 @@ from ..history.history import History
 from ..history.study import Study
 from .commands import guarded
 
+if TYPE_CHECKING:
+    from rocrate.model.entity import Entity
+    from rocrate.rocrate import ROCrate
+
 METADATA = "ro-crate-metadata.json"
 _INPUTS = "inputs"
 """The folder of the inputs with which histories were begun."""
@@ -34,10 +37,8 @@ _PAGES = (
 )
 """Names, formats and meanings of the files of reports."""
 
-_SPECIFICATION = "https://w3id.org/ro/crate/1.1"
 _TOML = "application/toml"
 _ORCID = re.compile(r"(?:https://orcid\.org/)?(\d{4}-\d{4}-\d{4}-\d{3}[\dX])")
-_Entity = dict[str, Any]
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -100,114 +101,90 @@ def write_crate(
     for page, *_ in _PAGES:
         for path in folder.rglob(page):
             _require_inside(path, folder)
-    every = list(_entities(study, folder, _people(authors, organisation)))
+    crate = _empty_crate()
+    people = _people(crate, authors, organisation)
+    searches = [
+        _search(crate, case, history, folder, people)
+        for case in study.cases()
+        for history in case.histories
+    ]
+    for page, kind, about in _PAGES:
+        for path in sorted(folder.rglob(page)):
+            _file(crate, path, folder, kind, page, about)
     bred = ", ".join(sorted({str(h.attributes["campaign"]) for h in study}))
-    root = {
-        "@id": "./",
-        "@type": "Dataset",
-        "name": title or f"Ideotypes of {bred}",
-        "description": (
-            f"Plants that the program ideotype has bred for {bred}, with all "
-            f"evaluations; number of searches: {len(study)}."
-        ),
-        "datePublished": datetime.now(UTC).date().isoformat(),
-        "license": _of(license_url := f"https://spdx.org/licenses/{license}"),
-        "author": _all_of(every, "Person"),
-        "hasPart": _all_of(every, "File"),
-        "mentions": _all_of(every, "CreateAction"),
-    }
-    if organisation:
-        root["publisher"] = _all_of(every, "Organization")
-    about = {
-        "@id": METADATA,
-        "@type": "CreativeWork",
-        "conformsTo": _of(_SPECIFICATION),
-        "about": _of("./"),
-    }
-    terms = {
-        "@id": license_url,
-        "@type": "CreativeWork",
-        "name": license,
-        "description": f"The licence {license}, as SPDX has it.",
-    }
-    path = folder / METADATA
-    text = json.dumps(
-        {
-            "@context": f"{_SPECIFICATION}/context",
-            "@graph": [about, root, terms, *every],
-        },
-        indent=2,
-        ensure_ascii=False,
+    root = crate.root_dataset
+    root["name"] = title or f"Ideotypes of {bred}"
+    root["description"] = (
+        f"Plants that the program ideotype has bred for {bred}, with all "
+        f"evaluations; number of searches: {len(study)}."
     )
+    root["datePublished"] = datetime.now(UTC).date().isoformat()
+    root["license"] = _add(
+        crate, f"https://spdx.org/licenses/{license}", "CreativeWork",
+        name=license, description=f"The licence {license}, as SPDX has it.",
+    )  # fmt: skip
+    # A list of one is written as the value itself.
+    root.append_to("author", people, compact=True)
+    root.append_to("mentions", searches, compact=True)
+    if organisation:
+        root["publisher"] = people[0]["affiliation"]
+    path = folder / METADATA
+    text = json.dumps(crate.metadata.generate(), indent=2, ensure_ascii=False)
     write_file(path, text + "\n", folder)
     return path
 
 
-def _of(name: str) -> _Entity:
-    return {"@id": name}
-
-
-def _all_of(
-    every: Sequence[_Entity], kind: str = ""
-) -> _Entity | list[_Entity]:
-    """Returns references to all entities, or to the entities of a type: a
-    list, or the reference to a single entity."""
-    found = [_of(e["@id"]) for e in every if kind in ("", e["@type"])]
-    return found[0] if len(found) == 1 else found
-
-
-def _entities(
-    study: Study, folder: Path, makers: Sequence[_Entity]
-) -> Iterator[_Entity]:
-    """Returns each entity to which the root of a crate refers once."""
-    found = {each["@id"]: each for each in makers}
-    for case in study.cases():
-        for history in case.histories:
-            inputs = list(_inputs(history, folder))
-            program = _program(history)
-            result = _history(case, history, folder)
-            made = _action(history, inputs, program, result, makers)
-            for each in (*inputs, program, result, made):
-                found[each["@id"]] = each
-    for page, kind, about in _PAGES:
-        for path in sorted(folder.rglob(page)):
-            each = _file(path, folder, kind, page, about)
-            found[each["@id"]] = each
-    return iter(found.values())
-
-
-def _people(authors: Sequence[str], organisation: str | None) -> list[_Entity]:
-    """Returns the authors and any organisation."""
-    people = [_person(author, k) for k, author in enumerate(authors, start=1)]
-    if not organisation:
-        return people
-    name, _, url = (part.strip() for part in organisation.partition(", http"))
-    where = {
-        "@id": f"http{url}" if url else "#organisation",
-        "@type": "Organization",
-        "name": name,
-    }
-    if url:
-        where["url"] = where["@id"]
-    return [
-        *(each | {"affiliation": _of(where["@id"])} for each in people),
-        where,
-    ]
-
-
-def _person(author: str, number: int) -> _Entity:
-    name, _, identity = (part.strip() for part in author.partition(","))
-    if not identity:
-        return {"@id": f"#author-{number}", "@type": "Person", "name": name}
-    if not (found := _ORCID.fullmatch(identity)):
+def _empty_crate() -> ROCrate:
+    try:
+        from rocrate.rocrate import ROCrate
+    except ImportError as error:
         raise HistoryError(
-            f"'{identity}' is no ORCID; write it as 0000-0002-1825-0097"
-        )
-    url = f"https://orcid.org/{found[1]}"
-    return {"@id": url, "@type": "Person", "name": name}
+            "crates need rocrate, which is not installed; run "
+            "pip install 'rocrate>=0.16'"
+        ) from error
+    return ROCrate(version="1.1")
 
 
-def _program(history: History) -> _Entity:
+def _add(
+    crate: ROCrate, identity: str, kind: str, **properties: Any
+) -> Entity:
+    from rocrate.model.contextentity import ContextEntity
+
+    has = {"@type": kind}
+    for key, value in properties.items():
+        is_one = isinstance(value, list) and len(value) == 1
+        has[key] = value[0] if is_one else value
+    return crate.add(ContextEntity(crate, identity, properties=has))
+
+
+def _people(
+    crate: ROCrate, authors: Sequence[str], organisation: str | None
+) -> list[Entity]:
+    """Adds the authors, and their organisation if there is one."""
+    people = []
+    for number, author in enumerate(authors, start=1):
+        name, _, identity = (part.strip() for part in author.partition(","))
+        url = f"#author-{number}"
+        if identity:
+            if not (found := _ORCID.fullmatch(identity)):
+                raise HistoryError(
+                    f"'{identity}' is no ORCID; write it as "
+                    "0000-0002-1825-0097"
+                )
+            url = f"https://orcid.org/{found[1]}"
+        people.append(_add(crate, url, "Person", name=name))
+    if organisation:
+        name, _, rest = (x.strip() for x in organisation.partition(", http"))
+        url = f"http{rest}" if rest else "#organisation"
+        where = _add(crate, url, "Organization", name=name)
+        if rest:
+            where["url"] = url
+        for each in people:
+            each["affiliation"] = where
+    return people
+
+
+def _program(crate: ROCrate, history: History) -> Entity:
     has = history.attributes
     version = str(has["program_version"])
     told = ", ".join(
@@ -215,19 +192,22 @@ def _program(history: History) -> _Entity:
         for part in ("compiler", "embree_version", "hdf5_version", "isa")
         if part in has
     )
-    return {
-        "@id": f"#ideotype-{version}",
-        "@type": "SoftwareApplication",
-        "name": "ideotype",
-        "version": version,
-        "softwareVersion": version,
-        "description": f"Commit {has.get('git_sha', 'unknown')}; {told}.",
-        "license": _of("https://spdx.org/licenses/Apache-2.0"),
-    }
+    return _add(
+        crate,
+        f"#ideotype-{version}",
+        "SoftwareApplication",
+        name="ideotype",
+        version=version,
+        softwareVersion=version,
+        description=f"Commit {has.get('git_sha', 'unknown')}; {told}.",
+        license={"@id": "https://spdx.org/licenses/Apache-2.0"},
+    )
 
 
-def _inputs(history: History, folder: Path) -> Iterator[_Entity]:
-    """Writes the inputs with which a history was begun, and describes each
+def _inputs(
+    crate: ROCrate, history: History, folder: Path
+) -> Iterator[Entity]:
+    """Writes the inputs with which a history was begun, and adds each
     file."""
     campaign = str(history.attributes["campaign"])
     texts = {
@@ -248,10 +228,17 @@ def _inputs(history: History, folder: Path) -> Iterator[_Entity]:
         digest = hashlib.sha256(text.encode()).hexdigest()[:8]
         name = f"{file_name(campaign)}{part}_{digest}.toml"
         write_file(path := folder / _INPUTS / name, text, folder)
-        yield _file(path, folder, _TOML, f"{campaign}{part}", about)
+        yield _file(crate, path, folder, _TOML, f"{campaign}{part}", about)
 
 
-def _history(case: Case, history: History, folder: Path) -> _Entity:
+def _search(
+    crate: ROCrate,
+    case: Case,
+    history: History,
+    folder: Path,
+    people: Sequence[Entity],
+) -> Entity:
+    """Adds a history with its inputs and its origin."""
     about = f"All evaluations of one search of the case {case.name}."
     if pair := history.comparison():
         gain = pair.gain
@@ -260,10 +247,24 @@ def _history(case: Case, history: History, folder: Path) -> _Entity:
             f"{gain.mean:.4g} % (95 % interval of its light: "
             f"{NORMAL * gain.standard_error:.2g})."
         )
-    return _file(
-        history.path, folder, "application/x-hdf5",
-        str(history.attributes["case"]), about,
-    )  # fmt: skip
+    name = str(history.attributes["case"])
+    result = _file(
+        crate, history.path, folder, "application/x-hdf5", name, about
+    )
+    sessions = history.sessions()
+    return _add(
+        crate,
+        f"#search-{result.id}",
+        "CreateAction",
+        name=f"Search {name}",
+        description="; then ".join(s.command for s in sessions),
+        instrument=_program(crate, history),
+        object=list(_inputs(crate, history, folder)),
+        result=result,
+        agent=list(people),
+        startTime=sessions[0].started,
+        actionStatus="http://schema.org/CompletedActionStatus",
+    )
 
 
 def _require_inside(path: Path, folder: Path) -> None:
@@ -275,39 +276,17 @@ def _require_inside(path: Path, folder: Path) -> None:
 
 
 def _file(
-    path: Path, folder: Path, kind: str, name: str, about: str
-) -> _Entity:
+    crate: ROCrate, path: Path, folder: Path, kind: str, name: str, about: str
+) -> Entity:
     with path.open("rb") as file:
         digest = hashlib.file_digest(file, "sha256").hexdigest()
-    return {
-        "@id": quote(path.resolve().relative_to(folder.resolve()).as_posix()),
-        "@type": "File",
-        "name": name,
-        "description": about,
-        "encodingFormat": kind,
-        "contentSize": str(path.stat().st_size),
-        "sha256": digest,
-    }
-
-
-def _action(
-    history: History,
-    inputs: Sequence[_Entity],
-    program: _Entity,
-    result: _Entity,
-    makers: Sequence[_Entity],
-) -> _Entity:
-    """Describes how a history came to be."""
-    sessions = history.sessions()
-    return {
-        "@id": f"#search-{result['@id']}",
-        "@type": "CreateAction",
-        "name": f"Search {result['name']}",
-        "description": "; then ".join(s.command for s in sessions),
-        "instrument": _of(program["@id"]),
-        "object": _all_of(inputs),
-        "result": _of(result["@id"]),
-        "agent": _all_of(makers, "Person"),
-        "startTime": sessions[0].started,
-        "actionStatus": "http://schema.org/CompletedActionStatus",
-    }
+    return crate.add_file(
+        dest_path=path.resolve().relative_to(folder.resolve()),
+        properties={
+            "name": name,
+            "description": about,
+            "encodingFormat": kind,
+            "contentSize": str(path.stat().st_size),
+            "sha256": digest,
+        },
+    )

@@ -9,11 +9,9 @@ from matplotlib.figure import Figure
 
 from ..history.case import Case
 from ..history.file import HistoryError
-from ..history.indices import NORMAL, OF_NOISE, indices_of
+from ..history.indices import MORRIS, NORMAL, OF_NOISE, SOBOL, indices_of
 from . import style
 
-_SOBOL = ("first", "total")
-_MORRIS = ("mu_star", "sigma")
 _SHOWN = 15
 _LABELS = {
     "first": "first order",
@@ -33,7 +31,7 @@ def draw_indices(case: Case) -> Figure:
     found = indices_of(history).get(name)
     if found is None:
         raise HistoryError("the sensitivity study is not finished yet")
-    shown = _SOBOL if "total" in found.index else _MORRIS
+    shown = SOBOL if "total" in found.index else MORRIS
     main = found.main
     if not np.isfinite(main).any():
         raise HistoryError(f"{style.words(name)} varies by no more than noise")
@@ -49,7 +47,7 @@ def draw_indices(case: Case) -> Figure:
         ax=axes, xerr=NORMAL * errors, width=0.8, capsize=2,
         color=[style.series(i)[0] for i in range(len(shown))],
     )  # fmt: skip
-    if shown == _MORRIS:
+    if shown == MORRIS:
         axes.axvline(
             float(np.nanmax(found.index[OF_NOISE])),
             color=style.BASELINE,
@@ -61,7 +59,7 @@ def draw_indices(case: Case) -> Figure:
     axes.grid(visible=False, axis="y")
     axes.set_xlabel(
         f"share of the variance of {style.words(name)}, 95 % intervals"
-        if shown == _SOBOL
+        if shown == SOBOL
         else f"change of {style.axis_label(name, found.unit)} over the range"
     )
     axes.legend(loc="lower right")

@@ -14,8 +14,8 @@ from numpy.typing import NDArray
 from .file import HistoryError
 from .history import History
 
-_SOBOL = ("first", "total")
-_MORRIS = ("mu_star", "sigma")
+SOBOL = ("first", "total")
+MORRIS = ("mu_star", "sigma")
 OF_NOISE = "mu_star_of_noise"
 NORMAL = 1.959963984540054
 """Half the width of an interval of 95 % in standard errors."""
@@ -142,7 +142,7 @@ def _analyse(
     elif not design.is_sobol and samples > 1:
         index, errors = _morris(design, design.points[known], y, noise)
     empty = np.full(len(design.factors), np.nan)
-    names = _SOBOL if design.is_sobol else ("mu", *_MORRIS, OF_NOISE)
+    names = SOBOL if design.is_sobol else ("mu", *MORRIS, OF_NOISE)
     return Indices(
         name,
         unit,

@@ -320,7 +320,12 @@ def test_the_reference_has_what_the_compiled_module_serves(
     manual: Path,
 ) -> None:
     page = (manual / "python_api.html").read_text()
-    for name in ("Stand.evaluate", "mesh", "Canopy.evaluate", "gest.vocs"):
+    for name in (
+        "Stand.evaluate",
+        "mesh",
+        "Canopy.evaluate",
+        "search.gest.vocs",
+    ):
         assert f'id="ideotype.{name}"' in page
 
 

@@ -294,7 +294,14 @@ TEST_F(Study, RowsHaveIndependentNoiseOfKnownSize) {
            "objective={maximise=\"net_assimilation_per_leaf_area\"}"},
           {"light.fields=4", "light.tolerance=0.005", "field.rows=2",
            "field.plants=2", "field.variation={missing=0.2}",
-           "objective={maximise=\"extinction_coefficient\"}"}}) {
+           "objective={maximise=\"extinction_coefficient\"}"},
+          {"light.fields=4", "light.tolerance=0.008", "field.rows=2",
+           "field.plants=2", "field.variation={missing=0.045, late=0.04}",
+           "objective={maximise=\"net_assimilation\"}"},
+          {"light.fields=4", "light.tolerance=0.008", "field.rows=2",
+           "field.plants=2", "field.variation={missing=0.045, late=0.04}",
+           "photosynthesis.leaf_days=400",
+           "objective={maximise=\"carbon_balance\"}"}}) {
         const Campaign chosen = study(fields);
         CanopyEvaluator of_chosen(chosen, Device::supported_isas().back());
         std::vector<double> values;

@@ -61,6 +61,7 @@ Campaign parse(const std::string& text, const std::string& file,
                        passed_over_text(spec.passed_over)});
     read_weathers(file, source, spec, problems);
     read_objects(file, spec, problems);
+    read_component_meshes(file, spec, problems);
     complete_factors(spec);
     BaselineDoubts doubts = check_spec(spec, problems);
     if (problems.empty()) try_ranges(spec, problems, doubts);
@@ -124,8 +125,17 @@ void require_breedable(const Campaign& campaign) {
         throw InputError(campaign.outside_bounds);
 }
 
+void require_crop(const Campaign& campaign, std::size_t component) {
+    if (component > 0 && campaign.spec.components.at(component - 1).has_mesh())
+        throw wrong_usage(
+            "component \"{}\" has a mesh, not a crop; export it as .obj or "
+            ".vtp",
+            campaign.spec.components[component - 1].name);
+}
+
 std::string crop_text(const Campaign& campaign, const Plant& baseline,
                       std::size_t component) {
+    require_crop(campaign, component);
     CropSpec crop = component == 0
                         ? campaign.spec.plant.crop
                         : campaign.spec.components.at(component - 1).crop;

@@ -155,6 +155,10 @@ struct SeasonLight {
 //! @throws Error if the file cannot be read.
 SeasonLight read_climate(const std::string& path);
 
+//! Checks that a component (0: the plant) has a crop.
+//! @throws Error of wrong usage if it has a mesh.
+void require_crop(const Campaign& campaign, std::size_t component);
+
 //! Returns the text of a crop file with another baseline and the traits of a
 //! component, by default the campaign's crop.
 std::string crop_text(const Campaign& campaign, const Plant& baseline,

@@ -58,6 +58,9 @@ struct ComponentEntry {
     std::vector<Range> bounds;  //!< bounds of trait_numbers(crop)
     TraitSet free;              //!< bred traits; none: not bred
     ByBand<PlantOptics> optics;
+    //! Mesh of each plant in place of a crop, and the materials of its groups.
+    std::optional<Mesh> mesh{};
+    ByBand<std::vector<Material>> materials{};
     //! Model of assimilation, if leaves assimilate.
     std::optional<Photosynthesis> photosynthesis{};
     Stomata stomata{};  //!< stomata, if leaves exchange water

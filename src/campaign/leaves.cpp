@@ -238,13 +238,6 @@ void check_photosynthesis(const PhotosynthesisSpec& table, std::size_t leaves,
     check_full_light(table, problems);
 }
 
-PhotosynthesisSpec photosynthesis_of_meshes() {
-    PhotosynthesisSpec table;
-    table.profile = CapacityProfile::none;
-    table.follows_weather = false;
-    return table;
-}
-
 Photosynthesis to_photosynthesis(const PhotosynthesisSpec& table) {
     Photosynthesis result;
     result.rates.clear();
@@ -269,7 +262,7 @@ std::vector<StatedLeaves> stated_leaves(const Spec& spec) {
     if (!spec.assimilates) return leaves;
     leaves.push_back(stated_leaves_of(spec.plant.crop));
     for (const ComponentSpec& each : spec.components)
-        leaves.push_back(stated_leaves_of(each.crop));
+        if (!each.has_mesh()) leaves.push_back(stated_leaves_of(each.crop));
     return leaves;
 }
 

@@ -14,10 +14,6 @@ namespace ideotype {
 
 class Problems;
 
-//! Returns the defaults of the table for meshes: leaves do not differ by depth
-//! and do not follow the weather.
-PhotosynthesisSpec photosynthesis_of_meshes();
-
 //! Returns the photosynthesis that a table describes.
 //! @param table table without problems
 Photosynthesis to_photosynthesis(const PhotosynthesisSpec& table);

@@ -14,269 +14,74 @@
 #include "spec/nodes.hpp"
 #include "spec/table_reader.hpp"
 #include "spec/tables.hpp"
+#include "spec/values.hpp"
 
 namespace ideotype {
 
 namespace {
 
-//! The optical numbers of a material in the bands that its table names.
-struct Entry {
-    MeshScene::Matter matter;
-    std::vector<std::string> names;
-    const toml::table* table;
-};
-
-class SceneReader {
-  public:
-    SceneReader(const std::string& file, const Problems& problems)
-        : file_(file), problems_(problems) {
-        scene_.file = file;
-    }
-
-    MeshScene read(const toml::table& top) {
-        for (const auto& [key, node] : top)
-            if (key.str() != "soil_albedo" && key.str() != "material" &&
-                key.str() != "component")
-                add(key, std::string(key.str()), ProblemCode::unknown_key,
-                    "unknown key '{}' (nothing would read it); use "
-                    "soil_albedo, [[material]] and [[component]]",
-                    key.str());
-        for (const toml::table* each : entries(top, "material"))
-            read_material(*each);
-        // Assimilation is computed from the first band.
-        std::stable_partition(
-            scene_.bands.begin(), scene_.bands.end(),
-            [](const std::string& band) { return band == "par"; });
-        for (Entry& each : entries_) order(each);
-        read_soil(top);
-        for (const toml::table* each : entries(top, "component"))
-            read_component(*each);
-        if (scene_.components.empty()) scene_.components = {{"all", {""}}};
-        return std::move(scene_);
-    }
-
-  private:
-    template <class Place, class... Args>
-    void add(const Place& place, const std::string& key, ProblemCode code,
-             fmt::format_string<Args...> text, Args&&... args) {
-        problems_.add_at(location(place.source(), file_), key, code, text,
-                         std::forward<Args>(args)...);
-    }
-
-    std::vector<const toml::table*> entries(const toml::table& top,
-                                            const std::string& name) {
-        std::vector<const toml::table*> all;
-        const toml::node* node = top.get(name);
-        if (!node && name == "material")
-            add(top, name, ProblemCode::missing,
-                "there is no [[material]] (surfaces need reflectance and "
-                "transmittance); write [[material]] with groups = \"leaf\" and "
-                "par = [0.05, 0.05]");
-        if (!node) return all;
-        if (const toml::array* array = node->as_array())
-            for (const toml::node& each : *array)
-                if (each.is_table()) all.push_back(each.as_table());
-        if (all.empty())
-            add(*node, name, ProblemCode::wrong_type,
-                "{} is {} (expected: tables); write [[{}]] before the keys of "
-                "each",
-                name, kind(*node), name);
-        return all;
-    }
-
-    //! Reads prefixes of group names: a text or a list of texts.
-    std::vector<std::string> read_groups(const toml::table& table,
-                                         const std::string& in,
-                                         const std::string& initial) {
-        std::vector<std::string> groups;
-        const toml::node* node = table.get("groups");
-        if (!node) {
-            if (initial.empty())
-                add(table, in + ".groups", ProblemCode::missing,
-                    "{} has no groups (what the names of its groups begin "
-                    "with); add groups = \"maize_leaf\"",
-                    in);
-            return {initial};
+//! Checks the optical numbers of a material against those of the others.
+void check_material(const MeshScene::Material& material,
+                    const std::vector<std::string>& bands,
+                    const Problems& problems) {
+    for (const std::string& band : bands) {
+        const auto found = material.bands.find(band);
+        if (found == material.bands.end()) {
+            problems.add_at(problems.where("groups"), "groups",
+                            ProblemCode::missing,
+                            "the material of groups {} has no {} (another "
+                            "material has); add {} = [0.06, 0.03]",
+                            fmt::join(material.groups, ", "), band, band);
+            continue;
         }
-        const auto take = [&](const toml::node& text) {
-            if (const auto found = text.value<std::string>())
-                groups.push_back(*found);
-            else
-                add(text, in + ".groups", ProblemCode::wrong_type,
-                    "{}.groups is {} (expected: a text or a list of texts); "
-                    "write groups = \"maize_leaf\"",
-                    in, kind(text));
-        };
-        if (const toml::array* list = node->as_array())
-            for (const toml::node& each : *list) take(each);
-        else
-            take(*node);
-        return groups;
+        check_optical_parts(found->second, "material", band, problems);
     }
+}
 
-    //! Reads a fraction of light; returns NaN if it is not a fraction.
-    double read_part(const toml::node& node, const std::string& what) {
-        const std::optional<double> part = node.value<double>();
-        if (part && *part >= 0 && *part <= 1) return *part;
-        add(node, what,
-            part ? ProblemCode::out_of_range : ProblemCode::wrong_type,
-            "{} is {} (a part of light from 0 to 1); write a decimal number "
-            "such as 0.05",
-            what, part ? fmt::format("{}", *part) : kind(node));
-        return 0;
+//! Reads the albedo of the soil, one number or one of each band.
+void read_soil(const toml::table& top, const std::vector<std::string>& bands,
+               const TableReader& reader, const Problems& problems,
+               MeshScene& scene) {
+    double albedo = usual_soil_albedo[par_band];
+    const toml::node* const node = top.get("soil_albedo");
+    if (const toml::table* table = node ? node->as_table() : nullptr) {
+        reader.in("soil_albedo").read(*table, mesh_soil_table, &scene);
+        for (const auto& [band, of_band] : scene.soil_albedo)
+            problems.in("soil_albedo")
+                .rule({band}, std::ranges::count(bands, band) == 0,
+                      "soil_albedo.{} names no band (the materials have {}); "
+                      "remove it",
+                      band, fmt::join(bands, ", "));
+    } else if (node) {
+        read_value(*node, "top", {mesh_scene_table.keys().front(), &albedo},
+                   nothing_known, problems);
     }
-
-    void read_material(const toml::table& table) {
-        Entry entry{{}, {}, &table};
-        entry.matter.groups = read_groups(table, "material", "");
-        for (const auto& [key, node] : table) {
-            const std::string band(key.str());
-            if (band == "groups") continue;
-            entry.names.push_back(band);
-            if (std::ranges::count(scene_.bands, band) == 0)
-                scene_.bands.push_back(band);
-            entry.matter.bands.push_back(read_band(node, band));
-        }
-        entries_.push_back(std::move(entry));
+    for (const std::string& band : bands) {
+        const bool is_new = scene.soil_albedo.emplace(band, albedo).second;
+        problems.rule(
+            {"soil_albedo"},
+            is_new && (node ? node->is_table() : bands.size() > 1),
+            "soil_albedo has no {0} (a band of the materials); add {0} = 0.1",
+            band);
     }
+}
 
-    Material read_band(const toml::node& node, const std::string& band) {
-        const std::string name = "material." + band;
-        const toml::array* list = node.as_array();
-        if (!list || list->size() < 2 || list->size() > 3) {
-            add(node, name, ProblemCode::wrong_type,
-                "{} is {} (expected: reflectance and transmittance, or "
-                "reflectance of the upper and the lower face and "
-                "transmittance); write {} = [0.06, 0.03]",
-                name, kind(node), band);
-            return {};
-        }
-        std::vector<double> parts;
-        for (const toml::node& each : *list)
-            parts.push_back(read_part(each, name));
-        const double reflected = std::max(parts[0], parts[parts.size() - 2]);
-        // Decimal fractions such as 0.7 + 0.3 may exceed 1 by rounding.
-        if (reflected + parts.back() > 1 + 1e-12)
-            add(node, name, ProblemCode::contradiction,
-                "{} sends on {} of the light (more than all); reflectance and "
-                "transmittance sum to 1 at most",
-                name, reflected + parts.back());
-        return parts.size() == 2 ? Material(parts[0], parts[1])
-                                 : Material(parts[0], parts[1], parts[2]);
-    }
-
-    //! Puts the bands of a material into the order of the scene's bands.
-    void order(Entry& entry) {
-        MeshScene::Matter matter{std::move(entry.matter.groups)};
-        for (const std::string& band : scene_.bands) {
-            const auto found = std::ranges::find(entry.names, band);
-            if (found == entry.names.end()) {
-                add(*entry.table, "material." + band, ProblemCode::missing,
-                    "the material of groups {} has no {} (another material "
-                    "has); add {} = [0.06, 0.03]",
-                    fmt::join(matter.groups, ", "), band, band);
-                matter.bands.emplace_back();
-            } else {
-                matter.bands.push_back(
-                    entry.matter.bands[static_cast<std::size_t>(
-                        found - entry.names.begin())]);
-            }
-        }
-        scene_.materials.push_back(std::move(matter));
-    }
-
-    void read_soil(const toml::table& top) {
-        const toml::node* node = top.get("soil_albedo");
-        scene_.soil_albedo.assign(scene_.bands.size(), usual_soil_albedo[0]);
-        if (!node) {
-            if (scene_.bands.size() > 1)
-                add(top, "soil_albedo", ProblemCode::missing,
-                    "there is no soil_albedo (the soil reflects in each band); "
-                    "add soil_albedo = {{ {} = 0.1 }}",
-                    fmt::join(scene_.bands, " = 0.1, "));
-            return;
-        }
-        const toml::table* by_band = node->as_table();
-        if (!by_band) {
-            scene_.soil_albedo.assign(scene_.bands.size(),
-                                      read_part(*node, "soil_albedo"));
-            return;
-        }
-        for (const auto& [key, each] : *by_band)
-            if (std::ranges::count(scene_.bands, key.str()) == 0)
-                add(key, "soil_albedo." + std::string(key.str()),
-                    ProblemCode::unknown_key,
-                    "soil_albedo.{} names no band (the materials have {}); "
-                    "remove it",
-                    key.str(), fmt::join(scene_.bands, ", "));
-        for (std::size_t b = 0; b < scene_.bands.size(); ++b) {
-            const std::string& band = scene_.bands[b];
-            if (const toml::node* each = by_band->get(band))
-                scene_.soil_albedo[b] = read_part(*each, "soil_albedo." + band);
-            else
-                add(*node, "soil_albedo." + band, ProblemCode::missing,
-                    "soil_albedo has no {0} (a band of the materials); add {0} "
-                    "= 0.1",
-                    band);
-        }
-    }
-
-    void read_component(const toml::table& table) {
-        MeshScene::Kind kind;
-        if (const auto name = table["name"].value<std::string>())
-            kind.name = *name;
-        if (!is_name(kind.name))
-            add(table, "component.name", ProblemCode::missing,
-                "a component has no name (letters, digits, _ and -); add name "
-                "= \"maize\"");
-        for (const MeshScene::Kind& other : scene_.components)
-            if (other.name == kind.name)
-                add(table, "component.name", ProblemCode::duplicate,
-                    "component.name is \"{}\" (already used); give each a name "
-                    "of its own",
-                    kind.name);
-        kind.groups = read_groups(table, "component", kind.name);
-        for (const auto& [key, node] : table)
-            if (key.str() != "name" && key.str() != "groups" &&
-                key.str() != "photosynthesis")
-                add(key, "component." + std::string(key.str()),
-                    ProblemCode::unknown_key,
-                    "unknown key '{}' in [[component]] (nothing would read "
-                    "it); use name, groups or photosynthesis",
-                    key.str());
-        if (const toml::node* node = table.get("photosynthesis"))
-            kind.photosynthesis = read_leaves(*node);
-        scene_.components.push_back(std::move(kind));
-    }
-
-    std::optional<Photosynthesis> read_leaves(const toml::node& node) {
-        const toml::table* table = node.as_table();
-        if (!table) {
-            add(node, "component.photosynthesis", ProblemCode::wrong_type,
-                "photosynthesis is {} (expected: a table); write "
-                "photosynthesis = {{ model = \"hyperbola\", amax = 50 }}",
-                kind(node));
-            return std::nullopt;
-        }
-        if (scene_.bands.empty() || scene_.bands.front() != "par")
-            add(node, "component.photosynthesis", ProblemCode::contradiction,
-                "there is photosynthesis, but no band \"par\" (which leaves "
-                "assimilate); name a band of the materials par");
-        PhotosynthesisSpec leaves = photosynthesis_of_meshes();
-        const Problems own =
-            problems_.in("component", scene_.components.size());
-        TableReader(file_, own.in("photosynthesis"), nothing_known)
-            .read_keys(*table, {"photosynthesis", photosynthesis_table.keys(),
-                                &leaves});
-        check_photosynthesis(leaves, 0, own);
-        return to_photosynthesis(leaves);
-    }
-
-    const std::string& file_;
-    const Problems& problems_;
-    MeshScene scene_;
-    std::vector<Entry> entries_;
-};
+void check_component(const std::vector<MeshScene::Component>& all,
+                     std::size_t i, const std::vector<std::string>& bands,
+                     const Problems& problems) {
+    const MeshScene::Component& one = all[i];
+    const auto same = [&](const auto& other) { return other.name == one.name; };
+    problems.rule(
+        {"name"}, std::any_of(all.begin(), all.begin() + i, same),
+        "component.name is \"{}\" (already used); give each a name of its own",
+        one.name);
+    if (!one.photosynthesis) return;
+    problems.in("photosynthesis")
+        .rule({"model"}, bands.empty() || bands.front() != "par",
+              "there is photosynthesis, but no band \"par\" (which leaves "
+              "assimilate); name a band of the materials par");
+    check_photosynthesis(*one.photosynthesis, 0, problems);
+}
 
 //! Reads the text of a file that has the given tables and no others.
 //! @param tables tables, each with the path of its keys for problems
@@ -294,11 +99,11 @@ void read_tables(const std::string& text, const std::string& file,
         if (node && node->is_table())
             reader.in(at).read_keys(*node->as_table(), table);
         else
-            problems.add_at(Location{file, 1, 1}, table.name,
-                            ProblemCode::missing,
-                            "there is no table [{0}] (this file is read for "
-                            "it); write [{0}] and its keys",
-                            table.name);
+            problems.add_at(
+                Location{file, 1, 1}, table.name, ProblemCode::missing,
+                "there is no table [{0}] (this file is read for it); "
+                "write [{0}] and its keys",
+                table.name);
     }
 }
 
@@ -312,7 +117,7 @@ std::vector<Key> nameless(const Description& description) {
 }  // namespace
 
 Photosynthesis read_photosynthesis(const std::string& path) {
-    PhotosynthesisSpec table = photosynthesis_of_meshes();
+    MeshLeaves table;
     const Problems problems;
     read_tables(read_text(path), path,
                 {{"photosynthesis",
@@ -347,12 +152,25 @@ SeasonLight read_climate(const std::string& path) {
 }
 
 MeshScene read_mesh_scene(const std::string& path) {
-    const std::string text = read_text(path);
-    Problems problems;
+    const Problems problems;
     MeshScene scene;
-    if (const auto top = parse_toml(text, path, problems))
-        scene = SceneReader(path, problems).read(*top);
+    scene.file = path;
+    if (const auto top = parse_toml(read_text(path), path, problems)) {
+        const TableReader reader(path, problems, nothing_known);
+        reader.read(*top, mesh_scene_table, &scene);
+        const std::vector<std::string> bands = scene.bands();
+        for (std::size_t i = 0; i < scene.materials.size(); ++i)
+            check_material(scene.materials[i], bands,
+                           problems.in("material", i));
+        read_soil(*top, bands, reader, problems, scene);
+        for (std::size_t i = 0; i < scene.components.size(); ++i)
+            check_component(scene.components, i, bands,
+                            problems.in("component", i));
+    }
     problems.throw_if_any();
+    for (MeshScene::Component& each : scene.components)
+        if (each.groups.empty()) each.groups = {each.name};
+    if (scene.components.empty()) scene.components = {{"all", {""}, {}}};
     return scene;
 }
 

@@ -30,6 +30,19 @@ double width(const Mesh& mesh, const std::array<std::uint32_t, 4>& face,
     return largest - least;
 }
 
+//! Adds vertices and faces, each given one after the other.
+void add_surfaces(const std::vector<double>& vertices,
+                  const std::vector<double>& faces, Mesh& mesh) {
+    for (std::size_t i = 0; i + 2 < vertices.size(); i += 3)
+        mesh.vertices.push_back(
+            {vertices[i], vertices[i + 1], vertices[i + 2]});
+    for (std::size_t i = 0; i + 3 < faces.size(); i += 4) {
+        auto& face = mesh.faces.emplace_back();
+        for (std::size_t k = 0; k < face.size(); ++k)
+            face[k] = static_cast<std::uint32_t>(faces[i + k]);
+    }
+}
+
 }  // namespace
 
 Mesh mesh_of(const ObjectEntry& object) {
@@ -37,18 +50,49 @@ Mesh mesh_of(const ObjectEntry& object) {
     const double cosine = std::cos(object.turn * degree);
     Mesh mesh;
     mesh.groups = {{object.name, {0, SurfaceId::object}}};
-    const std::vector<double>& v = object.vertices;
-    for (std::size_t i = 0; i + 2 < v.size(); i += 3)
-        mesh.vertices.push_back({object.x + v[i] * cosine + v[i + 1] * sine,
-                                 object.y + v[i + 1] * cosine - v[i] * sine,
-                                 object.z + v[i + 2]});
-    for (std::size_t i = 0; i + 3 < object.faces.size(); i += 4) {
-        auto& face = mesh.faces.emplace_back();
-        for (std::size_t k = 0; k < face.size(); ++k)
-            face[k] = static_cast<std::uint32_t>(object.faces[i + k]);
-    }
+    add_surfaces(object.vertices, object.faces, mesh);
+    for (glm::dvec3& x : mesh.vertices)
+        x = {object.x + x.x * cosine + x.y * sine,
+             object.y + x.y * cosine - x.x * sine, object.z + x.z};
     mesh.face_group.assign(mesh.faces.size(), 0);
     return mesh;
+}
+
+Mesh mesh_of(const ComponentMesh& described) {
+    Mesh mesh;
+    add_surfaces(described.vertices, described.faces, mesh);
+    for (const double group : described.face_groups)
+        mesh.face_group.push_back(static_cast<std::uint32_t>(group));
+    for (const std::string& name : described.groups)
+        mesh.groups.push_back({name});
+    number_groups(mesh);
+    for (Group& group : mesh.groups)
+        group.material = static_cast<std::uint32_t>(
+            first_that_fits(described.materials, group.name));
+    return mesh;
+}
+
+Material material_of(const std::vector<double>& parts) {
+    return parts.size() == 2 ? Material(parts[0], parts[1])
+                             : Material(parts[0], parts[1], parts[2]);
+}
+
+ByBand<std::vector<Material>> materials_of(const ComponentMesh& described) {
+    ByBand<std::vector<Material>> materials;
+    for (const ComponentMaterial& each : described.materials)
+        for (std::size_t b = 0; b < wavebands.size(); ++b)
+            if (!each.optics[b].empty())
+                materials[b].push_back(material_of(each.optics[b]));
+    return materials;
+}
+
+void number_groups(Mesh& mesh) {
+    const bool has_ranks =
+        std::ranges::any_of(mesh.groups, leaf_rank, &Group::name);
+    for (Group& group : mesh.groups) {
+        const std::uint32_t rank = leaf_rank(group.name);
+        group.id = {0, has_ranks && rank == 0 ? 1u : 0u, rank};
+    }
 }
 
 Range heights_of(const Mesh& mesh) {

@@ -4,6 +4,7 @@
 #include "campaign.hpp"
 #include "campaign/checks/checks.hpp"
 #include "campaign/leaves.hpp"
+#include "campaign/meshes.hpp"
 #include "search/sensitivity_design.hpp"
 #include "spec/varied_keys.hpp"
 
@@ -37,16 +38,27 @@ std::vector<Range> all_bounds(const CropSpec& spec, const Crop& crop) {
 ComponentEntry to_component(const ComponentSpec& spec) {
     ComponentEntry component;
     component.name = spec.name;
-    component.crop = crop_of(spec.crop);
     Standing& standing = component.standing;
     standing = {{},         spec.mixed,  spec.plants,
                 spec.later, spec.jitter, spec.variation};
     for (const double row : spec.rows)
         standing.rows.push_back(static_cast<int>(row) - 1);
+    if (spec.has_mesh()) {
+        component.mesh = mesh_of(spec.mesh);
+        component.materials = materials_of(spec.mesh);
+        return component;
+    }
+    component.crop = crop_of(spec.crop);
     component.bounds = all_bounds(spec.crop, component.crop);
     component.free = spec.free;
     component.optics = spec.crop.optics;
     return component;
+}
+
+std::optional<Photosynthesis> photosynthesis_of(const ComponentSpec& spec) {
+    if (!spec.has_mesh()) return to_photosynthesis(spec.crop.photosynthesis);
+    if (!spec.mesh.photosynthesis) return std::nullopt;
+    return to_photosynthesis(*spec.mesh.photosynthesis);
 }
 
 //! Fills in the stand: plants, bounds and the response of leaves.
@@ -65,16 +77,19 @@ void resolve_stand(Campaign& campaign) {
             campaign.components.emplace_back(to_component(each));
         campaign.reach = std::max(
             campaign.reach,
-            reach_of(added.crop,
-                     added.free.empty() ? std::vector<Range>{} : added.bounds,
-                     added.standing.variation.value_or(variation)));
+            added.mesh
+                ? heights_of(*added.mesh).upper
+                : reach_of(
+                      added.crop,
+                      added.free.empty() ? std::vector<Range>{} : added.bounds,
+                      added.standing.variation.value_or(variation)));
     }
     if (!spec.assimilates) return;
     campaign.photosynthesis = to_photosynthesis(crop.photosynthesis);
     campaign.leaves = stated_leaves(spec);
     for (std::size_t i = 0; i < spec.components.size(); ++i)
         campaign.components[i].photosynthesis =
-            to_photosynthesis(spec.components[i].crop.photosynthesis);
+            photosynthesis_of(spec.components[i]);
     if (!spec.water) return;
     campaign.water = spec.water->rules;
     campaign.stomata = to_stomata(*spec.water, *campaign.photosynthesis);

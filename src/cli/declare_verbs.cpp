@@ -8,7 +8,6 @@
 #include "ideotype/core/clock.hpp"
 #include "ranks.hpp"
 #include "run/job/way_on.hpp"
-#include "stand/mesh_options.hpp"
 #include "verbs.hpp"
 
 namespace ideotype {
@@ -225,10 +224,10 @@ void declare_export(CLI::App& verb, ExportOptions& options) {
         generations->excludes(each);
 }
 
-void declare_light(CLI::App& verb, MeshOptions& options) {
-    verb.add_option("mesh", options.path, "mesh (OBJ, metres, z up)")
+void declare_light(CLI::App& verb, LightOptions& options) {
+    verb.add_option("mesh", options.mesh, "mesh (OBJ, metres, z up)")
         ->required();
-    declare(verb, options);
+    declare_mesh_keys(verb, options.given);
     add_json(verb, options.is_json);
 }
 

@@ -11,7 +11,7 @@
 #include "ideotype/core/error.hpp"
 #include "run/log.hpp"
 #include "run/run.hpp"
-#include "stand/mesh_options.hpp"
+#include "spec/mesh_spec.hpp"
 
 namespace CLI {
 class App;
@@ -46,7 +46,16 @@ struct StatusOptions {
 ExitCode status(const StatusOptions& options);
 
 //! `light MESH`: traces and prints the light in any mesh.
-ExitCode light_in_mesh(const MeshOptions& options);
+struct LightOptions {
+    std::string mesh;
+    GivenKeys given;  //!< options that are keys of MeshSpec
+    bool is_json = false;
+};
+ExitCode light_in_mesh(const LightOptions& options);
+//! Returns the option of a key, such as "--soil-albedo".
+std::string option_of_key(const std::string& key);
+//! Declares an option for each key of MeshSpec.
+void declare_mesh_keys(CLI::App& verb, GivenKeys& given);
 
 //! The choice of one plant of a history.
 struct RowChoice {

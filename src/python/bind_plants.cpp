@@ -70,6 +70,10 @@ nb::list leaves_of(const AnyPlants& each, std::size_t component) {
 
 nb::tuple mesh_of(const AnyPlants& each, const CaseStand& under,
                   std::size_t component) {
+    if (component > 0)
+        if (const auto& mesh =
+                under.campaign().components.at(component - 1).mesh)
+            return mesh_tuple(*mesh);
     return mesh_tuple(build_plant(each.plants.at(component),
                                   under.campaign().spec.plant.tessellation));
 }

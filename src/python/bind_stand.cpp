@@ -286,6 +286,9 @@ Outcome CaseStand::evaluate(const Genome& genome, const Task& task) {
 
 Mesh CaseStand::mesh(const Genome& genome, std::size_t component,
                      std::optional<double> thermal_time) const {
+    if (component > 0 && component <= campaign_.components.size())
+        if (const auto& mesh = campaign_.components[component - 1].mesh)
+            return *mesh;
     Plant plant = grown(genome).at(component);
     if (thermal_time) {
         const Growth* growth = growth_of(campaign_, component);

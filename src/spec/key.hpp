@@ -111,8 +111,9 @@ struct Key {
     const void* record = nullptr;  //!< mark of the type of records
     //! Returns the names of the values of an enumeration.
     std::vector<std::string> (*enumeration)() = nullptr;
-    const char* unless = "";  //!< key of the table that makes this optional
-    bool is_quiet = false;    //!< whether the default is left out of texts
+    const char* unless = "";    //!< key of the table that makes this optional
+    const char* excludes = "";  //!< key of the table that contradicts this
+    bool is_quiet = false;      //!< whether the default is left out of texts
     //! Returns whether texts have the key; none: they have.
     bool (*is_written)(const void* record) = nullptr;
     Trial trial{};
@@ -125,6 +126,9 @@ struct Key {
     }
     constexpr Key or_by(const char* other) const {
         return with(&Key::unless, other);
+    }
+    constexpr Key excluding(const char* other) const {
+        return with(&Key::excludes, other);
     }
     //! Leaves the default out of texts.
     constexpr Key quiet() const { return with(&Key::is_quiet, true); }
@@ -388,6 +392,23 @@ struct Description {
     //! Returns a record with all defaults.
     const void* (*usual)() = nullptr;
     bool is_of_crop = false;  //!< whether crop files have the table
+    //! The declaration of all other keys, whose names a file chooses. None:
+    //! other keys are unknown.
+    const Key* others = nullptr;
+    //! Returns the place of the value of such a key in a record.
+    Target (*place_of_other)(void* record, const std::string& name) = nullptr;
+
+    //! Declares other keys, whose values are those of a map.
+    template <auto map>
+    constexpr Description with_others(const Key& key) const {
+        Description all = *this;
+        all.others = &key;
+        all.place_of_other = [](void* record, const std::string& name) {
+            using Owner = typename OwnerOf<decltype(map)>::type;
+            return detail::target((static_cast<Owner*>(record)->*map)[name]);
+        };
+        return all;
+    }
 
     std::span<const Key> keys() const { return {first, count}; }
     std::span<const Table> tables() const;
@@ -397,6 +418,7 @@ struct Description {
 struct Table {
     const char* name = "";
     const Description* description = nullptr;
+    const char* meaning = "";  //!< meaning of a table that an option gives
     std::size_t (*size)(const void* parent) = nullptr;
     void* (*at)(void* parent, std::size_t entry) = nullptr;
     //! Makes a number of records. None: there is always one record.

@@ -20,6 +20,7 @@ std::string lower_case(std::string text) {
 struct Problems::Collected {
     std::vector<std::string> files;
     std::optional<Location> everywhere;
+    KeyNaming naming = nullptr;
     std::map<std::string, Location> places;
     std::set<std::string> unusable;
     std::set<std::pair<std::string, std::string>> once;
@@ -31,6 +32,19 @@ Problems::Problems() : all_(std::make_shared<Collected>()) {}
 
 Problems::Problems(const std::string& file) : Problems() {
     all_->everywhere = Location{file};
+}
+
+Problems::Problems(KeyNaming naming) : Problems(std::string()) {
+    all_->naming = naming;
+}
+
+std::optional<std::string> Problems::name_of(const std::string& key) const {
+    if (!all_->naming) return std::nullopt;
+    const std::string path = prefix_ + key;
+    const std::size_t dot = std::min(path.find('.'), path.size());
+    const std::string name = all_->naming(path.substr(0, dot));
+    if (dot == path.size()) return name;
+    return name + ": " + path.substr(dot + 1);
 }
 
 Problems Problems::in(const std::string& table) const {
@@ -139,6 +153,14 @@ std::vector<Problem> Problems::sorted(std::vector<Problem> problems) const {
 
 void Problems::throw_if_any() const {
     if (!empty()) throw InputError(sorted(all_->problems));
+}
+
+void Problems::throw_wrong_usage() const {
+    if (empty()) return;
+    std::string message;
+    for (const Problem& each : all_->problems)
+        message += (message.empty() ? "" : "\n") + each.what;
+    throw Error(with_short_quotes(message), ExitCode::usage);
 }
 
 }  // namespace ideotype

@@ -3,12 +3,14 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
+#include <fmt/args.h>
 #include <fmt/format.h>
 
 #include "ideotype/core/error.hpp"
@@ -28,6 +30,15 @@ Error wrong_usage(fmt::format_string<Args...> text, Args&&... args) {
 //! Paths of keys, relative to a table.
 using Keys = std::vector<std::string>;
 
+//! Returns the name by which users know a key or a table such as "soil_albedo":
+//! that of an option of the command line or of an argument of Python.
+using KeyNaming = std::string (*)(const std::string& key);
+
+//! Names keys by themselves.
+inline std::string key_itself(const std::string& key) {
+    return key;
+}
+
 //! Collects the problems of a campaign, and remembers where each value was
 //! written, for the messages of later checks. Values are known by the paths of
 //! their keys, such as "site[1].latitude". Copies, and the parts that in()
@@ -42,6 +53,13 @@ class Problems {
     Problems();
     //! Begins with the file from which all values come.
     explicit Problems(const std::string& file);
+
+    //! Begins with values that come from no file.
+    explicit Problems(KeyNaming naming);
+
+    //! Returns the name by which users know a key; nothing if that is the name
+    //! of the key in a file.
+    std::optional<std::string> name_of(const std::string& key) const;
 
     //! Returns these problems for one table, whose keys are then given without
     //! the name of the table.
@@ -112,6 +130,19 @@ class Problems {
     void rule(const Keys& keys, const std::function<std::string()>& fault,
               ProblemCode code = ProblemCode::contradiction) const;
 
+    //! Reports a broken rule by a text in which {0}, {1} ... stand for the
+    //! names by which users know the keys, and then for other values.
+    template <class... Args>
+    void named_rule(const Keys& keys, bool is_broken, const char* text,
+                    const Args&... args) const {
+        if (!is_broken) return;
+        fmt::dynamic_format_arg_store<fmt::format_context> all;
+        for (const std::string& key : keys)
+            all.push_back(name_of(key).value_or(key));
+        (all.push_back(args), ...);
+        rule(keys, true, "{}", fmt::vformat(text, all));
+    }
+
     //! Warns that the first of some values may be wrong, unless any of them is
     //! unusable; it stays usable.
     template <class Doubtful, class... Args>
@@ -131,6 +162,10 @@ class Problems {
     //! @throws InputError with the problems of each file by position, files in
     //! the order in which they were opened.
     void throw_if_any() const;
+
+    //! Throws all problems of values that come from no file, if there are any.
+    //! @throws Error of wrong usage
+    void throw_wrong_usage() const;
 
     //! Returns the warnings in the order of files and lines.
     std::vector<Problem> warnings() const;

@@ -142,6 +142,10 @@ class SpecReader {
             if (!table) continue;
             const Problems own = problems_.in("component", i);
             component.name = (*table)["name"].value_or<std::string>("");
+            if (table->contains("mesh")) {
+                component.crop.is_known = false;
+                continue;
+            }
             read_crop(table->get("crop"), table->get("bounds"),
                       "component.crop", component.crop, own, own.in("crop"));
         }

@@ -25,6 +25,16 @@
 
 namespace ideotype {
 
+template <>
+inline constexpr std::array enum_names<SkyModel>{
+    EnumName{"uniform", SkyModel::uniform},
+    EnumName{"overcast", SkyModel::overcast},
+    EnumName{"clear", SkyModel::clear}};
+template <>
+inline constexpr std::array enum_names<Boundary>{
+    EnumName{"periodic", Boundary::periodic},
+    EnumName{"isolated", Boundary::isolated}};
+
 //! A named entry of an axis of the sweep.
 template <class Value>
 struct Named {
@@ -111,6 +121,17 @@ struct PhotosynthesisSpec {
     double leaf_mass = 45;  //!< dry mass [g m-2 of leaf]
 };
 
+//! The table [photosynthesis] of meshes: leaves do not differ by depth and do
+//! not follow the weather unless the table says so.
+struct MeshLeaves : PhotosynthesisSpec {
+    MeshLeaves() {
+        profile = CapacityProfile::none;
+        follows_weather = false;
+    }
+};
+// Tables read its records as those of its only base.
+static_assert(std::is_standard_layout_v<MeshLeaves>);
+
 //! The table [water].
 struct WaterSpec {
     LeafWater rules;
@@ -152,17 +173,40 @@ struct PlantSpec {
     Tessellation tessellation;
 };
 
+//! A material of the groups of a component's mesh: reflectance and
+//! transmittance in each waveband, or reflectance of both faces and
+//! transmittance.
+struct ComponentMaterial {
+    std::vector<std::string> groups;  //!< texts that names of groups begin with
+    ByBand<std::vector<double>> optics;
+};
+
+//! The mesh of each plant of a component, which neither grows nor is bred.
+struct ComponentMesh {
+    std::string file;  //!< OBJ file as written; "": the component has a crop
+    //! Content of the file, as of an object, with the names of its groups and
+    //! the group of each face, from 0.
+    std::vector<double> vertices, faces;
+    std::vector<std::string> groups;
+    std::vector<double> face_groups;
+    std::vector<ComponentMaterial> materials;
+    std::optional<MeshLeaves> photosynthesis{};  //!< none: it is not known
+};
+
 //! A component beside the campaign's crop.
 struct ComponentSpec {
     std::string name;
-    CropSpec crop;
-    TraitSet free;  //!< bred traits; none: not bred
+    CropSpec crop;       //!< not known if there is a mesh
+    ComponentMesh mesh;  //!< mesh in place of a crop
+    TraitSet free;       //!< bred traits; none: not bred
     std::optional<PlantVariation> variation;
     std::vector<double> rows;        //!< rows of the field, from 1
     int mixed = 0;                   //!< places among bred plants; 0: none
     int plants = 0;                  //!< plants per row; 0: as in the field
     int later = 0;                   //!< delay of emergence after the crop [d]
     std::optional<double> jitter{};  //!< jitter instead of the field's [deg]
+
+    bool has_mesh() const { return !mesh.file.empty(); }
 };
 
 //! Rows of panels, with the optics of panels in each band.

@@ -27,6 +27,13 @@ bool is_of_crop(const std::string& section) {
     });
 }
 
+//! Returns the name by which users know a key of a section.
+std::string name_in(const std::string& section, const std::string& key,
+                    const Problems& problems) {
+    return problems.name_of(key).value_or(
+        section == spec_table.section ? key : section + '.' + key);
+}
+
 //! Returns the sections of the same file that have a key of this name.
 std::vector<std::string> owners(const std::string& name,
                                 const std::string& section) {
@@ -67,6 +74,19 @@ std::vector<std::string> names_of_tables(const Description& description,
     return names;
 }
 
+//! Returns the names in a table for which the key of all others stands.
+std::vector<std::string> names_of_others(
+    const toml::table& table, const Description& description,
+    const std::vector<std::string>& tables) {
+    std::vector<std::string> names;
+    if (!description.others) return names;
+    for (const auto& [key, value] : table)
+        if (std::ranges::count(tables, key.str()) == 0 &&
+            std::ranges::count(description.keys(), key.str(), &Key::name) == 0)
+            names.emplace_back(key.str());
+    return names;
+}
+
 //! Returns the name of a table inside a section for messages.
 std::string inside(const std::string& section, const std::string& name) {
     const bool is_file =
@@ -95,8 +115,20 @@ void TableReader::read(const toml::table& top, const Description& description,
 void TableReader::read_record(const toml::table& table,
                               const Description& description,
                               const std::string& section, void* record) const {
-    read_keys(table, {section, description.keys(), record},
-              names_of_tables(description, record));
+    std::vector<std::string> known = names_of_tables(description, record);
+    const std::vector<std::string> others =
+        names_of_others(table, description, known);
+    known.insert(known.end(), others.begin(), others.end());
+    read_keys(table, {section, description.keys(), record}, known);
+    for (const std::string& name : others) {
+        Key key = *description.others;
+        key.name = name.c_str();
+        const toml::node& node = *table.get(name);
+        problems_.locate(name, where(node));
+        read_value(node, section,
+                   {key, description.place_of_other(record, name)}, known_,
+                   problems_);
+    }
     for (const Table& child : description.tables())
         read_table(table, child, inside(section, child.name), record);
 }
@@ -109,7 +141,12 @@ void TableReader::read_keys(const toml::table& table, const Section& section,
         const Key& key = section.keys[i];
         const toml::node* node = table.get(key.name);
         problems_.locate(key.name, where(node ? *node : table));
-        if (node)
+        if (node && table.contains(key.excludes))
+            problems_.add(key.name, ProblemCode::contradiction,
+                          "{} excludes {}",
+                          name_in(section.name, key.excludes, problems_),
+                          name_in(section.name, key.name, problems_));
+        else if (node)
             read_value(*node, section.name, section[i], known_, problems_);
         else if (misspelt.contains(key.name))
             problems_.spoil(key.name);

@@ -14,10 +14,13 @@ void append(std::vector<Documented>& all, const Description& description,
     for (const Table& table : description.tables()) {
         const std::string section = prefix + table.name;
         // Crop files have sections of their own, and components have tables
-        // that other sections describe.
+        // that other sections describe, perhaps later ones.
         if (table.description->is_of_crop ||
             std::ranges::count(all, table.description,
-                               &Documented::description) > 0)
+                               &Documented::description) > 0 ||
+            (!prefix.empty() &&
+             std::ranges::count(spec_table.tables(), table.description,
+                                &Table::description) > 0))
             continue;
         all.push_back({section, &table, table.description});
         append(all, *table.description, section + '.');

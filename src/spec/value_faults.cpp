@@ -52,6 +52,7 @@ std::optional<std::string> without_quotes(const toml::node& found,
 }  // namespace
 
 std::string ValueFaults::name() const {
+    if (const auto name = problems.name_of(key.name)) return *name;
     return section == "top" ? std::string(key.name) : section + '.' + key.name;
 }
 

@@ -199,6 +199,8 @@ std::string baseline_text(const CropSpec& crop, const std::string& name) {
 }
 
 std::string component_crop_text(const CropSpec& crop, const std::string& name) {
+    // The component has a mesh.
+    if (!crop.is_known) return "";
     return "\n[" + name + "]\n" + crop_text(name + '.', crop);
 }
 

@@ -41,26 +41,28 @@ void check_area(const Mesh& mesh, double plants, const Cell& cell) {
 
 //! Checks that beams of a low sun need not cross the cell almost for ever.
 //! @param height height of the mesh [m]
-void check_beams(double height, const Cell& cell, const SunPosition& sun) {
+void check_beams(double height, const Cell& cell, const MeshSpec::Sun& sun,
+                 const Problems& problems) {
     const double period = std::min(cell.period_x, cell.period_y);
-    const double elevation = (90 - sun.zenith) * degree;
-    const double crossings = height / std::tan(elevation) / period;
-    if (!(crossings > most_beam_crossings)) return;
+    const double crossings = height / std::tan(sun.elevation * degree) / period;
     const double least =
         std::atan(height / (most_beam_crossings * period)) / degree;
-    throw wrong_usage(
-        "--sun: at an elevation of {:.3g} deg light crosses the period of "
-        "{:.6g} m {:.1e} times on its way down {:.4g} m of mesh (the limit is "
-        "{:.0e}); give {:.4f} deg or more",
-        elevation / degree, period, crossings, height, most_beam_crossings,
+    problems.named_rule(
+        {"sun"}, crossings > most_beam_crossings,
+        "{0}: at an elevation of {1:.3g} deg light crosses the period of "
+        "{2:.6g} m {3:.1e} times on its way down {4:.4g} m of mesh (the limit "
+        "is {5:.0e}); give {6:.4f} deg or more",
+        sun.elevation, period, crossings, height, most_beam_crossings,
         std::ceil(least * 1e4) / 1e4);
+    problems.throw_wrong_usage();
 }
 
 }  // namespace
 
 std::vector<std::string> check_mesh(const Mesh& mesh, double plants,
                                     const Cell& cell,
-                                    const std::optional<SunPosition>& sun) {
+                                    const std::optional<MeshSpec::Sun>& sun,
+                                    const Problems& problems) {
     if (plants * static_cast<double>(mesh.faces.size()) > most_faces)
         throw Error(fmt::format(
             "a field of {} plants of {} faces is too large (the limit is "
@@ -82,7 +84,7 @@ std::vector<std::string> check_mesh(const Mesh& mesh, double plants,
     if (cell.boundary == Boundary::periodic) {
         if (const auto excess = excess_of(mesh, plants, cell))
             throw Error("the mesh " + *excess + "; check that it is in metres");
-        if (sun) check_beams(top, cell, *sun);
+        if (sun) check_beams(top, cell, *sun, problems);
     }
     return warnings;
 }

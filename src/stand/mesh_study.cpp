@@ -7,7 +7,9 @@
 #include <fmt/ranges.h>
 
 #include "campaign/campaign.hpp"
+#include "campaign/leaves.hpp"
 #include "campaign/mesh_scene.hpp"
+#include "campaign/meshes.hpp"
 #include "ideotype/canopy/field.hpp"
 #include "ideotype/crop/obj_reader.hpp"
 #include "ideotype/light/device.hpp"
@@ -24,25 +26,26 @@ constexpr std::uint64_t usual_randomisations = 32;
 constexpr std::size_t layers = 10;
 
 //! Returns a single light for one second, or the light of a clear day.
-LightSeries day_of(const MeshOptions& options) {
+LightSeries day_of(const MeshSpec& spec) {
     constexpr double par_fraction = 0.45;
-    if (options.site)
-        return clear_days(*options.site, {{*options.date}, 0, 24, 60},
-                          par_fraction);
-    Irradiance one = options.sky ? Irradiance{0, 1} : Irradiance{1, 0};
-    if (options.beam_ppfd || options.sky_ppfd)
-        one = {options.beam_ppfd.value_or(0), options.sky_ppfd.value_or(0)};
-    return {{{0, 1, options.sun.value_or(SunPosition{}), one}}};
+    if (spec.site)
+        return clear_days(*spec.site, {{spec.date}, 0, 24, 60}, par_fraction);
+    Irradiance one = spec.sky ? Irradiance{0, 1} : Irradiance{1, 0};
+    if (spec.has_ppfd())
+        one = {spec.beam_ppfd.value_or(0), spec.sky_ppfd.value_or(0)};
+    SunPosition sun;
+    if (spec.sun) sun = {90 - spec.sun->elevation, spec.sun->azimuth};
+    return {{{0, 1, sun, one}}};
 }
 
-SeriesIllumination light_of(const MeshOptions& options,
+SeriesIllumination light_of(const MeshSpec& spec,
                             std::vector<std::string>& warnings) {
     constexpr double north = 0;  // direction of the mesh's y axis
     //! Dates of a season: more than in a campaign, which only compares plants.
     constexpr int dates = 6;
-    const SkyModel sky = options.sky.value_or(SkyModel::uniform);
-    if (options.climate.empty()) return illuminate(day_of(options), sky, north);
-    SeasonLight season = read_climate(options.climate);
+    const SkyModel sky = spec.sky.value_or(SkyModel::uniform);
+    if (spec.climate.empty()) return illuminate(day_of(spec), sky, north);
+    SeasonLight season = read_climate(spec.climate);
     for (const Problem& warning : season.warnings)
         warnings.push_back(fmt::format("{}:{}: {}", warning.where.file,
                                        warning.where.line, warning.what));
@@ -50,16 +53,26 @@ SeriesIllumination light_of(const MeshOptions& options,
                       dates);
 }
 
-Cell ground_of(const MeshOptions& options) {
+FieldForm form_of(const MeshSpec& spec) {
+    FieldForm form;
+    form.rows = spec.field->rows;
+    form.plants = spec.field->plants;
+    form.spacing.row = spec.field->row_spacing;
+    form.spacing.plant = spec.field->plant_spacing;
+    form.jitter = spec.jitter.value_or(0);
+    return form;
+}
+
+Cell ground_of(const MeshSpec& spec) {
     Cell cell;
-    if (options.field) cell = cell_of(*options.field);
-    if (options.period) {
-        cell.period_x = options.period->x;
-        cell.period_y = options.period->y;
+    if (spec.field) cell = cell_of(form_of(spec));
+    if (spec.period) {
+        cell.period_x = spec.period->x;
+        cell.period_y = spec.period->y;
         cell.ground_area = cell.period_x * cell.period_y;
     }
-    cell.boundary = options.boundary;
-    if (options.ground_area) cell.ground_area = *options.ground_area;
+    cell.boundary = spec.boundary;
+    if (spec.ground_area) cell.ground_area = *spec.ground_area;
     return cell;
 }
 
@@ -101,12 +114,14 @@ class SceneBuilder {
         assign();
         std::vector<Component> all;
         for (std::size_t c = 0; c < file_.components.size(); ++c) {
-            const MeshScene::Kind& kind = file_.components[c];
+            const MeshScene::Component& kind = file_.components[c];
             std::vector<bool> is_own;
             for (const std::size_t of : component_) is_own.push_back(of == c);
             Component one{.name = kind.name,
                           .mesh = part_of(mesh_, is_own),
-                          .photosynthesis = kind.photosynthesis};
+                          .photosynthesis = {}};
+            if (kind.photosynthesis)
+                one.photosynthesis = to_photosynthesis(*kind.photosynthesis);
             if (one.mesh.faces.empty())
                 warnings_.push_back(fmt::format(
                     "{}: component \"{}\" has no surfaces (no group of the "
@@ -130,27 +145,12 @@ class SceneBuilder {
                                    &Group::id);
     }
 
-    template <class Entry>
-    static std::size_t first_that_fits(const std::vector<Entry>& entries,
-                                       const std::string& name) {
-        const auto fits = [&](const Entry& entry) {
-            return std::ranges::any_of(entry.groups, [&](const auto& prefix) {
-                return name.starts_with(prefix);
-            });
-        };
-        return static_cast<std::size_t>(std::ranges::find_if(entries, fits) -
-                                        entries.begin());
-    }
-
     //! Finds the kind of each group. If no group is called a leaf, all groups
     //! are leaves.
     void assign() {
-        const bool has_ranks =
-            std::ranges::any_of(mesh_.groups, leaf_rank, &Group::name);
+        number_groups(mesh_);
         std::vector<std::string> problems;
         for (Group& group : mesh_.groups) {
-            const std::uint32_t rank = leaf_rank(group.name);
-            group.id = {0, has_ranks && rank == 0 ? 1u : 0u, rank};
             group.material = static_cast<std::uint32_t>(
                 first_that_fits(file_.materials, group.name));
             component_.push_back(first_that_fits(file_.components, group.name));
@@ -175,98 +175,107 @@ class SceneBuilder {
 };
 
 SeriesIllumination light_in(const std::string& band, SeriesIllumination light,
-                            const MeshOptions& options) {
-    if (!has_day(options) || band == "par") return light;
+                            const MeshSpec& spec, const Problems& problems) {
+    if (!spec.has_day() || band == "par") return light;
     for (const Waveband& each : wavebands)
         if (band == each.name) return in_band(std::move(light), each.light);
-    throw wrong_usage(
-        "{}: there is no light in band \"{}\" (a day and a climate have light "
-        "in those of campaigns); name the band so, such as \"nir\", or give "
-        "--sun or --sky",
-        options.scene, band);
+    problems.named_rule(
+        {"scene", "sun", "sky"}, true,
+        "{3}: there is no light in band \"{4}\" (a day and a climate have "
+        "light in those of campaigns); name the band so, such as \"nir\", or "
+        "give {1} or {2}",
+        spec.scene, band);
+    problems.throw_wrong_usage();
+    return light;
 }
 
-Scene scene_of(Mesh mesh, const MeshOptions& options,
+//! Sets the components and bands that a scene file describes.
+void add_scene_file(Mesh mesh, const MeshSpec& spec,
+                    const SeriesIllumination& light, const Problems& problems,
+                    std::vector<std::string>& warnings, Scene& scene) {
+    const MeshScene file = read_mesh_scene(spec.scene);
+    scene.components =
+        SceneBuilder(std::move(mesh), file, warnings).components();
+    problems.named_rule(
+        {"scene", "beam_ppfd", "sky_ppfd", "site", "date", "climate"},
+        scene.assimilates() && !spec.has_day() && !spec.has_ppfd(),
+        "{0}: photosynthesis needs how strong the light is: {1}, {2}, a day "
+        "with {3} and {4}, or {5}");
+    problems.named_rule(
+        {"jitter"}, scene.components.size() > 1 && spec.jitter.value_or(0) > 0,
+        "{0}: components of a mesh cannot turn together; leave it out");
+    problems.throw_wrong_usage();
+    for (const std::string& band : file.bands()) {
+        Optics optics{{}, file.soil_albedo.at(band)};
+        for (const MeshScene::Material& each : file.materials)
+            optics.materials.push_back(material_of(each.bands.at(band)));
+        scene.bands.push_back(
+            {band, light_in(band, light, spec, problems), std::move(optics)});
+    }
+}
+
+Scene scene_of(Mesh mesh, const MeshSpec& spec, const Problems& problems,
                std::vector<std::string>& warnings) {
     Scene scene;
-    scene.cell = ground_of(options);
-    if (!has_day(options)) scene.photons = 1;
+    scene.cell = ground_of(spec);
+    if (!spec.has_day()) scene.photons = 1;
     std::optional<Photosynthesis> photosynthesis;
-    if (!options.photosynthesis.empty())
-        photosynthesis = read_photosynthesis(options.photosynthesis);
-    SeriesIllumination light = light_of(options, warnings);
-    if (options.scene.empty()) {
+    if (!spec.photosynthesis.empty())
+        photosynthesis = read_photosynthesis(spec.photosynthesis);
+    SeriesIllumination light = light_of(spec, warnings);
+    if (!spec.scene.empty()) {
+        add_scene_file(std::move(mesh), spec, light, problems, warnings, scene);
+    } else {
         scene.components = {{.name = "",
                              .mesh = std::move(mesh),
                              .photosynthesis = photosynthesis}};
         scene.bands = {{"par",
                         std::move(light),
-                        {options.optics.materials(), options.soil_albedo}}};
-    } else {
-        const MeshScene file = read_mesh_scene(options.scene);
-        scene.components =
-            SceneBuilder(std::move(mesh), file, warnings).components();
-        if (scene.assimilates() && !has_day(options) && !options.beam_ppfd &&
-            !options.sky_ppfd)
-            throw wrong_usage(
-                "{}: photosynthesis needs how strong the light is: "
-                "--beam-ppfd, --sky-ppfd, a day with --site and --date, or "
-                "--climate",
-                options.scene);
-        for (std::size_t b = 0; b < file.bands.size(); ++b) {
-            Optics optics{{}, file.soil_albedo[b]};
-            for (const MeshScene::Matter& each : file.materials)
-                optics.materials.push_back(each.bands[b]);
-            scene.bands.push_back({file.bands[b],
-                                   light_in(file.bands[b], light, options),
-                                   std::move(optics)});
-        }
+                        {spec.optics.materials(), spec.soil_albedo}}};
     }
-    if (options.field)
+    if (spec.field)
         for (Component& each : scene.components)
-            set_places(each, *options.field);
+            set_places(each, form_of(spec));
     return scene;
 }
 
 //! Returns an accuracy with at least the number of paths asked for.
-Accuracy accuracy_of(const MeshOptions& options) {
-    const std::uint64_t paths = options.paths.value_or(most_tolerance_paths);
+Accuracy accuracy_of(const MeshSpec& spec) {
+    const std::uint64_t paths = spec.paths > 0
+                                    ? static_cast<std::uint64_t>(spec.paths)
+                                    : most_tolerance_paths;
     const std::uint64_t randomisations =
         std::clamp<std::uint64_t>(paths, 2, usual_randomisations);
     return {static_cast<int>((paths + randomisations - 1) / randomisations),
             static_cast<int>(randomisations),
-            options.paths ? 0 : options.tolerance};
+            spec.paths > 0 ? 0 : spec.tolerance};
 }
 
 }  // namespace
 
-MeshReport study(const MeshOptions& options) {
-    check(options);
-    ObjMesh obj = read_obj(options.path);
-    MeshReport result = study(std::move(obj.mesh), options);
+MeshReport study(const MeshSpec& spec, KeyNaming naming) {
+    check_rules(spec, Problems(naming));
+    ObjMesh obj = read_obj(spec.path);
+    MeshReport result = study(std::move(obj.mesh), spec, naming);
     result.warnings.insert(result.warnings.begin(), obj.warnings.begin(),
                            obj.warnings.end());
     return result;
 }
 
-MeshReport study(Mesh mesh, const MeshOptions& options) {
-    check(options);
+MeshReport study(Mesh mesh, const MeshSpec& spec, KeyNaming naming) {
+    const Problems problems(naming);
+    check_rules(spec, problems);
     const double plants =
-        options.field ? 1.0 * options.field->rows * options.field->plants : 1;
+        spec.field ? 1.0 * spec.field->rows * spec.field->plants : 1;
     MeshReport result;
-    result.warnings = check_mesh(mesh, plants, ground_of(options), options.sun);
-    CanopyRequest request{scene_of(std::move(mesh), options, result.warnings),
-                          {0, layers},
-                          accuracy_of(options),
-                          {options.seed},
-                          {.sunlit = true,
-                           .faces = options.is_by_face,
-                           .exact = options.is_exact}};
-    if (request.scene.components.size() > 1 && options.field &&
-        options.field->jitter > 0)
-        throw wrong_usage(
-            "--jitter: components of a mesh cannot turn together; leave it "
-            "out");
+    result.warnings =
+        check_mesh(mesh, plants, ground_of(spec), spec.sun, problems);
+    const CanopyRequest request{
+        scene_of(std::move(mesh), spec, problems, result.warnings),
+        {0, layers},
+        accuracy_of(spec),
+        {spec.seed},
+        {.sunlit = true, .faces = spec.is_by_face, .exact = spec.is_exact}};
     result.canopy = evaluate(request, Device(Device::supported_isas().back()));
     return result;
 }

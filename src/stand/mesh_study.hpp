@@ -8,7 +8,7 @@
 #include "ideotype/canopy/canopy.hpp"
 #include "ideotype/canopy/request.hpp"
 #include "ideotype/core/error.hpp"
-#include "mesh_options.hpp"
+#include "spec/mesh_spec.hpp"
 
 namespace ideotype {
 
@@ -24,17 +24,23 @@ inline constexpr std::uint64_t most_tolerance_paths = std::uint64_t{1} << 28;
 //! Reads the mesh and traces the light, always with the same random numbers, so
 //! that results can be repeated.
 //! @throws Error, also of wrong usage.
-MeshReport study(const MeshOptions& options);
+MeshReport study(const MeshSpec& spec, KeyNaming naming = key_itself);
 
-//! Studies a mesh in memory; the path in the options is not used.
-MeshReport study(Mesh mesh, const MeshOptions& options);
+//! Studies a mesh in memory; the path in the description is not used.
+MeshReport study(Mesh mesh, const MeshSpec& spec,
+                 KeyNaming naming = key_itself);
+
+//! Checks keys against each other.
+//! @throws Error of wrong usage: missing, contradictory or impossible keys.
+void check_rules(const MeshSpec& spec, const Problems& problems);
 
 //! Checks whether light can be traced in copies of a mesh on some ground.
-//! @param sun position of the sun if it is the same all the time
+//! @param sun the sun if it is the same all the time
 //! @return warnings about faults that do not prevent tracing
 //! @throws Error if light cannot be traced.
 std::vector<std::string> check_mesh(const Mesh& mesh, double plants,
                                     const Cell& cell,
-                                    const std::optional<SunPosition>& sun);
+                                    const std::optional<MeshSpec::Sun>& sun,
+                                    const Problems& problems);
 
 }  // namespace ideotype

@@ -111,9 +111,10 @@ TEST(Campaign, EveryCampaignOfTheProjectIsValidAndItsSize) {
         {"isolated_plot", 12}, {"latitudes", 15},     {"profiles", 6},
         {"quickstart", 3},     {"row_direction", 12}, {"same_leaf_area", 3},
         {"sorghum", 2},        {"spacings", 18},      {"trait_sets", 12},
-        {"soybean", 2},        {"strip", 1},          {"cultivars", 1},
-        {"mixture", 1},        {"invader", 1},        {"intercrop", 1},
-        {"agrivoltaic", 1},    {"growing_season", 1}, {"atlas", 1}};
+        {"soybean", 2},        {"strip", 1},          {"alley", 1},
+        {"cultivars", 1},      {"mixture", 1},        {"invader", 1},
+        {"intercrop", 1},      {"agrivoltaic", 1},    {"growing_season", 1},
+        {"atlas", 1}};
     std::size_t found = 0;
     for (const auto& file :
          std::filesystem::directory_iterator(IDEOTYPE_CAMPAIGNS)) {

@@ -11,9 +11,8 @@
 namespace ideotype {
 
 //! Returns the options of a mesh of the references.
-inline MeshOptions reference(const std::string& name,
-                             MeshOptions::Period period) {
-    MeshOptions options;
+inline MeshSpec reference(const std::string& name, MeshSpec::Period period) {
+    MeshSpec options;
     options.path = std::string(IDEOTYPE_MESHES) + "/" + name + ".obj";
     options.period = period;
     return options;
@@ -21,11 +20,16 @@ inline MeshOptions reference(const std::string& name,
 
 //! Returns the options of a reference mesh whose leaves scatter a tenth of the
 //! light.
-inline MeshOptions mesh(const std::string& name, MeshOptions::Period period) {
-    MeshOptions options = reference(name, period);
+inline MeshSpec mesh(const std::string& name, MeshSpec::Period period) {
+    MeshSpec options = reference(name, period);
     options.optics.leaf = {.05, .05};
     options.tolerance = 3e-4;
     return options;
+}
+
+//! Checks keys against each other.
+inline void check(const MeshSpec& spec) {
+    check_rules(spec, Problems(key_itself));
 }
 
 //! Returns a file that has this [photosynthesis] table.
@@ -41,7 +45,7 @@ struct Rates {
     std::vector<Estimate> groups;
 };
 
-inline Rates rates(const MeshOptions& options) {
+inline Rates rates(const MeshSpec& options) {
     const AssimilationReport report = *study(options).canopy.assimilation;
     Rates result{
         scaled(report.gross.sum, 1e6), scaled(report.gross.sum, 1e6), {}};

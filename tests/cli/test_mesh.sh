@@ -37,8 +37,8 @@ light 2 "the light is missing" "${maize[@]}"
 light 2 "two lights" "${maize[@]}" --sun 60 180 --sky uniform
 light 2 "needs the position of the sun" "${maize[@]}" --sky clear
 light 2 "not above the horizon" "${maize[@]}" --sun -1 180
-light 2 "--sun: nan is not a finite number" "${maize[@]}" --sun nan 180
-light 2 "--period: nan is not a finite number" "$reference/maize1.obj" \
+light 2 "--sun: elevation is nan (not a finite number" "${maize[@]}" --sun nan 180
+light 2 "--period: x is nan (not a finite number" "$reference/maize1.obj" \
     --period nan 1 --sun 60 180
 light 2 "limit is 1e+04); give 0.0769 deg" "${maize[@]}" --sun 1e-9 180
 light 2 "exceed 1" "${maize[@]}" --sun 60 180 --leaf-reflectance .9 \

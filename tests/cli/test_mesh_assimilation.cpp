@@ -19,10 +19,10 @@ std::string data(const std::string& name) {
     return std::string(IDEOTYPE_TEST_DATA) + "/" + name;
 }
 
-void set_light(MeshOptions& options, const Json& input, const char* beam,
+void set_light(MeshSpec& options, const Json& input, const char* beam,
                const char* sky) {
     if (input.at(beam) > 0) {
-        options.sun = {90 - input.at("elevation").get<double>(),
+        options.sun = {input.at("elevation").get<double>(),
                        input.at("azimuth").get<double>()};
         options.beam_ppfd = input.at(beam).get<double>();
     }
@@ -64,7 +64,7 @@ class MaizeAssimilation : public testing::Test {
 TEST_F(MaizeAssimilation, IsThatOfEveryLeafPoint) {
     for (const auto& [name, instant] : maize().at("instants").items())
         for (std::size_t set = 0; set < sets_.size(); ++set) {
-            MeshOptions options = mesh("maize1", {.76, .15});
+            MeshSpec options = mesh("maize1", {.76, .15});
             options.photosynthesis = sets_[set];
             const Json& input = instant.at("input");
             options.optics.leaf = {input.at("rho"), input.at("tau")};
@@ -83,7 +83,7 @@ TEST_F(MaizeAssimilation, IsThatOfEveryLeafPoint) {
 }
 
 TEST_F(MaizeAssimilation, ExactlyIsThatOfEveryLeafPoint) {
-    MeshOptions options = mesh("maize1", {.76, .15});
+    MeshSpec options = mesh("maize1", {.76, .15});
     options.photosynthesis = sets_[0];
     options.soil_albedo = 0;
     options.is_exact = true;
@@ -104,7 +104,7 @@ TEST_F(MaizeAssimilation, ExactlyIsThatOfEveryLeafPoint) {
 class ExactAssimilation : public testing::TestWithParam<Boundary> {};
 
 TEST_P(ExactAssimilation, AgreesWithPieces) {
-    MeshOptions options = mesh("maize1", {.76, .15});
+    MeshSpec options = mesh("maize1", {.76, .15});
     if (GetParam() == Boundary::isolated) {
         options.period.reset();
         options.ground_area = .114;
@@ -141,7 +141,7 @@ INSTANTIATE_TEST_SUITE_P(Boundaries, ExactAssimilation,
 TEST_F(MaizeAssimilation, OfADayIsTheSumOfItsHours) {
     Estimate sum;
     for (const Json& hour : maize().at("hours")) {
-        MeshOptions options = mesh("maize1", {.76, .15});
+        MeshSpec options = mesh("maize1", {.76, .15});
         options.photosynthesis = sets_[0];
         options.soil_albedo = 0;
         set_light(options, hour.at("input"), "beam_ppfd", "diffuse_ppfd");

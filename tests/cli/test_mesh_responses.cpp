@@ -13,9 +13,9 @@ namespace ideotype {
 namespace {
 
 TEST(Assimilation, OfALinearResponseIsAbsorbedLight) {
-    MeshOptions options = mesh("maize1", {.76, .15});
+    MeshSpec options = mesh("maize1", {.76, .15});
     options.photosynthesis = table("linear", "phi=0.06\ntheta=1\namax = 1e9\n");
-    options.sun = {60, 120};
+    options.sun = {30, 120};
     options.sky = SkyModel::uniform;
     options.beam_ppfd = 700;
     options.sky_ppfd = 300;
@@ -29,10 +29,10 @@ TEST(Assimilation, OfALinearResponseIsAbsorbedLight) {
 }
 
 TEST(Assimilation, OfSheetsIsExact) {
-    MeshOptions options = mesh("sheets1", {1, 1});
+    MeshSpec options = mesh("sheets1", {1, 1});
     options.photosynthesis = table("sheets", "amax = 50\n");
     options.soil_albedo = .2;
-    options.sun = {30, 90};
+    options.sun = {60, 90};
     options.beam_ppfd = 1000;
     const Estimate one = rates(options).gross;
     EXPECT_NEAR(one.mean, 33.6839, 4 * one.standard_error);
@@ -46,10 +46,10 @@ TEST(Assimilation, OfSheetsIsExact) {
 }
 
 TEST(Assimilation, ASheetInTheSunIsInOneClassOfLight) {
-    MeshOptions options = mesh("sheets1", {1, 1});
+    MeshSpec options = mesh("sheets1", {1, 1});
     options.photosynthesis = table("sheet", "amax = 50\n");
     options.soil_albedo = .2;
-    options.sun = {30, 90};
+    options.sun = {60, 90};
     options.beam_ppfd = 1010;
     const LightClassReport report = *study(options).canopy.light_classes;
     // 0.9 of the beam, and 0.9 of the 10.1 that the soil sends back.
@@ -70,11 +70,11 @@ TEST(Assimilation, OfBlackSphericalLeavesIsExact) {
     constexpr double normal = 1800;
     for (const auto& [elevation, exact] :
          {std::pair(90, 45.665), {60, 41.899}, {15, 15.167}}) {
-        MeshOptions options = mesh("poisson_spherical_L3", {1, 1});
+        MeshSpec options = mesh("poisson_spherical_L3", {1, 1});
         options.photosynthesis = table("black", "amax = 50\n");
         options.optics.leaf = {0, 0};
         options.soil_albedo = 0;
-        options.sun = {90. - elevation, 90};
+        options.sun = {1. * elevation, 90};
         options.beam_ppfd =
             normal * std::sin(elevation * 3.14159265358979 / 180);
         const Estimate found = rates(options).gross;
@@ -84,11 +84,11 @@ TEST(Assimilation, OfBlackSphericalLeavesIsExact) {
 }
 
 TEST(Assimilation, OfWeakLeavesCountsThoseInTheSun) {
-    MeshOptions options = mesh("maize1", {.76, .15});
+    MeshSpec options = mesh("maize1", {.76, .15});
     options.photosynthesis = table("weak", "amax = 1e-9\n");
     options.optics.leaf = {0, 0};
     options.soil_albedo = 0;
-    options.sun = {30, 180};
+    options.sun = {60, 180};
     options.beam_ppfd = 1500;
     const Estimate found = scaled(rates(options).gross, 1e9);
     EXPECT_NEAR(found.mean, 1.342278,
@@ -111,7 +111,7 @@ std::string season(const std::string& to) {
 }
 
 TEST(Assimilation, ByCollatzFollowsTheWeather) {
-    MeshOptions options = mesh("maize1", {.76, .15});
+    MeshSpec options = mesh("maize1", {.76, .15});
     options.climate = season("2011-07-23");
     options.tolerance = 3e-3;
     // The response follows weather only if the options say so: else it is that
@@ -133,7 +133,7 @@ TEST(Assimilation, ByCollatzFollowsTheWeather) {
 }
 
 TEST(Assimilation, OfASeasonIsThatOfItsHours) {
-    MeshOptions options = mesh("maize1", {.76, .15});
+    MeshSpec options = mesh("maize1", {.76, .15});
     options.climate = season("2011-09-20");
     options.photosynthesis = table("leaves", "amax = 50\nrd = 2\n");
     options.soil_albedo = 0;
@@ -145,20 +145,20 @@ TEST(Assimilation, OfASeasonIsThatOfItsHours) {
     const Estimate gross = report.assimilation->gross.sum;
     EXPECT_NEAR(gross.mean, 1.5318 * 1.003,
                 4 * std::hypot(gross.standard_error, .0009) + .002 * 1.5318);
-    options.sun = {30, 180};
+    options.sun = {60, 180};
     EXPECT_THROW(check(options), Error);
 }
 
 //! Two sheets side by side over half of the ground each, in these groups.
-MeshOptions halves(const std::string& first, const std::string& second) {
-    MeshOptions options = mesh("sheets1", {1, 1});
+MeshSpec halves(const std::string& first, const std::string& second) {
+    MeshSpec options = mesh("sheets1", {1, 1});
     options.path = temporary_file("two_groups.obj");
     std::ofstream(options.path)
         << "v 0 0 1\nv .5 0 1\nv .5 1 1\nv 0 1 1\nv 1 0 1\nv 1 1 1\n"
         << "g " << first << "\nf 1 2 3 4\ng " << second << "\nf 2 5 6 3\n";
     options.optics.leaf = {0, 0};
     options.soil_albedo = 0;
-    options.sun = {30, 90};
+    options.sun = {60, 90};
     options.beam_ppfd = 1000;
     options.tolerance = .01;
     return options;
@@ -168,7 +168,7 @@ TEST(Assimilation, OfGroupsGoesByTheNumbersOfLeavesOfAnyMesh) {
     const auto response = [](double amax) {
         return Hyperbola{.06, .7, amax}.gross(1000) / 2;
     };
-    MeshOptions options = halves("leaf02", "wheat_leaf01");
+    MeshSpec options = halves("leaf02", "wheat_leaf01");
     options.photosynthesis = table("ranks", "amax = [30, 50]\n");
     const Rates ranked = rates(options);
     for (const auto& [group, amax] : {std::pair(0u, 50.), {1u, 30.}})
@@ -190,7 +190,7 @@ TEST(Assimilation, OfGroupsGoesByTheNumbersOfLeavesOfAnyMesh) {
 }
 
 TEST(Assimilation, OfASingleLeafIsThatOfItsLight) {
-    MeshOptions options = halves("leaf", "stalk");
+    MeshSpec options = halves("leaf", "stalk");
     options.photosynthesis = table("one", "amax = 40\n");
     options.optics.stalk = {0, 0};
     const Rates found = rates(options);
@@ -201,9 +201,9 @@ TEST(Assimilation, OfASingleLeafIsThatOfItsLight) {
 }
 
 TEST(Assimilation, NeedsToKnowHowStrongTheLightIs) {
-    MeshOptions options = mesh("maize1", {.76, .15});
+    MeshSpec options = mesh("maize1", {.76, .15});
     options.photosynthesis = table("any", "amax = 50\n");
-    options.sun = {30, 180};
+    options.sun = {60, 180};
     EXPECT_THROW(check(options), Error);
     options.beam_ppfd = 1500;
     EXPECT_NO_THROW(check(options));
@@ -212,15 +212,15 @@ TEST(Assimilation, NeedsToKnowHowStrongTheLightIs) {
 }
 
 TEST(Assimilation, IsExactOnlyIfAskedFor) {
-    MeshOptions options = mesh("maize1", {.76, .15});
-    options.sun = {30, 180};
+    MeshSpec options = mesh("maize1", {.76, .15});
+    options.sun = {60, 180};
     options.is_exact = true;
     EXPECT_THROW(check(options), Error);
 }
 
 TEST(Assimilation, FilesWithMistakesAreRefusedInOnePass) {
-    MeshOptions options = mesh("maize1", {.76, .15});
-    options.sun = {30, 180};
+    MeshSpec options = mesh("maize1", {.76, .15});
+    options.sun = {60, 180};
     options.beam_ppfd = 1500;
     options.photosynthesis =
         table("wrong",

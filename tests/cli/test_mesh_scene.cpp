@@ -61,16 +61,16 @@ std::string scene_text(const Ordered& scene, const Ordered& response) {
     return text;
 }
 
-MeshOptions options_of(const Ordered& scene, const std::string& light,
-                       const Ordered& response = {}) {
-    MeshOptions options;
+MeshSpec options_of(const Ordered& scene, const std::string& light,
+                    const Ordered& response = {}) {
+    MeshSpec options;
     options.path = fmt::format("{}/stands/{}", IDEOTYPE_TEST_DATA,
                                scene.at("obj").get<std::string>());
     options.scene = written(scene_text(scene, response));
     options.period = {scene.at("period")[0], scene.at("period")[1]};
     double elevation = 0, azimuth = 0;
     if (std::sscanf(light.c_str(), "sun%lf_az%lf", &elevation, &azimuth) == 2)
-        options.sun = {90 - elevation, azimuth};
+        options.sun = {elevation, azimuth};
     else
         options.sky = SkyModel::uniform;
     options.tolerance = 5e-4;
@@ -133,7 +133,7 @@ TEST(MeshScene, AssimilatesWithTheParametersOfEachComponent) {
     ASSERT_EQ(cases.size(), 9u);
     for (const auto& [name, expected] : cases.items()) {
         const std::string scene = name.substr(0, name.find('/'));
-        MeshOptions options =
+        MeshSpec options =
             options_of(scenes.at(scene), name.substr(name.find('/') + 1),
                        expected.at("response"));
         if (options.sun) {
@@ -157,10 +157,10 @@ TEST(MeshScene, AssimilatesWithTheParametersOfEachComponent) {
 //! Light of the sun falls on the upper face, and light that the soil reflects
 //! on the lower one.
 TEST(MeshScene, FacesOfASheetMayReflectDifferently) {
-    MeshOptions options;
+    MeshSpec options;
     options.path = std::string(IDEOTYPE_MESHES) + "/sheets1.obj";
     options.period = {1, 1};
-    options.sun = {30, 100};
+    options.sun = {60, 100};
     options.tolerance = 2e-4;
     options.scene = written(
         "soil_albedo = 0.5\n[[material]]\ngroups = \"\"\n"
@@ -178,10 +178,10 @@ TEST(MeshScene, FacesOfASheetMayReflectDifferently) {
 }
 
 TEST(MeshScene, FacesThatReflectDifferentlyAssimilateAsExactly) {
-    MeshOptions options;
+    MeshSpec options;
     options.path = fmt::format("{}/stands/sole_maize.obj", IDEOTYPE_TEST_DATA);
     options.period = {.6, .3};
-    options.sun = {35, 140};
+    options.sun = {55, 140};
     options.sky = SkyModel::uniform;
     options.beam_ppfd = 1300;
     options.sky_ppfd = 300;
@@ -201,10 +201,10 @@ TEST(MeshScene, FacesThatReflectDifferentlyAssimilateAsExactly) {
 
 //! A horizontal black sheet in a beam, at 30 deg C and a deficit of 1.697 kPa.
 TEST(MeshScene, ComponentsMayBeOfC3) {
-    MeshOptions options;
+    MeshSpec options;
     options.path = std::string(IDEOTYPE_MESHES) + "/sheets1.obj";
     options.period = {1, 1};
-    options.sun = {30, 100};
+    options.sun = {60, 100};
     options.beam_ppfd = 900;
     const auto set_leaves = [&](const std::string& keys) {
         options.scene = written(
@@ -236,7 +236,7 @@ TEST(MeshScene, ComponentsMayBeOfC3) {
 
 TEST(MeshScene, NamesOfComponentsAreOfNoMatter) {
     const Ordered scene = stands("light").at("scenes").at("two_maize");
-    MeshOptions options = options_of(scene, "sun25_az255");
+    MeshSpec options = options_of(scene, "sun25_az255");
     options.tolerance = 3e-3;
     const CanopyReport report = study(options).canopy;
     std::string text = scene_text(scene, {});
@@ -260,10 +260,10 @@ TEST(MeshScene, AllProblemsOfAFileAreToldInOnePass) {
         "[[material]]\ngroups = 7\nnir = [0.5]\n"
         "[[component]]\ngroups = \"leaf\"\ncolour = \"red\"\n"
         "photosynthesis = { amaxx = 3 }\n");
-    MeshOptions options;
+    MeshSpec options;
     options.path = std::string(IDEOTYPE_MESHES) + "/sheets1.obj";
     options.period = {1, 1};
-    options.sun = {30, 100};
+    options.sun = {60, 100};
     options.scene = path;
     try {
         study(options);
@@ -274,7 +274,7 @@ TEST(MeshScene, AllProblemsOfAFileAreToldInOnePass) {
              {"unknown key 'albedo'", "soil_albedo.par is 2",
               "soil_albedo.red names no band", "more than all",
               "material.groups is an integer", "has no par", "has no nir",
-              "material.nir is a list", "a component has no name",
+              "material.nir has 1 values", "missing key 'name' in [component]",
               "unknown key 'colour'", "unknown key 'amaxx'"})
             EXPECT_NE(all.find(part), std::string::npos) << part << '\n' << all;
         EXPECT_NE(all.find(path + ":5:"), std::string::npos) << all;
@@ -282,10 +282,10 @@ TEST(MeshScene, AllProblemsOfAFileAreToldInOnePass) {
 }
 
 TEST(MeshScene, EveryGroupNeedsAMaterialAndAComponent) {
-    MeshOptions options;
+    MeshSpec options;
     options.path = fmt::format("{}/stands/two_maize.obj", IDEOTYPE_TEST_DATA);
     options.period = {1.52, .3};
-    options.sun = {30, 100};
+    options.sun = {60, 100};
     options.scene = written(
         "[[material]]\ngroups = \"erect\"\n"
         "par = [0.05, 0.05]\n"

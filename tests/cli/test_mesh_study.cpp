@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 #include <fstream>
-#include <limits>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -13,22 +12,22 @@
 namespace ideotype {
 namespace {
 
-MeshOptions maize(double elevation, double azimuth) {
-    MeshOptions options = reference("maize1", {.76, .15});
-    options.sun = {90 - elevation, azimuth};
+MeshSpec maize(double elevation, double azimuth) {
+    MeshSpec options = reference("maize1", {.76, .15});
+    options.sun = {elevation, azimuth};
     options.optics.leaf = {0, 0};
     options.soil_albedo = 0;
     return options;
 }
 
 //! Some light is scattered, so that totals are not whole numbers of paths.
-MeshOptions lit_maize() {
-    MeshOptions options = maize(60, 180);
+MeshSpec lit_maize() {
+    MeshSpec options = maize(60, 180);
     options.optics.leaf = {.05, .05};
     return options;
 }
 
-ExitCode code_of(const MeshOptions& options) {
+ExitCode code_of(const MeshSpec& options) {
     try {
         check(options);
     } catch (const Error& error) {
@@ -38,7 +37,7 @@ ExitCode code_of(const MeshOptions& options) {
 }
 
 TEST(MeshStudy, MaizeAgreesWithADoublePrecisionTracer) {
-    MeshOptions options = maize(60, 180);
+    MeshSpec options = maize(60, 180);
     options.tolerance = 1e-4;
     const MeshReport report = study(options);
     const Estimate leaf = report.canopy.par().light.day.leaves;
@@ -51,7 +50,7 @@ TEST(MeshStudy, MaizeAgreesWithADoublePrecisionTracer) {
 }
 
 TEST(MeshStudy, OneSheetOverSoilIsExact) {
-    MeshOptions options = reference("sheets1", {1, 1});
+    MeshSpec options = reference("sheets1", {1, 1});
     options.sky = SkyModel::uniform;
     options.soil_albedo = .2;
     options.tolerance = 1e-4;
@@ -66,7 +65,7 @@ TEST(MeshStudy, OneSheetOverSoilIsExact) {
 }
 
 TEST(MeshStudy, ExtinctionOfBlackHorizontalLeavesIsThatOfBeersLaw) {
-    MeshOptions options = reference("poisson_horizontal_L3", {1, 1});
+    MeshSpec options = reference("poisson_horizontal_L3", {1, 1});
     options.optics.leaf = {0, 0};
     options.soil_albedo = 0;
     options.sky = SkyModel::uniform;
@@ -89,10 +88,10 @@ TEST(MeshStudy, StalksAreNoLeavesAndHaveTheirOwnOptics) {
                            "v .5 0 1\nv .5 1 1\n"
                            "g plant001_leaf01\nf 1 5 6 4\n"
                            "g plant001_stalk\nf 5 2 3 6\n";
-    MeshOptions options;
+    MeshSpec options;
     options.path = path;
     options.period = {1, 1};
-    options.sun = {30, 180};
+    options.sun = {60, 180};
     options.soil_albedo = 0;
     options.optics.leaf = {0, 0};
     options.optics.stalk = {.3, 0};
@@ -111,10 +110,10 @@ TEST(MeshStudy, AMeshInCentimetresIsWarnedOf) {
     const auto warnings = [&](double height) {
         std::ofstream(path)
             << "v 0 0 0\nv 1 0 0\nv 0 1 " << height << "\nf 1 2 3\n";
-        MeshOptions options;
+        MeshSpec options;
         options.path = path;
         options.period = {1, 1};
-        options.sun = {30, 180};
+        options.sun = {60, 180};
         options.paths = 1000;
         return study(options).warnings;
     };
@@ -130,10 +129,10 @@ TEST(MeshStudy, AMeshBelowTheSoilIsWarnedOfAndATinyOneRefused) {
     const auto warnings = [&](double size, double lowest) {
         std::ofstream(path) << fmt::format(
             "v 0 0 1\nv {0} 0 1\nv 0 {0} {1}\nf 1 2 3\n", size, lowest);
-        MeshOptions options;
+        MeshSpec options;
         options.path = path;
         options.period = {1, 1};
-        options.sun = {30, 180};
+        options.sun = {60, 180};
         return study(options).warnings;
     };
     EXPECT_TRUE(warnings(.5, 0).empty());
@@ -146,18 +145,18 @@ TEST(MeshStudy, AMeshBelowTheSoilIsWarnedOfAndATinyOneRefused) {
 }
 
 TEST(MeshStudy, TheSameOptionsGiveTheSameBits) {
-    const MeshReport a = study(lit_maize()), b = study(lit_maize());
+    const MeshReport a = study(lit_maize()), b = study(lit_maize(), key_itself);
     EXPECT_EQ(a.canopy.paths, b.canopy.paths);
     EXPECT_EQ(a.canopy.par().light.day.leaves.mean,
               b.canopy.par().light.day.leaves.mean);
-    MeshOptions other = lit_maize();
+    MeshSpec other = lit_maize();
     other.seed = 2;
     EXPECT_NE(study(other).canopy.par().light.day.leaves.mean,
               a.canopy.par().light.day.leaves.mean);
 }
 
 TEST(MeshStudy, ATighterToleranceTakesMorePathsAndIsMet) {
-    MeshOptions options = lit_maize();
+    MeshSpec options = lit_maize();
     options.tolerance = 1e-2;
     const std::uint64_t few = study(options).canopy.paths;
     options.tolerance = 3e-4;
@@ -169,7 +168,7 @@ TEST(MeshStudy, ATighterToleranceTakesMorePathsAndIsMet) {
 }
 
 TEST(MeshStudy, AtLeastTheAskedPathsAreFollowed) {
-    MeshOptions options = maize(30, 90);
+    MeshSpec options = maize(30, 90);
     for (const std::uint64_t paths : {1, 2, 31, 33, 4096, 5000}) {
         options.paths = paths;
         const MeshReport report = study(options);
@@ -181,11 +180,11 @@ TEST(MeshStudy, AtLeastTheAskedPathsAreFollowed) {
 }
 
 TEST(MeshStudy, AFieldOfUnturnedPlantsIsThePlantInItsCell) {
-    MeshOptions field = maize(45, 120);
+    MeshSpec field = maize(45, 120);
     field.tolerance = 2e-4;
     const MeshReport plant = study(field);
     field.period.reset();
-    field.field = FieldForm{2, 3, {.76, .15}, 0};
+    field.field = {2, 3, .76, .15};
     const MeshReport stand = study(field);
     EXPECT_NEAR(stand.canopy.ground_area, 6 * .76 * .15, 1e-12);
     EXPECT_NEAR(stand.canopy.lai, plant.canopy.lai, 1e-9);
@@ -193,12 +192,12 @@ TEST(MeshStudy, AFieldOfUnturnedPlantsIsThePlantInItsCell) {
                    b = stand.canopy.par().light.day.leaves;
     EXPECT_NEAR(a.mean, b.mean,
                 4 * std::hypot(a.standard_error, b.standard_error));
-    field.field->jitter = 20;
+    field.jitter = 20;
     EXPECT_NE(study(field).canopy.par().light.day.leaves.mean, b.mean);
 }
 
 TEST(MeshStudy, ADayHasHoursThatSumToIt) {
-    MeshOptions options = maize(1, 0);
+    MeshSpec options = maize(1, 0);
     options.sun.reset();
     options.site = Site{"", 42, -93.6, -5};
     options.date = Date{2025, 8, 7};
@@ -212,7 +211,7 @@ TEST(MeshStudy, ADayHasHoursThatSumToIt) {
 }
 
 TEST(MeshStudy, AnIsolatedPlotAbsorbsMoreThanItsGroundReceives) {
-    MeshOptions options = maize(30, 90);
+    MeshSpec options = maize(30, 90);
     options.period.reset();
     options.boundary = Boundary::isolated;
     options.ground_area = .114;
@@ -226,7 +225,7 @@ TEST(MeshStudy, AnIsolatedPlotAbsorbsMoreThanItsGroundReceives) {
 }
 
 TEST(MeshStudy, PolarNightIsDarkAndFinite) {
-    MeshOptions options = maize(1, 0);
+    MeshSpec options = maize(1, 0);
     options.sun.reset();
     options.site = Site{"", 85, 0, 0};
     options.date = Date{2025, 12, 21};
@@ -238,38 +237,31 @@ TEST(MeshStudy, PolarNightIsDarkAndFinite) {
 TEST(MeshStudy, ContradictionsAreWrongUsage) {
     EXPECT_EQ(code_of(maize(60, 180)), ExitCode::ok);
     const auto refuses = [](auto change) {
-        MeshOptions options = maize(60, 180);
+        MeshSpec options = maize(60, 180);
         change(options);
         EXPECT_EQ(code_of(options), ExitCode::usage);
     };
     refuses([](auto& o) { o.period.reset(); });
-    refuses([](auto& o) { o.period = {0, 1}; });
-    refuses([](auto& o) { o.period = {std::nan(""), 1}; });
-    refuses([](auto& o) { o.field = FieldForm{1, 1, {1, 1}, 0}; });
+    refuses([](auto& o) { o.field = {1, 1, 1, 1}; });
+    refuses([](auto& o) { o.jitter = 1; });
     refuses([](auto& o) { o.ground_area = 1; });
     refuses([](auto& o) { o.boundary = Boundary::isolated; });
     refuses([](auto& o) { o.sun.reset(); });
-    refuses([](auto& o) { o.sun->zenith = 90; });
-    refuses([](auto& o) { o.sun->zenith = -1; });
+    refuses([](auto& o) { o.sun->elevation = 0; });
     refuses([](auto& o) { o.sky = SkyModel::uniform; });
     refuses([](auto& o) { o.site = Site{}; });
     refuses([](auto& o) { o.optics.leaf = {.6, .5}; });
-    refuses([](auto& o) { o.optics.leaf = {-.1, .5}; });
     refuses([](auto& o) { o.optics.stalk = {.6, .5}; });
-    refuses([](auto& o) { o.optics.stalk = {.6, -.5}; });
-    refuses([](auto& o) { o.soil_albedo = 1.1; });
-    refuses([](auto& o) { o.tolerance = 0; });
-    refuses([](auto& o) { o.paths = 0; });
 }
 
 TEST(MeshStudy, AMeshOutOfProportionToItsPeriodIsRefused) {
-    MeshOptions options = maize(60, 180);
+    MeshSpec options = maize(60, 180);
     options.period = {1e-6, 1e-6};
     EXPECT_THROW(study(options), Error);
 }
 
 //! Returns the message of a refusal, or "".
-std::string refusal_of(const MeshOptions& options,
+std::string refusal_of(const MeshSpec& options,
                        ExitCode expected = ExitCode::usage) {
     try {
         study(options);
@@ -285,10 +277,10 @@ TEST(MeshStudy, AFaceOfManyPeriodsIsRefusedBeforeItIsTraced) {
     const auto refusal = [&](double width) {
         std::ofstream(path)
             << fmt::format("v 0 0 1\nv {} 0 1\nv 0 1e-3 1\nf 1 2 3\n", width);
-        MeshOptions options;
+        MeshSpec options;
         options.path = path;
         options.period = {1, 1};
-        options.sun = {30, 180};
+        options.sun = {60, 180};
         return refusal_of(options, ExitCode::runtime);
     };
     EXPECT_EQ(refusal(50), "");
@@ -312,35 +304,88 @@ TEST(MeshStudy, ASunSoLowThatItsLightHardlyComesDownIsRefused) {
     EXPECT_EQ(refusal(std::stod(text.substr(text.find("give ") + 5))), "");
 }
 
+//! Returns the message by which a value of a key is refused, or "".
+std::string refusal_of(const std::string& key,
+                       const std::vector<GivenValue>& values) {
+    try {
+        read_mesh_spec({{key, values}}, key_itself);
+        return "";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.exit_code(), ExitCode::usage) << error.what();
+        return error.what();
+    }
+}
+
 TEST(MeshStudy, NumbersThatAreNotFiniteAreNamed) {
-    const auto refuses = [](const std::string& option, auto change) {
-        MeshOptions options = maize(60, 180);
-        for (const double value :
-             {std::nan(""), std::numeric_limits<double>::infinity()}) {
-            change(options, value);
-            EXPECT_EQ(refusal_of(options),
-                      fmt::format("--{}: {} is not a finite number; correct it",
-                                  option, value));
+    using namespace std::string_literals;
+    for (const auto& value : {"nan"s, "inf"s})
+        for (const auto& [key, values] :
+             GivenKeys{{"period", {value, "1"s}},
+                       {"ground_area", {value}},
+                       {"sun", {"60"s, value}},
+                       {"beam_ppfd", {value}},
+                       {"leaf_reflectance", {value}},
+                       {"soil_albedo", {value}},
+                       {"tolerance", {value}},
+                       {"field", {"1"s, "1"s, value, "1"s}},
+                       {"jitter", {value}}}) {
+            const std::string text = refusal_of(key, values);
+            EXPECT_EQ(text.find(key), 0u) << text;
+            EXPECT_NE(text.find("is " + value + " (not a finite number)"),
+                      std::string::npos)
+                << text;
         }
+}
+
+TEST(MeshStudy, ValuesOutsideTheirRangesAreNamed) {
+    using namespace std::string_literals;
+    EXPECT_EQ(refusal_of("sun", {60.0, std::int64_t{180}}), "");
+    EXPECT_EQ(refusal_of("sun", {".6e2"s, "-180"s}), "");
+    for (const auto& [key, values] :
+         GivenKeys{{"period", {0.0, 1.0}},
+                   {"sun", {91.0, 0.0}},
+                   {"site", {42.0, 181.0, 0.0}},
+                   {"field", {std::int64_t{0}, std::int64_t{1}, 1.0, 1.0}},
+                   {"leaf_reflectance", {-.1}},
+                   {"stalk_transmittance", {-.5}},
+                   {"soil_albedo", {1.1}},
+                   {"tolerance", {0.0}},
+                   {"paths", {std::int64_t{0}}},
+                   {"date", {"1949-01-01"s}}})
+        EXPECT_NE(refusal_of(key, values).find("the range"), std::string::npos)
+            << key << refusal_of(key, values);
+}
+
+TEST(MeshStudy, ValuesOfAnotherTypeAreNamed) {
+    using namespace std::string_literals;
+    EXPECT_EQ(refusal_of("sun", {"6o"s, "1"s}),
+              "sun: elevation is 6o (no number); correct it");
+    EXPECT_EQ(refusal_of("seed", {"1.5"s}),
+              "seed is 1.5 (no whole number); correct it");
+    EXPECT_EQ(refusal_of("date", {"7.8.2025"s}),
+              "date is 7.8.2025 (no date); write it as YYYY-MM-DD");
+    EXPECT_EQ(refusal_of("sun", {60.0}),
+              "sun takes 2 values: elevation, azimuth");
+    EXPECT_EQ(refusal_of("tolerance", {60.0, 1.0}),
+              "tolerance takes one value");
+    EXPECT_NE(refusal_of("sky", {"grey"s}).find("use \"uniform\" or"),
+              std::string::npos)
+        << refusal_of("sky", {"grey"s});
+}
+
+TEST(MeshStudy, KeysThatExcludeOthersAreRefused) {
+    const auto refusal = [](const GivenKeys& given) {
+        try {
+            read_mesh_spec(given, key_itself);
+        } catch (const Error& error) {
+            return std::string(error.what());
+        }
+        return std::string();
     };
-    refuses("period", [](auto& o, double x) { o.period = {x, 1}; });
-    refuses("period", [](auto& o, double x) { o.period = {1, x}; });
-    refuses("ground-area", [](auto& o, double x) { o.ground_area = x; });
-    refuses("sun", [](auto& o, double x) { o.sun->zenith = 90 - x; });
-    refuses("sun", [](auto& o, double x) { o.sun->azimuth = x; });
-    refuses("beam-ppfd", [](auto& o, double x) { o.beam_ppfd = x; });
-    refuses("leaf-reflectance",
-            [](auto& o, double x) { o.optics.leaf.reflectance = x; });
-    refuses("soil-albedo", [](auto& o, double x) { o.soil_albedo = x; });
-    refuses("tolerance", [](auto& o, double x) { o.tolerance = x; });
-    refuses("field", [](auto& o, double x) {
-        o.period.reset();
-        o.field = FieldForm{1, 1, {x, 1}, 0};
-    });
-    refuses("jitter", [](auto& o, double x) {
-        o.period.reset();
-        o.field = FieldForm{1, 1, {1, 1}, x};
-    });
+    EXPECT_EQ(refusal({{"scene", {"x.toml"}}, {"soil_albedo", {.1}}}),
+              "scene excludes soil_albedo");
+    EXPECT_EQ(refusal({{"paths", {std::int64_t{9}}}, {"tolerance", {.1}}}),
+              "tolerance excludes paths");
 }
 
 }  // namespace

@@ -66,8 +66,6 @@ expect 4 "$ideotype" run campaigns/study.toml --out drained --resume
 says "sensitivity.samples was 240, is absent"
 expect 0 "${longer[@]}" --out drained --resume
 same_results "$(history_of whole study)" "$(history_of drained study)"
-expect 3 "$ideotype" run campaigns/study.toml --set search.optimizer=sensitivity
-says "start ideotype sensitivity CAMPAIGN"
 
 expect 0 "${sensitivity[@]}" --set sensitivity.method=morris \
     --set sensitivity.groups=gene --set sensitivity.samples=16 --out morris

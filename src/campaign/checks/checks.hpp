@@ -61,6 +61,20 @@ void check_growing(const Spec& spec, const Problems& problems);
 //! Checks where components stand, and the objectives of several components.
 void check_components(const Spec& spec, const Problems& problems);
 
+//! Reads the files of the meshes of components.
+//! @param file path of the campaign
+void read_component_meshes(const std::string& file, Spec& spec,
+                           const Problems& problems);
+
+//! Reports meshes that do not fit their materials, the field or other tables.
+void check_component_meshes(const Spec& spec, const Problems& problems);
+
+//! Reports reflectances and a transmittance that are no material.
+//! @param table name of the table with the key of the band
+void check_optical_parts(const std::vector<double>& parts,
+                         const std::string& table, const std::string& band,
+                         const Problems& problems);
+
 //! Reads the files of fixed objects.
 //! @param file path of the campaign
 void read_objects(const std::string& file, Spec& spec,

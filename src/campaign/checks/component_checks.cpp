@@ -75,6 +75,7 @@ void check_places(const Spec& spec, const Problems& problems) {
                  "component \"{}\" leaves no place to the plants that are "
                  "bred; the field has {} x {} places",
                  each.name, field.rows, field.plants);
+        if (each.has_mesh()) continue;
         check_plant_optics(each.crop.optics, own);
         if (!each.crop.is_known) continue;
         check_photosynthesis(each.crop.photosynthesis,
@@ -160,6 +161,7 @@ void check_weights(const Spec& spec, const Problems& root) {
 
 void check_components(const Spec& spec, const Problems& problems) {
     check_places(spec, problems);
+    check_component_meshes(spec, problems);
     check_row_pattern(spec.field, problems.in("field"));
     check_weights(spec, problems);
 }

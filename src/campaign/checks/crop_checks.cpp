@@ -214,6 +214,7 @@ void check_growing(const Spec& spec, const Problems& problems) {
     for (std::size_t i = 0; i < spec.components.size(); ++i) {
         const ComponentSpec& each = spec.components[i];
         const Problems own = problems.in("component", i);
+        if (each.has_mesh()) continue;
         if (grows) check_whorl(each.crop, own.in("crop"));
         own.rule({"later"}, each.later > 0 && (!grows || !each.crop.growth),
                  "component.later is given (only plants that grow can be "

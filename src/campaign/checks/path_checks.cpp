@@ -46,7 +46,12 @@ void check_paths(const Campaign& campaign, const Problems& problems) {
                         : 0;
     for (const ComponentEntry& each : campaign.components)
         if (each.photosynthesis)
-            pieces += pieces_of(each.crop,
+            pieces +=
+                each.mesh
+                    ? static_cast<double>(
+                          each.mesh->faces.size() *
+                          plants_of(each.standing, campaign.spec.field))
+                    : pieces_of(each.crop,
                                 plants_of(each.standing, campaign.spec.field));
     // Fields and stages have paths of their own.
     const Accuracy& light = campaign.sampling;

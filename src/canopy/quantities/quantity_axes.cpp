@@ -69,8 +69,13 @@ Axis organ_axis(const Scene& scene) {
     Names names;
     for (const Component& each : scene.components) {
         names.push_back(part_name(scene, each, "leaves"));
-        for (const std::string& organ : organ_names(*each.plant))
-            names.push_back(part_name(scene, each, organ));
+        if (each.plant)
+            for (const std::string& organ : organ_names(*each.plant))
+                names.push_back(part_name(scene, each, organ));
+        else
+            for (const Group& group : each.mesh.groups)
+                if (!group.id.is_leaf())
+                    names.push_back(part_name(scene, each, group.name));
     }
     return {"organ", "", "leaves together, or another organ", std::move(names)};
 }
@@ -99,7 +104,7 @@ Quantity without_short_axes(Quantity quantity, const Scene& scene) {
 QuantitySet canopy_quantities(const Scene& scene, const Layers& layers,
                               const Details& details) {
     IDEOTYPE_EXPECT(!scene.components.empty());
-    IDEOTYPE_EXPECT(std::ranges::all_of(scene.components, &has_plant));
+    IDEOTYPE_EXPECT(has_plant(scene.components.front()));
     const LightSeries& series = scene.light().series;
     QuantitySet set;
     set.axes = {leaf_axis(scene),

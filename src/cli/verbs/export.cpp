@@ -223,6 +223,8 @@ ExitCode export_plant(const ExportOptions& options) {
                              to_string(*row.chosen.stage->date),
                              row.chosen.stage->at);
     }
+    if (extension == ".csv" || extension == ".toml")
+        require_crop(campaign, component);
     require_new(options.to);
     if (!keys.empty() && (extension == ".csv" || extension == ".toml"))
         fmt::print(stderr,

@@ -14,21 +14,18 @@ namespace ideotype {
 
 namespace {
 
-std::string light_name(const MeshOptions& options) {
-    if (!options.climate.empty()) return "mean day of " + options.climate;
-    if (options.site)
+std::string light_name(const MeshSpec& spec) {
+    if (!spec.climate.empty()) return "mean day of " + spec.climate;
+    if (spec.site)
         return fmt::format("clear day {} at {} N {} E, UTC {:+}",
-                           to_string(*options.date), options.site->latitude,
-                           options.site->longitude, options.site->utc_offset);
-    if (options.sun && options.sky && options.beam_ppfd)
+                           to_string(spec.date), spec.site->latitude,
+                           spec.site->longitude, spec.site->utc_offset);
+    if (spec.sun && spec.sky && spec.beam_ppfd)
         return fmt::format("sun at elevation {} and azimuth {}, and sky",
-                           90 - options.sun->zenith, options.sun->azimuth);
-    if (options.sky)
-        return *options.sky == SkyModel::uniform    ? "uniform sky"
-               : *options.sky == SkyModel::overcast ? "overcast sky"
-                                                    : "clear sky";
+                           spec.sun->elevation, spec.sun->azimuth);
+    if (spec.sky) return fmt::format("{} sky", name_of(*spec.sky));
     return fmt::format("sun at elevation {} and azimuth {}",
-                       90 - options.sun->zenith, options.sun->azimuth);
+                       spec.sun->elevation, spec.sun->azimuth);
 }
 
 //! Returns the largest relative error of the leaves' light in any band;
@@ -60,39 +57,36 @@ Json to_json(const Lambertian& surface) {
             {"transmittance", surface.transmittance}};
 }
 
-Span span_of(const MeshOptions& options) {
-    return has_day(options) ? Span::day : Span::single;
+Span span_of(const MeshSpec& spec) {
+    return spec.has_day() ? Span::day : Span::single;
 }
 
-Json to_json(const MeshReport& report, const MeshOptions& options,
-             double seconds) {
-    Json json{{"mesh", options.path},
-              {"boundary", options.boundary == Boundary::periodic ? "periodic"
-                                                                  : "isolated"},
-              {"light", light_name(options)}};
-    if (options.scene.empty()) {
-        json.update(to_json(report.canopy, span_of(options)));
+Json to_json(const MeshReport& report, const MeshSpec& spec, double seconds) {
+    Json json{{"mesh", spec.path},
+              {"boundary", name_of(spec.boundary)},
+              {"light", light_name(spec)}};
+    if (spec.scene.empty()) {
+        json.update(to_json(report.canopy, span_of(spec)));
         if (report.canopy.assimilation)
-            json["assimilation"]["method"] =
-                options.is_exact ? "exact" : "pieces";
-        json["optics"] = {{"leaf", to_json(options.optics.leaf)},
-                          {"stalk", to_json(options.optics.stalk)},
-                          {"sheath", to_json(options.optics.sheath)},
-                          {"soil_albedo", options.soil_albedo}};
+            json["assimilation"]["method"] = spec.is_exact ? "exact" : "pieces";
+        json["optics"] = {{"leaf", to_json(spec.optics.leaf)},
+                          {"stalk", to_json(spec.optics.stalk)},
+                          {"sheath", to_json(spec.optics.sheath)},
+                          {"soil_albedo", spec.soil_albedo}};
     } else {
-        json["scene"] = options.scene;
-        json.update(scene_json(report.canopy, span_of(options)));
+        json["scene"] = spec.scene;
+        json.update(scene_json(report.canopy, span_of(spec)));
     }
     json["paths"] = report.canopy.paths;
     const double error = relative_error(report);
     // JSON has no infinity.
     json["relative_standard_error"] =
         std::isfinite(error) ? Json(error) : Json(nullptr);
-    if (!options.paths)
-        json["tolerance"] = {{"asked", options.tolerance},
+    if (spec.paths == 0)
+        json["tolerance"] = {{"asked", spec.tolerance},
                              {"is_met", !report.canopy.is_capped},
                              {"most_paths", most_tolerance_paths}};
-    json["seed"] = options.seed;
+    json["seed"] = spec.seed;
     json["seconds"] = seconds;
     json["warnings"] = report.warnings;
     return json;
@@ -100,15 +94,16 @@ Json to_json(const MeshReport& report, const MeshOptions& options,
 
 }  // namespace
 
-ExitCode light_in_mesh(const MeshOptions& options) {
+ExitCode light_in_mesh(const LightOptions& options) {
     const double began = now();
-    const MeshReport report = study(options);
+    MeshSpec spec = read_mesh_spec(options.given, option_of_key);
+    spec.path = options.mesh;
+    const MeshReport report = study(spec, option_of_key);
     const double seconds = now() - began;
     for (const std::string& warning : report.warnings)
-        fmt::print(stderr, "ideotype: warning: {}: {}\n", options.path,
-                   warning);
-    if (report.canopy.is_capped) warn_of_tolerance(report, options.tolerance);
-    const Json json = to_json(report, options, seconds);
+        fmt::print(stderr, "ideotype: warning: {}: {}\n", spec.path, warning);
+    if (report.canopy.is_capped) warn_of_tolerance(report, spec.tolerance);
+    const Json json = to_json(report, spec, seconds);
     if (options.is_json)
         fmt::print("{}\n", to_text(json));
     else

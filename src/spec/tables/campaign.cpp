@@ -6,11 +6,6 @@
 namespace ideotype {
 
 template <>
-inline constexpr std::array enum_names<SkyModel>{
-    EnumName{"uniform", SkyModel::uniform},
-    EnumName{"overcast", SkyModel::overcast},
-    EnumName{"clear", SkyModel::clear}};
-template <>
 inline constexpr std::array enum_names<SensitivityMethod>{
     EnumName{"sobol", SensitivityMethod::sobol},
     EnumName{"morris", SensitivityMethod::morris}};
@@ -54,6 +49,10 @@ constexpr Values axes() {
     values.type = "text or list of texts";
     values.count = any_count;
     return values;
+}
+
+bool has_mesh(const ComponentSpec& component) {
+    return component.has_mesh();
 }
 
 KnownNames names_of_component(const ComponentSpec& component) {
@@ -124,15 +123,27 @@ constexpr Key trait_bounds_keys[] = {
 
 constexpr Key component_keys[] = {
     key<&ComponentSpec::name>("name", name_text, required("\"weed\""), "name of the kind of plant, as files and figures tell it"),
-    key_of<ComponentSpec>("crop", source, required("\"crops/mine.toml\""), "crop file of its plants, relative to the campaign file; or its content as [component.crop]"),
-    key<&ComponentSpec::free>("free", from_file(Names::traits, "traits of its crop file"), usual("[\"width\"]"), "traits of it that are bred; without any it stays as its crop file has it").quiet(),
-    key<&ComponentSpec::crop, &CropSpec::rule>("bounds", rule("\"traits\", or a rule of its crop file"), usual(), "bounds of its traits, chosen as by `plant.bounds` from its own crop file; or the table [component.bounds]").quiet(),
-    key_of<ComponentSpec>("variation", Values{.type = "table"}, by("as the field"), "table of how its plants differ, with the keys of [field.variation], in the place of the field's; {} for plants that do not differ"),
+    key_of<ComponentSpec>("crop", source, required("\"crops/mine.toml\""), "crop file of its plants, relative to the campaign file; or its content as [component.crop]").or_by("mesh").excluding("mesh"),
+    key<&ComponentSpec::mesh, &ComponentMesh::file>("mesh", file_path, none("\"tree.obj\""), "Wavefront OBJ file of one plant in metres, z up, y along the rows, its foot at the origin; instead of `crop`").written_if<ComponentSpec, has_mesh>(),
+    key<&ComponentSpec::mesh, &ComponentMesh::vertices>("vertices", numbers(0, 0, "m"), by("those of the mesh", "[0, 1, 2, 2]"), "coordinates of each vertex, as the program writes them instead of a file").written_if<ComponentSpec, has_mesh>(),
+    key<&ComponentSpec::mesh, &ComponentMesh::faces>("faces", numbers(0, 0), by("those of the mesh", "[0, 1, 2, 2]"), "four vertices of each face, from 0").written_if<ComponentSpec, has_mesh>(),
+    key<&ComponentSpec::mesh, &ComponentMesh::groups>("group_names", any_value, by("those of the mesh", "[\"leaf01\"]"), "names of the groups of the mesh").written_if<ComponentSpec, has_mesh>(),
+    key<&ComponentSpec::mesh, &ComponentMesh::face_groups>("face_groups", numbers(0, 0), by("those of the mesh", "[0, 0, 1]"), "group of each face, from 0").written_if<ComponentSpec, has_mesh>(),
+    key<&ComponentSpec::free>("free", from_file(Names::traits, "traits of its crop file"), usual("[\"width\"]"), "traits of it that are bred; without any it stays as its crop file has it").quiet().excluding("mesh"),
+    key<&ComponentSpec::crop, &CropSpec::rule>("bounds", rule("\"traits\", or a rule of its crop file"), usual(), "bounds of its traits, chosen as by `plant.bounds` from its own crop file; or the table [component.bounds]").quiet().excluding("mesh"),
+    key_of<ComponentSpec>("variation", Values{.type = "table"}, by("as the field"), "table of how its plants differ, with the keys of [field.variation], in the place of the field's; {} for plants that do not differ").excluding("mesh"),
     key<&ComponentSpec::rows>("rows", numbers(1, 100, "", "list of integers"), none("[2, 4]"), "rows of the field that it stands in instead of the crop's plants, counted from 1"),
     key<&ComponentSpec::mixed>("mixed", within(0, 10000), usual(), "number of places of bred plants that it takes, drawn anew for each generation, in the place of `rows`").quiet(),
     key<&ComponentSpec::plants>("plants", within(0, 1000), usual(), "number of plants in each of its rows; 0: as many as `field.plants`").quiet(),
-    key<&ComponentSpec::later>("later", within(0, 200, "d"), usual(), "days from `climate.emergence` to its own emergence").quiet(),
+    key<&ComponentSpec::later>("later", within(0, 200, "d"), usual(), "days from `climate.emergence` to its own emergence").quiet().excluding("mesh"),
     key<&ComponentSpec::jitter>("jitter", within(0, 180, "deg"), by("as the field"), "largest random turn of each of its plants, in the place of `field.jitter` and `field.variation.across_row`"),
+};
+
+constexpr Values surface{.upper = 1, .type = "[reflectance, transmittance], or [reflectance of the upper face, of the lower face, transmittance]", .count = any_count};
+constexpr Key component_material_keys[] = {
+    key<&ComponentMaterial::groups>("groups", Values{.type = "text or list of texts", .count = any_count}, required("\"leaf\""), "texts that the names of the material's groups begin with; the first material that fits a group counts"),
+    key<&ComponentMaterial::optics, par_band>("par", surface, required("[0.06, 0.03]"), "optical properties in PAR"),
+    key<&ComponentMaterial::optics, nir_band>("nir", surface, none("[0.4, 0.4]"), "optical properties in the near infrared, if it is followed"),
 };
 
 constexpr Key light_keys[] = {
@@ -276,7 +287,14 @@ constexpr Table plant_tables[] = {
 constinit const Description plant_table =
     describe<PlantSpec>("plant", plant_keys, plant_tables);
 
+constinit const Description component_material_table =
+    describe<ComponentMaterial>("component.material", component_material_keys);
 constexpr Table component_tables[] = {
+    table<&ComponentSpec::mesh, &ComponentMesh::materials>(
+        "material", component_material_table)
+        .optional(),
+    table<&ComponentSpec::mesh, &ComponentMesh::photosynthesis>(
+        "photosynthesis", photosynthesis_table),
     table<&ComponentSpec::variation>("variation", variation_table),
     table<&ComponentSpec::crop>("crop", crop_table)
         .written_by<&ComponentSpec::crop, &component_crop_text>(),

@@ -3,11 +3,6 @@
 
 namespace ideotype {
 
-template <>
-inline constexpr std::array enum_names<Boundary>{
-    EnumName{"periodic", Boundary::periodic},
-    EnumName{"isolated", Boundary::isolated}};
-
 namespace {
 
 //! Returns the keys of two lists.

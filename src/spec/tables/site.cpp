@@ -86,6 +86,8 @@ constexpr Key weather_keys[] = {
 }  // namespace
 
 constinit const Description site_table = describe<Site>("site", site_keys);
+constinit const Description place_table =
+    describe<Site>("site", std::span(site_keys).subspan<1, 3>());
 constinit const Description day_table = describe<NamedDay>("day", day_keys);
 constinit const Description climate_table =
     describe<NamedClimate>("climate", climate_keys);

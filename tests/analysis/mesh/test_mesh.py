@@ -128,7 +128,17 @@ def test_a_mesh_has_the_bits_of_the_command_line(tmp_path: Path) -> None:
     [
         ({"sun": (90, 0)}, "period X Y is missing"),
         ({"period": (1, 1)}, "sun"),
-        ({"period": (1, 1), "sky": "grey"}, "sky: grey not in"),
+        ({"period": (1, 1), "sky": "grey"}, 'sky is "grey"'),
+        ({"period": (1, 1), "sun": (95, 0)}, "sun: elevation is 95 deg"),
+        ({"period": (1, 1), "sun": (60,)}, "sun takes 2 values: elevation"),
+        (
+            {"period": (1, 1), "sun": (60, 0), "leaf": (0.7, 0.4)},
+            r"leaf\[0\] and leaf\[1\] exceed 1",
+        ),
+        (
+            {"period": (1, 1), "site": (42, 0, 0), "day": "7.8.2025"},
+            r"day is 7.8.2025 \(no date\)",
+        ),
         (
             {"period": (1, 1), "site": (42, 0, 0)},
             "site and day belong together",

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 from datetime import date
 from os import PathLike
@@ -16,7 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 from ..common.arrays import real, unmasked
 from ..common.compiled import _core
 from ..errors import Error
-from .datasets import dataset, scene_dataset
+from .datasets import dataset
 
 Pair = tuple[float, float]
 
@@ -111,52 +110,43 @@ class Canopy:
         `gross_assimilation` and `net_assimilation`.
 
         Raises Error if options contradict each other."""
-        arguments = _arguments(
-            period=period,
-            boundary="isolated" if isolated else None,
-            ground_area=ground_area,
-            field=field,
-            jitter=jitter,
-            sun=sun,
-            sky=sky,
-            site=site,
-            date=day,
-            beam_ppfd=beam_ppfd,
-            sky_ppfd=sky_ppfd,
-            climate=climate,
-            photosynthesis=photosynthesis,
-            exact=exact,
-            soil_albedo=soil_albedo,
-            scene=scene,
-            tolerance=tolerance,
-            paths=paths,
-            seed=seed,
-        )
+        given: dict[str, Any] = {
+            "period": period,
+            "boundary": "isolated" if isolated else None,
+            "ground_area": ground_area,
+            "field": field,
+            "jitter": jitter,
+            "sun": sun,
+            "sky": sky,
+            "site": site,
+            "date": day,
+            "beam_ppfd": beam_ppfd,
+            "sky_ppfd": sky_ppfd,
+            "climate": climate,
+            "photosynthesis": photosynthesis,
+            "exact": exact or None,
+            "soil_albedo": soil_albedo,
+            "scene": scene,
+            "tolerance": tolerance,
+            "paths": paths,
+            "seed": seed,
+        }
         surfaces = {"leaf": leaf, "stalk": stalk, "sheath": sheath}
         for name, pair in surfaces.items():
             if pair is not None:
-                for part, value in zip(
-                    ("reflectance", "transmittance"), pair, strict=True
-                ):
-                    arguments += [f"--{name}-{part}", str(value)]
-        try:
-            found = _core.evaluate_mesh(
-                self._vertices,
-                self._corners,
-                self._counts,
-                self._face_group,
-                self._names,
-                arguments,
-                by_face,
-            )
-        except Error as error:
-            raise type(error)(_in_python(str(error))) from None
-        is_ppfd = beam_ppfd is not None or sky_ppfd is not None
-        if scene is not None:
-            return scene_dataset(found, found["is_day"], is_ppfd)
-        if found["is_day"]:
-            return dataset(found, "MJ m-2 day-1", 1e-6)
-        return dataset(found, "umol m-2 s-1" if is_ppfd else "1", 1)
+                reflectance, transmittance = pair
+                given[f"{name}_reflectance"] = reflectance
+                given[f"{name}_transmittance"] = transmittance
+        parts = _core.evaluate_mesh(
+            self._vertices,
+            self._corners,
+            self._counts,
+            self._face_group,
+            self._names,
+            {k: _values(v) for k, v in given.items() if v is not None},
+            by_face,
+        )
+        return dataset(*parts)
 
 
 def _vertices(given: ArrayLike) -> NDArray[np.float64]:
@@ -204,24 +194,8 @@ def _polygons(
     return whole.astype(np.uint32), counts
 
 
-def _arguments(**given: Any) -> list[str]:
-    """Returns the words of a command line with the given options; an option of
-    value None is left out."""
-    words: list[str] = []
-    for name, value in given.items():
-        if value is None or value is False:
-            continue
-        words.append("--" + name.replace("_", "-"))
-        if value is not True:
-            values = value if isinstance(value, tuple | list) else [value]
-            words += map(str, values)
-    return words
-
-
-def _in_python(message: str) -> str:
-    """Replaces names of options by names of arguments."""
-    message = re.sub(r"--(leaf|stalk|sheath)-\w+", r"\1", message)
-    message = message.replace("--date", "--day")
-    return re.sub(
-        r"--([a-z-]+)", lambda found: found[1].replace("-", "_"), message
-    )
+def _values(given: Any) -> list[bool | int | float | str]:
+    """Returns the values of a key; dates and paths become texts."""
+    many = given if isinstance(given, tuple | list | np.ndarray) else [given]
+    plain = [x.item() if isinstance(x, np.generic) else x for x in many]
+    return [str(x) if isinstance(x, date | PathLike) else x for x in plain]

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cctype>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "spec/tables.hpp"
+#include "spec/writer.hpp"
+#include "verbs.hpp"
+
+namespace ideotype {
+
+namespace {
+
+//! Returns a name of values in the style of a help text.
+std::string upper_case(std::string text) {
+    for (char& c : text)
+        c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    return text;
+}
+
+//! Declares an option that takes a value of each of some names.
+CLI::Option* add_given(CLI::App& verb, const std::string& key,
+                       const std::vector<std::string>& names,
+                       const std::string& meaning, GivenKeys& given) {
+    return verb
+        .add_option_function<std::vector<std::string>>(
+            option_of_key(key),
+            [&given, key](const std::vector<std::string>& words) {
+                given[key].assign(words.begin(), words.end());
+            },
+            meaning)
+        ->type_name(upper_case(fmt::format("{}", fmt::join(names, " "))))
+        ->type_size(static_cast<int>(names.size()))
+        ->expected(1)
+        ->allow_extra_args(false);
+}
+
+//! Returns the meaning of a key and the values that it takes.
+std::string about(const Key& key) {
+    const std::string range = range_text(key);
+    return range == "-" ? key.meaning
+                        : fmt::format("{} ({})", key.meaning, range);
+}
+
+}  // namespace
+
+std::string option_of_key(const std::string& key) {
+    std::string option = "--" + key;
+    std::ranges::replace(option, '_', '-');
+    return option;
+}
+
+void declare_mesh_keys(CLI::App& verb, GivenKeys& given) {
+    MeshSpec types;
+    for (const Table& table : mesh_table.tables()) {
+        std::vector<std::string> names, meanings;
+        for (const Key& key : table.description->keys()) {
+            names.emplace_back(key.name);
+            meanings.push_back(about(key));
+        }
+        add_given(
+            verb, table.name, names,
+            fmt::format("{}: {}", table.meaning, fmt::join(meanings, ", ")),
+            given);
+    }
+    for (const Key& key : mesh_table.keys()) {
+        if (std::holds_alternative<bool*>(key.place(&types))) {
+            verb.add_flag_callback(
+                option_of_key(key.name),
+                [&given, name = key.name] { given[name] = {true}; },
+                key.meaning);
+            continue;
+        }
+        CLI::Option* const option =
+            add_given(verb, key.name, {key.values.type}, about(key), given);
+        if (!key.initial.words)
+            option->default_str(default_text(key, mesh_table.usual()));
+    }
+}
+
+}  // namespace ideotype

@@ -98,7 +98,7 @@ struct FieldLight {
     int fields = 0;
 };
 
-//! What the first field decides for all fields.
+//! The facts that the first field decides for all fields.
 struct FirstLook {
     Layers layers{};                  //!< layers with their thickness
     std::vector<LeafGroup> leaves{};  //!< leaves of each group of the lines

@@ -83,7 +83,8 @@ constinit const Description material_table =
 constexpr Table leaves_tables[] = {table<&MeshScene::Component::photosynthesis>(
     "photosynthesis", photosynthesis_table)};
 constinit const Description mesh_component_table =
-    describe<MeshScene::Component>("component", scene_component_keys, leaves_tables);
+    describe<MeshScene::Component>("component", scene_component_keys,
+                                   leaves_tables);
 
 constexpr Table mesh_tables[] = {
     table<&MeshSpec::period>("period", period_table)

@@ -112,8 +112,9 @@ class Split:
 
     variants: tuple[Variant, ...]
     gains: tuple[Estimate, ...]
-    """The gain in each variant: in % of the baseline there, or in the unit of
-    the objective where a baseline is not above zero."""
+    """The gain in each variant: in % of the baseline in the first variant, so
+    that parts add up, or in the unit of the objective where that baseline is
+    not above zero."""
 
     @property
     def parts(self) -> tuple[Estimate, ...]:
@@ -133,10 +134,12 @@ def split(
     """Returns the split of the gain of a plant. `values` are the objective of
     baseline and plant in each variant [plants, randomisations], `unit` is that
     of the objective."""
-    if all(_is_above_zero(baseline) for baseline, _ in values):
-        gains = [_relative(*each) for each in values]
+    reference = values[0][0]
+    changes = [best - baseline for baseline, best in values]
+    if _is_above_zero(reference):
+        gains = [_relative(reference, each) for each in changes]
     else:
-        gains = [_mean(best - baseline, unit) for baseline, best in values]
+        gains = [_mean(each, unit) for each in changes]
     return Split(tuple(variants), tuple(gains))
 
 
@@ -145,13 +148,13 @@ def _is_above_zero(values: Numbers) -> bool:
     return found.mean > _LEAST_BASELINE * found.standard_error
 
 
-def _relative(baseline: Numbers, best: Numbers) -> Estimate:
-    """Returns 100 (best / baseline - 1) [%]. Its randomisations are those of
-    the ratio to first order, so that their scatter gives its standard error,
-    and that of differences between gains."""
-    mean = float(baseline.mean())
-    ratio = float(best.mean()) / mean
-    draws = ratio - 1 + (best - ratio * baseline) / mean
+def _relative(reference: Numbers, change: Numbers) -> Estimate:
+    """Returns 100 change / reference [%]. Its randomisations are those of the
+    ratio to first order, so that their scatter gives its standard error, and
+    that of differences between gains."""
+    mean = float(reference.mean())
+    ratio = float(change.mean()) / mean
+    draws = ratio + (change - ratio * reference) / mean
     return _mean(100 * draws, "%")
 
 
@@ -243,8 +246,8 @@ def table_of(splits: Mapping[str, Split | Note]) -> list[Block]:
             rows,
             "The best plant of each case against the baseline, evaluated again "
             "in the same fields with common random numbers. Gains are in % of "
-            "the baseline with the same organs, and differences between them "
-            "are in percentage points. "
+            "the baseline with all organs, so that differences between them, "
+            "in percentage points, add up. "
             + "".join(f"{v.meaning} " for v in variants if v.meaning)
             + "A plant gains by light of other organs if these take less "
             "light from its leaves than those of the baseline do. The 95 % intervals are those of paired "

@@ -20,9 +20,9 @@ plant = stand.mesh(stand.baseline)
 figure, (left, right) = plt.subplots(
     1, 2, figsize=(7, 3.6), layout="constrained"
 )
-for face, group in zip(plant.faces, plant.groups):
+for face, leaf in zip(plant.faces, plant.ranks):
     x, _, z = plant.vertices[list(face)].T
-    left.fill(x, z, color="C2" if group.startswith("leaf") else "0.6", lw=0)
+    left.fill(x, z, color="C2" if leaf else "0.6", lw=0)
 left.set(xlabel="across the row [m]", ylabel="height [m]", aspect="equal")
 right.barh(
     by_leaf.leaf, by_leaf, xerr=2 * found.absorbed_by_leaf_standard_error

@@ -17,9 +17,9 @@ figure, (left, right) = plt.subplots(
 ages = np.array([0.25, 0.5, 0.75, 1.0, 1.5]) * crop.silking
 for i, age in enumerate(ages):
     plant = crop.mesh(age)
-    for face, group in zip(plant.faces, plant.groups):
+    for face, leaf in zip(plant.faces, plant.ranks):
         x, _, z = plant.vertices[list(face)].T
-        colour = "C2" if group.startswith("leaf") else "0.6"
+        colour = "C2" if leaf else "0.6"
         left.fill(x + 1.2 * i, z, color=colour, lw=0)
 left.set(
     xticks=1.2 * np.arange(5),

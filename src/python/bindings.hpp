@@ -60,8 +60,8 @@ inline std::vector<std::string> names_of(const auto& all) {
     return names;
 }
 
-//! Returns vertices [n, 3] in m, faces [m, 4], the group of each face, and
-//! names of groups.
+//! Returns vertices [n, 3] in m, faces [m, 4], the group of each face, names of
+//! groups, and the rank of each group's leaf, from 1; 0: the group is no leaf.
 inline nb::tuple mesh_tuple(const Mesh& mesh) {
     std::vector<double> vertices;
     for (const glm::dvec3& x : mesh.vertices)
@@ -69,10 +69,13 @@ inline nb::tuple mesh_tuple(const Mesh& mesh) {
     std::vector<std::uint32_t> faces;
     for (const auto& face : mesh.faces)
         faces.insert(faces.end(), face.begin(), face.end());
+    std::vector<std::uint32_t> ranks;
+    for (const Group& group : mesh.groups)
+        ranks.push_back(group.id.is_leaf() ? group.id.rank : 0);
     return nb::make_tuple(to_array(vertices, {mesh.vertices.size(), 3}),
                           to_array(faces, {mesh.faces.size(), 4}),
                           to_array(mesh.face_group, {mesh.face_group.size()}),
-                          names_of(mesh.groups));
+                          names_of(mesh.groups), ranks);
 }
 
 void bind_plants(nb::module_& module);

@@ -32,6 +32,7 @@ MAST = Mesh(
     ),
     ((0, 1, 2, 3), (0, 1, 4)),
     ("stalk", "leaf01"),
+    (0, 1),
 )
 """A mast that is higher than the eyes, and a leaf."""
 

@@ -222,8 +222,8 @@ def draw_stand(mesh: Mesh, resolved: dict[str, Any], case: str) -> Figure:
     row, plant = spacing["row"], spacing["plant"]
     colors = np.array(
         [
-            to_rgb("#4E9A3A" if g.startswith("leaf") else style.organ_color(g))
-            for g in mesh.groups
+            to_rgb("#4E9A3A" if rank else style.organ_color(group))
+            for group, rank in zip(mesh.groups, mesh.ranks)
         ]
     )
     size = (_ROWS, int(np.clip(_LENGTH / plant, _PLANTS, 2 * _PLANTS)))

@@ -80,7 +80,9 @@ def _side(points: NDArray[np.float64]) -> NDArray[np.float64]:
 def _draw(axes: Axes, mesh: Mesh, corners: NDArray[np.float64]) -> None:
     """Draws faces with the given corners [faces, 4, 3]: right, up, towards the
     viewer."""
-    colors = np.array([to_rgb(_color(group)) for group in mesh.groups])
+    colors = np.array(
+        [to_rgb(_color(*each)) for each in zip(mesh.groups, mesh.ranks)]
+    )
     order = np.argsort(corners[..., 2].mean(axis=1))
     axes.add_collection(
         PolyCollection(
@@ -95,7 +97,7 @@ def _draw(axes: Axes, mesh: Mesh, corners: NDArray[np.float64]) -> None:
     axes.grid(visible=False)
 
 
-def _color(group: str) -> str:
+def _color(group: str, rank: int) -> str:
     if "dead" in group:
         return "#B08D57"
-    return "#4E9A3A" if group.startswith("leaf") else style.organ_color(group)
+    return "#4E9A3A" if rank else style.organ_color(group)

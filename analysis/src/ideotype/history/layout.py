@@ -69,11 +69,13 @@ def leaf_light(
         return found
     if told.labels.dtype.kind == "U":  # of several components
         return found
-    leaves = sum(group.startswith("leaf") for group in found)
+    leaves = {
+        rank: group for group, rank in zip(mesh.groups, mesh.ranks) if rank
+    }
     # Crops that grow have lower leaves that a full-grown plant has lost.
-    lost = max(len(told.labels) - leaves, 0)
+    lost = max(len(told.labels) - len(leaves), 0)
     for leaf, value in zip(told.labels, told.values.tolist()):
-        if (group := f"leaf{leaf - lost:02}") in found:
+        if group := leaves.get(leaf - lost):
             over = mesh.area(group) / ground if ground else 1
             found[group] = value / over
     return found

@@ -22,6 +22,9 @@ class Mesh:
     groups: tuple[str, ...]
     """The organ of each face: "leaf01", ..., "stalk", "sheath"; other organs
     are "stalk_NAME" or "sheath_NAME" by their tissue."""
+    ranks: tuple[int, ...] = ()
+    """The rank of the leaf of each face, from 1 for the lowest; 0 is another
+    organ. Empty: unknown."""
 
     @classmethod
     def of(
@@ -30,6 +33,7 @@ class Mesh:
         faces: NDArray[np.integer[Any]],
         face_group: NDArray[np.integer[Any]],
         names: list[str],
+        ranks: list[int],
     ) -> Self:
         """Makes a mesh of faces with four corners, in which a triangle repeats
         its last corner."""
@@ -40,6 +44,7 @@ class Mesh:
                 for face in faces.tolist()
             ),
             tuple(names[group] for group in face_group),
+            tuple(ranks[group] for group in face_group),
         )
 
     @property

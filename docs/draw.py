@@ -20,7 +20,7 @@ from PIL import Image
 from ideotype.figures.style import RC
 
 DOCS = Path(__file__).resolve().parent
-sys.path.insert(0, str(DOCS.parent / "campaigns" / "study"))
+sys.path.insert(0, str(DOCS.parent / "analysis" / "study"))
 import drawn_leaves  # noqa: E402
 import drawn_light  # noqa: E402
 import drawn_plants  # noqa: E402

@@ -8,7 +8,7 @@
 # a period.
 set -euo pipefail
 
-plant=campaigns/benchmark/meshes/maize.obj
+plant=analysis/benchmark/meshes/maize.obj
 echo "elevation of the sun [deg],across the rows [light that comes to the soil],along the rows" >02_any_mesh.csv
 for elevation in 10 20 30 45 60 75 90; do
     line=$elevation

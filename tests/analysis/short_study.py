@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Makes parts of the short study of campaigns/study/study.py."""
+"""Makes parts of the short study of analysis/study/study.py."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from pathlib import Path
 
 from real_program import CAMPAIGNS, executable
 
-STUDY = CAMPAIGNS / "study" / "study.py"
+STUDY = CAMPAIGNS.parent / "analysis" / "study" / "study.py"
 PARTS = re.findall(
     r'(?m)^    "(\w+)": Part\(', (STUDY.parent / "study_parts.py").read_text()
 )

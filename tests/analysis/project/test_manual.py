@@ -30,7 +30,7 @@ READMES = [
         "analysis",
         "slurm",
         "campaigns",
-        "campaigns/benchmark",
+        "analysis/benchmark",
     )
 ]
 

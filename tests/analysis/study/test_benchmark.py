@@ -10,7 +10,7 @@ from types import ModuleType
 
 import pytest
 
-FOLDER = Path(__file__).parents[3] / "campaigns" / "benchmark"
+FOLDER = Path(__file__).parents[3] / "analysis" / "benchmark"
 NAMES = ("cases", "leaf", "meshes", "plain", "program", "score", "theory")
 
 

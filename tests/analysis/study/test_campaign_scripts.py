@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Scripts of campaigns/study do what their descriptions say."""
+"""Scripts of analysis/study do what their descriptions say."""
 
 from __future__ import annotations
 
@@ -22,7 +22,11 @@ MAIZE = CAMPAIGNS / "crops" / "maize.toml"
 
 def run(script: str, *words: object) -> str:
     done = subprocess.run(
-        [sys.executable, CAMPAIGNS / "study" / script, *map(str, words)],
+        [
+            sys.executable,
+            CAMPAIGNS.parent / "analysis" / "study" / script,
+            *map(str, words),
+        ],
         env=os.environ | {"IDEOTYPE_EXECUTABLE": executable()},
         capture_output=True,
         text=True,
@@ -92,7 +96,14 @@ def test_light_of_strips_agrees_with_reports_by_sign(tmp_path: Path) -> None:
     for reported, found, error in rows[:3] + rows[4:]:
         assert int(reported) * int(found) > 0, told
         assert abs(int(found)) > int(error), told
-    form = CAMPAIGNS / "study" / "measured" / "strips" / "form.csv"
+    form = (
+        CAMPAIGNS.parent
+        / "analysis"
+        / "study"
+        / "measured"
+        / "strips"
+        / "form.csv"
+    )
     compared = run("strip_light.py", "--table", form)
     # The form has numbers of the program.
     agreement = re.search(r"1:1 (\S+)", compared)
@@ -340,7 +351,7 @@ def test_the_error_of_a_gain_is_that_of_the_ratio(
 ) -> None:
     """The carbon balance at 15 x 3 inches is such a case: the baseline has
     nearly nothing, and the noise of both plants is about the same."""
-    monkeypatch.syspath_prepend(CAMPAIGNS / "study")
+    monkeypatch.syspath_prepend(CAMPAIGNS.parent / "analysis" / "study")
     shared = importlib.import_module("shared")
     draw, runs, count = np.random.default_rng(3), 2000, 16
     common = draw.normal(0.0, 0.004, (runs, 1, count))
@@ -379,7 +390,7 @@ def test_a_study_that_is_told_to_end_leaves_no_program_running(
 def test_parts_of_the_light_are_told_by_organ(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.syspath_prepend(CAMPAIGNS / "study")
+    monkeypatch.syspath_prepend(CAMPAIGNS.parent / "analysis" / "study")
     organs = importlib.import_module("organs")
     first, *_, last = organs.PLANTS
     for plant, shown in ((first, [1, 0, 0, 0]), (last, [1, 1, 1, 1])):

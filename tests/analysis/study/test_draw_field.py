@@ -16,7 +16,7 @@ def test_a_field_is_drawn_at_eye_height_and_from_above(
     tmp_path: Path,
 ) -> None:
     to = tmp_path / "field.png"
-    script = CAMPAIGNS / "study" / "draw_field.py"
+    script = CAMPAIGNS.parent / "analysis" / "study" / "draw_field.py"
     words = [
         script,
         "--to",

@@ -13,8 +13,8 @@ from real_program import CAMPAIGNS
 
 
 def draw(*arguments: object) -> subprocess.CompletedProcess[str]:
-    """Returns the output of campaigns/study/draw_plants.py."""
-    script = CAMPAIGNS / "study" / "draw_plants.py"
+    """Returns the output of analysis/study/draw_plants.py."""
+    script = CAMPAIGNS.parent / "analysis" / "study" / "draw_plants.py"
     words = [sys.executable, script, *arguments]
     return subprocess.run(
         [*map(str, words)], capture_output=True, text=True, check=False

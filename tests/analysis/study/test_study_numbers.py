@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Numbers of campaigns/study have 95 % intervals, and are compared so."""
+"""Numbers of analysis/study have 95 % intervals, and are compared so."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ import pytest
 from real_program import CAMPAIGNS
 from short_study import tables_of
 
-STUDY = CAMPAIGNS / "study"
+STUDY = CAMPAIGNS.parent / "analysis" / "study"
 RESULTS = (STUDY / "RESULTS.md").read_text(encoding="utf-8")
 
 

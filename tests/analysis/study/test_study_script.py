@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The script campaigns/study/study.py makes tables from histories, and finds
+"""The script analysis/study/study.py makes tables from histories, and finds
 missing data."""
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ def test_a_number_that_histories_do_not_say_is_found(tmp_path: Path) -> None:
 def test_the_small_study_of_results_is_what_histories_say(
     tmp_path: Path,
 ) -> None:
-    quoted = CAMPAIGNS / "study" / "RESULTS.md"
+    quoted = CAMPAIGNS.parent / "analysis" / "study" / "RESULTS.md"
     done = run(tmp_path, "--only", "erect_tops", "--check", results=quoted)
     assert done.returncode == 0, done.stderr
 

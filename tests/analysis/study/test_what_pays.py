@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The values of single traits agree with campaigns/study/what_pays.py."""
+"""The values of single traits agree with analysis/study/what_pays.py."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ def test_traits_of_leaves_alone_are_undone(tmp_path: Path) -> None:
     """Sheaths and other organs have lengths and azimuths too."""
     history = run_crop(tmp_path, "maize", ["length", "azimuth"])
     script, under = (
-        CAMPAIGNS / "study" / "what_pays.py",
+        CAMPAIGNS.parent / "analysis" / "study" / "what_pays.py",
         tmp_path / "tiny.toml",
     )
     done = subprocess.run(

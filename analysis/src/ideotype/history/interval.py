@@ -21,7 +21,7 @@ assimilation at a given leaf area)."""
 
 BEYOND = 0.15
 """The distance of the optimum above the mean gain of searches, over that gain.
-campaigns/study/distance.py measures it by a much longer search: the optimum
+analysis/study/distance.py measures it by a much longer search: the optimum
 was above the mean of three searches of 600 evaluations by .12 to .15, and
 above single searches by .07 to .20. Shorter searches may miss more."""
 

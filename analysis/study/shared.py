@@ -27,7 +27,7 @@ from numpy.typing import NDArray
 import ideotype
 from ideotype import Stand
 
-CAMPAIGNS = Path(__file__).parents[1]
+CAMPAIGNS = Path(__file__).parents[2] / "campaigns"
 MAIZE = CAMPAIGNS / "crops" / "maize.toml"
 HYBRID = CAMPAIGNS / "crops" / "maize_hybrid.toml"
 HYBRID_1980S = CAMPAIGNS / "plants" / "maize_hybrid_1980s.toml"

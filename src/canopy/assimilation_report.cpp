@@ -322,26 +322,25 @@ std::vector<double> late_net(const std::vector<FluxTally>& tallies,
                              const std::vector<LeafGroup>& leaves,
                              const std::vector<double>& leaf_area_index,
                              const LightSeries& series) {
-    std::vector<double> gross(tallies.size()), lost(tallies.size());
-    for (std::size_t i = 0; i < series.steps.size(); ++i) {
-        const TimeStep& step = series.steps[i];
-        if (!step.is_late) continue;
-        for (std::size_t r = 0; r < tallies.size(); ++r)
-            gross[r] +=
-                mol_per_umol * tallies[r].steps[i] * step.seconds / series.days;
-        for (std::size_t g = 0; g < leaves.size(); ++g) {
-            if (!leaves[g].photosynthesis) continue;
-            for (std::size_t r = 0; r < tallies.size(); ++r) {
-                const std::vector<double>& own = tallies[r].leaf_area;
-                lost[r] += respiration(
-                    leaves[g],
-                    respiring(leaves, g, own.empty() ? leaf_area_index : own),
-                    series, step);
-            }
+    std::vector<double> net(tallies.size());
+    for (std::size_t i = 0; i < series.steps.size(); ++i)
+        if (const TimeStep& step = series.steps[i]; step.is_late)
+            for (std::size_t r = 0; r < tallies.size(); ++r)
+                net[r] += mol_per_umol * tallies[r].steps[i] * step.seconds /
+                          series.days;
+    for (std::size_t g = 0; g < leaves.size(); ++g) {
+        if (!leaves[g].photosynthesis) continue;
+        double of_unit = 0;
+        for (const TimeStep& step : series.steps)
+            if (step.is_late)
+                of_unit += respiration(leaves[g], 1, series, step);
+        for (std::size_t r = 0; r < tallies.size(); ++r) {
+            const std::vector<double>& own = tallies[r].leaf_area;
+            net[r] -= of_unit *
+                      respiring(leaves, g, own.empty() ? leaf_area_index : own);
         }
     }
-    for (std::size_t r = 0; r < tallies.size(); ++r) gross[r] -= lost[r];
-    return gross;
+    return net;
 }
 
 //! Returns losses by randomisation, which follow the leaf area of the field.

@@ -6,6 +6,7 @@
 #include "declaration.hpp"
 #include "ideotype/core/clock.hpp"
 #include "ideotype/core/contract.hpp"
+#include "ideotype/core/mapped.hpp"
 
 namespace ideotype {
 

@@ -169,9 +169,10 @@ void check_size(const ObjectEntry& object, const Spec& spec,
                 "{} {}; check that it is in metres, or use a smaller object",
                 name, *excess);
         };
-        problems.rule({table + '.' + key, between + "row", between + "plant",
-                       "field.rows", "field.plants", "field.boundary"},
-                      fault);
+        problems.rule(
+            {fmt::format("{}.{}", table, key), between + "row",
+             between + "plant", "field.rows", "field.plants", "field.boundary"},
+            fault);
     }
 }
 

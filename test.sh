@@ -7,13 +7,13 @@ set -euo pipefail
 cd "$(dirname "$0")"
 . .ci/install
 
-packages=(libgtest-dev libgmock-dev hdf5-tools procps)
+packages=(libgtest-dev libgmock-dev hdf5-tools procps chromium)
 targets=(all) label=(-LE long) mark=(-m "not long")
 is_all=no
 if [ "${1:-}" = --all ]; then
     shift
     is_all=yes
-    packages+=(libbenchmark-dev slurmctld slurmd slurm-client munge chromium
+    packages+=(libbenchmark-dev slurmctld slurmd slurm-client munge
         doxygen "libsimgrid-dev?")
     targets+=(measurements) label=() mark=()
 fi

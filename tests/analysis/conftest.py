@@ -37,7 +37,6 @@ LONG = {
     "test_workers.py",
     "test_viewer.py",
     "test_organs.py",
-    "test_cma.py",
     "test_nsga2.py",
     "test_play.py",
     "test_play_files.py",

@@ -140,4 +140,25 @@ std::optional<std::string> excess_of(const Mesh& mesh, double copies,
     return std::nullopt;
 }
 
+std::optional<Mesh> read_mesh(const std::string& path, const std::string& key,
+                              const Problems& problems) try {
+    return read_obj(path).mesh;
+} catch (const InputError& error) {
+    for (const Problem& problem : error.problems())
+        problems.add(problems.named_by(key, problem));
+    return std::nullopt;
+} catch (const Error& error) {
+    problems.add(key, ProblemCode::file,
+                 "{}; give a path relative to this file", error.what());
+    return std::nullopt;
+}
+
+void take_surfaces(const Mesh& mesh, std::vector<double>& vertices,
+                   std::vector<double>& faces) {
+    for (const glm::dvec3& v : mesh.vertices)
+        vertices.insert(vertices.end(), {v.x, v.y, v.z});
+    for (const auto& face : mesh.faces)
+        faces.insert(faces.end(), face.begin(), face.end());
+}
+
 }  // namespace ideotype

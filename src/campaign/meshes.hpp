@@ -10,6 +10,7 @@
 #include "ideotype/canopy/scene.hpp"
 #include "ideotype/core/mesh.hpp"
 #include "ideotype/core/range.hpp"
+#include "spec/problems.hpp"
 
 namespace ideotype {
 
@@ -59,5 +60,13 @@ Range heights_of(const Mesh& mesh);
 //! @return words that follow the name of the mesh
 std::optional<std::string> excess_of(const Mesh& mesh, double copies,
                                      const Cell& cell);
+
+//! Reads the OBJ file that a key names; nothing if its problems are reported.
+std::optional<Mesh> read_mesh(const std::string& path, const std::string& key,
+                              const Problems& problems);
+
+//! Appends coordinates of vertices and vertex numbers of faces to lists.
+void take_surfaces(const Mesh& mesh, std::vector<double>& vertices,
+                   std::vector<double>& faces);
 
 }  // namespace ideotype

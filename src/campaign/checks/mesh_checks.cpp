@@ -6,7 +6,6 @@
 
 #include "campaign/meshes.hpp"
 #include "checks.hpp"
-#include "ideotype/crop/obj_reader.hpp"
 #include "spec/files.hpp"
 
 namespace ideotype {
@@ -17,10 +16,7 @@ namespace {
 constexpr std::size_t most_faces = 100'000;
 
 void take_content(const Mesh& mesh, ComponentMesh& described) {
-    for (const glm::dvec3& v : mesh.vertices)
-        described.vertices.insert(described.vertices.end(), {v.x, v.y, v.z});
-    for (const auto& face : mesh.faces)
-        described.faces.insert(described.faces.end(), face.begin(), face.end());
+    take_surfaces(mesh, described.vertices, described.faces);
     for (const Group& group : mesh.groups)
         described.groups.push_back(group.name);
     described.face_groups.assign(mesh.face_group.begin(),
@@ -133,16 +129,11 @@ void read_component_meshes(const std::string& file, Spec& spec,
         if (mesh.file.empty() || !mesh.vertices.empty() ||
             !own.usable({"mesh"}))
             continue;
-        try {
-            take_content(read_obj(path_from(file, mesh.file)).mesh, mesh);
-        } catch (const InputError& error) {
+        if (const auto found =
+                read_mesh(path_from(file, mesh.file), "mesh", own))
+            take_content(*found, mesh);
+        else
             own.spoil("mesh");
-            for (const Problem& problem : error.problems())
-                own.add(own.named_by("mesh", problem));
-        } catch (const Error& error) {
-            own.add("mesh", ProblemCode::file,
-                    "{}; give a path relative to this file", error.what());
-        }
     }
 }
 

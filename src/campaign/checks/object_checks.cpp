@@ -8,7 +8,6 @@
 #include "campaign/meshes.hpp"
 #include "checks.hpp"
 #include "ideotype/core/units.hpp"
-#include "ideotype/crop/obj_reader.hpp"
 #include "spec/files.hpp"
 
 namespace ideotype {
@@ -203,20 +202,9 @@ void read_objects(const std::string& file, Spec& spec,
         if (!object.vertices.empty() || object.file.empty() ||
             !own.usable({"obj"}))
             continue;
-        try {
-            const Mesh mesh = read_obj(path_from(file, object.file)).mesh;
-            for (const glm::dvec3& v : mesh.vertices)
-                object.vertices.insert(object.vertices.end(), {v.x, v.y, v.z});
-            for (const auto& face : mesh.faces)
-                object.faces.insert(object.faces.end(), face.begin(),
-                                    face.end());
-        } catch (const InputError& error) {
-            for (const Problem& problem : error.problems())
-                own.add(own.named_by("obj", problem));
-        } catch (const Error& error) {
-            own.add("obj", ProblemCode::file,
-                    "{}; give a path relative to this file", error.what());
-        }
+        if (const auto mesh =
+                read_mesh(path_from(file, object.file), "obj", own))
+            take_surfaces(*mesh, object.vertices, object.faces);
     }
 }
 

@@ -23,6 +23,31 @@ write_basic_package_version_file(ideotypeConfigVersion.cmake
     COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/ideotypeConfig.cmake
     ${PROJECT_BINARY_DIR}/ideotypeConfigVersion.cmake DESTINATION ${package})
+install(FILES ${PROJECT_BINARY_DIR}/include/ideotype/version.hpp
+    DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/ideotype)
+
+# The same library for pkg-config, by a path from its own file, so that the
+# prefix may move. Archives need all that they link; neither Embree nor GLM has
+# such a file everywhere.
+set(pkgconfig ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+string(REGEX REPLACE "[^/]+" ".." up_to_prefix ${pkgconfig})
+set(cflags "-I\${includedir}"
+    "-I$<JOIN:$<TARGET_PROPERTY:glm::glm,INTERFACE_INCLUDE_DIRECTORIES>, -I>")
+if(IDEOTYPE_CONTRACTS)
+    list(APPEND cflags -DIDEOTYPE_CONTRACTS)
+endif()
+set(libs ${library})
+list(REVERSE libs)
+list(TRANSFORM libs PREPEND -lideotype_)
+list(PREPEND libs "-L\${libdir}")
+list(APPEND libs -L$<TARGET_LINKER_FILE_DIR:embree>
+    -lembree${embree_VERSION_MAJOR})
+list(JOIN cflags " " cflags)
+list(JOIN libs " " libs)
+configure_file(src/ideotype.pc.in ideotype.pc.in @ONLY)
+file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/ideotype.pc
+    INPUT ${PROJECT_BINARY_DIR}/ideotype.pc.in)
+install(FILES ${PROJECT_BINARY_DIR}/ideotype.pc DESTINATION ${pkgconfig})
 
 if(NOT IDEOTYPE_PROGRAM)
     return()

@@ -19,3 +19,28 @@ done
 says "^12,0.2[0-9]*,0.3[0-9]*"  # of 18_field: level leaves take more
 expect 1 "${consumer[@]}" -DVERSION=0.0.1
 says 'compatible with requested version "0.0.1"'
+
+# pkg-config finds the same library, and the macros have the same version.
+for option in "${@:5}"; do
+    case $option in
+    -DCMAKE_CXX_COMPILER=*) compiler=${option#*=} ;;
+    -DCMAKE_CXX_FLAGS=*) flags=${option#*=} ;;
+    -DVERSION=*) version=${option#*=} ;;
+    esac
+done
+PKG_CONFIG_PATH=$(dirname "$(find "$folder/elsewhere" -name ideotype.pc)")
+export PKG_CONFIG_PATH
+[ "$(pkg-config --modversion ideotype)" = "$version" ] ||
+    fail "ideotype.pc is not of version $version"
+read -ra words < <(echo "$flags" "$(pkg-config --cflags --libs ideotype)")
+expect 0 "$compiler" -std=c++20 examples/18_field.cpp "${words[@]}" -o field
+expect 0 ./field
+says "^12,0.2[0-9]*,0.3[0-9]*"
+IFS=. read -r major minor patch <<<"$version"
+cat >version.cpp <<CPP
+#include <ideotype/version.hpp>
+static_assert(IDEOTYPE_VERSION_MAJOR == $major);
+static_assert(IDEOTYPE_VERSION_MINOR == $minor);
+static_assert(IDEOTYPE_VERSION_PATCH == $patch);
+CPP
+expect 0 "$compiler" -std=c++20 -fsyntax-only version.cpp "${words[@]}"

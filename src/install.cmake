@@ -26,7 +26,7 @@ install(FILES ${PROJECT_BINARY_DIR}/ideotypeConfig.cmake
 install(FILES ${PROJECT_BINARY_DIR}/include/ideotype/version.hpp
     DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/ideotype)
 
-# The same library for pkg-config, by a path from its own file, so that the
+# pkg-config finds the library by a path from its own file, so that the
 # prefix may move. Archives need all that they link; neither Embree nor GLM has
 # such a file everywhere.
 set(pkgconfig ${CMAKE_INSTALL_LIBDIR}/pkgconfig)

@@ -30,8 +30,3 @@ echo "\$ideotype"
 BATCH
 expect 0 bash batch.sh
 says "^$prefix/bin/ideotype$"
-
-# One version everywhere.
-version=$(sed -n 's/^set(IDEOTYPE_VERSION \(.*\))/\1/p' "$project/CMakeLists.txt")
-grep -qx "version: $version" "$project/CITATION.cff" ||
-    fail "CITATION.cff is not of version $version"

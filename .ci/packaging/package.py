@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """A recipe for Spack 1: copy it to packages/ideotype/package.py of a
-repository. Enter first where the repository is. No build with Spack has
-checked it; tests/debian/prefix.sh builds in the same way. `spack install
-ideotype ^embree~ispc` saves a build of LLVM."""
+repository, once .github/contact.toml has the address of the sources. No build
+with Spack has checked it; tests/debian/prefix.sh builds in the same way. `spack
+install ideotype ^embree~ispc` saves a build of LLVM."""
 
 # ruff: noqa: F403, F405
 

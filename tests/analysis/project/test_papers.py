@@ -4,12 +4,16 @@ other and with the changelog."""
 
 from __future__ import annotations
 
+import io
 import json
 import re
+import subprocess
+import tarfile
 import tomllib
 from datetime import date
 from pathlib import Path
 
+import pytest
 import yaml
 
 TOP = Path(__file__).parents[3]
@@ -87,3 +91,43 @@ def test_each_release_has_its_date_and_names_vulnerabilities() -> None:
     version, day = next(iter(releases())).split(" - ")
     assert version == VERSION
     assert str(CITATION["date-released"]) == CODEMETA["datePublished"] == day
+
+
+def test_blame_passes_over_commits_of_the_history() -> None:
+    def git(*words: str) -> str:
+        return subprocess.check_output(["git", *words], cwd=TOP, text=True)
+
+    if git("rev-parse", "--is-shallow-repository").strip() == "true":
+        pytest.skip("this clone lacks the history")
+    text = (TOP / ".git-blame-ignore-revs").read_text()
+    entries = re.findall(r"(?m)^# (.*)\n([0-9a-f]{40})$", text)
+    assert len(entries) == len(re.findall(r"(?m)^[^#\n]", text)) > 0
+    for subject, commit in entries:
+        git("merge-base", "--is-ancestor", commit, "HEAD")
+        assert git("log", "-1", "--format=%s", commit).strip() == subject
+
+
+def test_archives_have_the_sources_without_settings_of_git() -> None:
+    tree = subprocess.check_output(
+        ["git", "write-tree"], cwd=TOP, text=True
+    ).strip()
+    archive = subprocess.check_output(["git", "archive", tree], cwd=TOP)
+    with tarfile.open(fileobj=io.BytesIO(archive)) as files:
+        names = set(files.getnames())
+    assert {".ci/install", "test.sh", ".github/contact.toml"} <= names
+    hidden = {name for name in names if name.startswith((".git", ".read"))}
+    assert hidden <= {".github", ".github/contact.toml"}
+
+
+def test_pages_on_the_web_are_built_by_the_script_of_the_manual() -> None:
+    """Read the Docs installs as an administrator before it calls docs/build,
+    which may not."""
+    settings = yaml.safe_load((TOP / ".readthedocs.yaml").read_text())
+    build = settings["build"]
+    assert any("docs/build" in each for each in build["commands"])
+    script = (TOP / ".ci/install").read_text()
+    packages = re.search(r'(?s)local packages=\((.*?)"\$@"\)', script)[1]
+    (more,) = re.findall(
+        "install_packages (.*)", (TOP / "docs/build").read_text()
+    )
+    assert build["apt_packages"] == [*packages.split(), *more.split()]

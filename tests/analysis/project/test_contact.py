@@ -105,3 +105,11 @@ def test_no_placeholder_stands_anywhere_else() -> None:
 
 def placeholders() -> set[str]:
     return {key for key, value in VALUES.items() if "example.org" in value}
+
+
+def test_the_page_of_policies_lists_what_is_open() -> None:
+    page = (TOP / "docs/policies.md").read_text()
+    _, section = page.split("\n## Only the owner can\n")
+    listed = set(re.findall(r"`([a-z]+)`", section.split("\n## ")[0]))
+    confirmed = {"acknowledged", "fixed", "authors"}
+    assert listed & set(VALUES) - confirmed == placeholders()

@@ -58,7 +58,7 @@ PLACES = (
     (".ci/packaging/debian/control", "Homepage: (.*)", "homepage"),
     (".ci/packaging/debian/control", "Vcs-Git: (.*)", "repository"),
 )
-"""Where a value stands: a file, what surrounds it, and its key."""
+"""Where a value stands: a file, the text around it, and its key."""
 OPTIONAL = {".ci/packaging/debian/control"}
 
 

@@ -2,9 +2,12 @@
 #include "json_schema.hpp"
 
 #include <algorithm>
+#include <array>
+#include <map>
 
 #include <fmt/format.h>
 
+#include "ideotype/core/error.hpp"
 #include "spec/tables.hpp"
 #include "spec/writer.hpp"
 
@@ -113,74 +116,125 @@ Json key_schema(const Key& key, const void* usual) {
     return schema;
 }
 
-Json object_schema(const Description& description);
-
-//! Returns the schema of a table, a list of tables, or a table that a key names
-//! as a file or a rule.
-Json table_schema(const Table& table, const Json* of_key) {
-    Json one = table.description == &crop_table
-                   ? crop_reference
-                   : object_schema(*table.description);
-    if (table.description == &own_bounds_table)
-        one = {
-            {"type", "object"},
-            {"additionalProperties", key_schema(own_bounds_table.keys().front(),
-                                                own_bounds_table.usual())}};
-    if (of_key && table.text)
-        return {{"anyOf", {*of_key, one}},
-                {"description", (*of_key)["description"]}};
-    if (!table.is_list || table.text) return one;
-    // A list of one table may be written as that table. Editors complete keys
-    // of both forms only where these stand side by side.
-    Json both = one;
-    both["type"] = {"array", "object"};
-    both["items"] = one;
-    both["maxItems"] = table.most;
-    return both;
-}
-
-//! Adds the keys and tables of a description to a schema of objects.
-void add(Json& schema, const Description& description) {
-    Json& properties = schema["properties"];
-    for (const Key& key : description.keys()) {
-        properties[key.name] = key_schema(key, description.usual());
-        // Sets of traits may be empty where components are bred.
-        if (key.initial.is_required && !*key.unless &&
-            key.values.names != Names::traits)
-            schema["required"].push_back(key.name);
+//! Writes the schemas of tables. A table that stands at several places is
+//! written once, as a definition to which these places refer.
+class Tables {
+  public:
+    //! @param roots the tables of which schemas are wanted
+    explicit Tables(std::span<const Description* const> roots) {
+        for (const Description* root : roots) count(*root);
     }
-    for (const Table& table : description.tables()) {
-        if (table.entry_name) {
-            schema["additionalProperties"] = object_schema(*table.description);
-            continue;
+
+    //! Returns the schema of objects with the keys and tables of a description.
+    //! @param path of the schema in the whole document
+    Json object(const Description& description, const std::string& path) {
+        Json schema = {{"type", "object"}, {"additionalProperties", false}};
+        add(schema, description, path);
+        return schema;
+    }
+
+    //! Adds the keys and tables of a description to a schema of objects.
+    void add(Json& schema, const Description& description,
+             const std::string& path) {
+        Json& properties = schema["properties"];
+        for (const Key& key : description.keys()) {
+            properties[key.name] = key_schema(key, description.usual());
+            // Sets of traits may be empty where components are bred.
+            if (key.initial.is_required && !*key.unless &&
+                key.values.names != Names::traits)
+                schema["required"].push_back(key.name);
         }
-        const auto key = properties.find(table.name);
-        properties[table.name] =
-            table_schema(table, key == properties.end() ? nullptr : &*key);
-        const auto keys = table.description->keys();
-        if (!table.is_optional && !*table.unless && !table.text &&
-            (!table.is_list || table.size(description.usual()) == 0) &&
-            std::ranges::any_of(
-                keys, [](const Key& each) { return each.initial.is_required; }))
-            schema["required"].push_back(table.name);
+        for (const Table& table : description.tables()) {
+            if (table.entry_name) {
+                schema["additionalProperties"] =
+                    object(*table.description, path + "/additionalProperties");
+                continue;
+            }
+            const auto key = properties.find(table.name);
+            properties[table.name] =
+                of(table, key == properties.end() ? nullptr : &*key,
+                   path + "/properties/" + table.name);
+            if (is_required(table, description))
+                schema["required"].push_back(table.name);
+        }
     }
-}
 
-Json object_schema(const Description& description) {
-    Json schema = {{"type", "object"}, {"additionalProperties", false}};
-    add(schema, description);
-    return schema;
-}
+    //! Returns the definitions of the tables that other schemas refer to.
+    const Json& definitions() const { return definitions_; }
+
+  private:
+    void count(const Description& description) {
+        if (++uses_[&description] > 1) return;
+        for (const Table& table : description.tables())
+            count(*table.description);
+    }
+
+    static bool is_required(const Table& table, const Description& parent) {
+        return !table.is_optional && !*table.unless && !table.text &&
+               (!table.is_list || table.size(parent.usual()) == 0) &&
+               std::ranges::any_of(
+                   table.description->keys(),
+                   [](const Key& each) { return each.initial.is_required; });
+    }
+
+    //! Returns the schema of one record of a table, or a reference to it.
+    Json record(const Description& description, const std::string& path) {
+        if (&description == &crop_table) return crop_reference;
+        if (&description == &own_bounds_table)
+            return {{"type", "object"},
+                    {"additionalProperties",
+                     key_schema(own_bounds_table.keys().front(),
+                                own_bounds_table.usual())}};
+        if (uses_.at(&description) == 1) return object(description, path);
+        const std::string name(description.section);
+        const auto [named, is_new] = named_.emplace(name, &description);
+        if (named->second != &description)
+            throw Error("two tables that stand at several places are called " +
+                        name);
+        const std::string place = "#/$defs/" + name;
+        if (is_new) definitions_[name] = object(description, place);
+        return {{"$ref", place}};
+    }
+
+    //! Returns the schema of a table, a list of tables, or a table that a key
+    //! names as a file or a rule.
+    Json of(const Table& table, const Json* of_key, const std::string& path) {
+        if (of_key && table.text)
+            return {{"anyOf",
+                     {*of_key, record(*table.description, path + "/anyOf/1")}},
+                    {"description", (*of_key)["description"]}};
+        if (!table.is_list || table.text)
+            return record(*table.description, path);
+        // A list of one table may be written as that table. Editors complete
+        // keys of both forms only where these stand side by side, so that an
+        // item is the schema itself, but no list.
+        Json both = object(*table.description, path);
+        both["type"] = {"array", "object"};
+        both["items"] = {{"$ref", path}, {"type", "object"}};
+        both["maxItems"] = table.most;
+        return both;
+    }
+
+    std::map<const Description*, std::size_t> uses_;
+    std::map<std::string, const Description*> named_;
+    Json definitions_;
+};
 
 }  // namespace
 
 Json campaign_schema() {
     Json schema = {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
                    {"title", title}};
-    schema.update(object_schema(spec_table));
-    Json crop = object_schema(crop_table);
-    add(crop, crop_leaves_table);
-    crop["properties"]["variation"] = object_schema(crop_variation_table);
+    const std::array roots{&spec_table, &crop_table, &crop_leaves_table,
+                           &crop_variation_table};
+    Tables tables(roots);
+    schema.update(tables.object(spec_table, "#"));
+    const std::string path = crop_reference["$ref"];
+    Json crop = tables.object(crop_table, path);
+    tables.add(crop, crop_leaves_table, path);
+    crop["properties"]["variation"] =
+        tables.object(crop_variation_table, path + "/properties/variation");
+    schema["$defs"] = tables.definitions();
     schema["$defs"]["crop"] = crop;
     return schema;
 }

@@ -141,6 +141,46 @@ def test_the_package_has_the_schema() -> None:
     assert validator("campaign").schema == json.loads(printed)
 
 
+def tables_in(schema: object) -> Iterator[dict[str, Any]]:
+    """Yields the schemas of tables inside a schema."""
+    if isinstance(schema, dict):
+        if "properties" in schema and "type" in schema:
+            yield schema["properties"]
+        schema = list(schema.values())
+    if isinstance(schema, list):
+        for each in schema:
+            yield from tables_in(each)
+
+
+def test_each_table_is_written_once(campaigns: Draft202012Validator) -> None:
+    texts = [json.dumps(x) for x in tables_in(campaigns.schema)]
+    assert len(texts) > 20
+    assert len({*texts}) == len(texts)
+    of_leaves = {"$ref": "#/$defs/photosynthesis"}
+    properties = campaigns.schema["properties"]
+    assert properties["photosynthesis"] == of_leaves
+    inside = properties["component"]["properties"]
+    assert inside["photosynthesis"] == of_leaves
+
+
+def test_both_forms_of_a_list_have_the_same_faults(
+    campaigns: Draft202012Validator,
+) -> None:
+    document = read(CAMPAIGNS / "alley.toml")
+    material = {"groups": "crown", "par": [0.1, 0.1]}
+    for wrong in (material, {**material, "pr": 0}, [[material]]):
+        (component,) = document["component"]
+        is_fine = wrong == material
+        for form in (wrong, [wrong]):
+            component["material"] = form
+            for both in (component, [component], [[component]]):
+                document["component"] = both
+                assert campaigns.is_valid(document) == (
+                    is_fine and both != [[component]]
+                )
+        document["component"] = [component]
+
+
 def test_shipped_campaigns_are_valid(campaigns: Draft202012Validator) -> None:
     checked = 0
     for path in CAMPAIGNS.rglob("*.toml"):

@@ -224,7 +224,7 @@ def campaign_of(campaign: str | Path, **tables: Any) -> dict[str, Any]:
     found = tomllib.loads(path.read_text())
     parts = [found["plant"], *found.get("component", [])]
     for part in (*parts, *found.get("climate", [])):
-        for key in {"baseline", "crop", "file"} & part.keys():
+        for key in {"baseline", "crop", "file", "mesh"} & part.keys():
             part[key] = str((path.parent / part[key]).resolve())
     if (tolerance := former_tolerance(path)) is not None:
         found["light"] = {**found.get("light", {}), "tolerance": tolerance}

@@ -14,6 +14,7 @@ from real_program import run_with, write_campaign
 
 from ideotype import Error, Stand
 from ideotype.live.conditions import tables_under
+from ideotype.live.levers import levers_of
 from ideotype.live.opened import CROPS, open_place
 from ideotype.live.play import main as play
 from ideotype.live.runs import Folder
@@ -51,6 +52,7 @@ def test_every_campaign_is_opened() -> None:
         tables = tables_under(found.base, found.conditions, found.conditions)
         stand = Stand(tables)
         assert len(stand.baseline) == len(found.genome), path
+        assert len(levers_of(stand, tables)) == len(found.genome), path
 
 
 def test_a_page_begins_with_the_entries_of_the_case(tmp_path: Path) -> None:

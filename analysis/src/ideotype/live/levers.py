@@ -70,6 +70,7 @@ def levers_of(stand: Stand, base: Tables) -> list[dict[str, Any]]:
     crops = {"": base["plant"]["baseline"]} | {
         component["name"]: component["crop"]
         for component in base.get("component", [])
+        if "crop" in component
     }
     points = {
         trait: len({g["name"] for g in genes if g["trait"] == trait})

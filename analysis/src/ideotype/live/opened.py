@@ -194,8 +194,10 @@ measure, and its bounds, as in the crop file of maize."""
 
 
 def _free_all(base: Tables) -> None:
-    """Makes the traits of all components free."""
+    """Makes the traits of all components free; meshes have none."""
     for component in base.get("component", []):
+        if "crop" not in component:
+            continue
         traits = component["crop"].get("trait", [])
         component["free"] = [trait["name"] for trait in traits]
 

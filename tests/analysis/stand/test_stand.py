@@ -157,6 +157,32 @@ def test_several_plants_have_the_bits_of_a_comparison(
                 )
 
 
+def test_one_plant_alone_has_the_numbers_of_the_labelled_arrays(
+    stand: ideotype.Stand,
+) -> None:
+    """The order of the numbers is that of quantities and axes."""
+    request: dict[str, Any] = {"seed": 5, "generation": 3, "tolerance": 0.02}
+    found = stand.evaluate_one(stand.baseline, **request)
+    labelled = stand.evaluate(stand.baseline, **request).isel(plant=0)
+    begin = 0
+    for _, name, axes in stand.quantities[["name", "axes"]].itertuples():
+        shape = tuple(len(stand.axes[axis]) for axis in axes)
+        end = begin + int(np.prod(shape))
+        values = found.numbers[begin:end, 0].reshape(shape)
+        np.testing.assert_array_equal(values, labelled[name], err_msg=name)
+        begin = end
+    assert begin == len(found.numbers)
+    (objective,) = stand.objectives
+    assert found.objectives.shape == (1, 2)
+    assert found.objectives[0, 0] == labelled[objective]
+    assert found.objectives[0, 1] == labelled[f"{objective}_standard_error"]
+    assert found.violation == labelled.violation
+    with pytest.raises(ideotype.Error, match="genomes are an array"):
+        stand.evaluate_one(stand.baseline[:-1])
+    with pytest.raises(ideotype.Error, match="seed"):
+        stand.evaluate_one(stand.baseline, seed=-1)
+
+
 def test_the_result_does_not_depend_on_threads(stand: ideotype.Stand) -> None:
     rng = np.random.default_rng(1)
     lower, upper = stand.bounds

@@ -15,7 +15,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..common.processors import processors
-from ..errors import Error
 from ..stand.stand import Stand
 from .conditions import Conditions, Tables, tables_under
 from .numbers import Array, Layout, Samples
@@ -61,7 +60,9 @@ class Place:
     def evaluate(self, genome: Genome, seed: int) -> Array:
         """Returns the numbers of an evaluation [quantities, value and standard
         error]. Raises Error if the plant cannot be evaluated."""
-        return evaluate(self.stand, genome, seed, TOLERANCE)[1]
+        return self.stand.evaluate_one(
+            genome, seed=seed, tolerance=TOLERANCE
+        ).numbers
 
 
 @dataclass(frozen=True)
@@ -72,19 +73,6 @@ class Shown:
     reference: Genome
     conditions: Conditions
     component: int
-
-
-def evaluate(
-    stand: Stand, genome: Genome, seed: int, tolerance: float
-) -> tuple[float, Array]:
-    """Returns the violation of constraints, and the numbers [quantities, value
-    and standard error]. Raises Error if the plant cannot be evaluated."""
-    is_done, message, _, _, violation, numbers = stand._case.evaluate(
-        genome, 0, False, seed, tolerance
-    )
-    if not is_done:
-        raise Error(message)
-    return float(violation), np.array(numbers).reshape(-1, 2)
 
 
 def coarse_numbers(place: Place, layout: Layout, genome: Array) -> Array:

@@ -11,7 +11,7 @@ import numpy as np
 
 from ..errors import Error
 from ..search.search import Search
-from .bench import Bench, Genome, Shown, evaluate
+from .bench import Bench, Genome, Shown
 from .numbers import Layout
 
 EVALUATIONS = 200
@@ -77,10 +77,13 @@ class Improvement:
             if self._is_dropped:
                 return float("nan"), 0.0
             try:
-                violation, numbers = evaluate(stand, genome, seed, _TOLERANCE)
+                found = stand.evaluate_one(
+                    genome, seed=seed, tolerance=_TOLERANCE
+                )
             except Error:
                 return float("nan"), 0.0
-            return self._sign * layout.scalar(numbers, self._goal), violation
+            value = layout.scalar(found.numbers, self._goal)
+            return self._sign * value, found.violation
 
         search = Search(
             self._lower,

@@ -51,12 +51,12 @@ class Layout:
     """The places of quantities in the numbers of an evaluation."""
 
     def __init__(self, stand: Stand) -> None:
-        case = stand._case
-        self.axes = {name: labels for name, _, _, labels in case.axes}
+        self.axes = stand.axes
         self.places: dict[str, tuple[slice, tuple[str, ...]]] = {}
         self.about: dict[str, dict[str, str]] = {}
         begin = 0
-        for name, unit, meaning, axes, *_ in case.quantities:
+        listed = stand.quantities.itertuples(index=False)
+        for name, unit, meaning, axes, _ in listed:
             size = int(np.prod([len(self.axes[axis]) for axis in axes]))
             self.places[name] = slice(begin, begin + size), tuple(axes)
             self.about[name] = {"unit": unit, "meaning": meaning}

@@ -111,7 +111,7 @@ def _opened(
     genome: NDArray[np.float64],
     atlas: Atlas | None = None,
 ) -> Opened:
-    base = one_case(tomllib.loads(stand.campaign), stand._case.entries)
+    base = one_case(tomllib.loads(stand.campaign), stand.entries)
     _add_profiles(base["plant"]["baseline"])
     breeds = {gene for gene, is_free in zip(stand.genes["name"], stand.free)
               if is_free}  # fmt: skip
@@ -211,7 +211,7 @@ def _of_history(path: Path) -> Opened:
     genome = best.row.genome[0]
     stand = Stand.from_history(path, genome, same_isa=False)
     told = f"It is the best plant that was bred in {path.name}."
-    if atlas and stand._case.key_count:
+    if atlas and "keys" in tomllib.loads(stand.campaign)["search"]:
         told += " The map shows other plants under the keys of this one."
     return _opened(name, told, stand, genome, atlas)
 

@@ -4,6 +4,14 @@
 from .comparison import Comparison, Quantity
 from .crop import Crop
 from .energy import leaf_energy_balance
+from .evaluated import Evaluated
 from .stand import Stand
 
-__all__ = ["Comparison", "Crop", "Quantity", "Stand", "leaf_energy_balance"]
+__all__ = [
+    "Comparison",
+    "Crop",
+    "Evaluated",
+    "Quantity",
+    "Stand",
+    "leaf_energy_balance",
+]

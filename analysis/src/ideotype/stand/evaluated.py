@@ -3,12 +3,28 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 import xarray
+from numpy.typing import NDArray
 
 from ..common.compiled import _core
+
+
+@dataclass(frozen=True)
+class Evaluated:
+    """The numbers of one evaluated plant, without labels."""
+
+    objectives: NDArray[np.float64]
+    """[objectives, value and standard error], in the order of
+    `Stand.objectives`."""
+    violation: float
+    """The violation of the constraints; 0: none."""
+    numbers: NDArray[np.float64]
+    """[numbers, value and standard error]: the quantities in the order of
+    `Stand.quantities`, each along its `Stand.axes`, the last axis fastest."""
 
 
 def dataset_of(

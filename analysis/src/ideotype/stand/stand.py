@@ -8,6 +8,7 @@ import tomllib
 from collections.abc import Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
+from functools import cached_property
 from html import escape
 from os import PathLike
 from pathlib import Path
@@ -27,7 +28,7 @@ from ..errors import Error, did_you_mean
 from ..history.history import open_history
 from ..mesh.geometry import Mesh
 from .comparison import Comparison
-from .evaluated import dataset_of
+from .evaluated import Evaluated, dataset_of
 from .plants import Plant, case_of_history, compare_plants
 
 if TYPE_CHECKING:
@@ -171,6 +172,13 @@ class Stand:
         return self._case.name
 
     @property
+    def entries(self) -> dict[str, str]:
+        """The entries of the campaign that the case is made of: names of its
+        site, day, climate, spacing and traits. A case that is a mean over
+        several entries has the first of them."""
+        return self._case.entries
+
+    @property
     def isa(self) -> str:
         """The instruction set of the ray tracer."""
         return self._case.isa
@@ -201,7 +209,7 @@ class Stand:
     @property
     def free(self) -> NDArray[np.bool_]:
         """Whether each gene is bred in this case [genes]."""
-        return np.array(self.genes["is_free"], bool)
+        return self._free.copy()
 
     @property
     def start(self) -> NDArray[np.float64]:
@@ -232,6 +240,20 @@ class Stand:
         columns = ["name", "unit", "meaning", "axes", "is_exact"]
         rows = [each[: len(columns)] for each in self._case.quantities]
         return pd.DataFrame(rows, columns=columns)
+
+    @property
+    def axes(self) -> dict[str, list[Any]]:
+        """The labels of each axis of the quantities, by its name."""
+        return {name: labels for name, _, _, labels in self._case.axes}
+
+    @property
+    def accuracy(self) -> pd.DataFrame:
+        """The keys of the campaign that trade speed for accuracy: key, value,
+        and values, which `ideotype fidelity` tries, the most accurate
+        last."""
+        return pd.DataFrame(
+            self._case.accuracy, columns=["key", "value", "values"]
+        )
 
     @property
     def components(self) -> list[str]:
@@ -314,9 +336,7 @@ class Stand:
         Raises Error if a name or number is impossible."""
         plants = self._plants(genomes)
         wanted = self._wanted(quantities)
-        require_whole(generation, "generation", 0, 2**32 - 1)
-        if seed is not None:
-            require_whole(seed, "seed", 0, 2**64 - 1)
+        _require_numbers(generation, seed)
         if threads is not None:
             require_whole(threads, "threads", 1, 4096)
 
@@ -327,6 +347,33 @@ class Stand:
 
         found = _map(one, plants, threads or processors())
         return dataset_of(self._case, found, wanted)
+
+    def evaluate_one(
+        self,
+        genome: ArrayLike,
+        *,
+        tolerance: float | None = None,
+        seed: int | None = None,
+        generation: int = 0,
+        final: bool = False,
+    ) -> Evaluated:
+        """Evaluates one plant in the calling thread, without labels, for
+        programs that share plants among threads of their own or measure the
+        time of an evaluation. The arguments are those of `evaluate`.
+
+        Raises Error if the plant cannot be evaluated."""
+        (plant,) = self._plants(genome)
+        _require_numbers(generation, seed)
+        is_done, message, objectives, _, violation, numbers = (
+            self._case.evaluate(plant, generation, final, seed, tolerance)
+        )
+        if not is_done:
+            raise Error(message)
+        return Evaluated(
+            np.array(objectives).reshape(-1, 2),
+            float(violation),
+            np.array(numbers).reshape(-1, 2),
+        )
 
     def light_at(
         self,
@@ -441,11 +488,15 @@ class Stand:
             self.mesh(plant), tomllib.loads(self.campaign), self.name
         )
 
+    @cached_property
+    def _free(self) -> NDArray[np.bool_]:
+        return np.array(self.genes["is_free"], bool)
+
     def _plants(self, genomes: ArrayLike) -> NDArray[np.float64]:
         """Returns the genomes as an array [plants, genes], of which rows of
         histories may end with the numbers of the keys that a search varied."""
         given = np.atleast_2d(real(genomes, "genomes"))
-        free = self.free
+        free = self._free
         sizes = free.size, free.size + self._case.key_count, free.sum()
         if given.ndim != 2 or given.shape[1] not in sizes or not len(given):
             raise Error(
@@ -499,6 +550,12 @@ def _restored(campaign: str, case: str, isa: str) -> Stand:
     return Stand._of(
         _core.CaseStand.from_history(campaign, "a stand", case, [], [], isa)
     )
+
+
+def _require_numbers(generation: int, seed: int | None) -> None:
+    require_whole(generation, "generation", 0, 2**32 - 1)
+    if seed is not None:
+        require_whole(seed, "seed", 0, 2**64 - 1)
 
 
 def _map(one: Any, plants: NDArray[np.float64], threads: int) -> list[Any]:

@@ -134,8 +134,7 @@ def _choice_of_day(stand: Stand) -> str:
 
 def days_of(stand: Stand) -> int:
     """Returns the number of days over which a stand averages its light."""
-    axes = {name: places for name, _, _, places in stand._case.axes}
-    return len(axes.get("day", [0]))
+    return len(stand.axes.get("day", [0]))
 
 
 def agreement(found: pd.DataFrame) -> dict[str, float | None]:

@@ -45,10 +45,7 @@ class Evaluator:
         own = self._stand(OWN)
         self.case = own.name
         self.objective = next(iter(own.objectives))
-        self.accuracy = [
-            {"key": key, "value": value, "values": values}
-            for key, value, values in own._case.accuracy
-        ]
+        self.accuracy = own.accuracy.to_dict("records")
         moved = own.genes.apply(_moved, axis="columns")
         self._plants = [own.baseline, moved.to_numpy(float)]
 
@@ -59,15 +56,16 @@ class Evaluator:
         for genome in self._plants:
             began = time.thread_time()
             # The last generation always has the tolerance of the campaign.
-            is_done, message, objectives, *_ = stand._case.evaluate(
-                genome, 1 << 30, False, number, None
-            )
+            try:
+                found = stand.evaluate_one(
+                    genome, generation=1 << 30, seed=number
+                )
+            except Error as error:
+                raise Error(f"{words(setting)}: {error}") from error
             # The time of the second plant counts: a stand needs longer for
             # its very first plant.
             seconds = time.thread_time() - began
-            if not is_done:
-                raise Error(f"{words(setting)}: {message}")
-            values.append(float(objectives[0][0]))
+            values.append(float(found.objectives[0, 0]))
         return Draw(values[0], values[1] - values[0], seconds)
 
     def _stand(self, setting: Setting) -> Stand:

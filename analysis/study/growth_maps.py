@@ -13,9 +13,9 @@ tops     The hybrid bred twice for each plant density, with growth and without (
          gains nothing.
 best     The hybrid bred for the carbon of the season with growth and without. Each plant is
          evaluated in both ways, with the same random numbers.
-season   Extinction coefficient, light-use efficiency and dry matter of a growing season beside
-         what was measured, and dry matter by organ in the measured seasons, of a hybrid of their
-         time and of today's; ± is from evaluations with different random numbers.
+season   Dry matter by organ in the measured seasons, of a hybrid of their time and of today's,
+         and what single parts of the carbon budget change; ± is from evaluations with different
+         random numbers. `ideotype validate` compares it by date.
 
 The weather is that of Bondville in 2011. What FOLDER has already is not bred again. ± is half of
 a 95 % interval: of randomisations, or of seeds where those differ more. --figure draws `tops`.
@@ -44,7 +44,7 @@ from estimates import (
     told,
 )
 from growing import of_full_canopy, tables
-from measured_seasons import compare_dry_matter, compare_parts, compare_seasons
+from measured_seasons import compare_dry_matter, compare_parts
 from shared import (
     FIELD_PLANTS,
     HYBRID,
@@ -264,7 +264,6 @@ def seasons(options: Options) -> None:
         }.items()
     }
     seeds = 2 if options.rough else 6
-    compare_seasons(plants["hybrid of the 1980s"], ROW, seeds, options.folder)
     print()
     compare_dry_matter(plants, seeds, options.folder)
     compare_parts(plants["hybrid of the 1980s"], seeds, options.folder)

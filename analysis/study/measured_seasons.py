@@ -19,7 +19,6 @@ from typing import Any
 
 import numpy as np
 from estimates import estimate, print_table, told
-from published import APSIM, CERES, MUCHOW, PUBLISHED, ceres_k
 from shared import CAMPAIGNS, Numbers
 
 from ideotype import Stand
@@ -302,90 +301,20 @@ def compare_parts(plain: dict[str, Any], seeds: int, folder: Path) -> None:
     print_table(["changed", *titles], rows)
 
 
-def slope(x: Numbers, y: Numbers) -> float:
-    """Returns the slope of the straight line through 0 that fits best by least
-    squares."""
-    return float(x @ y / (x @ x))
-
-
 def figures_of_light(
     campaign: dict[str, Any], seeds: int
 ) -> dict[str, list[float]]:
-    """Returns figures of a growing season, for each seed."""
+    """Returns for each seed the carbon of gross assimilation over absorbed PAR
+    [g MJ-1], and the dry matter of shoots at harvest [t ha-1]."""
     stand = Stand(campaign)
     share = root_share(campaign)
-    figures: dict[str, list[float]] = {}
+    names = ("gross_efficiency", "harvest")
+    figures: dict[str, list[float]] = {name: [] for name in names}
     for seed in range(1, seeds + 1):
-        found = stand.evaluate(stand.baseline, seed=seed)
-        days = found.day.size
-        value = {
-            name: float(found[name][0])
-            for name in (
-                "light_use_efficiency",
-                "incident",
-                "fapar",
-            )
-        }
+        found = stand.evaluate(
+            stand.baseline, ["light_use_efficiency"], seed=seed
+        )
         dry = dry_matter(stand, seed, share)
-        lai = found.lai_by_stage[0].values
-        dead = found.dead_area_index_by_stage[0].values
-        depth = -np.log(1 - found.fapar_by_stage[0].values)
-        until = int(lai.argmax()) + 1
-        intercepted = value["incident"] * value["fapar"]
-        for name, number in {
-            "k_green": slope(lai[:until], depth[:until]),
-            "k_all": slope(lai + dead, depth),
-            "gross_efficiency": value["light_use_efficiency"],
-            "efficiency": 100 * dry["all at harvest"] / intercepted / days,
-            "silking": dry["shoot at silking"],
-            "harvest": dry["shoot at harvest"],
-            "roots": dry["roots"],
-            "intercepted": intercepted * days,
-        }.items():
-            figures.setdefault(name, []).append(float(number))
+        figures["gross_efficiency"].append(found.light_use_efficiency.item())
+        figures["harvest"].append(dry["shoot at harvest"])
     return figures
-
-
-def compare_seasons(
-    plain: dict[str, Any], row: float, seeds: int, folder: Path
-) -> None:
-    """Prints figures of a growing season, and of those that were measured.
-
-    plain: a campaign of plants that grow, with 7.5 of them on a square metre.
-    row: the distance of its rows [m]."""
-    found = {
-        name: estimate(values)
-        for name, values in figures_of_light(plain, seeds).items()
-    }
-    rows = [
-        ["k of PAR, emergence to silking, per green area", "k_green",
-         f"{ceres_k(row, 7.5):.2f}", CERES],
-        ["k of PAR, season, per green and dead area", "k_all",
-         f"{ceres_k(row, 7.5):.2f}", CERES],
-        ["gross assimilation per absorbed PAR [g C MJ-1]", "gross_efficiency",
-         PUBLISHED["efficiency"].told, PUBLISHED["efficiency"].source],
-        ["dry matter per intercepted PAR [g MJ-1]", "efficiency",
-         "4.2 at most", CERES],
-        ["dry matter per intercepted PAR [g MJ-1]", "efficiency",
-         "3.6 at most", f"{APSIM}; {MUCHOW}"],
-    ]  # fmt: skip
-    cells = [[what, told(found[name], 3), *rest] for what, name, *rest in rows]
-    for each in SEASONS:
-        there = figures_of_light(in_season(plain, each, folder), seeds)
-        cells += [
-            [f"dry matter of shoots at {when} [t ha-1]",
-             told(estimate(there[when]), 2), f"{measured:.1f}", each.name]
-            for when, measured in each.measured.items()
-        ]  # fmt: skip
-        per_light = [
-            100 * (each.measured["harvest"] + roots) / x
-            for roots, x in zip(
-                there["roots"], there["intercepted"], strict=True
-            )
-        ]
-        ours = estimate(there["efficiency"])
-        cells.append(
-            ["dry matter per intercepted PAR [g MJ-1]", told(ours, 3),
-             f"{told(estimate(per_light), 2)}, measured dry matter over our PAR", each.name]
-        )  # fmt: skip
-    print_table(["figure", "ours", "theirs", "source"], cells)

@@ -9,7 +9,7 @@ crops/maize_hybrid.toml and plants/maize_hybrid_1980s.toml in FIELDS drawn
 fields, beside that of 11 plants of Iowa (measured/README.md); then k of a clear
 day, around its noon and of the season of bondville.toml, with plants at exact
 positions and with those of modern planters and of surveys of 1987 to 1996
-(fields.py). k is computed as in validation.py. Both hybrids have the leaf area
+(fields.py). Both hybrids have the leaf area
 index of 7.5 plants m-2 of that of the 1980s; the hybrid of today also stands
 at 7.5 plants m-2. ± is half of a 95 % interval: over drawn fields, or over the
 11 plants. Nothing here is fitted.

@@ -46,11 +46,10 @@ def table_of(name: str, folder: Path, figures: Path, is_short: bool) -> str:
     part = PARTS[name]
     words = [*part.words, *(part.short if is_short else ())]
     places = {"folder": folder / name, "study": folder, "figures": figures}
+    if words[0] != "-m":
+        words[0] = str(HERE / words[0])
     done = run_program(
-        [
-            *(sys.executable, str(HERE / words[0])),
-            *(word.format(**places) for word in words[1:]),
-        ]
+        [sys.executable, *(word.format(**places) for word in words)]
     )
     if done.returncode != 0:
         raise SystemExit(f"{name}: {words[0]} ended with {done.returncode}")

@@ -12,7 +12,7 @@ from shared import CAMPAIGNS
 class Part:
     question: str
     words: tuple[str, ...]
-    """The script and its options; {folder} is that of the part, {study} that
+    """The script, or -m and a module, and its options; {folder} is that of the part, {study} that
     of all parts."""
     short: tuple[str, ...] = ()
     """Further options of a short study."""
@@ -52,8 +52,8 @@ PARTS = {
     ),
     "validation": Part(
         "Does the canopy behave as maize does in the field?",
-        ("validation.py", "--figure", "{figures}/validation.png"),
-        ("--rough",),
+        ("-m", "ideotype.tools.validate", "-o", "{figures}/facts"),
+        ("--seeds", "2"),
     ),
     "erect_tops": Part(
         "When does an erect top pay?",

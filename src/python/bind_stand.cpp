@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "bindings.hpp"
+#include "ideotype/canopy/field.hpp"
 #include "ideotype/core/error.hpp"
 #include "spec/writer.hpp"
 #include "stand.hpp"
@@ -230,6 +231,10 @@ void bind_stand(nb::module_& module) {
             [](const CaseStand& x) { return component_names(x.campaign()); })
         .def("mesh", &mesh, nb::arg("genome"), nb::arg("component"),
              nb::arg("thermal_time").none())
+        .def("field_mesh",
+             [](const CaseStand& x, const Input<double, 1>& genome) {
+                 return mesh_tuple(x.field_mesh(to_vector(genome)));
+             })
         .def_prop_ro(
             "scenarios",
             [](const CaseStand& x) { return names_of(scenarios(x.chosen())); })
@@ -299,6 +304,15 @@ Mesh CaseStand::mesh(const Genome& genome, std::size_t component,
         plant = plant_at(*growth, plant, *thermal_time);
     }
     return build_plant(plant, campaign_.spec.plant.tessellation);
+}
+
+Mesh CaseStand::field_mesh(const Genome& genome) const {
+    Sampling sampling;
+    sampling.randomness = {chosen_.seed};
+    const CanopyRequest request =
+        request_of(sampling, campaign_, chosen_, scene_of(campaign_, chosen_),
+                   grown(genome));
+    return draw_field(request.scene, request.randomness).mesh;
 }
 
 std::vector<std::vector<Estimate>> CaseStand::light_on_sensors(

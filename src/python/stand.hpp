@@ -80,6 +80,10 @@ class CaseStand {
     Mesh mesh(const Genome& genome, std::size_t component,
               std::optional<double> thermal_time) const;
 
+    //! Returns the mesh of the first field that evaluations of this seed draw:
+    //! plants that differ, over one cell of the field.
+    Mesh field_mesh(const Genome& genome) const;
+
     //! Returns the light on sensors among plants of a genome at each instant,
     //! as light_on_sensors() does, from a number of fields.
     std::vector<std::vector<Estimate>> light_on_sensors(

@@ -7,7 +7,8 @@ has written, on any system.
 
 The packages are `stand` (plants and their light), `search` (optimizers),
 `history` (what the program has written), `figures`, `report`, `live` (pages
-that follow) and `tools` (a module for each command)."""
+that follow), `validation` (measurements of fields) and `tools` (a module for
+each command)."""
 
 from __future__ import annotations
 
@@ -18,7 +19,16 @@ from .errors import Error, InputError, NotCompiled, Problem
 from .mesh import mesh
 
 if TYPE_CHECKING:
-    from . import figures, history, live, report, search, stand, tools
+    from . import (
+        figures,
+        history,
+        live,
+        report,
+        search,
+        stand,
+        tools,
+        validation,
+    )
     from .history import open_arrays as open
     from .history import open_history, open_study
     from .mesh.canopy import Canopy
@@ -48,6 +58,7 @@ __all__ = [
     "search",
     "stand",
     "tools",
+    "validation",
 ]
 
 # Names are imported at their first use: reading needs no compiled module, and
@@ -72,6 +83,7 @@ _PACKAGES = [
     "search",
     "stand",
     "tools",
+    "validation",
 ]
 
 

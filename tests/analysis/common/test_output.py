@@ -23,7 +23,6 @@ from ideotype.common.output import (
     write_file,
 )
 from ideotype.tools import (
-    ceptometer,
     commands,
     compare,
     crate,
@@ -252,7 +251,6 @@ def test_every_option_for_an_output_refuses_links(
         (compare.main, [no, "--under", no, "--csv", to]),
         (fit.main, [no, "--crop", no, "--to", to]),
         (weather.main, [no, "--to", to]),
-        (ceptometer.main, [no, no, "--figure", to]),
         (fidelity.main, [no, "--figure", to]),
         (fidelity.main, [no, "--json", to]),
     ):
@@ -285,10 +283,7 @@ def test_figures_are_written_in_the_format_of_their_name(
     ):
         save_figure(Figure(), path := tmp_path / f"a.{ending}")
         assert path.read_bytes().startswith(begin)
-    for main, words in (
-        (ceptometer.main, ["a.toml", "b.csv"]),
-        (fidelity.main, ["a.toml"]),
-    ):
+    for main, words in ((fidelity.main, ["a.toml"]),):
         with pytest.raises(SystemExit) as ended:
             main([*words, "--figure", "a.doc"])
         assert ended.value.code == 2

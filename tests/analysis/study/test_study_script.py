@@ -23,9 +23,7 @@ def test_a_number_that_histories_do_not_say_is_found(tmp_path: Path) -> None:
     results = tmp_path / "RESULTS.md"
     row = re.search(r"\| clear \| area \| 42 \| ([+-][\d.]+) ±", text)
     assert row is not None
-    verdicts = re.findall(r"\| (lower|higher|as published) \|", text)
-    assert len(verdicts) > 20 and "as published" in verdicts
-    assert verdicts == sorted(verdicts, key=lambda x: x == "as published")
+    assert re.search(r"\d of 1\d facts pass", text)
 
     again = run(tmp_path, "--only", "erect_tops", "--check")
     assert again.returncode == 0, again.stderr

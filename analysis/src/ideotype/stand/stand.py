@@ -277,6 +277,13 @@ class Stand:
             *self._case.mesh(self._plants(genome)[0], component, thermal_time)
         )
 
+    def field_mesh(self, genome: ArrayLike) -> Mesh:
+        """Returns the surfaces of the first field that evaluations with the
+        campaign's seed draw: plants that differ as [field.variation] says,
+        over one cell of the field, x across the rows, y along them, z up
+        [m]."""
+        return Mesh.of(*self._case.field_mesh(self._plants(genome)[0]))
+
     def crop_file(self, genome: ArrayLike, component: int = 0) -> str:
         """Returns the text of a crop file with this plant as its baseline.
 

@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Draws a fact: measured values and ours over the conditions of its points."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from ..validation.compare import Point, Result, error_of
+from . import style
+
+
+def draw_fact(result: Result) -> Figure:
+    """Draws measured values, with 95 % intervals or ranges, and ours over the
+    axis of the fact."""
+    fact = result.fact
+    figure = style.new_figure(style.WIDTH, 3.4)
+    axes = figure.subplots()
+    places = [_place(point, fact.axis) for point in result.points]
+    points = result.points
+    if all(isinstance(x, int | float) for x in places):
+        order = sorted(range(len(points)), key=lambda i: places[i])
+        points, places = (
+            [points[i] for i in order], [places[i] for i in order],
+        )  # fmt: skip
+    axes.errorbar(
+        places,
+        [point.ours for point in points],
+        style.half_width([point.standard_error for point in points]),
+        color=style.BEST,
+        marker="o",
+        label="computed",
+    )
+    known = [
+        (place, point.measurement)
+        for place, point in zip(places, points, strict=True)
+        if point.measurement.is_measured
+    ]
+    if known:
+        bars = []
+        for _, row in known:
+            half = float(style.half_width(error_of(row)))
+            low, high = (
+                abs(row.value - x) if math.isfinite(x) else 0.0
+                for x in (row.low, row.high)
+            )
+            bars.append((low or half, high or half))
+        axes.errorbar(
+            [place for place, _ in known],
+            [row.value for _, row in known],
+            np.transpose(bars),
+            color=style.BASELINE,
+            marker="s",
+            linestyle="",
+            label="measured",
+        )
+    row = points[0].measurement
+    unit = "" if row.unit == "1" else f" [{row.unit}]"
+    change = "change of " if fact.than is not None else ""
+    axes.set_ylabel(f"{change}{row.quantity}{unit}")
+    axes.set_xlabel("" if fact.axis == "quantity" else fact.axis)
+    if fact.axis == "date":
+        figure.autofmt_xdate()
+    axes.set_title(f"{fact.question}: {result.verdict}", wrap=True)
+    axes.legend()
+    return figure
+
+
+def _place(point: Point, axis: str) -> Any:
+    row = point.measurement
+    if axis in row.keys:
+        return row.keys[axis]
+    if axis == "hour":
+        ends = [60 * x.hour + x.minute for x in row.hours or ()]
+        return sum(ends) / 120 if ends else "day"
+    return getattr(row, axis)

@@ -1,0 +1,205 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`ideotype validate` compares the program with measurements."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from ..common.output import REFUSED, OutputRefused, save_figure, write_file
+from ..common.progress import Progress
+from ..common.settings import number_within
+from ..errors import Error, printable_lines
+from ..validation.compare import Result, compare, error_of
+from ..validation.facts import (
+    Fact,
+    Facts,
+    Intervention,
+    Verdict,
+    facts_of_table,
+    read_facts,
+    shipped_facts,
+)
+from ..validation.page import page_of, place_of
+
+WORSE = 1
+"""The exit code if a fact passes by its file and now misses."""
+
+
+def to_json(result: Result) -> dict[str, Any]:
+    """Returns a fact and its points in their units."""
+    fact = result.fact
+    return {
+        "name": fact.name,
+        "question": fact.question,
+        "source": fact.source.citation,
+        "read": str(fact.source.read),
+        "verdict": str(result.verdict),
+        "is_assumption": fact.is_assumption,
+        "points": [
+            {
+                "at": place_of(point.measurement),
+                "quantity": point.measurement.quantity,
+                "unit": point.measurement.unit,
+                "measured": [
+                    _json(point.measurement.low),
+                    _json(point.measurement.high),
+                ],
+                "measured_standard_error": _json(error_of(point.measurement)),
+                "ours": point.ours,
+                "ours_standard_error": point.standard_error,
+                "tolerance": point.tolerance,
+                "agrees": point.agrees,
+            }
+            for point in result.points
+        ],
+    }
+
+
+def _json(number: float) -> float | None:
+    return number if abs(number) < float("inf") else None
+
+
+def interventions_of(
+    results: Sequence[Result], seeds: int, keys: Mapping[str, Any]
+) -> list[tuple[Result, Intervention, Result]]:
+    """Evaluates the interventions of facts that miss."""
+    return [
+        (
+            result,
+            each,
+            compare(
+                replace(result.fact, keys={**result.fact.keys, **each.keys}),
+                seeds,
+                keys,
+            ),
+        )
+        for result in results
+        if result.verdict == Verdict.misses
+        for each in result.fact.interventions
+    ]
+
+
+def _facts(options: argparse.Namespace) -> tuple[Facts, list[Fact]]:
+    path = options.facts
+    if path and path.suffix.lower() == ".csv":
+        if options.campaign is None:
+            raise Error(
+                f"{path} is a table of measurements; name the campaign of its "
+                "field with --campaign FILE.toml"
+            )
+        facts = facts_of_table(path, options.campaign)
+    else:
+        facts = read_facts(path or shipped_facts())
+    return facts, facts.named(options.only or [])
+
+
+def _keys(words: Sequence[str]) -> dict[str, Any]:
+    """Returns settings of the command line; texts need no quotes."""
+    import tomllib
+
+    keys: dict[str, Any] = {}
+    for word in words:
+        name, is_set, value = word.partition("=")
+        if not is_set:
+            raise Error(f"--set {word}: give KEY=VALUE")
+        try:
+            keys[name] = tomllib.loads(f"x = {value}")["x"]
+        except tomllib.TOMLDecodeError:
+            keys[name] = value
+    return keys
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Compares, prints and returns the exit code: 0, 1 if a fact that passes
+    by its file misses now or a file cannot be written, 2 for a wrong command
+    line, 3 for wrong facts, 4 for an output that is a symbolic link."""
+    parser = argparse.ArgumentParser(
+        prog="ideotype validate",
+        description="Evaluates the conditions under which fields were "
+        "measured and compares ours with the measurements. FACTS is a file of "
+        "facts, by default those that come with the program, or a CSV table "
+        "of measurements of one field. docs/validation.md describes both.",
+    )
+    add = parser.add_argument
+    add("facts", nargs="?", type=Path, metavar="FACTS", help="TOML or CSV")
+    add(
+        "--campaign",
+        type=Path,
+        metavar="FILE",
+        help="the field of a CSV table",
+    )
+    add("--only", nargs="+", metavar="NAME", help="the names of some facts")
+    add(
+        "--set", action="append", default=[], metavar="KEY=VALUE",
+        help="another plant or stand, for all facts",
+    )  # fmt: skip
+    add(
+        "--seeds", type=number_within(int, 2, 1000), default=8, metavar="N",
+        help="evaluations of each condition (8)",
+    )  # fmt: skip
+    add("--json", action="store_true", help="print JSON instead of tables")
+    add(
+        "-o", "--out", type=Path, metavar="FOLDER",
+        help="where to write the tables and a figure of each fact",
+    )  # fmt: skip
+    options = parser.parse_args(arguments)
+    try:
+        _, chosen = _facts(options)
+        keys = _keys(options.set)
+        results = []
+        with Progress("compared") as progress:
+            for done, fact in enumerate(chosen):
+                progress.tell(done, len(chosen), fact.name)
+                results.append(compare(fact, options.seeds, keys))
+        changes = interventions_of(results, options.seeds, keys)
+    except Error as error:
+        return _fail(3, error)
+    page = page_of(results, changes)
+    if options.json:
+        print(json.dumps([to_json(x) for x in results], indent=1))
+    else:
+        print(page)
+    if options.out:
+        try:
+            _write(options.out, page, results)
+        except OutputRefused as error:
+            return _fail(REFUSED, error)
+        except OSError as error:
+            return _fail(1, error)
+    worse = [
+        x.fact.name
+        for x in results
+        if x.fact.verdict == Verdict.passes and x.verdict == Verdict.misses
+    ]
+    if worse:
+        print(
+            "ideotype validate: these passed and miss now: "
+            + ", ".join(worse),
+            file=sys.stderr,
+        )
+    return WORSE if worse else 0
+
+
+def _write(folder: Path, page: str, results: Sequence[Result]) -> None:
+    from ..figures.fact import draw_fact
+
+    folder.mkdir(parents=True, exist_ok=True)
+    write_file(folder / "facts.md", page + "\n", folder)
+    for result in results:
+        if result.points:
+            save_figure(draw_fact(result), folder / f"{result.fact.name}.png")
+
+
+def _fail(code: int, error: Exception) -> int:
+    print(printable_lines(f"ideotype validate: {error}"), file=sys.stderr)
+    return code
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,27 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Compares the program with measurements.
+
+A fact is a table of measurements of one thing under known conditions, with its
+source (`Fact`); `compare` evaluates the plants of a campaign under the same
+conditions and returns a `Result`: ours and theirs at each point, and whether
+they agree."""
+
+from .compare import Point, Result, compare
+from .facts import Fact, Facts, Intervention, Source, shipped_facts
+from .quantities import QUANTITIES, Quantity
+from .table import Measurement, read_table
+
+__all__ = [
+    "QUANTITIES",
+    "Fact",
+    "Facts",
+    "Intervention",
+    "Measurement",
+    "Point",
+    "Quantity",
+    "Result",
+    "Source",
+    "compare",
+    "read_table",
+    "shipped_facts",
+]

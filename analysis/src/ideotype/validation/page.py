@@ -1,0 +1,162 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Prints comparisons with facts as tables in Markdown."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+from ..history.estimate import NORMAL, with_interval
+from .compare import Point, Result, error_of
+from .facts import Intervention, Read, Verdict
+from .table import Measurement
+
+
+def place_of(row: Measurement) -> str:
+    """Returns the conditions that distinguish a row from others of its
+    fact."""
+    parts = [f"{key} {value:g}" if isinstance(value, int | float)
+             else f"{key} {value}" for key, value in row.keys.items()]  # fmt: skip
+    if row.date:
+        parts.append(str(row.date))
+    if row.hours:
+        parts.append("-".join(f"{each:%H:%M}" for each in row.hours))
+    if row.leaves:
+        parts.append(f"{row.leaves} third")
+    if row.position == row.position or row.quantity == "light":
+        parts.append(f"{row.height:g} m high")
+    return ", ".join(parts)
+
+
+def table(titles: Sequence[str], rows: Iterable[Sequence[str]]) -> list[str]:
+    lines = [titles, ["---"] * len(titles), *rows]
+    return [f"| {' | '.join(cells)} |" for cells in lines]
+
+
+def measured(row: Measurement) -> str:
+    """Returns what was measured, with half of its 95 % interval."""
+    if not row.is_measured:
+        return ""
+    if row.low != row.high:
+        if abs(row.low) == float("inf"):
+            return f"at most {row.high:g}"
+        if abs(row.high) == float("inf"):
+            return f"at least {row.low:g}"
+        return f"{row.low:g} to {row.high:g}"
+    given = "" if row.error == row.error else " (E)"
+    return f"{_with_interval(row.value, error_of(row))}{given}"
+
+
+def ours(point: Point) -> str:
+    return _with_interval(point.ours, point.standard_error)
+
+
+def _with_interval(mean: float, standard_error: float) -> str:
+    half_width = NORMAL * standard_error
+    return with_interval(mean, half_width, half_width)
+
+
+def points_table(results: Sequence[Result]) -> list[str]:
+    """Returns a row for each point of the facts."""
+    rows = []
+    for result in results:
+        for point in result.points:
+            row = point.measurement
+            side = "lower" if point.apart < 0 else "higher"
+            verdict = "agrees" if point.agrees else side
+            rows.append(
+                [
+                    result.fact.name,
+                    place_of(row),
+                    row.quantity,
+                    row.unit,
+                    measured(row),
+                    ours(point),
+                    verdict if row.is_measured else "",
+                ]
+            )
+    titles = ["fact", "at", "quantity", "unit", "measured", "ours", ""]
+    return table(titles, rows)
+
+
+def facts_table(results: Sequence[Result]) -> list[str]:
+    """Returns a row for each fact that is compared."""
+    rows = []
+    for result in results:
+        fact = result.fact
+        only = [p for p in result.points if p.measurement.is_measured]
+        agree = sum(point.agrees for point in only)
+        rows.append(
+            [
+                fact.name,
+                fact.question,
+                str(result.verdict),
+                f"{agree} of {len(only)}",
+                str(fact.source.read),
+                fact.source.citation,
+                fact.note,
+            ]
+        )
+    titles = ["fact", "what was measured", "ours", "points that agree"]
+    return table([*titles, "read", "source", "note"], rows)
+
+
+def score(results: Sequence[Result]) -> str:
+    """Returns the sentence that counts facts."""
+    compared = [x for x in results if x.verdict != Verdict.none]
+    good = [x for x in compared if x.verdict == Verdict.passes]
+    abstracts = [x for x in compared if x.fact.source.read == Read.abstract]
+    good_abstracts = [x for x in good if x in abstracts]
+    return (
+        f"{len(good)} of {len(compared)} facts pass; {len(abstracts)} of them "
+        f"({len(good_abstracts)} pass) are known from an abstract only."
+    )
+
+
+def page_of(
+    results: Sequence[Result],
+    interventions: Sequence[tuple[Result, Intervention, Result]] = (),
+) -> str:
+    """Returns all tables.
+
+    interventions: facts, changes of their plants, and ours with the change."""
+    facts = [x for x in results if not x.fact.is_assumption]
+    compared = [x for x in facts if x.verdict != Verdict.none]
+    others = [x for x in facts if x.verdict == Verdict.none]
+    assumed = [x for x in results if x.fact.is_assumption]
+    lines = []
+    if compared:
+        lines += [score(facts), "", *facts_table(compared), ""]
+        lines += [*points_table(compared), ""]
+    if interventions:
+        rows = [
+            [
+                before.fact.name,
+                change.name,
+                "; ".join(map(ours, before.points)),
+                "; ".join(map(ours, after.points)),
+                str(after.verdict),
+                change.sources,
+            ]
+            for before, change, after in interventions
+        ]
+        titles = ["fact", "change", "ours", "with the change", "then"]
+        lines += [*table([*titles, "do sources allow it?"], rows), ""]
+    if others:
+        rows = [
+            [
+                x.fact.name, x.fact.question,
+                x.fact.cannot or "it has no measured value",
+                x.fact.source.citation,
+            ]
+            for x in others
+        ]  # fmt: skip
+        titles = ["not compared", "what was measured", "because", "source"]
+        lines += [*table(titles, rows), ""]
+    if assumed:
+        lines += ["What models assume, which nobody has measured:", ""]
+        lines += [*points_table(assumed), ""]
+    lines.append(
+        "± is half of a 95 % interval; (E): the source gives no error, and a "
+        "standard error of 5 % is taken."
+    )
+    return "\n".join(lines)

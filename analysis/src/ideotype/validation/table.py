@@ -1,0 +1,325 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Reads tables of measurements, and the units in them."""
+
+from __future__ import annotations
+
+import csv
+import io
+import math
+import re
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from datetime import date, time
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from ..common.arrays import require_file
+from ..errors import Error, did_you_mean
+
+COLUMNS = {
+    "date": "day, YYYY-MM-DD",
+    "hour": "time on the clock of the site, 13:20 or 12:20-14:20",
+    "quantity": "name of what was measured",
+    "height": "height of the sensor above the soil [m]",
+    "position": "place of the sensor across the rows, from a row [m]",
+    "leaves": "third of the leaves by rank: lower, middle, upper",
+    "value": "measured value",
+    "error": "standard error of the value",
+    "low": "least value that was measured, in the place of a value",
+    "high": "largest value that was measured",
+    "unit": "unit of value, error, low and high",
+}
+"""The columns of a table; a column with a dot in its name is a key of the
+campaign, which takes the value of the row."""
+
+
+@dataclass(frozen=True)
+class Measurement:
+    """A row of a table of measurements, in the unit of the table."""
+
+    quantity: str
+    unit: str
+    low: float
+    """The value, or the least value that was measured; NaN: no value."""
+    high: float
+    error: float
+    """The standard error; NaN: not known."""
+    date: date | None = None
+    hours: tuple[time, time] | None = None
+    height: float = 0.0
+    position: float = math.nan
+    leaves: str = ""
+    keys: Mapping[str, Any] = field(default_factory=dict)
+    where: str = ""
+    """The file and line of the row."""
+
+    @property
+    def is_measured(self) -> bool:
+        """Whether it has a value; else it is a place at which ours is
+        computed."""
+        return not math.isnan(self.low)
+
+    @property
+    def value(self) -> float:
+        """The value, or the middle of the range that was measured."""
+        if math.isinf(self.low) or math.isinf(self.high):
+            return self.high if math.isinf(self.low) else self.low
+        return (self.low + self.high) / 2
+
+
+class _Problems:
+    """Collects the problems of a table, which are reported together."""
+
+    def __init__(self) -> None:
+        self.found: list[str] = []
+
+    def add(self, where: str, text: str) -> None:
+        self.found.append(f"{where}: {text}")
+
+    def raise_any(self) -> None:
+        if self.found:
+            raise Error("\n".join(self.found))
+
+
+def read_table(path: Path) -> list[Measurement]:
+    """Reads a CSV file with the columns `COLUMNS`; lines that begin with #
+    are comments.
+
+    Raises Error with all problems of the file, each with its line."""
+    require_file(path)
+    try:
+        text = path.read_text(encoding="utf-8-sig")
+    except (OSError, UnicodeDecodeError) as error:
+        raise Error(f"{path}: {error}; save it as CSV in UTF-8") from None
+    lines = [
+        (number, line)
+        for number, line in enumerate(text.splitlines(), 1)
+        if line.strip() and not line.lstrip().startswith("#")
+    ]
+    if not lines:
+        raise Error(
+            f"{path}:1: this file is empty; begin with a line of column names"
+        )
+    rows = list(csv.reader(io.StringIO("\n".join(x for _, x in lines))))
+    names = [name.strip().lower() for name in rows[0]]
+    problems = _Problems()
+    _check_names(names, f"{path}:{lines[0][0]}", problems)
+    found = []
+    for (number, _), cells in zip(lines[1:], rows[1:]):
+        where = f"{path}:{number}"
+        if len(cells) != len(names):
+            problems.add(
+                where,
+                f"this row has {len(cells)} cells and the table "
+                f"{len(names)} columns; separate cells by one comma each",
+            )
+            continue
+        cells_of = {
+            name: cell.strip()
+            for name, cell in zip(names, cells)
+            if cell.strip()
+        }
+        found.append(_measurement(cells_of, where, problems))
+    problems.raise_any()
+    return [each for each in found if each]
+
+
+def measurements_of(
+    rows: Iterable[Mapping[str, Any]], where: str
+) -> list[Measurement]:
+    """Returns the rows of a facts file, which have the same names as columns
+    of a table. Raises Error with all of their problems."""
+    problems = _Problems()
+    found = []
+    for number, row in enumerate(rows, 1):
+        place = f"{where}, row {number}"
+        _check_names(list(row), place, problems)
+        found.append(_measurement(row, place, problems))
+    problems.raise_any()
+    return [each for each in found if each]
+
+
+def _check_names(names: list[str], where: str, problems: _Problems) -> None:
+    for name in names:
+        if name not in COLUMNS and "." not in name:
+            problems.add(
+                where,
+                f"there is no column '{name}'"
+                + (
+                    did_you_mean(name, list(COLUMNS))
+                    or f"; use {', '.join(COLUMNS)} or a key of the campaign "
+                    "such as spacing.density"
+                ),
+            )
+    for name in {name for name in names if names.count(name) > 1}:
+        problems.add(where, f"two columns are named '{name}'; rename one")
+    if "quantity" not in names:
+        problems.add(
+            where, "there is no column quantity; name what was measured"
+        )
+
+
+def _measurement(
+    cells: Mapping[str, Any], where: str, problems: _Problems
+) -> Measurement | None:
+    before = len(problems.found)
+
+    def read(name: str, reader: Any, remedy: str) -> Any:
+        if name not in cells:
+            return None
+        try:
+            return reader(cells[name])
+        except (ValueError, TypeError):
+            problems.add(where, f"{name} is '{cells[name]}'; {remedy}")
+            return None
+
+    number = "give a finite number"
+    numbers = {
+        name: read(name, _finite, number)
+        for name in ("height", "position", "value", "error", "low", "high")
+    }
+    unit = str(cells.get("unit", "1"))
+    day = read("date", _date, "write it as 2025-08-07")
+    hours = read("hour", _hours, "write it as 13:20 or 12:20-14:20")
+    leaves = str(cells.get("leaves", ""))
+    quantity = str(cells.get("quantity", ""))
+    if not quantity and "quantity" not in cells:
+        problems.add(where, "quantity is empty; name what was measured")
+    if leaves not in ("", "lower", "middle", "upper"):
+        problems.add(
+            where, f"leaves is '{leaves}'; use lower, middle or upper"
+        )
+    error = numbers["error"]
+    if error is not None and error < 0:
+        problems.add(where, f"error is {error:g}; give 0 or more")
+    if numbers["value"] is not None and (
+        numbers["low"] is not None or numbers["high"] is not None
+    ):
+        problems.add(
+            where, "a row has a value or a range; drop value, or low and high"
+        )
+    try:
+        factor_to(unit, unit)
+    except Error as unknown:
+        problems.add(where, str(unknown))
+    if len(problems.found) > before:
+        return None
+    low, high = _range(numbers)
+    if low > high:
+        problems.add(where, f"low is {low:g} and high {high:g}; swap them")
+        return None
+    return Measurement(
+        quantity,
+        unit,
+        low,
+        high,
+        math.nan if error is None else error,
+        day,
+        hours,
+        numbers["height"] or 0.0,
+        math.nan if numbers["position"] is None else numbers["position"],
+        leaves,
+        {name: _value(cell) for name, cell in cells.items() if "." in name},
+        where,
+    )
+
+
+def _range(numbers: Mapping[str, float | None]) -> tuple[float, float]:
+    value, low, high = (numbers[name] for name in ("value", "low", "high"))
+    if value is not None:
+        return value, value
+    if low is None and high is None:
+        return math.nan, math.nan
+    return (
+        -math.inf if low is None else low,
+        math.inf if high is None else high,
+    )
+
+
+def _finite(cell: Any) -> float:
+    found = float(cell)
+    if not math.isfinite(found):
+        raise ValueError
+    return found
+
+
+def _date(cell: Any) -> date:
+    return cell if isinstance(cell, date) else date.fromisoformat(str(cell))
+
+
+def _hours(cell: Any) -> tuple[time, time]:
+    """Returns the ends of a span of time; one time stands for half an hour
+    around it."""
+    first, _, last = str(cell).partition("-")
+    if last:
+        span = _minutes(first), _minutes(last)
+    else:
+        span = _minutes(first) - 15, _minutes(first) + 15
+    if not 0 <= span[0] < span[1] < 24 * 60:
+        raise ValueError
+    return tuple(time(*divmod(x, 60)) for x in span)  # type: ignore[return-value]
+
+
+def _minutes(text: str) -> int:
+    match = re.fullmatch(r"\s*(\d{1,2}):(\d\d)(?::\d\d)?\s*", text)
+    if match is None:
+        return round(60 * float(text))
+    return 60 * int(match[1]) + int(match[2])
+
+
+def _value(cell: Any) -> Any:
+    """Returns the value of a key of the campaign."""
+    if not isinstance(cell, str):
+        return cell
+    try:
+        return float(cell)
+    except ValueError:
+        return cell
+
+
+@cache
+def _registry() -> Any:
+    """Returns the units; they are read once, at their first use."""
+    try:
+        from pint import UnitRegistry
+    except ImportError:
+        raise Error(
+            "units of measurements are read by pint, which is not installed: "
+            'pip install "ideotype[validate]"'
+        ) from None
+
+    # Units are written with exponents behind them, such as g m-2 day-1.
+    exponent = re.compile(r"([A-Za-z%µ]+)\s*\^?(-?\d)(?![\d.])")
+    registry: Any = UnitRegistry(
+        preprocessors=[
+            lambda text: exponent.sub(r"\1**\2", text.replace("%", "percent"))
+        ],
+        on_redefinition="ignore",
+    )
+    registry.define("@alias mole = mol")
+    return registry
+
+
+@cache
+def factor_to(unit: str, to: str) -> float:
+    """Returns the factor from a unit to another.
+
+    Raises Error if a unit is unknown, or measures something else."""
+    registry = _registry()
+    try:
+        own, wanted = (_parsed(registry, each) for each in (unit, to))
+        return float((1 * own).to(wanted).magnitude)
+    except Exception as error:  # pint has errors of many classes
+        raise Error(
+            f"unit '{unit}' cannot be read as '{to}' ({error}); write it as "
+            "t ha-1, MJ m-2 day-1, deg, % or 1"
+        ) from None
+
+
+def _parsed(registry: Any, unit: str) -> Any:
+    text = unit.strip()
+    if text in ("", "1", "fraction"):
+        return registry.dimensionless
+    # Blanks between units mean a product.
+    return registry.parse_units("*".join(text.split()))

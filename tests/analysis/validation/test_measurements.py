@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Tables of measurements are read with their units, and all of their problems
+are reported together with their lines."""
+
+from __future__ import annotations
+
+import math
+from datetime import date, time
+from pathlib import Path
+
+import pytest
+
+import ideotype
+from ideotype.validation.table import factor_to, read_table
+
+
+def test_a_table_is_read(tmp_path: Path) -> None:
+    path = tmp_path / "a.csv"
+    path.write_text(
+        "# by hand\n"
+        "date, hour, quantity, height, position, value, error, unit,"
+        " spacing.density\n"
+        "2025-07-01, 12:20-14:20, light, 0.4, 0.38, 35, 2, %, 7.5\n"
+        ",,lai,,,4.1,,m2 m-2,\n"
+    )
+    first, second = read_table(path)
+    assert first.date == date(2025, 7, 1)
+    assert first.hours == (time(12, 20), time(14, 20))
+    assert (first.height, first.position) == (0.4, 0.38)
+    assert (first.low, first.high, first.error) == (35, 35, 2)
+    assert first.keys == {"spacing.density": 7.5}
+    assert first.where == f"{path}:3"
+    assert second.date is second.hours is None and not second.keys
+    assert math.isnan(second.error) and second.value == 4.1
+
+
+@pytest.mark.parametrize(
+    ("unit", "to", "factor"),
+    (
+        ("%", "1", 0.01),
+        ("kg/ha", "t ha-1", 1e-3),
+        ("g m-2", "t ha-1", 1e-2),
+        ("µmol/m²/s", "mol m-2 day-1", 0.0864),
+        ("MJ m^-2 d^-1", "MJ m-2 day-1", 1.0),
+        ("cm", "m", 0.01),
+        ("", "1", 1.0),
+    ),
+)
+def test_units_have_many_spellings(unit: str, to: str, factor: float) -> None:
+    assert factor_to(unit, to) == pytest.approx(factor, rel=1e-12)
+
+
+def test_units_of_something_else_are_refused() -> None:
+    with pytest.raises(ideotype.Error, match="kg ha-1.*cannot be read as"):
+        factor_to("kg ha-1", "m")
+
+
+def test_all_problems_of_a_table_are_reported(tmp_path: Path) -> None:
+    path = tmp_path / "bad.csv"
+    path.write_text(
+        "date,hours,quantity,value,low,error,unit\n"
+        "1 May,,lai,4,,,1\n"
+        "2025-05-01,,,x,,,1\n"
+        "2025-05-01,,lai,4,3,-1,1\n"
+        "2025-05-01,,lai,4\n"
+        "2025-05-01,,lai,inf,,,parsec2 parsec\n"
+    )
+    with pytest.raises(ideotype.Error) as found:
+        read_table(path)
+    problems = str(found.value).splitlines()
+    for line, words in (
+        (1, "there is no column 'hours'; did you mean 'hour'"),
+        (2, "date is '1 May'; write it as 2025-08-07"),
+        (3, "value is 'x'; give a finite number"),
+        (3, "quantity is empty"),
+        (4, "error is -1; give 0 or more"),
+        (4, "a value or a range"),
+        (5, "this row has 4 cells and the table 7 columns"),
+        (6, "value is 'inf'; give a finite number"),
+    ):
+        assert any(
+            each.startswith(f"{path}:{line}: ") and words in each
+            for each in problems
+        ), (line, words, problems)
+
+
+def test_devices_and_empty_files_are_refused(tmp_path: Path) -> None:
+    with pytest.raises(ideotype.Error, match="no regular file"):
+        read_table(Path("/dev/zero"))
+    (path := tmp_path / "empty.csv").write_text("# nothing\n")
+    with pytest.raises(ideotype.Error, match="this file is empty"):
+        read_table(path)

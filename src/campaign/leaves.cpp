@@ -2,6 +2,7 @@
 #include "leaves.hpp"
 
 #include <algorithm>
+#include <ranges>
 
 #include <fmt/ranges.h>
 
@@ -70,46 +71,46 @@ LeafRates filled(LeafRates leaf, const auto& with) {
     return leaf;
 }
 
-bool has(const Model& model, Numbers numbers) {
+//! The numbers that are capacities of assimilation.
+constexpr Numbers capacities[] = {&All::amax, &All::rate_2000, &All::vmax,
+                                  &All::vcmax, &All::jmax};
+
+//! Returns the keys of numbers of leaves, each of which some model has.
+auto leaf_keys() {
+    return photosynthesis_table.keys() | std::views::filter([](const Key& key) {
+               return key.values.is_by_leaf;
+           });
+}
+
+//! Returns the numbers of a key; those of a table are not changed, although
+//! targets could be.
+const std::vector<double>& numbers_of(const Key& key, const All& table) {
+    return *std::get<std::vector<double>*>(key.place(const_cast<All*>(&table)));
+}
+
+bool is_of(const Key& key, Numbers numbers) {
+    static const All any;  // for the places of its numbers alone
+    return &numbers_of(key, any) == &(any.*numbers);
+}
+
+bool has(const Model& model, const Key& key) {
     bool is_there = false;
     filled(model.leaf,
-           [&](Numbers own, auto&) { is_there = is_there || own == numbers; });
+           [&](Numbers own, auto&) { is_there = is_there || is_of(key, own); });
     return is_there;
 }
 
-std::vector<std::string> models_with(Numbers numbers) {
+std::vector<std::string> models_with(const Key& key) {
     std::vector<std::string> names;
     for (const Model& model : models)
-        if (has(model, numbers)) names.emplace_back(name_of(model.kind));
+        if (has(model, key)) names.emplace_back(name_of(model.kind));
     return names;
 }
 
-struct LeafKey {
-    const char* name;
-    Numbers numbers;
-    bool is_capacity = false;
-};
-
-constexpr LeafKey leaf_keys[] = {
-    {"phi", &All::phi},
-    {"theta", &All::theta},
-    {"amax", &All::amax, true},
-    {"rate_2000", &All::rate_2000, true},
-    {"rd", &All::rd},
-    {"vmax", &All::vmax, true},
-    {"alpha", &All::alpha},
-    {"beta", &All::beta},
-    {"k", &All::k},
-    {"vcmax", &All::vcmax, true},
-    {"jmax", &All::jmax, true},
-    {"tpu", &All::tpu},
-    {"g1", &All::g1},
-};
-
 std::size_t leaves_of(const PhotosynthesisSpec& table) {
     std::size_t most = 1;
-    for (const LeafKey& key : leaf_keys)
-        most = std::max(most, (table.*key.numbers).size());
+    for (const Key& key : leaf_keys())
+        most = std::max(most, numbers_of(key, table).size());
     return most;
 }
 
@@ -120,10 +121,10 @@ std::string file_of(const CropSpec& crop, const std::string& key) {
 
 //! Returns the numbers that a leaf has for a key of its model: one, or none if
 //! they follow from other numbers.
-std::vector<double> default_of(const Model& model, Numbers numbers) {
+std::vector<double> default_of(const Model& model, const Key& key) {
     std::vector<double> values;
     filled(model.leaf, [&](Numbers own, auto& value) {
-        if (own != numbers) return;
+        if (!is_of(key, own)) return;
         if constexpr (requires { value.has_value(); }) {
             if (value) values.push_back(*value);
         } else {
@@ -146,19 +147,20 @@ StatedLeaves stated_leaves_of(const CropSpec& crop) {
     const Model& model = model_of(table);
     StatedLeaves leaves{
         crop.baseline.name, name_of(model.kind), file_of(crop, "model"), {}};
-    for (const LeafKey& key : leaf_keys) {
-        if (!has(model, key.numbers)) continue;
-        const std::vector<double>& numbers = table.*key.numbers;
-        if (key.numbers == &All::rate_2000 && numbers.empty()) continue;
-        if (key.numbers == &All::amax && !table.rate_2000.empty()) {
+    for (const Key& key : leaf_keys()) {
+        if (!has(model, key)) continue;
+        const std::vector<double>& numbers = numbers_of(key, table);
+        if (is_of(key, &All::rate_2000) && numbers.empty()) continue;
+        if (is_of(key, &All::amax) && !table.rate_2000.empty()) {
             leaves.numbers.push_back({key.name, capacities_of(table),
                                       file_of(crop, "rate_2000"), true});
             continue;
         }
         leaves.numbers.push_back(
-            {key.name,
-             numbers.empty() ? default_of(model, key.numbers) : numbers,
-             file_of(crop, key.name), key.is_capacity});
+            {key.name, numbers.empty() ? default_of(model, key) : numbers,
+             file_of(crop, key.name),
+             std::ranges::any_of(
+                 capacities, [&](Numbers each) { return is_of(key, each); })});
     }
     return leaves;
 }
@@ -167,8 +169,8 @@ StatedLeaves stated_leaves_of(const CropSpec& crop) {
 bool is_stated(const CropSpec& crop) {
     if (!file_of(crop, "model").empty()) return true;
     const Model& model = model_of(crop.photosynthesis);
-    return std::ranges::any_of(leaf_keys, [&](const LeafKey& key) {
-        return has(model, key.numbers) && !file_of(crop, key.name).empty();
+    return std::ranges::any_of(leaf_keys(), [&](const Key& key) {
+        return has(model, key) && !file_of(crop, key.name).empty();
     });
 }
 
@@ -221,14 +223,14 @@ void check_photosynthesis(const PhotosynthesisSpec& table, std::size_t leaves,
                           const Problems& root) {
     const Problems problems = root.in("photosynthesis");
     const std::size_t count = leaves > 0 ? leaves : leaves_of(table);
-    for (const LeafKey& key : leaf_keys) {
-        const std::vector<double>& numbers = table.*key.numbers;
+    for (const Key& key : leaf_keys()) {
+        const std::vector<double>& numbers = numbers_of(key, table);
         problems.rule({key.name, "model"},
-                      !numbers.empty() && !has(model_of(table), key.numbers),
+                      !numbers.empty() && !has(model_of(table), key),
                       "photosynthesis.{} is no number of the model \"{}\" (it "
                       "is one of \"{}\"); remove it",
                       key.name, name_of(table.model),
-                      fmt::join(models_with(key.numbers), "\" or \""));
+                      fmt::join(models_with(key), "\" or \""));
         problems.rule({key.name}, numbers.size() > 1 && numbers.size() != count,
                       "photosynthesis.{} has {} values ({} has {}); give one "
                       "number, or one for each leaf",

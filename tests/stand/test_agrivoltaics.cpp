@@ -82,6 +82,22 @@ TEST(Agrivoltaics, PanelsTakeLightAndAreNoLeaves) {
                 shaded.objects.mean / .95, 1e-9 * shaded.incident);
 }
 
+//! PAR and near infrared are parts of the light without overlap, each of which
+//! counts once.
+TEST(Agrivoltaics, LightOnPanelsIsThatOfAllBandsTogether) {
+    const Settings both{panel, "band=[{name=\"nir\"}]"};
+    const CanopyReport report = light_of_field(both);
+    ASSERT_EQ(report.bands.size(), 2u);
+    const DayReport &par = report.bands[par_band].light,
+                    &nir = report.bands[nir_band].light;
+    EXPECT_NEAR(par.day.incident / (par.day.incident + nir.day.incident),
+                campaign_with(both).spec.par_fraction, 1e-9);
+    // Modules reflect 5 % of PAR and 15 % of near infrared.
+    EXPECT_NEAR(measure_objective("panel_light", report).estimate.mean * 1e6,
+                par.day.objects.mean / .95 + nir.day.objects.mean / .85,
+                1e-9 * par.day.incident);
+}
+
 TEST(Agrivoltaics, HoursOfPanelsSumToTheirDay) {
     const CanopyReport report = light_of_field({panel});
     const Campaign campaign = campaign_with({panel});

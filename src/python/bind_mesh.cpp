@@ -3,8 +3,9 @@
 #include <nanobind/stl/variant.h>
 
 #include "bindings.hpp"
-#include "ideotype/canopy/quantities.hpp"
 #include "ideotype/core/error.hpp"
+#include "ideotype/core/mapped.hpp"
+#include "ideotype/core/units.hpp"
 #include "ideotype/crop/obj_reader.hpp"
 #include "ideotype/crop/polygon.hpp"
 #include "stand/mesh_study.hpp"
@@ -69,149 +70,97 @@ std::vector<Estimate> by_polygon(const Divided& divided,
     return all;
 }
 
-//! The arrays of a Dataset of xarray, each with its name, dimensions, unit,
-//! meaning and numbers; numbers with standard errors are pairs.
-class Arrays {
-  public:
-    using Names = std::vector<std::string>;
-
-    explicit Arrays(const MeshSpec& spec) {
-        if (spec.has_day()) {
-            unit_ = "MJ m-2 day-1";
-            scale_ = 1e-6;
-        } else {
-            // A single light is that of one second [mol].
-            unit_ = spec.has_ppfd() ? "umol m-2 s-1" : "1";
-            carbon_unit_ = "umol m-2 s-1";
-            moles_ = 1e6;
-        }
-    }
-
-    void add(const std::string& name, const Names& along,
-             const std::string& unit, std::vector<Estimate> values,
-             double scale = 1, const std::string& meaning = "") {
-        for (Estimate& each : values) each = scaled(each, scale);
-        all_.append(nb::make_tuple(name, along, unit,
-                                   meaning.empty() ? name : meaning,
-                                   to_array(values)));
-    }
-    void add_light(const std::string& name, const Names& along,
-                   const std::vector<Estimate>& values) {
-        add(name, along, unit_, values, scale_);
-    }
-    void add_incident(const Names& along, std::vector<double> values) {
-        for (double& each : values) each *= scale_;
-        add_exact("incident", along, unit_, values);
-    }
-    void add_exact(const std::string& name, const Names& along,
-                   const std::string& unit, const std::vector<double>& values) {
-        all_.append(nb::make_tuple(name, along, unit, name,
-                                   to_array(values, {values.size()})));
-    }
-    //! Adds assimilation, given in mol, without and with its losses in light.
-    void add_carbon(const Names& along, const std::vector<Estimate>& gross,
-                    const std::vector<Estimate>& net) {
-        add("gross_assimilation", along, carbon_unit_, gross);
-        add("net_assimilation", along, carbon_unit_, net);
-    }
-    //! Returns moles in the unit of carbon.
-    double moles() const { return moles_; }
-
-    const nb::list& all() const { return all_; }
-
-  private:
-    nb::list all_;
-    std::string unit_, carbon_unit_ = "mol m-2 day-1";
-    double scale_ = 1, moles_ = 1;
+//! A unit of results, and the factor that brings them into it.
+struct Unit {
+    const char* name;
+    double scale = 1;
 };
 
-//! Adds the light and the numbers of a mesh.
-void add_mesh(const CanopyReport& canopy, bool is_day,
-              const std::vector<Estimate>& faces, Arrays& arrays) {
-    const DayReport& light = canopy.par().light;
-    if (canopy.boundary == Boundary::isolated)
-        arrays.add_light("entered", {}, {light.day.entered});
-    arrays.add_light("leaves", {}, {light.day.leaves});
-    arrays.add_light("stalks", {}, {light.day.organs});
-    arrays.add_light("soil", {}, {light.day.soil});
-    arrays.add_light("reflected", {}, {light.day.reflected});
-    arrays.add_light("absorbed", {"group"}, light.groups);
-    arrays.add_light("absorbed_by_layer", {"layer"}, light.layers);
-    // Light by face is per one-sided area of the face.
-    if (!faces.empty()) arrays.add_light("absorbed_by_face", {"face"}, faces);
-    for (const auto& [quantity, estimate] : measure_numbers(canopy)) {
-        const bool is_rate = quantity.unit != "1" && quantity.unit != "m2 m-2";
-        if (is_day || !is_rate)
-            arrays.add(quantity.name, {}, quantity.unit, {estimate}, 1,
-                       quantity.meaning);
-    }
-    arrays.add_incident({}, {light.day.incident});
-    if (!canopy.assimilation) return;
-    const Estimate gross =
-        scaled(canopy.assimilation->gross.sum, arrays.moles());
-    const double loss =
-        arrays.moles() * sum_of(canopy.assimilation->losses).in_light;
-    arrays.add_carbon({}, {gross}, {{gross.mean - loss, gross.standard_error}});
+Unit unit_of_light(const MeshSpec& spec) {
+    if (spec.has_day()) return {"MJ m-2 day-1", 1 / joule_per_megajoule};
+    return {spec.has_ppfd() ? "umol m-2 s-1" : "1"};
 }
 
-//! Adds the light and the assimilation of a scene file by band and component.
-void add_scene(const CanopyReport& canopy, Arrays& arrays) {
-    std::vector<Estimate> soil, reflected, components, groups, gross, net;
-    std::vector<double> incident, lai;
-    for (const BandReport& band : canopy.bands) {
-        incident.push_back(band.light.day.incident);
-        soil.push_back(band.light.day.soil);
-        reflected.push_back(band.light.day.reflected);
-        for (std::size_t c = 0; c < canopy.components.size(); ++c)
-            components.push_back(band.part(c).all);
-        groups.insert(groups.end(), band.light.groups.begin(),
-                      band.light.groups.end());
-    }
-    for (const ComponentReport& each : canopy.components)
-        lai.push_back(each.lai);
-    arrays.add_light("soil", {"band"}, soil);
-    arrays.add_light("reflected", {"band"}, reflected);
-    arrays.add_light("absorbed_by_component", {"band", "component"},
-                     components);
-    arrays.add_light("absorbed", {"band", "group"}, groups);
-    arrays.add_incident({"band"}, incident);
-    arrays.add_exact("lai", {"component"}, "m2 m-2", lai);
-    if (!canopy.assimilation) return;
-    for (const ComponentAssimilation& each :
-         by_component(*canopy.assimilation, canopy.groups, lai.size())) {
-        gross.push_back(scaled(each.gross, arrays.moles()));
-        net.push_back(scaled(
-            {each.gross.mean - each.loss.in_light, each.gross.standard_error},
-            arrays.moles()));
-    }
-    arrays.add_carbon({"component"}, gross, net);
-}
+//! The parts of a Dataset of xarray: its coordinates, and its arrays, each with
+//! name, dimensions, unit, meaning and numbers; numbers with standard errors
+//! are pairs.
+struct Dataset {
+    nb::list arrays;
+    nb::dict coordinates;
 
-//! Returns the parts of a Dataset: arrays, coordinates and attributes.
+    void add(const std::string& name, const std::vector<ResultAxis>& along,
+             const std::string& unit, const Output<double>& numbers,
+             const std::string& meaning = "") {
+        std::vector<std::string> names;
+        for (const ResultAxis& axis : along) {
+            names.emplace_back(axis.name);
+            if (!axis.labels.empty()) coordinates[axis.name] = axis.labels;
+        }
+        arrays.append(nb::make_tuple(
+            name, names, unit, meaning.empty() ? name : meaning, numbers));
+    }
+    void add(const std::vector<LightResult>& results, const Unit& unit) {
+        for (const LightResult& each : results)
+            if (each.array)
+                add(each.array, each.along, unit.name,
+                    to_array(mapped(each.values, [&](const Estimate& x) {
+                        return scaled(x, unit.scale);
+                    })));
+    }
+    void add_exact(const std::string& name,
+                   const std::vector<ResultAxis>& along,
+                   const std::string& unit, const std::vector<double>& values) {
+        add(name, along, unit, to_array(values, {values.size()}));
+    }
+};
+
+//! Returns the parts of a Dataset: arrays, coordinates and attributes. That of
+//! a scene file is by band and component.
 nb::tuple parts_of(const MeshReport& report, const MeshSpec& spec,
                    const std::vector<Estimate>& faces) {
     const CanopyReport& canopy = report.canopy;
-    Arrays arrays(spec);
-    nb::dict coordinates, about;
+    const DayReport& light = canopy.par().light;
+    const Unit unit = unit_of_light(spec);
+    const Span span = span_of(spec);
+    const bool is_scene = !spec.scene.empty();
+    Dataset all;
+    nb::dict about;
     about["paths"] = canopy.paths;
     about["ground_area"] = canopy.ground_area;
     about["is_tolerance_met"] = !canopy.is_capped;
     about["warnings"] = report.warnings;
-    coordinates["group"] = names_of(canopy.groups);
-    if (spec.scene.empty()) {
-        add_mesh(canopy, spec.has_day(), faces, arrays);
+    if (is_scene) {
+        all.add(band_results(canopy), unit);
+        all.add_exact("incident", {{"band"}}, unit.name,
+                      mapped(canopy.bands, [&](const BandReport& band) {
+                          return unit.scale * band.light.day.incident;
+                      }));
+        all.add_exact("lai", {{"component"}}, "m2 m-2",
+                      mapped(canopy.components, &ComponentReport::lai));
+    } else {
+        all.add(budget_results(light.day, canopy), unit);
+        all.add(part_results(canopy), unit);
+        // Light by face is per one-sided area of the face.
+        if (!faces.empty())
+            all.add({{"", "absorbed_by_face", {{"face"}}, faces}}, unit);
+        for (const auto& [quantity, estimate] : numbers_of(canopy, span))
+            all.add(quantity.name, {}, quantity.unit,
+                    to_array(std::vector{estimate}), quantity.meaning);
+        all.add_exact("incident", {}, unit.name,
+                      {unit.scale * light.day.incident});
         std::vector<double> middles;
-        for (std::size_t i = 0; i < canopy.par().light.layers.size(); ++i)
+        for (std::size_t i = 0; i < light.layers.size(); ++i)
             middles.push_back(canopy.layers.thickness *
                               (static_cast<double>(i) + 0.5));
-        coordinates["layer"] = middles;
-        about["balance_error"] = canopy.par().light.balance_error;
-    } else {
-        add_scene(canopy, arrays);
-        coordinates["band"] = names_of(canopy.bands);
-        coordinates["component"] = names_of(canopy.components);
+        all.coordinates["layer"] = middles;
+        about["balance_error"] = light.balance_error;
     }
-    return nb::make_tuple(arrays.all(), coordinates, about);
+    if (canopy.assimilation)
+        all.add(
+            carbon_results(
+                canopy, is_scene ? CarbonOf::components : CarbonOf::all, span),
+            {carbon_unit(span)});
+    return nb::make_tuple(all.arrays, all.coordinates, about);
 }
 
 //! Returns the argument of a key: a surface has a pair of both fractions.

@@ -8,6 +8,7 @@
 #include "ideotype/canopy/canopy.hpp"
 #include "ideotype/canopy/request.hpp"
 #include "ideotype/core/error.hpp"
+#include "light_results.hpp"
 #include "spec/mesh_spec.hpp"
 
 namespace ideotype {
@@ -17,6 +18,10 @@ struct MeshReport {
     CanopyReport canopy;
     std::vector<std::string> warnings;
 };
+
+inline Span span_of(const MeshSpec& spec) {
+    return spec.has_day() ? Span::day : Span::single;
+}
 
 //! The most paths that may be traced to meet a tolerance.
 inline constexpr std::uint64_t most_tolerance_paths = std::uint64_t{1} << 28;

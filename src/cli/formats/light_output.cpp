@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "ideotype/canopy/quantities.hpp"
 #include "ideotype/core/clock.hpp"
 
 namespace ideotype {
@@ -18,35 +17,52 @@ Json in_unit(const Estimate& x, const std::string& unit) {
     return json;
 }
 
-//! Writes assimilation in its unit, which is that of a second for a single
-//! light and that of a day for others.
-Json assimilation_json(const Estimate& x, Span span) {
-    return span == Span::single ? in_unit(scaled(x, 1e6), "umol m-2 s-1")
-                                : in_unit(x, "mol m-2 day-1");
+//! Returns an object with the value that a function gives each name, by place.
+template <class Value>
+Json named(const std::vector<std::string>& names, const Value& value) {
+    Json json = Json::object();
+    // All names differ, and looking each up among the others takes too long.
+    for (std::size_t i = 0; i < names.size(); ++i)
+        json.get_ref<Json::object_t&>().emplace_back(names[i], value(i));
+    return json;
 }
 
-Estimate lowered(Estimate flux, double loss) {
-    return {flux.mean - loss, flux.standard_error};
-}
-
-//! @param uptake flux that exceeds net assimilation by the loss
-Json gross_and_net(const Estimate& gross, const Estimate& uptake, double loss,
-                   Span span) {
-    return {{"gross", assimilation_json(gross, span)},
-            {"net", assimilation_json(lowered(uptake, loss), span)}};
-}
-
-bool has_stalks(const CanopyReport& report) {
-    return !std::ranges::all_of(report.groups, &SurfaceId::is_leaf, &Group::id);
-}
-
-//! Returns the name of a group, with that of its component where there are
-//! several.
-std::string group_name(const CanopyReport& report, std::size_t group) {
-    const Group& own = report.groups[group];
-    return report.components.size() > 1 && !own.id.is_object()
-               ? report.components[own.id.component].name + '_' + own.name
-               : own.name;
+//! Writes results as fractions of the incident light.
+//! @param incident light, or that of each band
+void add(const std::vector<LightResult>& results,
+         const std::vector<double>& incident, const CanopyReport& report,
+         Json& json) {
+    const double thickness = report.layers.thickness;
+    for (const LightResult& result : results) {
+        const auto part = [&](std::size_t i, std::size_t band = 0) {
+            return to_json(fraction_of(result.values[i], incident[band]));
+        };
+        const std::vector<ResultAxis>& along = result.along;
+        if (!result.has_surfaces) continue;
+        Json& own = json[result.key];
+        if (along.empty()) {
+            own = part(0);
+        } else if (along.size() == 2) {
+            const std::size_t count = along[1].labels.size();
+            own = named(along[1].labels, [&](std::size_t i) {
+                return named(along[0].labels, [&](std::size_t band) {
+                    return part(band * count + i, band);
+                });
+            });
+        } else if (!along[0].labels.empty()) {
+            own = named(along[0].labels, [&](std::size_t i) {
+                return part(i, incident.size() > 1 ? i : 0);
+            });
+        } else {
+            own = Json::array();
+            for (std::size_t l = 0; l < result.values.size(); ++l) {
+                const double lower = thickness * static_cast<double>(l);
+                own.push_back({{"from_m", lower},
+                               {"to_m", lower + thickness},
+                               {"leaf", part(l)}});
+            }
+        }
+    }
 }
 
 //! Returns whether the sun shines in a step. Without it no leaf is sunlit.
@@ -56,21 +72,10 @@ bool has_sun(const StepReport& step) {
 
 Json to_json(const BudgetEstimate& budget, const CanopyReport& report,
              const char* incident_unit) {
-    const auto part = [&](Estimate x) {
-        return to_json(fraction_of(x, budget.incident));
-    };
     Json json{{"incident", budget.incident},
               {"incident_unit", incident_unit},
               {"unit", "fraction of incident"}};
-    if (report.boundary == Boundary::isolated)
-        json["entered"] = part(budget.entered);
-    json["leaf"] = part(budget.leaves);
-    if (has_stalks(report)) json["stalk"] = part(budget.organs);
-    json["soil"] = part(budget.soil);
-    json["reflected"] = part(budget.reflected);
-    json["leaf_by_origin"] = {{"beam", part(budget.leaves_beam)},
-                              {"sky", part(budget.leaves_sky)},
-                              {"scattered", part(budget.leaves_scattered)}};
+    add(budget_results(budget, report), {budget.incident}, report, json);
     return json;
 }
 
@@ -87,70 +92,28 @@ Json light_classes_json(const LightClassReport& classes) {
     return json;
 }
 
-//! Returns quantities by name. For a single light they are fractions and areas
-//! only, because it has no rates of a day.
-Json quantities_json(const CanopyReport& report, Span span) {
-    Json json = Json::object();
-    for (const auto& [quantity, estimate] : measure_numbers(report)) {
-        const std::string& unit = quantity.unit;
-        if (span == Span::single && unit != "1" && unit != "m2 m-2") continue;
-        json[quantity.name] = in_unit(estimate, unit);
-    }
+//! Writes the assimilation of one part of a canopy.
+Json carbon_json(const std::vector<LightResult>& results, std::size_t part,
+                 Span span) {
+    Json json;
+    for (const LightResult& each : results)
+        json[each.key] = in_unit(each.values[part], carbon_unit(span));
     return json;
 }
 
 Json assimilation_json(const CanopyReport& report, Span span) {
-    const AssimilationReport& all = *report.assimilation;
-    const CarbonLoss loss = sum_of(all.losses);
-    const FluxReport& uptake = all.before_losses();
-    Json json = gross_and_net(all.gross.sum, uptake.sum, loss.in_light, span);
-    if (span == Span::day)
-        json["carbon_balance"] =
-            assimilation_json(lowered(uptake.sum, loss.all()), span);
-    Json groups = Json::object();
+    Json json =
+        carbon_json(carbon_results(report, CarbonOf::all, span), 0, span);
+    const auto groups = carbon_results(report, CarbonOf::groups, span);
+    json["groups"] = Json::object();
     for (std::size_t g = 0; g < report.groups.size(); ++g)
         if (report.groups[g].id.is_leaf())
-            groups.get_ref<Json::object_t&>().emplace_back(
-                group_name(report, g),
-                gross_and_net(all.gross.groups[g], uptake.groups[g],
-                              all.losses[g].in_light, span));
-    json["groups"] = std::move(groups);
+            json["groups"].get_ref<Json::object_t&>().emplace_back(
+                groups.front().along.front().labels[g],
+                carbon_json(groups, g, span));
     if (report.light_classes)
         json["leaf_area_by_absorbed_ppfd"] =
             light_classes_json(*report.light_classes);
-    return json;
-}
-
-//! Returns the number that `take` finds in each band, as a fraction of the
-//! light of the band.
-template <class Take>
-Json by_band(const CanopyReport& report, const Take& take) {
-    Json json = Json::object();
-    for (const BandReport& band : report.bands)
-        json[band.name] =
-            to_json(fraction_of(take(band), band.light.day.incident));
-    return json;
-}
-
-Json components_json(const CanopyReport& report, Span span) {
-    std::vector<ComponentAssimilation> assimilation;
-    if (report.assimilation)
-        assimilation = by_component(*report.assimilation, report.groups,
-                                    report.components.size());
-    Json json = Json::object();
-    for (std::size_t c = 0; c < report.components.size(); ++c) {
-        const ComponentReport& component = report.components[c];
-        Json one = by_band(
-            report, [&](const BandReport& band) { return band.part(c).all; });
-        one["lai"] = component.lai;
-        one["plant_area_index"] = component.plant_area_index;
-        if (component.assimilates) {
-            const ComponentAssimilation& all = assimilation[c];
-            one["assimilation"] =
-                gross_and_net(all.gross, all.uptake, all.loss.in_light, span);
-        }
-        json[component.name] = std::move(one);
-    }
     return json;
 }
 
@@ -163,7 +126,7 @@ Json part_json(double lai, const Randomised& light, std::size_t part,
               {"absorbed_par", in_unit(light.estimate, "MJ m-2 day-1")}};
     if (!net.empty())
         json["net_assimilation"] =
-            assimilation_json(net[part].estimate, Span::day);
+            in_unit(net[part].estimate, carbon_unit(Span::day));
     return json;
 }
 
@@ -171,28 +134,10 @@ Json part_json(double lai, const Randomised& light, std::size_t part,
 
 Json to_json(const CanopyReport& report, Span span) {
     const DayReport& light = report.par().light;
-    const auto part = [&](Estimate x) {
-        return to_json(fraction_of(x, light.day.incident));
-    };
     Json json{{"lai", report.lai}, {"ground_area_m2", report.ground_area}};
     json.update(
         to_json(light.day, report, span == Span::day ? "J m-2 day-1" : "1"));
-    json["leaf_by_face"] = {{"upper", part(light.adaxial)},
-                            {"lower", part(light.abaxial)}};
-    json["leaf_by_layer"] = Json::array();
-    for (std::size_t l = 0; l < light.layers.size(); ++l) {
-        const double lower = report.layers.thickness * static_cast<double>(l);
-        json["leaf_by_layer"].push_back(
-            {{"from_m", lower},
-             {"to_m", lower + report.layers.thickness},
-             {"leaf", part(light.layers[l])}});
-    }
-    // All names differ, and looking each up among the others takes too long.
-    Json groups = Json::object();
-    for (std::size_t g = 0; g < report.groups.size(); ++g)
-        groups.get_ref<Json::object_t&>().emplace_back(group_name(report, g),
-                                                       part(light.groups[g]));
-    json["groups"] = std::move(groups);
+    add(part_results(report), {light.day.incident}, report, json);
     if (report.boundary == Boundary::isolated)
         json["surface"] =
             "bounding box of the plot: light enters from all sides, so that "
@@ -208,7 +153,9 @@ Json to_json(const CanopyReport& report, Span span) {
         else if (has_sun(step))
             json["sunlit_leaf_area"] = hour["sunlit_leaf_area"];
     }
-    json["quantities"] = quantities_json(report, span);
+    json["quantities"] = Json::object();
+    for (const auto& [quantity, estimate] : numbers_of(report, span))
+        json["quantities"][quantity.name] = in_unit(estimate, quantity.unit);
     if (report.assimilation)
         json["assimilation"] = assimilation_json(report, span);
     return json;
@@ -224,20 +171,21 @@ Json scene_json(const CanopyReport& report, Span span) {
              {"incident_unit", span == Span::day ? "J m-2 day-1" : "1"},
              {"balance_error", band.light.balance_error}});
     json["unit"] = "fraction of incident";
-    json["components"] = components_json(report, span);
-    // All names differ, and looking each up among the others takes too long.
-    Json groups = Json::object();
-    for (std::size_t g = 0; g < report.groups.size(); ++g)
-        groups.get_ref<Json::object_t&>().emplace_back(
-            report.groups[g].name, by_band(report, [&](const BandReport& band) {
-                return band.light.groups[g];
-            }));
-    json["groups"] = std::move(groups);
-    json["soil"] = by_band(
-        report, [](const BandReport& band) { return band.light.day.soil; });
-    json["reflected"] = by_band(report, [](const BandReport& band) {
-        return band.light.day.reflected;
-    });
+    std::vector<double> incident;
+    for (const BandReport& band : report.bands)
+        incident.push_back(band.light.day.incident);
+    add(band_results(report), incident, report, json);
+    std::vector<LightResult> carbon;
+    if (report.assimilation)
+        carbon = carbon_results(report, CarbonOf::components, span);
+    for (std::size_t c = 0; c < report.components.size(); ++c) {
+        const ComponentReport& component = report.components[c];
+        Json& one = json["components"][component.name];
+        one["lai"] = component.lai;
+        one["plant_area_index"] = component.plant_area_index;
+        if (component.assimilates)
+            one["assimilation"] = carbon_json(carbon, c, span);
+    }
     json["lai"] = report.lai;
     json["ground_area_m2"] = report.ground_area;
     return json;

@@ -3,12 +3,9 @@
 
 #include "ideotype/canopy/canopy.hpp"
 #include "json.hpp"
+#include "stand/light_results.hpp"
 
 namespace ideotype {
-
-//! The kind of light that is told: a day in J m-2 with its hours, or a single
-//! light, of which level ground receives 1.
-enum class Span { day, single };
 
 //! `incident` and, as fractions of it, what became of it: in all, by group,
 //! by layer, by hour; `quantities` that are single numbers; and `assimilation`

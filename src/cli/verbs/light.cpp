@@ -57,10 +57,6 @@ Json to_json(const Lambertian& surface) {
             {"transmittance", surface.transmittance}};
 }
 
-Span span_of(const MeshSpec& spec) {
-    return spec.has_day() ? Span::day : Span::single;
-}
-
 Json to_json(const MeshReport& report, const MeshSpec& spec, double seconds) {
     Json json{{"mesh", spec.path},
               {"boundary", name_of(spec.boundary)},

@@ -34,6 +34,9 @@ def test_a_square_takes_the_light_of_its_shadow() -> None:
     assert found.absorbed_by_face.item() == pytest.approx(1, abs=2e-3)
     assert found.lai.item() == pytest.approx(0.5)
     assert found.attrs["balance_error"] < 1e-12
+    beam = found.leaves_by_origin.sel(origin="beam")
+    assert beam.item() == pytest.approx(found.leaves.item())
+    assert found.leaves_by_side.sel(side="lower").item() == 0
 
 
 def test_a_polygon_is_one_face() -> None:

@@ -101,7 +101,9 @@ class Canopy:
         `stalks` (all other organs) and `soil` are the light that each absorbs,
         and `reflected` is the light that escapes from the canopy, per area of
         ground; `absorbed` is the light absorbed by `group`, and
-        `absorbed_by_layer` is the light of leaves by height. The Dataset also
+        `absorbed_by_layer` is the light of leaves by height,
+        `leaves_by_origin` that from the beam, from the sky and from other
+        surfaces, and `leaves_by_side` that on each face. The Dataset also
         has the quantities of a history; for a single sun or sky only those
         quantities that are not rates. Each quantity has its
         NAME_standard_error. With a `scene` the Dataset has instead, by `band`,

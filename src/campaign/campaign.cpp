@@ -60,8 +60,7 @@ Campaign parse(const std::string& text, const std::string& file,
         problems.warn({Location{file}, "", ProblemCode::doubt,
                        passed_over_text(spec.passed_over)});
     read_weathers(file, source, spec, problems);
-    read_objects(file, spec, problems);
-    read_component_meshes(file, spec, problems);
+    read_meshes(file, spec, problems);
     complete_factors(spec);
     BaselineDoubts doubts = check_spec(spec, problems);
     if (problems.empty()) try_ranges(spec, problems, doubts);

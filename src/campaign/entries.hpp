@@ -60,7 +60,7 @@ struct ComponentEntry {
     ByBand<PlantOptics> optics;
     //! Mesh of each plant in place of a crop, and the materials of its groups.
     std::optional<Mesh> mesh{};
-    ByBand<std::vector<Material>> materials{};
+    std::vector<MaterialSpec> materials{};
     //! Model of assimilation, if leaves assimilate.
     std::optional<Photosynthesis> photosynthesis{};
     Stomata stomata{};  //!< stomata, if leaves exchange water

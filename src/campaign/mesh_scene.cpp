@@ -20,47 +20,30 @@ namespace ideotype {
 
 namespace {
 
-//! Checks the optical numbers of a material against those of the others.
-void check_material(const MeshScene::Material& material,
-                    const std::vector<std::string>& bands,
-                    const Problems& problems) {
-    for (const std::string& band : bands) {
-        const auto found = material.bands.find(band);
-        if (found == material.bands.end()) {
-            problems.add_at(problems.where("groups"), "groups",
-                            ProblemCode::missing,
-                            "the material of groups {} has no {} (another "
-                            "material has); add {} = [0.06, 0.03]",
-                            fmt::join(material.groups, ", "), band, band);
-            continue;
-        }
-        check_optical_parts(found->second, "material", band, problems);
-    }
-}
-
 //! Reads the albedo of the soil, one number or one of each band.
 void read_soil(const toml::table& top, const std::vector<std::string>& bands,
                const TableReader& reader, const Problems& problems,
                MeshScene& scene) {
     double albedo = usual_soil_albedo[par_band];
     const toml::node* const node = top.get("soil_albedo");
-    if (const toml::table* table = node ? node->as_table() : nullptr) {
-        reader.in("soil_albedo").read(*table, mesh_soil_table, &scene);
-        for (const auto& [band, of_band] : scene.soil_albedo)
-            problems.in("soil_albedo")
-                .rule({band}, std::ranges::count(bands, band) == 0,
-                      "soil_albedo.{} names no band (the materials have {}); "
-                      "remove it",
-                      band, fmt::join(bands, ", "));
-    } else if (node) {
+    const bool is_table = node && node->is_table();
+    if (is_table)
+        reader.in("soil_albedo")
+            .read(*node->as_table(), mesh_soil_table, &scene);
+    else if (node)
         read_value(*node, "top", {mesh_scene_table.keys().front(), &albedo},
                    nothing_known, problems);
-    }
+    for (const auto& [band, of_band] : scene.soil_albedo)
+        problems.in("soil_albedo")
+            .rule({band}, std::ranges::count(bands, band) == 0,
+                  "soil_albedo.{} names no band (the materials have {}); "
+                  "remove it",
+                  band, fmt::join(bands, ", "));
     for (const std::string& band : bands) {
         const bool is_new = scene.soil_albedo.emplace(band, albedo).second;
         problems.rule(
             {"soil_albedo"},
-            is_new && (node ? node->is_table() : bands.size() > 1),
+            is_new && (is_table || (!node && bands.size() > 1)),
             "soil_albedo has no {0} (a band of the materials); add {0} = 0.1",
             band);
     }
@@ -158,10 +141,8 @@ MeshScene read_mesh_scene(const std::string& path) {
     if (const auto top = parse_toml(read_text(path), path, problems)) {
         const TableReader reader(path, problems, nothing_known);
         reader.read(*top, mesh_scene_table, &scene);
-        const std::vector<std::string> bands = scene.bands();
-        for (std::size_t i = 0; i < scene.materials.size(); ++i)
-            check_material(scene.materials[i], bands,
-                           problems.in("material", i));
+        const std::vector<std::string> bands = bands_of(scene.materials);
+        check_materials(scene.materials, bands, "material", problems);
         read_soil(*top, bands, reader, problems, scene);
         for (std::size_t i = 0; i < scene.components.size(); ++i)
             check_component(scene.components, i, bands,

@@ -9,6 +9,7 @@
 
 #include "ideotype/core/units.hpp"
 #include "ideotype/crop/obj_reader.hpp"
+#include "spec/files.hpp"
 
 namespace ideotype {
 
@@ -30,46 +31,27 @@ double width(const Mesh& mesh, const std::array<std::uint32_t, 4>& face,
     return largest - least;
 }
 
-//! Adds vertices and faces, each given one after the other.
-void add_surfaces(const std::vector<double>& vertices,
-                  const std::vector<double>& faces, Mesh& mesh) {
-    for (std::size_t i = 0; i + 2 < vertices.size(); i += 3)
-        mesh.vertices.push_back(
-            {vertices[i], vertices[i + 1], vertices[i + 2]});
-    for (std::size_t i = 0; i + 3 < faces.size(); i += 4) {
+//! Returns vertices and faces, and the group of each face, if it is known.
+Mesh surfaces_of(const MeshContent& content) {
+    Mesh mesh;
+    const std::vector<double>&at = content.vertices, &of = content.faces;
+    for (std::size_t i = 0; i + 2 < at.size(); i += 3)
+        mesh.vertices.push_back({at[i], at[i + 1], at[i + 2]});
+    for (std::size_t i = 0; i + 3 < of.size(); i += 4) {
         auto& face = mesh.faces.emplace_back();
         for (std::size_t k = 0; k < face.size(); ++k)
-            face[k] = static_cast<std::uint32_t>(faces[i + k]);
+            face[k] = static_cast<std::uint32_t>(of[i + k]);
     }
-}
-
-}  // namespace
-
-Mesh mesh_of(const ObjectEntry& object) {
-    const double sine = std::sin(object.turn * degree);
-    const double cosine = std::cos(object.turn * degree);
-    Mesh mesh;
-    mesh.groups = {{object.name, {0, SurfaceId::object}}};
-    add_surfaces(object.vertices, object.faces, mesh);
-    for (glm::dvec3& x : mesh.vertices)
-        x = {object.x + x.x * cosine + x.y * sine,
-             object.y + x.y * cosine - x.x * sine, object.z + x.z};
-    mesh.face_group.assign(mesh.faces.size(), 0);
-    return mesh;
-}
-
-Mesh mesh_of(const ComponentMesh& described) {
-    Mesh mesh;
-    add_surfaces(described.vertices, described.faces, mesh);
-    for (const double group : described.face_groups)
+    for (const double group : content.face_groups)
         mesh.face_group.push_back(static_cast<std::uint32_t>(group));
-    for (const std::string& name : described.groups)
-        mesh.groups.push_back({name});
-    number_groups(mesh);
-    for (Group& group : mesh.groups)
-        group.material = static_cast<std::uint32_t>(
-            first_that_fits(described.materials, group.name));
     return mesh;
+}
+
+//! Returns whether all numbers count from 0 to below a limit.
+bool are_below(const std::vector<double>& numbers, std::size_t limit) {
+    return std::ranges::all_of(numbers, [&](double x) {
+        return x >= 0 && x < static_cast<double>(limit) && x == std::floor(x);
+    });
 }
 
 Material material_of(const std::vector<double>& parts) {
@@ -77,13 +59,44 @@ Material material_of(const std::vector<double>& parts) {
                              : Material(parts[0], parts[1], parts[2]);
 }
 
-ByBand<std::vector<Material>> materials_of(const ComponentMesh& described) {
-    ByBand<std::vector<Material>> materials;
-    for (const ComponentMaterial& each : described.materials)
-        for (std::size_t b = 0; b < wavebands.size(); ++b)
-            if (!each.optics[b].empty())
-                materials[b].push_back(material_of(each.optics[b]));
-    return materials;
+}  // namespace
+
+Mesh mesh_of(const ObjectEntry& object) {
+    const double sine = std::sin(object.turn * degree);
+    const double cosine = std::cos(object.turn * degree);
+    Mesh mesh = surfaces_of(object.mesh);
+    mesh.groups = {{object.name, {0, SurfaceId::object}}};
+    mesh.face_group.assign(mesh.faces.size(), 0);
+    for (glm::dvec3& x : mesh.vertices)
+        x = {object.x + x.x * cosine + x.y * sine,
+             object.y + x.y * cosine - x.x * sine, object.z + x.z};
+    return mesh;
+}
+
+Mesh mesh_of(const MeshContent& content) {
+    Mesh mesh = surfaces_of(content);
+    for (const std::string& name : content.groups)
+        mesh.groups.push_back({name});
+    number_groups(mesh);
+    return mesh;
+}
+
+void add_surfaces(const std::vector<MaterialSpec>& materials, Mesh& mesh,
+                  Bands& bands) {
+    const std::size_t first = bands.front().optics.materials.size();
+    for (Group& group : mesh.groups)
+        group.material = static_cast<std::uint32_t>(
+            first + first_that_fits(materials, group.name));
+    for (Band& band : bands)
+        for (const MaterialSpec& each : materials)
+            band.optics.materials.push_back(material_of(each.in(band.name)));
+}
+
+void add_surfaces(const ByBand<Lambertian>& optics, Mesh& mesh, Bands& bands) {
+    MaterialSpec material{.groups = {""}, .optics = {}};
+    for (std::size_t b = 0; b < wavebands.size(); ++b)
+        material.optics[b] = {optics[b].reflectance, optics[b].transmittance};
+    add_surfaces({material}, mesh, bands);
 }
 
 void number_groups(Mesh& mesh) {
@@ -140,25 +153,34 @@ std::optional<std::string> excess_of(const Mesh& mesh, double copies,
     return std::nullopt;
 }
 
-std::optional<Mesh> read_mesh(const std::string& path, const std::string& key,
-                              const Problems& problems) try {
-    return read_obj(path).mesh;
+void read_content(MeshContent& content, const std::string& key,
+                  const std::string& folder, const Problems& problems) try {
+    if (content.file.empty() || !content.vertices.empty() ||
+        !problems.usable({key}))
+        return;
+    const Mesh mesh = read_obj(path_from(folder, content.file)).mesh;
+    for (const glm::dvec3& v : mesh.vertices)
+        content.vertices.insert(content.vertices.end(), {v.x, v.y, v.z});
+    for (const auto& face : mesh.faces)
+        content.faces.insert(content.faces.end(), face.begin(), face.end());
+    for (const Group& group : mesh.groups) content.groups.push_back(group.name);
+    content.face_groups.assign(mesh.face_group.begin(), mesh.face_group.end());
 } catch (const InputError& error) {
+    problems.spoil(key);
     for (const Problem& problem : error.problems())
         problems.add(problems.named_by(key, problem));
-    return std::nullopt;
 } catch (const Error& error) {
     problems.add(key, ProblemCode::file,
                  "{}; give a path relative to this file", error.what());
-    return std::nullopt;
 }
 
-void take_surfaces(const Mesh& mesh, std::vector<double>& vertices,
-                   std::vector<double>& faces) {
-    for (const glm::dvec3& v : mesh.vertices)
-        vertices.insert(vertices.end(), {v.x, v.y, v.z});
-    for (const auto& face : mesh.faces)
-        faces.insert(faces.end(), face.begin(), face.end());
+bool is_whole(const MeshContent& content) {
+    const std::size_t groups = content.face_groups.size();
+    return content.vertices.size() % 3 == 0 && content.faces.size() % 4 == 0 &&
+           !content.faces.empty() &&
+           are_below(content.faces, content.vertices.size() / 3) &&
+           (groups == 0 || content.faces.size() == 4 * groups) &&
+           are_below(content.face_groups, content.groups.size());
 }
 
 }  // namespace ideotype

@@ -17,10 +17,9 @@ namespace ideotype {
 //! Returns the surfaces of an object at its place in the field.
 Mesh mesh_of(const ObjectEntry& object);
 
-//! Returns the mesh of each plant of a component. Its groups have the number of
-//! their material; those of names such as "leaf07" are leaves, or all groups if
-//! there are none.
-Mesh mesh_of(const ComponentMesh& described);
+//! Returns the surfaces of a file. Its groups of names such as "leaf07" are
+//! leaves, or all groups if there are none.
+Mesh mesh_of(const MeshContent& content);
 
 //! Numbers the groups of a mesh by their names: those such as "leaf07" are
 //! leaves, or all groups if there are none.
@@ -40,12 +39,14 @@ std::size_t first_that_fits(const std::vector<Entry>& entries,
                                     entries.begin());
 }
 
-//! Returns the material of [reflectance, transmittance], or of [reflectance of
-//! the upper face, of the lower face, transmittance].
-Material material_of(const std::vector<double>& parts);
+//! Makes a mesh part of a scene: gives each group the first material that fits
+//! its name, and appends the materials to those of the scene's wavebands.
+//! @param materials materials that are known in each of the wavebands
+void add_surfaces(const std::vector<MaterialSpec>& materials, Mesh& mesh,
+                  Bands& bands);
 
-//! Returns the materials of the mesh in each waveband.
-ByBand<std::vector<Material>> materials_of(const ComponentMesh& described);
+//! Makes a mesh of a single material part of a scene.
+void add_surfaces(const ByBand<Lambertian>& optics, Mesh& mesh, Bands& bands);
 
 //! The depth below the soil that rounding may explain [m].
 inline constexpr double least_depth = 1e-3;
@@ -61,12 +62,13 @@ Range heights_of(const Mesh& mesh);
 std::optional<std::string> excess_of(const Mesh& mesh, double copies,
                                      const Cell& cell);
 
-//! Reads the OBJ file that a key names; nothing if its problems are reported.
-std::optional<Mesh> read_mesh(const std::string& path, const std::string& key,
-                              const Problems& problems);
+//! Reads the OBJ file that a key names, unless its content is there already.
+//! @param folder file to which the path of the OBJ file is relative
+void read_content(MeshContent& content, const std::string& key,
+                  const std::string& folder, const Problems& problems);
 
-//! Appends coordinates of vertices and vertex numbers of faces to lists.
-void take_surfaces(const Mesh& mesh, std::vector<double>& vertices,
-                   std::vector<double>& faces);
+//! Returns whether faces have vertices and groups that exist, if there are
+//! groups.
+bool is_whole(const MeshContent& content);
 
 }  // namespace ideotype

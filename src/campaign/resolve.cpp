@@ -45,7 +45,7 @@ ComponentEntry to_component(const ComponentSpec& spec) {
         standing.rows.push_back(static_cast<int>(row) - 1);
     if (spec.has_mesh()) {
         component.mesh = mesh_of(spec.mesh);
-        component.materials = materials_of(spec.mesh);
+        component.materials = spec.mesh.materials;
         return component;
     }
     component.crop = crop_of(spec.crop);

@@ -122,16 +122,4 @@ MeshSpec read_mesh_spec(const GivenKeys& given, KeyNaming naming) {
     return spec;
 }
 
-std::vector<std::string> MeshScene::bands() const {
-    std::vector<std::string> names;
-    for (const Material& material : materials)
-        for (const auto& [band, optics] : material.bands)
-            if (std::ranges::count(names, band) == 0) names.push_back(band);
-    // Assimilation is computed from the first band.
-    std::stable_partition(
-        names.begin(), names.end(),
-        [](const std::string& band) { return band == "par"; });
-    return names;
-}
-
 }  // namespace ideotype

@@ -64,10 +64,6 @@ struct MeshSpec {
 //! The surfaces of a mesh by the names of their groups. The first entry with a
 //! text that the name of a group begins with counts.
 struct MeshScene {
-    struct Material {
-        std::vector<std::string> groups;
-        std::map<std::string, std::vector<double>> bands;
-    };
     struct Component {
         std::string name;
         std::vector<std::string> groups;  //!< none: that of its name
@@ -75,12 +71,9 @@ struct MeshScene {
     };
 
     std::string file;
-    std::vector<Material> materials;
+    std::vector<MaterialSpec> materials;
     std::vector<Component> components;
     std::map<std::string, double> soil_albedo;  //!< albedo in each band
-
-    //! Returns all bands of materials, "par" first if there is one.
-    std::vector<std::string> bands() const;
 };
 
 extern const Description mesh_table;  //!< records are MeshSpec

@@ -22,6 +22,27 @@ TraitEntry leaf_trait(const std::string& name, const std::string& unit,
 
 }  // namespace
 
+std::vector<double> MaterialSpec::in(const std::string& band) const {
+    for (std::size_t b = 0; b < wavebands.size(); ++b)
+        if (band == wavebands[b].name) return optics[b];
+    const auto found = others.find(band);
+    return found == others.end() ? std::vector<double>{} : found->second;
+}
+
+std::vector<std::string> bands_of(const std::vector<MaterialSpec>& materials) {
+    std::set<std::string> names;
+    for (const MaterialSpec& each : materials) {
+        for (const auto& [band, parts] : each.others) names.insert(band);
+        for (const Waveband& band : wavebands)
+            if (!each.in(band.name).empty()) names.insert(band.name);
+    }
+    // Assimilation is computed from the first band.
+    std::vector<std::string> sorted(names.begin(), names.end());
+    std::ranges::stable_partition(
+        sorted, [](const std::string& band) { return band == "par"; });
+    return sorted;
+}
+
 CropSpec::CropSpec() {
     // The controls are a least-squares fit of a width profile with a maximum of
     // 1 and an area of 0.7455 length x width.

@@ -173,23 +173,35 @@ struct PlantSpec {
     Tessellation tessellation;
 };
 
-//! A material of the groups of a component's mesh: reflectance and
-//! transmittance in each waveband, or reflectance of both faces and
-//! transmittance.
-struct ComponentMaterial {
-    std::vector<std::string> groups;  //!< texts that names of groups begin with
-    ByBand<std::vector<double>> optics;
+//! The surfaces of an OBJ file.
+struct MeshContent {
+    std::string file;  //!< path as written; "": none
+    //! Three coordinates of each vertex [m], and four vertices of each face,
+    //! from 0.
+    std::vector<double> vertices, faces;
+    std::vector<std::string> groups;  //!< names of groups
+    std::vector<double> face_groups;  //!< group of each face, from 0
 };
 
+//! The material of the groups of a mesh: in each waveband reflectance and
+//! transmittance, or reflectance of both faces and transmittance.
+struct MaterialSpec {
+    std::vector<std::string> groups;  //!< texts that names of groups begin with
+    ByBand<std::vector<double>> optics;
+    //! Further wavebands, which only the light in a single mesh may have.
+    std::map<std::string, std::vector<double>> others{};
+
+    //! Returns the numbers in a waveband; none: they are not known.
+    std::vector<double> in(const std::string& band) const;
+};
+
+//! Returns the wavebands of any material by name, "par" first.
+std::vector<std::string> bands_of(const std::vector<MaterialSpec>& materials);
+
 //! The mesh of each plant of a component, which neither grows nor is bred.
-struct ComponentMesh {
-    std::string file;  //!< OBJ file as written; "": the component has a crop
-    //! Content of the file, as of an object, with the names of its groups and
-    //! the group of each face, from 0.
-    std::vector<double> vertices, faces;
-    std::vector<std::string> groups;
-    std::vector<double> face_groups;
-    std::vector<ComponentMaterial> materials;
+//! Without a file the component has a crop.
+struct ComponentMesh : MeshContent {
+    std::vector<MaterialSpec> materials;
     std::optional<MeshLeaves> photosynthesis{};  //!< none: it is not known
 };
 
@@ -218,12 +230,9 @@ struct PanelEntry {
 //! An object in the field that repeats with the field.
 struct ObjectEntry {
     std::string name;
-    std::string file;  //!< OBJ file as written
+    MeshContent mesh;  //!< surfaces; their groups have no meaning
     double x = 0, y = 0, z = 0, turn = 0;
     ByBand<Lambertian> optics = std::to_array<Lambertian>({{.4, 0}, {.4, 0}});
-    //! Content of the file: three coordinates of each vertex [m], and four
-    //! vertex numbers of each face, from 0.
-    std::vector<double> vertices, faces;
 };
 
 //! A waveband that a campaign names.

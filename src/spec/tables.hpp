@@ -29,7 +29,7 @@ extern const Description site_table, day_table, climate_table, weather_table;
 //! The place of a site alone: its latitude, longitude and UTC offset.
 extern const Description place_table;
 extern const Description spacing_table, field_table, variation_table;
-extern const Description panel_table, object_table, band_table;
+extern const Description panel_table, object_table, material_table, band_table;
 extern const Description optics_table, crop_optics_table;
 extern const Description photosynthesis_table, water_table;
 //! A key TRAIT, which stands for each trait of a crop; records are Range.

@@ -102,77 +102,54 @@ Mesh part_of(const Mesh& mesh, const std::vector<bool>& is_wanted) {
     return part;
 }
 
-//! Puts the parts of a mesh into a scene as a scene file describes.
-class SceneBuilder {
-  public:
-    SceneBuilder(Mesh mesh, const MeshScene& file,
-                 std::vector<std::string>& warnings)
-        : mesh_(std::move(mesh)), file_(file), warnings_(warnings) {}
-
-    //! @throws Error if a group fits no material or no component.
-    std::vector<Component> components() {
-        assign();
-        std::vector<Component> all;
-        for (std::size_t c = 0; c < file_.components.size(); ++c) {
-            const MeshScene::Component& kind = file_.components[c];
-            std::vector<bool> is_own;
-            for (const std::size_t of : component_) is_own.push_back(of == c);
-            Component one{.name = kind.name,
-                          .mesh = part_of(mesh_, is_own),
-                          .photosynthesis = {}};
-            if (kind.photosynthesis)
-                one.photosynthesis = to_photosynthesis(*kind.photosynthesis);
-            if (one.mesh.faces.empty())
-                warnings_.push_back(fmt::format(
-                    "{}: component \"{}\" has no surfaces (no group of the "
-                    "mesh begins with {}); it is left out",
-                    file_.file, kind.name, fmt::join(kind.groups, " or ")));
-            else if (kind.photosynthesis && !has_leaves(one.mesh))
-                throw Error(fmt::format(
-                    "{}: component \"{}\" has photosynthesis, but none of its "
-                    "groups is a leaf; let their names end in leaf01, leaf02, "
-                    "...",
-                    file_.file, kind.name));
-            else
-                all.push_back(std::move(one));
-        }
-        return all;
+//! Divides a mesh into the components of a scene file.
+//! @throws Error if a group fits no material or no component.
+std::vector<Component> components_of(const Mesh& mesh, const MeshScene& file,
+                                     std::vector<std::string>& warnings) {
+    std::vector<std::string> problems;
+    const auto require = [&](const auto& entries, const Group& group,
+                             const char* table) {
+        const std::size_t place = first_that_fits(entries, group.name);
+        if (place == entries.size())
+            problems.push_back(fmt::format(
+                "{}: group {} fits no [[{}]] (none has groups that it begins "
+                "with); add one",
+                file.file, group.name, table));
+        return place;
+    };
+    std::vector<std::vector<bool>> is_own(
+        file.components.size() + 1, std::vector<bool>(mesh.groups.size()));
+    for (std::size_t g = 0; g < mesh.groups.size(); ++g) {
+        require(file.materials, mesh.groups[g], "material");
+        is_own[require(file.components, mesh.groups[g], "component")][g] = true;
     }
-
-  private:
-    static bool has_leaves(const Mesh& mesh) {
-        return std::ranges::any_of(mesh.groups, &SurfaceId::is_leaf,
-                                   &Group::id);
+    if (!problems.empty())
+        throw Error(fmt::format("{}", fmt::join(problems, "\n")));
+    std::vector<Component> all;
+    for (std::size_t c = 0; c < file.components.size(); ++c) {
+        const MeshScene::Component& kind = file.components[c];
+        Component one{.name = kind.name,
+                      .mesh = part_of(mesh, is_own[c]),
+                      .photosynthesis = {}};
+        if (kind.photosynthesis)
+            one.photosynthesis = to_photosynthesis(*kind.photosynthesis);
+        if (one.mesh.faces.empty())
+            warnings.push_back(fmt::format(
+                "{}: component \"{}\" has no surfaces (no group of the mesh "
+                "begins with {}); it is left out",
+                file.file, kind.name, fmt::join(kind.groups, " or ")));
+        else if (kind.photosynthesis &&
+                 std::ranges::none_of(one.mesh.groups, &SurfaceId::is_leaf,
+                                      &Group::id))
+            throw Error(fmt::format(
+                "{}: component \"{}\" has photosynthesis, but none of its "
+                "groups is a leaf; let their names end in leaf01, leaf02, ...",
+                file.file, kind.name));
+        else
+            all.push_back(std::move(one));
     }
-
-    //! Finds the kind of each group. If no group is called a leaf, all groups
-    //! are leaves.
-    void assign() {
-        number_groups(mesh_);
-        std::vector<std::string> problems;
-        for (Group& group : mesh_.groups) {
-            group.material = static_cast<std::uint32_t>(
-                first_that_fits(file_.materials, group.name));
-            component_.push_back(first_that_fits(file_.components, group.name));
-            const auto require = [&](bool holds, const std::string& table) {
-                if (!holds)
-                    problems.push_back(fmt::format(
-                        "{}: group {} fits no [[{}]] (none has groups that it "
-                        "begins with); add one",
-                        file_.file, group.name, table));
-            };
-            require(group.material < file_.materials.size(), "material");
-            require(component_.back() < file_.components.size(), "component");
-        }
-        if (!problems.empty())
-            throw Error(fmt::format("{}", fmt::join(problems, "\n")));
-    }
-
-    Mesh mesh_;
-    const MeshScene& file_;
-    std::vector<std::string>& warnings_;
-    std::vector<std::size_t> component_;  //!< component of each group
-};
+    return all;
+}
 
 SeriesIllumination light_in(const std::string& band, SeriesIllumination light,
                             const MeshSpec& spec, const Problems& problems) {
@@ -194,8 +171,11 @@ void add_scene_file(Mesh mesh, const MeshSpec& spec,
                     const SeriesIllumination& light, const Problems& problems,
                     std::vector<std::string>& warnings, Scene& scene) {
     const MeshScene file = read_mesh_scene(spec.scene);
-    scene.components =
-        SceneBuilder(std::move(mesh), file, warnings).components();
+    for (const std::string& band : bands_of(file.materials))
+        scene.bands.push_back({band, {}, {{}, file.soil_albedo.at(band)}});
+    number_groups(mesh);
+    add_surfaces(file.materials, mesh, scene.bands);
+    scene.components = components_of(mesh, file, warnings);
     problems.named_rule(
         {"scene", "beam_ppfd", "sky_ppfd", "site", "date", "climate"},
         scene.assimilates() && !spec.has_day() && !spec.has_ppfd(),
@@ -205,13 +185,8 @@ void add_scene_file(Mesh mesh, const MeshSpec& spec,
         {"jitter"}, scene.components.size() > 1 && spec.jitter.value_or(0) > 0,
         "{0}: components of a mesh cannot turn together; leave it out");
     problems.throw_wrong_usage();
-    for (const std::string& band : file.bands()) {
-        Optics optics{{}, file.soil_albedo.at(band)};
-        for (const MeshScene::Material& each : file.materials)
-            optics.materials.push_back(material_of(each.bands.at(band)));
-        scene.bands.push_back(
-            {band, light_in(band, light, spec, problems), std::move(optics)});
-    }
+    for (Band& band : scene.bands)
+        band.light = light_in(band.name, light, spec, problems);
 }
 
 Scene scene_of(Mesh mesh, const MeshSpec& spec, const Problems& problems,

@@ -58,14 +58,6 @@ std::vector<std::vector<double>> set_poses(Scene& scene,
     return poses;
 }
 
-//! Adds an object, whose material follows those of plants and earlier objects.
-void add(Scene& scene, FixedObject object) {
-    const auto material = static_cast<std::uint32_t>(
-        plant_materials * scene.components.size() + scene.objects.size());
-    for (Group& group : object.mesh.groups) group.material = material;
-    scene.objects.push_back(std::move(object));
-}
-
 }  // namespace
 
 bool has_trackers(const Campaign& campaign) {
@@ -83,12 +75,15 @@ void add_objects(Scene& scene, const Campaign& campaign,
     for (std::size_t p = 0; p < all.size(); ++p) {
         std::vector<double> angles;
         for (const std::vector<double>& pose : poses) angles.push_back(pose[p]);
-        add(scene,
-            {all[p].name,
-             mesh_of(all[p], scene.cell, spacing.row_direction, angles), true});
+        Mesh mesh = mesh_of(all[p], scene.cell, spacing.row_direction, angles);
+        add_surfaces(campaign.spec.panels[p].optics, mesh, scene.bands);
+        scene.objects.push_back({all[p].name, std::move(mesh), true});
     }
-    for (const ObjectEntry& each : campaign.spec.objects)
-        add(scene, {each.name, mesh_of(each)});
+    for (const ObjectEntry& each : campaign.spec.objects) {
+        Mesh mesh = mesh_of(each);
+        add_surfaces(each.optics, mesh, scene.bands);
+        scene.objects.push_back({each.name, std::move(mesh)});
+    }
 }
 
 }  // namespace ideotype

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "campaign/meshes.hpp"
 #include "ideotype/core/contract.hpp"
 #include "ideotype/light/tolerance.hpp"
 #include "stand.hpp"
@@ -141,20 +142,12 @@ void set_sinks(const Campaign& campaign, const Case& chosen, std::size_t number,
         component.ear_share = chosen.stage->ear_shares[number];
 }
 
-//! Returns the optics of all components, panels, objects and meshes of
-//! components in a waveband, in this order.
+//! Returns the optics of the plants of all components in a waveband.
 Optics optics_in(const Campaign& campaign, std::size_t band) {
     Optics optics{campaign.spec.plant.crop.optics[band].materials(),
                   campaign.spec.soil_albedo[band]};
     for (const ComponentEntry& each : campaign.components)
         for (const Material& material : each.optics[band].materials())
-            optics.materials.push_back(material);
-    for (const PanelEntry& each : campaign.spec.panels)
-        optics.materials.emplace_back(each.optics[band]);
-    for (const ObjectEntry& each : campaign.spec.objects)
-        optics.materials.emplace_back(each.optics[band]);
-    for (const ComponentEntry& each : campaign.components)
-        for (const Material& material : each.materials[band])
             optics.materials.push_back(material);
     return optics;
 }
@@ -233,17 +226,12 @@ Scene scene_of(const Campaign& campaign, const Case& chosen) {
     set_places(bred, form, bred_rows(campaign));
     if (bred_plants(campaign) < bred.places.size())
         mix(bred, bred_plants(campaign));
-    std::size_t next_material =
-        plant_materials * (1 + campaign.components.size()) +
-        campaign.spec.panels.size() + campaign.spec.objects.size();
     for (const ComponentEntry& each : campaign.components) {
         Component& component = scene.components.emplace_back();
         component.name = each.name;
         if (each.mesh) {
             component.mesh = *each.mesh;
-            for (Group& group : component.mesh.groups)
-                group.material += static_cast<std::uint32_t>(next_material);
-            next_material += each.materials[par_band].size();
+            add_surfaces(each.materials, component.mesh, scene.bands);
             component.photosynthesis = each.photosynthesis;
             stand_in(component, form, campaign, each.standing);
             component.variation = {};

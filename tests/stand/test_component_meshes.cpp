@@ -114,7 +114,7 @@ TEST_F(ComponentMeshes, AreContainedInResolvedTexts) {
     ASSERT_TRUE(tree.mesh);
     EXPECT_EQ(tree.mesh->faces, campaign.components.front().mesh->faces);
     EXPECT_TRUE(tree.mesh->groups.front().id.is_leaf());
-    EXPECT_EQ(tree.materials[par_band].size(), 1u);
+    EXPECT_EQ(tree.materials.size(), 1u);
     ASSERT_TRUE(tree.photosynthesis);
     EXPECT_EQ(tree.photosynthesis->profile, CapacityProfile::none);
 }
@@ -140,7 +140,9 @@ TEST_F(ComponentMeshes, ThatFitNothingAreReported) {
           {mesh + ", material=[{groups=\"leaf\", par=[0.6, 0.5]}]",
            "(more than all)"},
           {mesh + ", material=[{groups=\"leaf\", par=[0.6]}]", "has 1 values"},
-          {mesh + ", material=[{groups=\"leaf\"}]", "missing key 'par'"},
+          {mesh + ", material=[{groups=\"leaf\"}]", "has no par"},
+          {mesh + ", material=[{groups=\"leaf\", par=[0, 0], red=[0, 0]}]",
+           "component.material.red is no waveband of campaigns"},
           {mesh + leaf + ", photosynthesis={vmax=3}", "is no number of the"},
           {std::string("mesh=\"none.obj\"") + leaf, "relative to this file"}}) {
         const std::string all = problems_of(keys);

@@ -61,24 +61,19 @@ void check_growing(const Spec& spec, const Problems& problems);
 //! Checks where components stand, and the objectives of several components.
 void check_components(const Spec& spec, const Problems& problems);
 
-//! Reads the files of the meshes of components.
+//! Reads the files of objects and of meshes of components.
 //! @param file path of the campaign
-void read_component_meshes(const std::string& file, Spec& spec,
-                           const Problems& problems);
+void read_meshes(const std::string& file, Spec& spec, const Problems& problems);
 
 //! Reports meshes that do not fit their materials, the field or other tables.
 void check_component_meshes(const Spec& spec, const Problems& problems);
 
-//! Reports reflectances and a transmittance that are no material.
-//! @param table name of the table with the key of the band
-void check_optical_parts(const std::vector<double>& parts,
-                         const std::string& table, const std::string& band,
-                         const Problems& problems);
-
-//! Reads the files of fixed objects.
-//! @param file path of the campaign
-void read_objects(const std::string& file, Spec& spec,
-                  const Problems& problems);
+//! Reports materials that are not known in each waveband, or that send on more
+//! than all light.
+//! @param table name of the table of a material, for messages
+void check_materials(const std::vector<MaterialSpec>& materials,
+                     const std::vector<std::string>& bands,
+                     const std::string& table, const Problems& problems);
 
 //! Checks how panels and objects repeat with the field.
 void check_objects(const Spec& spec, const Problems& problems);

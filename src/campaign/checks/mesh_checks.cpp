@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "campaign/meshes.hpp"
 #include "checks.hpp"
-#include "spec/files.hpp"
 
 namespace ideotype {
 
@@ -15,47 +14,9 @@ namespace {
 //! The largest number of faces of one plant, which a history contains as text.
 constexpr std::size_t most_faces = 100'000;
 
-void take_content(const Mesh& mesh, ComponentMesh& described) {
-    take_surfaces(mesh, described.vertices, described.faces);
-    for (const Group& group : mesh.groups)
-        described.groups.push_back(group.name);
-    described.face_groups.assign(mesh.face_group.begin(),
-                                 mesh.face_group.end());
-}
-
-//! Returns whether all numbers count from 0 to below a limit.
-bool are_below(const std::vector<double>& numbers, std::size_t limit) {
-    return std::ranges::all_of(numbers, [&](double x) {
-        return x >= 0 && x < static_cast<double>(limit) && x == std::floor(x);
-    });
-}
-
-bool is_whole(const ComponentMesh& mesh) {
-    return mesh.vertices.size() % 3 == 0 && !mesh.faces.empty() &&
-           mesh.faces.size() == 4 * mesh.face_groups.size() &&
-           are_below(mesh.faces, mesh.vertices.size() / 3) &&
-           are_below(mesh.face_groups, mesh.groups.size());
-}
-
-//! Reports a material that is not known in each band, or sends on too much.
-void check_material(const ComponentMaterial& material, const Spec& spec,
-                    const Problems& problems) {
-    const ByBand<bool> follows = followed_bands(spec);
-    for (std::size_t b = 0; b < wavebands.size(); ++b) {
-        const std::vector<double>& parts = material.optics[b];
-        const std::string& band = wavebands[b].name;
-        problems.rule({band}, follows[b] && parts.empty(),
-                      "component.material has no {} (light is followed in it); "
-                      "add {} = [0.4, 0.4]",
-                      band, band);
-        if (!parts.empty())
-            check_optical_parts(parts, "component.material", band, problems);
-    }
-}
-
 //! Reports surfaces that have no material, or too many to be drawn.
 void check_surfaces(const ComponentMesh& mesh, const Problems& problems) {
-    problems.rule({"mesh"}, !is_whole(mesh),
+    problems.rule({"mesh"}, mesh.face_groups.empty() || !is_whole(mesh),
                   "component.mesh has no surfaces that fit its vertices and "
                   "groups; give a file: mesh = \"tree.obj\"");
     problems.rule({"mesh"}, mesh.face_groups.size() > most_faces,
@@ -70,6 +31,26 @@ void check_surfaces(const ComponentMesh& mesh, const Problems& problems) {
             "[[component.material]] (none has groups that it begins "
             "with); add one",
             group);
+}
+
+//! Reports reflectances and a transmittance that are no material.
+//! @param table name of the table with the key of the band
+void check_optical_parts(const std::vector<double>& parts,
+                         const std::string& table, const std::string& band,
+                         const Problems& problems) {
+    problems.rule({band}, parts.size() < 2 || parts.size() > 3,
+                  "{}.{} has {} values (expected: reflectance and "
+                  "transmittance, or reflectance of the upper and the lower "
+                  "face and transmittance); write {} = [0.06, 0.03]",
+                  table, band, parts.size(), band);
+    if (!problems.usable({band})) return;
+    const double sum =
+        std::max(parts[0], parts[parts.size() - 2]) + parts.back();
+    // Decimal fractions such as 0.7 + 0.3 may exceed 1 by rounding.
+    problems.rule({band}, sum > 1 + 1e-12,
+                  "{}.{} sends on {} of the light (more than all); reflectance "
+                  "and transmittance sum to 1 at most",
+                  table, band, sum);
 }
 
 //! Reports a mesh that is much larger than a field.
@@ -103,47 +84,49 @@ void check_size(const ComponentSpec& component, const Spec& spec,
 
 }  // namespace
 
-void check_optical_parts(const std::vector<double>& parts,
-                         const std::string& table, const std::string& band,
-                         const Problems& problems) {
-    problems.rule({band}, parts.size() < 2 || parts.size() > 3,
-                  "{}.{} has {} values (expected: reflectance and "
-                  "transmittance, or reflectance of the upper and the lower "
-                  "face and transmittance); write {} = [0.06, 0.03]",
-                  table, band, parts.size(), band);
-    if (!problems.usable({band})) return;
-    const double sum =
-        std::max(parts[0], parts[parts.size() - 2]) + parts.back();
-    // Decimal fractions such as 0.7 + 0.3 may exceed 1 by rounding.
-    problems.rule({band}, sum > 1 + 1e-12,
-                  "{}.{} sends on {} of the light (more than all); reflectance "
-                  "and transmittance sum to 1 at most",
-                  table, band, sum);
-}
-
-void read_component_meshes(const std::string& file, Spec& spec,
-                           const Problems& problems) {
-    for (std::size_t i = 0; i < spec.components.size(); ++i) {
-        ComponentMesh& mesh = spec.components[i].mesh;
-        const Problems own = problems.in("component", i);
-        if (mesh.file.empty() || !mesh.vertices.empty() ||
-            !own.usable({"mesh"}))
-            continue;
-        if (const auto found =
-                read_mesh(path_from(file, mesh.file), "mesh", own))
-            take_content(*found, mesh);
-        else
-            own.spoil("mesh");
+void check_materials(const std::vector<MaterialSpec>& materials,
+                     const std::vector<std::string>& bands,
+                     const std::string& table, const Problems& problems) {
+    for (std::size_t m = 0; m < materials.size(); ++m) {
+        const Problems own = problems.in("material", m);
+        for (const std::string& band : bands)
+            if (own.usable({band}) && materials[m].in(band).empty())
+                own.add_at(own.where("groups"), "groups", ProblemCode::missing,
+                           "the material of groups {} has no {} (light is "
+                           "followed in it); add {} = [0.06, 0.03]",
+                           fmt::join(materials[m].groups, ", "), band, band);
+        for (const std::string& band : bands_of({materials[m]}))
+            check_optical_parts(materials[m].in(band), table, band, own);
     }
 }
 
+void read_meshes(const std::string& file, Spec& spec,
+                 const Problems& problems) {
+    for (std::size_t i = 0; i < spec.objects.size(); ++i)
+        read_content(spec.objects[i].mesh, "obj", file,
+                     problems.in("object", i));
+    for (std::size_t i = 0; i < spec.components.size(); ++i)
+        read_content(spec.components[i].mesh, "mesh", file,
+                     problems.in("component", i));
+}
+
 void check_component_meshes(const Spec& spec, const Problems& problems) {
+    std::vector<std::string> followed;
+    for (std::size_t b = 0; b < wavebands.size(); ++b)
+        if (followed_bands(spec)[b]) followed.push_back(wavebands[b].name);
     for (std::size_t i = 0; i < spec.components.size(); ++i) {
         const ComponentSpec& each = spec.components[i];
         const Problems own = problems.in("component", i);
         if (!each.has_mesh() || !own.usable({"mesh"})) continue;
+        check_materials(each.mesh.materials, followed, "component.material",
+                        own);
         for (std::size_t m = 0; m < each.mesh.materials.size(); ++m)
-            check_material(each.mesh.materials[m], spec, own.in("material", m));
+            for (const auto& [band, parts] : each.mesh.materials[m].others)
+                own.in("material", m)
+                    .add(band, ProblemCode::unknown_key,
+                         "component.material.{} is no waveband of campaigns; "
+                         "use par or nir",
+                         band);
         own.rule({"mesh"}, spec.water.has_value(),
                  "component.mesh is given (exchange of water is not known for "
                  "meshes); leave out [water]");

@@ -8,7 +8,6 @@
 #include "campaign/meshes.hpp"
 #include "checks.hpp"
 #include "ideotype/core/units.hpp"
-#include "spec/files.hpp"
 
 namespace ideotype {
 
@@ -116,21 +115,6 @@ void check_modules(const PanelRows& rows, const Problems& problems) {
                   rows.gap);
 }
 
-//! Reports faces with numbers of vertices that do not exist.
-void check_faces(const ObjectEntry& object, const Problems& problems) {
-    const double count = static_cast<double>(object.vertices.size()) / 3;
-    const auto is_vertex = [&](double v) {
-        return v >= 0 && v < count && v == std::floor(v);
-    };
-    problems.rule({"faces", "obj", "vertices"},
-                  object.vertices.size() % 3 != 0 ||
-                      object.faces.size() % 4 != 0 || object.faces.empty() ||
-                      !std::ranges::all_of(object.faces, is_vertex),
-                  "object \"{}\" has no surfaces that fit its vertices; give a "
-                  "file: obj = \"post.obj\"",
-                  object.name);
-}
-
 //! Reports an object that is much larger than the cell with which it repeats,
 //! and warns of one that is below the soil.
 //! @param table path of the object, such as "object[0]"
@@ -140,10 +124,10 @@ void check_size(const ObjectEntry& object, const Spec& spec,
     if (!own.usable({"obj", "faces", "vertices", "x", "y", "z", "turn"}))
         return;
     const Mesh mesh = mesh_of(object);
-    const std::string key = object.file.empty() ? "vertices" : "obj";
+    const std::string& file = object.mesh.file;
+    const std::string key = file.empty() ? "vertices" : "obj";
     const std::string name =
-        fmt::format("object.{} \"{}\"", key,
-                    object.file.empty() ? object.name : object.file);
+        fmt::format("object.{} \"{}\"", key, file.empty() ? object.name : file);
     const auto [bottom, top] = heights_of(mesh);
     own.doubt({key}, top <= 0,
               "{} is below the soil (its top is at z = {:.4g} m), so it has no "
@@ -193,21 +177,6 @@ void check_panel(const PanelEntry& panel, const Spec& spec, const Problems& own,
 
 }  // namespace
 
-void read_objects(const std::string& file, Spec& spec,
-                  const Problems& problems) {
-    std::vector<ObjectEntry>& objects = spec.objects;
-    for (std::size_t i = 0; i < objects.size(); ++i) {
-        ObjectEntry& object = objects[i];
-        const Problems own = problems.in("object", i);
-        if (!object.vertices.empty() || object.file.empty() ||
-            !own.usable({"obj"}))
-            continue;
-        if (const auto mesh =
-                read_mesh(path_from(file, object.file), "obj", own))
-            take_surfaces(*mesh, object.vertices, object.faces);
-    }
-}
-
 void check_objects(const Spec& spec, const Problems& problems) {
     std::set<std::string> names;
     for (const ComponentSpec& each : spec.components)
@@ -234,7 +203,10 @@ void check_objects(const Spec& spec, const Problems& problems) {
         const ObjectEntry& each = spec.objects[i];
         const Problems own = problems.in("object", i);
         check_name("object", i, each.name);
-        check_faces(each, own);
+        own.rule({"faces", "obj", "vertices"}, !is_whole(each.mesh),
+                 "object \"{}\" has no surfaces that fit its vertices; give a "
+                 "file: obj = \"post.obj\"",
+                 each.name);
         check_size(each, spec, fmt::format("object[{}]", i), problems);
         check_optics(each.optics, own);
     }

@@ -139,13 +139,6 @@ constexpr Key component_keys[] = {
     key<&ComponentSpec::jitter>("jitter", within(0, 180, "deg"), by("as the field"), "largest random turn of each of its plants, in the place of `field.jitter` and `field.variation.across_row`"),
 };
 
-constexpr Values surface{.upper = 1, .type = "[reflectance, transmittance], or [reflectance of the upper face, of the lower face, transmittance]", .count = any_count};
-constexpr Key component_material_keys[] = {
-    key<&ComponentMaterial::groups>("groups", Values{.type = "text or list of texts", .count = any_count}, required("\"leaf\""), "texts that the names of the material's groups begin with; the first material that fits a group counts"),
-    key<&ComponentMaterial::optics, par_band>("par", surface, required("[0.06, 0.03]"), "optical properties in PAR"),
-    key<&ComponentMaterial::optics, nir_band>("nir", surface, none("[0.4, 0.4]"), "optical properties in the near infrared, if it is followed"),
-};
-
 constexpr Key light_keys[] = {
     key<&LightSpec::paths>("paths", within(16, 16'777'216), by("16384"), "light paths per randomisation; with a tolerance at most").trades<LightSpec, has_no_tolerance>({1024, 4096, 16384, 65536}),
     key<&LightSpec::randomisations>("randomisations", within(2, 1024), usual(), "independent repetitions; their spread gives the standard error"),
@@ -287,11 +280,9 @@ constexpr Table plant_tables[] = {
 constinit const Description plant_table =
     describe<PlantSpec>("plant", plant_keys, plant_tables);
 
-constinit const Description component_material_table =
-    describe<ComponentMaterial>("component.material", component_material_keys);
 constexpr Table component_tables[] = {
-    table<&ComponentSpec::mesh, &ComponentMesh::materials>(
-        "material", component_material_table)
+    table<&ComponentSpec::mesh, &ComponentMesh::materials>("material",
+                                                           material_table)
         .optional(),
     table<&ComponentSpec::mesh, &ComponentMesh::photosynthesis>(
         "photosynthesis", photosynthesis_table),

@@ -69,7 +69,15 @@ constexpr std::array variation_keys{
 constexpr std::array crop_jitter{
     key<&CropVariation::jitter>("jitter", within(0, 180, "deg"), usual(), "largest random turn of each plant, either way")};
 
-constexpr Key panel_keys[] = {
+//! Both sides of panels or objects, in all wavebands.
+template <auto optics>
+constexpr std::array side_keys{
+    key<optics, par_band, &Lambertian::reflectance>("reflectance", within(0, 1), usual(), "reflectance of both sides, in the PAR band"),
+    key<optics, par_band, &Lambertian::transmittance>("transmittance", within(0, 1), usual(), "transmittance, in the PAR band; with the reflectance 0.99 at most"),
+    key<optics, nir_band, &Lambertian::reflectance>("nir_reflectance", within(0, 1), usual(), "reflectance of both sides, in the near infrared band"),
+    key<optics, nir_band, &Lambertian::transmittance>("nir_transmittance", within(0, 1), usual(), "transmittance, in the near infrared band; with the reflectance 0.99 at most")};
+
+constexpr std::array own_panel_keys{
     key<&PanelEntry::rows, &PanelRows::name>("name", name_text, usual(), "name of the rows, as figures tell them"),
     key<&PanelEntry::rows, &PanelRows::pitch>("pitch", metres(0, 100), usual(), "distance from row to row of panels, which goes into the field a whole number of times; 0: as wide as the field"),
     key<&PanelEntry::rows, &PanelRows::height>("height", metres(0, 50), required("4"), "height of the middle of modules above the soil"),
@@ -81,27 +89,25 @@ constexpr Key panel_keys[] = {
     key<&PanelEntry::rows, &PanelRows::gap>("gap", within(0, 100, "m"), usual(), "gap between the modules of a row"),
     key<&PanelEntry::rows, &PanelRows::tracks>("tracks", any_value, usual(), "true for modules that turn about a level axis after the sun, in the place of `tilt`"),
     key<&PanelEntry::rows, &PanelRows::max_angle>("max_angle", within(0, 85, "deg"), usual(), "largest turn of modules that track, either way from level"),
-    key<&PanelEntry::rows, &PanelRows::backtracks>("backtracks", any_value, usual(), "true for tracking modules that turn back while the sun is low, so that no row shades another"),
-    key<&PanelEntry::optics, par_band, &Lambertian::reflectance>("reflectance", within(0, 1), usual(), "reflectance of both sides, in the PAR band"),
-    key<&PanelEntry::optics, par_band, &Lambertian::transmittance>("transmittance", within(0, 1), usual(), "transmittance, in the PAR band; with the reflectance 0.99 at most"),
-    key<&PanelEntry::optics, nir_band, &Lambertian::reflectance>("nir_reflectance", within(0, 1), usual(), "reflectance of both sides, in the near infrared band"),
-    key<&PanelEntry::optics, nir_band, &Lambertian::transmittance>("nir_transmittance", within(0, 1), usual(), "transmittance, in the near infrared band; with the reflectance 0.99 at most"),
-};
+    key<&PanelEntry::rows, &PanelRows::backtracks>("backtracks", any_value, usual(), "true for tracking modules that turn back while the sun is low, so that no row shades another")};
 
-constexpr Key object_keys[] = {
+constexpr std::array own_object_keys{
     key<&ObjectEntry::name>("name", name_text, required("\"post\""), "name of the object, as figures tell it"),
-    key<&ObjectEntry::file>("obj", file_path, none("\"post.obj\""), "Wavefront OBJ file of its surfaces in metres, z up, y along the rows"),
+    key<&ObjectEntry::mesh, &MeshContent::file>("obj", file_path, none("\"post.obj\""), "Wavefront OBJ file of its surfaces in metres, z up, y along the rows"),
     key<&ObjectEntry::x>("x", within(-1000, 1000, "m"), usual(), "distance of its origin from the edge of the field, across the rows"),
     key<&ObjectEntry::y>("y", within(-1000, 1000, "m"), usual(), "distance of its origin from the edge of the field, along the rows"),
     key<&ObjectEntry::z>("z", within(-1000, 1000, "m"), usual(), "height of its origin above the soil"),
     key<&ObjectEntry::turn>("turn", within(-360, 360, "deg"), usual(), "turn about the vertical, clockwise from above"),
-    key<&ObjectEntry::vertices>("vertices", numbers(0, 0, "m"), by("those of the file", "[0, 1, 2, 2]"), "coordinates of each vertex, as the program writes them in the place of a file"),
-    key<&ObjectEntry::faces>("faces", numbers(0, 0), by("those of the file", "[0, 1, 2, 2]"), "four vertices of each face, from 0"),
-    key<&ObjectEntry::optics, par_band, &Lambertian::reflectance>("reflectance", within(0, 1), usual(), "reflectance of both sides, in the PAR band"),
-    key<&ObjectEntry::optics, par_band, &Lambertian::transmittance>("transmittance", within(0, 1), usual(), "transmittance, in the PAR band; with the reflectance 0.99 at most"),
-    key<&ObjectEntry::optics, nir_band, &Lambertian::reflectance>("nir_reflectance", within(0, 1), usual(), "reflectance of both sides, in the near infrared band"),
-    key<&ObjectEntry::optics, nir_band, &Lambertian::transmittance>("nir_transmittance", within(0, 1), usual(), "transmittance, in the near infrared band; with the reflectance 0.99 at most"),
+    key<&ObjectEntry::mesh, &MeshContent::vertices>("vertices", numbers(0, 0, "m"), by("those of the file", "[0, 1, 2, 2]"), "coordinates of each vertex, as the program writes them in the place of a file"),
+    key<&ObjectEntry::mesh, &MeshContent::faces>("faces", numbers(0, 0), by("those of the file", "[0, 1, 2, 2]"), "four vertices of each face, from 0")};
+
+constexpr Values parts = numbers(0, 1, "", "[reflectance, transmittance], or [reflectance of the upper face, of the lower face, transmittance]");
+constexpr Key material_keys[] = {
+    key<&MaterialSpec::groups>("groups", Values{.type = "text or list of texts", .count = any_count}, required("\"leaf\""), "texts that the names of the material's groups begin with; the first material that fits a group counts"),
+    key<&MaterialSpec::optics, par_band>("par", parts, none("[0.06, 0.03]"), "optical properties in PAR, which campaigns need"),
+    key<&MaterialSpec::optics, nir_band>("nir", parts, none("[0.4, 0.4]"), "optical properties in the near infrared, if it is followed"),
 };
+constexpr Key other_band = itself<std::vector<double>>("BAND", parts, none("[0.06, 0.03]"), "optical properties in a waveband");
 
 constexpr Key band_keys[] = {
     key<&BandEntry::name>("name", texts("par", "nir"), required("\"nir\""), "waveband that light is followed in, beside PAR: near infrared is the solar radiation beyond PAR"),
@@ -138,6 +144,10 @@ constexpr auto nir_keys = join(
     nir_soil_keys);
 constexpr auto crop_variation_keys =
     join(variation_keys<&CropVariation::plants>, crop_jitter);
+constexpr auto panel_keys =
+    join(own_panel_keys, side_keys<&PanelEntry::optics>);
+constexpr auto object_keys =
+    join(own_object_keys, side_keys<&ObjectEntry::optics>);
 
 constinit const Description nir_table = describe<Spec>("nir", nir_keys);
 constexpr Table optics_tables[] = {table_of<Spec>("nir", nir_table)
@@ -165,6 +175,9 @@ constinit const Description panel_table =
     describe<PanelEntry>("panel", panel_keys);
 constinit const Description object_table =
     describe<ObjectEntry>("object", object_keys);
+constinit const Description material_table =
+    describe<MaterialSpec>("material", material_keys)
+        .with_others<&MaterialSpec::others>(other_band);
 constinit const Description band_table = describe<BandEntry>("band", band_keys);
 constinit const Description optics_table =
     describe<Spec>("optics", optics_keys, optics_tables);

@@ -56,10 +56,6 @@ constexpr Key mesh_field_keys[] = {
     key<&MeshSpec::Field::plant_spacing>("plant_spacing", length, required("0.15"), "distance between plants of a row"),
 };
 
-constexpr Key scene_material_keys[] = {
-    key<&MeshScene::Material::groups>("groups", groups, required("\"maize_leaf\""), "texts that the names of the material's groups begin with"),
-};
-constexpr Key material_band = itself<std::vector<double>>("BAND", numbers(0, 1, "", "[reflectance, transmittance], or [reflectance of the upper face, of the lower face, transmittance]"), none("[0.06, 0.03]"), "optical properties in a waveband");
 constexpr Key scene_component_keys[] = {
     key<&MeshScene::Component::name>("name", name_text, required("\"maize\""), "name of the component"),
     key<&MeshScene::Component::groups>("groups", groups, by("the name"), "texts that the names of the component's groups begin with"),
@@ -76,9 +72,6 @@ constinit const Description sun_table =
     describe<MeshSpec::Sun>("sun", sun_keys);
 constinit const Description mesh_field_table =
     describe<MeshSpec::Field>("field", mesh_field_keys);
-constinit const Description material_table =
-    describe<MeshScene::Material>("material", scene_material_keys)
-        .with_others<&MeshScene::Material::bands>(material_band);
 
 constexpr Table leaves_tables[] = {table<&MeshScene::Component::photosynthesis>(
     "photosynthesis", photosynthesis_table)};

@@ -116,6 +116,7 @@ SeasonLight read_climate(const std::string& path) {
     const Problems problems;
     spec.sites.resize(1);
     spec.climates.resize(1);
+    spec.plant.crop.follows.fill(true);
     // A file of a climate has no table [optics], so line 1 stands for it.
     problems.locate("optics.par_fraction", {path, 1, 1});
     const std::vector<Key> site = nameless(site_table),
@@ -143,6 +144,11 @@ MeshScene read_mesh_scene(const std::string& path) {
         reader.read(*top, mesh_scene_table, &scene);
         const std::vector<std::string> bands = bands_of(scene.materials);
         check_materials(scene.materials, bands, "material", problems);
+        if (!scene.materials.empty())
+            problems.in("material", 0)
+                .rule({"groups"}, bands.empty(),
+                      "material has no optical properties; add par = [0.06, "
+                      "0.03]");
         read_soil(*top, bands, reader, problems, scene);
         for (std::size_t i = 0; i < scene.components.size(); ++i)
             check_component(scene.components, i, bands,

@@ -252,6 +252,50 @@ TEST(MeshScene, NamesOfComponentsAreOfNoMatter) {
               report.par().groups_by_randomisation);
 }
 
+//! Near infrared is the light beyond PAR, which is 0.4 to 0.5 of all, by
+//! par_share() of the weather's photons.
+TEST(MeshScene, AClimateHasLightInTheNearInfrared) {
+    const std::string season = temporary_file("season.toml");
+    std::ofstream(season) << fmt::format(
+        "[site]\nlatitude = 40.05\nlongitude = -88.37\nutc_offset = -6\n"
+        "[climate]\nfile = \"{}/weather/bondville_2011_0721_0920.csv\"\n"
+        "from = 2011-07-21\nto = 2011-07-22\ntime = [\"time\"]\n"
+        "stamp = \"middle\"\nglobal = [\"ppfd_umol\", \"umol/m2/s\"]\n"
+        "diffuse_fraction = [\"diffuse_fraction_erbs\", \"1\"]\n",
+        IDEOTYPE_CAMPAIGNS);
+    MeshSpec options;
+    options.path = std::string(IDEOTYPE_MESHES) + "/sheets1.obj";
+    options.period = {1, 1};
+    options.climate = season;
+    options.paths = 1024;
+    options.scene = written(
+        "soil_albedo = { par = 0.1, nir = 0.2 }\n[[material]]\ngroups = \"\"\n"
+        "par = [0, 0]\nnir = [0, 0]\n");
+    const CanopyReport report = study(options).canopy;
+    ASSERT_EQ(report.bands.size(), 2u);
+    const double par = report.bands[0].light.day.incident;
+    EXPECT_GT(par, 1e6);
+    EXPECT_GT(report.bands[1].light.day.incident, .5 / .5 * par);
+    EXPECT_LT(report.bands[1].light.day.incident, .6 / .4 * par);
+    EXPECT_EQ(report.bands[1].name, "nir");
+}
+
+TEST(MeshScene, AMaterialNeedsAWaveband) {
+    MeshSpec options;
+    options.path = std::string(IDEOTYPE_MESHES) + "/sheets1.obj";
+    options.period = {1, 1};
+    options.sun = {60, 100};
+    options.scene = written("[[material]]\ngroups = \"\"\n");
+    try {
+        study(options);
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what()).find("add par = [0.06, 0.03]"),
+                  std::string::npos)
+            << error.what();
+    }
+}
+
 TEST(MeshScene, AllProblemsOfAFileAreToldInOnePass) {
     const std::string path = written(
         "albedo = 0.1\n"

@@ -30,20 +30,20 @@ struct LightResult {
     bool has_surfaces = true;  //!< whether there are surfaces of its kind
 };
 
-//! What becomes of the light per area of ground, in the unit of a budget.
+//! Returns what a budget says of the light per area of ground, in its unit.
 std::vector<LightResult> budget_results(const BudgetEstimate& budget,
                                         const CanopyReport& report);
 
-//! PAR that leaves absorb in parts, and that each group absorbs.
+//! Returns the PAR that parts of leaves, and each group, absorb.
 std::vector<LightResult> part_results(const CanopyReport& report);
 
-//! What becomes of the light of each waveband.
+//! Returns the parts of the light of each waveband.
 std::vector<LightResult> band_results(const CanopyReport& report);
 
 //! The parts of a canopy, each of which has an assimilation.
 enum class CarbonOf { all, components, groups };
 
-//! Gross and net assimilation of leaves, and of all leaves in a day the carbon
+//! Returns gross and net assimilation, and of all leaves in a day the carbon
 //! balance, in carbon_unit(); net numbers have the error of gross ones.
 std::vector<LightResult> carbon_results(const CanopyReport& report,
                                         CarbonOf parts, Span span);

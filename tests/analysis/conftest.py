@@ -12,6 +12,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from hypothesis import HealthCheck, settings
 from live_page import CAMPAIGNS, Served, served
 from made_campaign import SITES, resolved
 from made_history import MadeHistory
@@ -46,6 +47,24 @@ LONG = {
 """Tests of the manual, the study, browsers and other programs: ./test.sh
 leaves these tests out. Long tests begin first, so that none runs alone at the
 end."""
+
+
+for profile, examples in (("quick", 25), ("long", 1000)):
+    settings.register_profile(
+        profile,
+        max_examples=examples,
+        # Examples are the same each time, and no folder has earlier ones.
+        derandomize=True,
+        database=None,
+        deadline=None,
+        suppress_health_check=[HealthCheck.too_slow],
+    )
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """Chooses how many examples properties are tested with."""
+    is_quick = "not long" in config.getoption("markexpr")
+    settings.load_profile("quick" if is_quick else "long")
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:

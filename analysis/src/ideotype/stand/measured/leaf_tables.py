@@ -189,8 +189,9 @@ class _Crops:
             "leaf": leaves,
         }
         if "height" in made["stalk"]:
-            rise = _highest(leaves) - _highest(own)
-            made["stalk"]["height"] += rise
+            # Rounding must not leave the highest leaf above the stalk.
+            above = made["stalk"]["height"] - _highest(own)
+            made["stalk"]["height"] = _highest(leaves) + above
         if "organ" in crop:
             more = len(rows) - len(own)
             made["organ"] = [

@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from made_weather import DATA as WEATHER
 from real_program import CAMPAIGNS, SAMPLE
@@ -78,8 +78,8 @@ def spoilt(draw: st.DrawFn, texts: list[str]) -> str:
     return text
 
 
-OF_CLIMATES = {("light", "dates"), ("light", "stages")}
-"""Keys that resolved campaigns of days leave out."""
+OTHERS = {("light", "dates"), ("light", "stages"), ("spacing", "density")}
+"""Keys that resolved campaigns of days and of plant distances leave out."""
 
 
 def numeric_keys() -> dict[tuple[str, str], dict[str, Any]]:
@@ -95,7 +95,7 @@ def numeric_keys() -> dict[tuple[str, str], dict[str, Any]]:
         for key, each in SCHEMA["properties"][table]["properties"].items()
         if each.get("type") in ("number", "integer")
         and "maximum" in each
-        and (table, key) not in OF_CLIMATES
+        and (table, key) not in OTHERS
     }
 
 
@@ -236,7 +236,7 @@ def test_spoilt_objects_give_an_error_of_their_file(
     try:
         with_object(folder, text)
     except Error as error:
-        # What is wrong with the size of an object stands in the campaign.
+        # Wrong sizes of objects are problems of the campaign.
         assert "object" in str(error)
 
 
@@ -428,6 +428,18 @@ WEATHER_FILES = [
 ]
 
 
+NSRDB = (WEATHER / "nsrdb.csv").read_text().splitlines()
+
+
+def changed(name: str, old: str, new: str) -> tuple[Path, str]:
+    text = (WEATHER / name).read_text()
+    assert old in text
+    return WEATHER / name, text.replace(old, new, 1)
+
+
+@example(changed("small.epw", "1981,7,1,1,60,", "1981,7,1,1,x,"))
+@example(changed("small.epw", ",36.1,", ",-89,"))
+@example((WEATHER / "nsrdb.csv", "\n".join(NSRDB[:4])))
 @given(
     st.sampled_from(WEATHER_FILES).flatmap(
         lambda path: st.tuples(st.just(path), spoilt([path.read_text()]))

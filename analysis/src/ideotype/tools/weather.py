@@ -127,7 +127,13 @@ def _convert(options: argparse.Namespace, tell: Any) -> str:
 def _read(path: Path, form: str) -> Readings:
     try:
         return read(path, form)
-    except (ValueError, KeyError, IndexError, StopIteration) as error:
+    except (
+        ValueError,
+        TypeError,
+        KeyError,
+        IndexError,
+        StopIteration,
+    ) as error:
         why = f"{type(error).__name__}: {error}".splitlines()[0]
         raise Error(
             f"{path}: cannot be read ({why}); is it another format? See "
@@ -156,6 +162,11 @@ def _joined(
                 f"{frame.index[twice][0]}; the first of each counts"
             )
         frame = frame[~twice]
+        if len(frame) < 2:
+            raise Error(
+                "a file has fewer than two times, so that the time step is "
+                "not known; check --format"
+            )
         step = frame.index.to_series().diff().mode().iloc[0]
         if not pd.Timedelta("1min") <= step <= _HOUR:
             raise Error(

@@ -80,10 +80,18 @@ def check_clock(
         tell("warning: the period has no light at all")
         return
     shifts = np.arange(-48, 49) / 4
-    fits = [
-        np.corrcoef(light[known], np.maximum(sun(-shift), 0)[known])[0, 1]
-        for shift in shifts
-    ]
+    # A sun that does not rise, and light that is always the same, have none.
+    with np.errstate(all="ignore"):
+        fits = [
+            np.corrcoef(light[known], np.maximum(sun(-shift), 0)[known])[0, 1]
+            for shift in shifts
+        ]
+    if not np.isfinite(fits).any():
+        raise Error(
+            "the light does not follow the sun at all "
+            f"({place[0]:.2f} N {place[1]:.2f} E); check the place and the "
+            "columns"
+        )
     best = shifts[int(np.nanargmax(fits))]
     what = (
         f"the light comes {abs(best):.4g} h {'later' if best > 0 else 'earlier'}"

@@ -4,7 +4,7 @@
 # gives; what would break the contract is refused. Kills: tests/stress.
 . "$(dirname "$0")/common.sh"
 
-write_campaign long 12 300
+write_campaign long 12 200
 "$ideotype" run campaigns/long.toml --out whole >/dev/null
 whole=$(history_of whole long)
 
@@ -13,9 +13,9 @@ mpirun -wdir "$PWD" -n 3 "$ideotype" run campaigns/long.toml --out drained >drai
 job=$!
 for _ in $(seq 100); do
     [ ! -e "$(history_of drained long)" ] || break
-    sleep 0.1
+    sleep 0.05
 done
-sleep 0.5
+sleep 0.1
 "$ideotype" status drained | grep ": running, " || fail "does not look running"
 # A second writer is refused, and disturbs nothing.
 code=0

@@ -8,7 +8,7 @@ plain=(env)
 for name in "${!OMPI_@}" "${!PRTE_@}"; do plain+=(-u "$name"); done
 time_limit=(timeout 120)
 
-write_campaign long 12 100
+write_campaign long 12 60
 "$ideotype" run campaigns/long.toml --out whole --threads 1 >/dev/null
 write_campaign short 8 3
 "$ideotype" run campaigns/short.toml --out whole --threads 1 >/dev/null
@@ -45,60 +45,67 @@ expect 4 "$ideotype" run campaigns/short.toml --out whole --threads 3
 says "exists already"
 [ ! -e no ] || fail "something was begun: $(ls -R no)"
 
-# Starts a run and waits for its first generation; $1 its folder.
+# Starts a run and returns at its first word of a generation; the words are its
+# command. wait_for_job sets its exit code.
 start() {
-    rm -f out.log # the log of an earlier run
-    "$ideotype" run campaigns/long.toml --out "$1" --threads 2 >out.log 2>&1 &
+    exec 3< <(exec "$@" 2>&1)
     job=$!
-    for _ in $(seq 300); do
-        ! grep -qs "generation 0, " out.log || return 0
-        sleep 0.02
+    : >out.log
+    local line=
+    while IFS= read -r line <&3; do
+        echo "$line" >>out.log
+        [[ $line != *"generation "[0-9]*", "* ]] || break
     done
-    fail "it does not begin: $(cat out.log)"
+    [ -n "$line" ] || fail "it does not begin: $(cat out.log)"
+    cat <&3 >>out.log &
+    reader=$!
 }
-
-# Resumes by the command in out.log; $1 the folder.
-go_on() {
-    local line
-    line=$(grep -m 1 "^  .* run .*--resume$" out.log)
-    [ "$line" = "  $ideotype run campaigns/long.toml --out '$1' --threads 2 --resume" ] ||
-        fail "not how it was started: $(cat out.log)"
-    "$ideotype" status "$1" | grep -qxF -- "$line" ||
-        fail "status tells another way to go on: $("$ideotype" status "$1")"
-    eval "$line" >/dev/null || fail "'$line' ended with $?"
-    same_results "$(history_of whole long)" "$(history_of "$1" long)"
-}
-
-for signal in INT TERM USR1; do
-    start "on $signal"
-    kill -$signal $job
+wait_for_job() {
     code=0
     wait $job || code=$?
+    wait $reader
+}
+
+# One run is stopped by each signal, and goes on by the command that it tells.
+begun=("$ideotype" run campaigns/long.toml --out "on signals" --threads 2)
+go_on=("${begun[@]}")
+for signal in INT TERM USR1; do
+    start "${go_on[@]}"
+    kill -$signal $job
+    wait_for_job
     [ $code -eq 5 ] || fail "$signal ended with $code: $(cat out.log)"
     says "stopped before the end"
-    go_on "on $signal"
+    line=$(grep -m 1 "^  .* run .*--resume$" out.log)
+    [ "$line" = "  $ideotype run campaigns/long.toml --out 'on signals' --threads 2 --resume" ] ||
+        fail "not how it was started: $(cat out.log)"
+    "$ideotype" status "on signals" | grep -qxF -- "$line" ||
+        fail "status tells another way to go on: $("$ideotype" status "on signals")"
+    eval "go_on=($line)"
 done
 
 # A second Ctrl-C ends a run at once, whatever the work in flight does.
-start twice
+start "${go_on[@]}"
 kill -INT $job
 kill -INT $job
-code=0
-wait $job || code=$?
+wait_for_job
 [ $code -eq 130 ] || [ $code -eq 5 ] || fail "Ctrl-C twice ended with $code: $(cat out.log)"
-expect 0 "$ideotype" run campaigns/long.toml --out twice --resume
-same_results "$(history_of whole long)" "$(history_of twice long)"
+expect 0 "${go_on[@]}"
+same_results "$(history_of whole long)" "$(history_of "on signals" long)"
 
-expect 5 "$ideotype" run campaigns/long.toml --out timed --threads 2 --wall-time 1
+# A time limit goes on while a job stands still, which is no late answer.
+start "$ideotype" run campaigns/long.toml --out timed --threads 2 --wall-time 1
+kill -STOP $job
+sleep 1
+kill -CONT $job
+wait_for_job
+[ $code -eq 5 ] || fail "a time limit ended with $code: $(cat out.log)"
 says "stopped before the end"
-# A job that stands still, as after Ctrl-Z, is not late.
 printf '[parallel]\ndeadline = 2\n' >>campaigns/long.toml
-"$ideotype" run campaigns/long.toml --out timed --threads 2 --resume >out.log 2>&1 &
-job=$!
-sleep 0.2
+start "$ideotype" run campaigns/long.toml --out timed --threads 2 --resume
 kill -STOP $job
 sleep 3
 kill -CONT $job
-wait $job || fail "a run that stood still ended with $?: $(cat out.log)"
+wait_for_job
+[ $code -eq 0 ] || fail "a run that stood still ended with $code: $(cat out.log)"
 ! grep "no answer" out.log || fail "standing still was late"
 same_results "$(history_of whole long)" "$(history_of timed long)"

@@ -281,6 +281,7 @@ TEST(MeshStudy, AFaceOfManyPeriodsIsRefusedBeforeItIsTraced) {
         options.path = path;
         options.period = {1, 1};
         options.sun = {60, 180};
+        options.paths = 64;  // where nothing is refused
         return refusal_of(options, ExitCode::runtime);
     };
     EXPECT_EQ(refusal(50), "");

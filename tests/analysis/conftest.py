@@ -31,6 +31,7 @@ LONG = {
     "test_examples.py",
     "test_commands.py",
     "test_front.py",
+    "test_front_page.py",
     "test_report.py",
     "test_report_view.py",
     "test_campaign_scripts.py",
@@ -65,6 +66,15 @@ def pytest_configure(config: pytest.Config) -> None:
     """Chooses how many examples properties are tested with."""
     is_quick = "not long" in config.getoption("markexpr")
     settings.load_profile("quick" if is_quick else "long")
+
+
+def pytest_ignore_collect(
+    collection_path: Path, config: pytest.Config
+) -> bool | None:
+    """Leaves out files of long tests where none of them runs, since each
+    process would import what they need."""
+    is_quick = config.getoption("markexpr") == "not long"
+    return True if is_quick and collection_path.name in LONG else None
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # A season of weather: the same bits with any number of ranks, and after a kill.
 . "$(dirname "$0")/common.sh"
-write_campaign season 8 60
+write_campaign season 8 40
 give_season season
 expect 0 "$ideotype" check campaigns/season.toml
 says "suns of 3 of 10 dates"

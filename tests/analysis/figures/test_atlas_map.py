@@ -125,6 +125,7 @@ def test_other_numbers_of_axes_are_drawn(axes: int, tmp_path: Path) -> None:
         assert "kinds" in answer_of(draw_atlas(Case("atlas", [history])))
 
 
+@pytest.mark.long
 def test_a_plant_is_chosen_on_the_map(path: Path, tmp_path: Path) -> None:
     atlas = atlas_at(path)
     with served("play", path) as page, shown(page, tmp_path) as phone:
@@ -155,6 +156,7 @@ def test_a_plant_is_chosen_on_the_map(path: Path, tmp_path: Path) -> None:
         assert serious_findings(phone) == []
 
 
+@pytest.mark.long
 def test_plants_of_other_searches_have_no_map(
     own: Path, tmp_path: Path
 ) -> None:

@@ -15,6 +15,10 @@ from ideotype.tools import compare
 from ideotype.tools.commands import summary
 
 
+FEW = ["light.tolerance=0", "light.paths=256", "final.paths=256"]
+"""Settings that change no distance: distances are those of plants alone."""
+
+
 @pytest.mark.parametrize("fronts", [False, True])
 def test_bred_plants_name_their_nearest_line(
     fronts: bool, tmp_path: Path, capsys: pytest.CaptureFixture[str]
@@ -23,6 +27,7 @@ def test_bred_plants_name_their_nearest_line(
         'feasibility.lines="lines/maize_panel.toml"',
         "feasibility.limit=2.5",
         "stop.generations=2",
+        *FEW,
     ]
     if fronts:
         settings += ["objective.minimise=lai", "search.optimizer=nsga2"]
@@ -45,17 +50,18 @@ def test_the_nearest_line_is_a_name(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     campaign = CAMPAIGNS / "ames_quick.toml"
+    few = "--set", "final.paths=256"
     lines = "--set", 'feasibility.lines="lines/maize_panel.toml"'
-    text = output_of("evaluate", campaign, *lines)
+    text = output_of("evaluate", campaign, *lines, *few)
     assert re.search(r"^ +nearest_line +B73$", text, re.MULTILINE)
-    told = json.loads(output_of("evaluate", campaign, *lines, "--json"))
+    told = json.loads(output_of("evaluate", campaign, *lines, *few, "--json"))
     nearest = told["quantities"]["nearest_line"]
     assert nearest["name"] == "B73" and nearest["mean"] >= 1
     stand = ideotype.Stand.from_campaign(campaign, settings=lines[1:])
     found = stand.evaluate(stand.baseline, ["nearest_line"]).nearest_line
     assert found.attrs["names"][int(found.item()) - 1] == "B73"
     maize = CAMPAIGNS / "crops" / "maize.toml"
-    words = [maize, maize, "--under", campaign, *lines]
+    words = [maize, maize, "--under", campaign, *lines, *few]
     assert compare.main([*map(str, words), "--all"]) == 0
     assert re.search(
         r"^nearest line +B73 +B73 +–$", capsys.readouterr().out, re.MULTILINE

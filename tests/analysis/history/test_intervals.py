@@ -22,8 +22,8 @@ from ideotype.history.interval import (
     interval,
 )
 from ideotype.history.study import open_study
-from ideotype.report.answer import answer
 from ideotype.report import tables
+from ideotype.report.answer import answer
 from ideotype.report.tables import SCREEN, gains, markdown, on_a_screen
 
 

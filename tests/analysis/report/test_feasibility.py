@@ -14,7 +14,6 @@ import ideotype
 from ideotype.tools import compare
 from ideotype.tools.commands import summary
 
-
 FEW = ["light.tolerance=0", "light.paths=256", "final.paths=256"]
 """Settings that change no distance: distances are those of plants alone."""
 

@@ -15,7 +15,7 @@ if [ "${1:-}" = --all ]; then
     is_all=yes
     packages+=(libbenchmark-dev slurmctld slurmd slurm-client munge
         doxygen "libsimgrid-dev?")
-    targets+=(measurements) label=() mark=()
+    targets+=(measurements) label=() mark=(--hypothesis-profile=long)
 fi
 install_packages "${packages[@]}"
 cmake --preset dev >build-dev.log 2>&1 || { cat build-dev.log; exit 1; }

@@ -62,10 +62,8 @@ for profile, examples in (("quick", 25), ("long", 1000)):
     )
 
 
-def pytest_configure(config: pytest.Config) -> None:
-    """Chooses how many examples properties are tested with."""
-    is_quick = "not long" in config.getoption("markexpr")
-    settings.load_profile("quick" if is_quick else "long")
+# ./test.sh --all has the option --hypothesis-profile=long.
+settings.load_profile("quick")
 
 
 def pytest_ignore_collect(

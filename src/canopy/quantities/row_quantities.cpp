@@ -128,9 +128,9 @@ std::vector<Declaration> row_quantities() {
                      &RowReport::width}})
         all.push_back({exact(by({"field_row"}, {name, "m", meaning})),
                        MeanOver::time,
-                       [take = take](const Report& r) {
+                       [member = take](const Report& r) {
                            return mapped(r.rows, [&](const RowReport& row) {
-                               return Estimate{row.*take, 0};
+                               return Estimate{row.*member, 0};
                            });
                        },
                        [](const Scope& scope) { return scope.has_rows; }});

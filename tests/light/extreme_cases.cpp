@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Suns, rays and fields at the limits.
-#include <chrono>
 #include <cmath>
+#include <ctime>
 #include <limits>
 
 #include <fmt/format.h>
@@ -39,12 +39,12 @@ void grazing_sun(Findings& findings) {
     double least = 1;
     for (const double elevation : {.01, .1, 1.})
         for (const double azimuth : {0., 37., 90., 180., 270.}) {
-            const auto began = std::chrono::steady_clock::now();
+            // The time of the processor: other work may share the machine.
+            const std::clock_t began = std::clock();
             const Fractions f = findings.closing(mesh, own_cell, par,
                                                  sun_from(elevation, azimuth));
             least = std::min(least, f.leaves.mean);
-            findings.require(std::chrono::steady_clock::now() - began <
-                                 std::chrono::seconds(10),
+            findings.require(std::clock() - began < 10 * CLOCKS_PER_SEC,
                              "no hang");
         }
     findings.require(least > .85, "leaves take more than .85");

@@ -44,6 +44,8 @@ if [ ! -e "$root/etc/built" ]; then
         security=$(mirror_of Debian-Security)
         [ -z "$security" ] || echo "deb $security $suite-security main"
     } >"$root/etc/apt/sources.list"
+    # Packages need not survive a power failure in the middle of their installation.
+    echo force-unsafe-io >"$root/etc/dpkg/dpkg.cfg.d/unsafe-io"
     touch "$root/etc/built"
 fi
 

@@ -76,7 +76,14 @@ watch_over() {
     code=$?
 }
 
+# Leaves the rest to a later start: of the next job of a chain, else of this job.
 requeue() {
+    if [ "${IDEOTYPE_LATER_JOBS:-0}" -gt 0 ]; then
+        say "$*; the next job of the chain continues"
+        exit 0
+    fi
+    [ -z "${IDEOTYPE_LATER_JOBS:-}" ] ||
+        give_up "$*; this was the last job of the chain; submit again to go on"
     say "$*; back into the queue"
     scontrol requeue "$SLURM_JOB_ID" ||
         give_up "SLURM does not take it back; submit again to go on"

@@ -111,11 +111,12 @@ srun_of_mpi() {
     fi
 }
 
-# Submits, shows and keeps what that says; sets job. $1 a name for the log.
+# Submits and keeps what that says; sets job, the first of a chain. $1 a name for
+# the log.
 submit() {
     "$project/slurm/submit" "${@:2}" >"submit-$1.log" 2>&1 ||
         fail "submit: $(cat "submit-$1.log")"
-    job=$(sed -n 's/^job  *\([0-9]*\);.*/\1/p' "submit-$1.log")
+    job=$(sed -n 's/^job  *\([0-9]*\).*/\1/p' "submit-$1.log")
 }
 
 # Waits until the file $1 exists.

@@ -6,7 +6,7 @@
 set -euo pipefail
 here=$(readlink -f "$(dirname "$0")")
 mkdir -p "$3"
-names=(limit sweep campaign losses)
+names=(limit chain sweep campaign losses)
 processes=()
 for name in "${names[@]}"; do
     "$here/test_$name.sh" "$1" "$2" "$3/$name" >"$3/$name.log" 2>&1 &

@@ -28,6 +28,7 @@ submit 2
 says "no campaign"
 submit 2 --form both campaigns/plain.toml
 submit 2 --throttle many campaigns/plain.toml
+submit 2 --chain 0 campaigns/plain.toml
 submit 2 --site nowhere campaigns/plain.toml
 says "generic.sh"
 submit 1 campaigns/plain.toml
@@ -47,6 +48,10 @@ says "'--signal=B:USR1@120' .*/campaign.sbatch'"
 submit 0 --dry-run --form sweep --throttle 2 --lead 60 campaigns/sweep.toml \
     --time=7
 says "'--requeue' .*'--signal=B:USR1@60' .*'--array=0,1,2%2' .*'--time=7' .*/sweep"
+submit 0 --dry-run --chain 3 campaigns/sweep.toml
+says "^chain     2 more with --dependency=afterok:JOB"
+submit 0 --dry-run --chain 3 --form sweep campaigns/sweep.toml
+says "^chain     2 more with --dependency=aftercorr:JOB"
 PATH=$full_path "$ideotype" run campaigns/sweep.toml --case 1 >/dev/null
 submit 0 --dry-run --form sweep campaigns/sweep.toml
 says "'--array=0,2'"

@@ -1,0 +1,80 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# Chains of jobs over two nodes: a job that drains ahead of its time limit ends
+# well, so that the next one resumes what is left; after a failure none begins.
+. "$(dirname "$0")/../cli/common.sh"
+. "$project/tests/slurm/cluster.sh"
+
+write_campaign chain 12 40
+sed 's/^seed = 7/seed = 7\nreplicates = 2/; s/"chain"/"tasks"/' \
+    campaigns/chain.toml >campaigns/tasks.toml
+trap stop_cluster EXIT
+start_cluster "$folder/cluster" 2
+export IDEOTYPE=$ideotype
+write_site here mpirun
+submit limit --site here.sh --out limit --lead 50 --chain 4 \
+    campaigns/chain.toml --time=1 --nodes=2 --ntasks=3 --no-requeue
+limit=$job
+# However quick this machine is: the first job gets nowhere until its time is up.
+wait_for_file "$(history_of limit chain)"
+worker=$(worker_of "$limit")
+kill -STOP "$worker"
+submit tasks --site here.sh --out tasks --form sweep --chain 2 \
+    campaigns/tasks.toml --no-requeue
+tasks=$job
+wait_for_file tasks/tasks/ames_0807_762x152_all_r1.h5
+scancel --batch --signal=USR1 "${tasks}_0"
+submit again --site here.sh --out tasks --form sweep campaigns/tasks.toml
+grep -q "nothing to submit" submit-again.log ||
+    fail "cases of a chain were submitted twice: $(cat submit-again.log)"
+
+# Programs that find something wrong, and whose ranks die at once.
+for name in wrong dying; do
+    ending="exit 1"
+    [ $name = wrong ] || ending="kill -KILL \$\$"
+    cat >$name.sh <<PROGRAM
+#!/bin/sh
+[ "\$1" != run ] || $ending
+exec "$ideotype" "\$@"
+PROGRAM
+    chmod +x $name.sh
+    IDEOTYPE=$folder/$name.sh submit $name --site here.sh --out $name \
+        --chain 2 campaigns/chain.toml --no-requeue
+done
+
+for _ in $(seq 500); do
+    ! grep -q "time is up" "ideotype-chain-$limit.log" || break
+    sleep 0.1
+done
+kill -CONT "$worker"
+
+"$ideotype" run campaigns/tasks.toml --out local >/dev/null
+"$ideotype" run campaigns/chain.toml --out local >/dev/null
+wait_for_jobs 200 || fail "jobs are still there: $(cat ideotype-*.log)"
+show_jobs
+same_results "$(history_of local chain)" "$(history_of limit chain)"
+for replicate in 1 2; do
+    same_results "local/tasks/ames_0807_762x152_all_r$replicate.h5" \
+        "tasks/tasks/ames_0807_762x152_all_r$replicate.h5"
+done
+# $1 text that a log of the rest must have
+has() {
+    cat "${@:2}" | grep -q -- "$1" || fail "no '$1' in $(cat "${@:2}")"
+}
+has "drained; the next job of the chain continues" "ideotype-chain-$limit.log"
+has ": start 1 on node\[1-2\]" "ideotype-chain-$((limit + 1)).log"
+has ": complete$" ideotype-chain-*.log
+has "drained; the next job" "ideotype-tasks-${tasks}_0.log"
+has ": complete$" "ideotype-tasks-$((tasks + 1))_0.log"
+has "everything is finished" "ideotype-tasks-$((tasks + 1))_1.log"
+first_of() {
+    sed -n 's/^job  *\([0-9]*\).*/\1/p' "submit-$1.log"
+}
+has "the program ended with 1" "ideotype-chain-$(first_of wrong).log"
+second=$(($(first_of wrong) + 1))
+[ ! -e "ideotype-chain-$second.log" ] || fail "a chain goes on after a failure"
+sacct -c -j "$second" --format=State | grep -q CANCELLED ||
+    fail "SLURM keeps the rest of a chain that failed"
+has "ranks were lost (137); the next job" "ideotype-chain-$(first_of dying).log"
+has "this was the last job of the chain" \
+    "ideotype-chain-$(($(first_of dying) + 1)).log"

@@ -15,11 +15,18 @@ import pytest
 import ideotype
 
 SMALL = Path(__file__).parents[2] / "fuzz/campaigns/small.toml"
-SCHEMA = json.loads(
+WHOLE = json.loads(
     (
         Path(ideotype.__file__).parent / "schemas/campaign.schema.json"
     ).read_text()
-)["properties"]
+)
+SCHEMA = {
+    # Tables that occur at several places are defined once.
+    table: WHOLE["$defs"][each["$ref"].rpartition("/")[2]]
+    if "$ref" in each
+    else each
+    for table, each in WHOLE["properties"].items()
+}
 STATED = re.compile(r'; default: (-?[\d.]+(?:e[-+]?\d+)?|true|false|"\w+")')
 
 

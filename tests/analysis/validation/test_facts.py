@@ -12,9 +12,15 @@ from real_program import CAMPAIGNS
 
 import ideotype
 from ideotype.tools import validate
-from ideotype.validation import Measurement, Point, compare, shipped_facts
-from ideotype.validation.compare import changed
-from ideotype.validation.facts import Verdict, read_facts
+from ideotype.validation import (
+    Measurement,
+    Point,
+    compare,
+    read_facts,
+    shipped_facts,
+)
+from ideotype.validation.comparison import changed
+from ideotype.validation.facts import Verdict
 
 QUICK = CAMPAIGNS / "ames_quick.toml"
 SOURCE = '[source.a]\ncitation = "A"\nread = "data"\n'

@@ -15,7 +15,7 @@ from ..common.output import REFUSED, OutputRefused, save_figure, write_file
 from ..common.progress import Progress
 from ..common.settings import number_within
 from ..errors import Error, printable_lines
-from ..validation.compare import Result, compare, error_of
+from ..validation.comparison import Result, compare, error_of
 from ..validation.facts import (
     Fact,
     Facts,
@@ -187,7 +187,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def _write(folder: Path, page: str, results: Sequence[Result]) -> None:
-    from ..figures.fact import draw_fact
+    from ..validation.figure import draw_fact
 
     folder.mkdir(parents=True, exist_ok=True)
     write_file(folder / "facts.md", page + "\n", folder)

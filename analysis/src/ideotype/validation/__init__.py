@@ -6,8 +6,8 @@ source (`Fact`); `compare` evaluates the plants of a campaign under the same
 conditions and returns a `Result`: ours and theirs at each point, and whether
 they agree."""
 
-from .compare import Point, Result, compare
-from .facts import Fact, Facts, Intervention, Source, shipped_facts
+from .comparison import Point, Result, compare
+from .facts import Fact, Facts, Intervention, Source, read_facts, shipped_facts
 from .quantities import QUANTITIES, Quantity
 from .table import Measurement, read_table
 
@@ -22,6 +22,7 @@ __all__ = [
     "Result",
     "Source",
     "compare",
+    "read_facts",
     "read_table",
     "shipped_facts",
 ]

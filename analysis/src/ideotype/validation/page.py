@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from ..history.estimate import NORMAL, with_interval
-from .compare import Point, Result, error_of
+from .comparison import Point, Result, error_of
 from .facts import Intervention, Read, Verdict
 from .table import Measurement
 

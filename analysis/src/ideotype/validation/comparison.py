@@ -83,7 +83,8 @@ class Point:
     ours: float
     standard_error: float
     tolerance: float
-    """How far ours may be beyond the range that was measured."""
+    """The largest distance of ours from the range that was measured with which
+    it agrees."""
 
     @property
     def apart(self) -> float:

@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 from matplotlib.figure import Figure
 
-from ..validation.compare import Point, Result, error_of
-from . import style
+from ..figures import style
+from .comparison import Point, Result, error_of
 
 
 def draw_fact(result: Result) -> Figure:

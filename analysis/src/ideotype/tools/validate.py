@@ -6,7 +6,7 @@ from __future__ import annotations
 import argparse
 import json
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -66,7 +66,7 @@ def _json(number: float) -> float | None:
 
 
 def interventions_of(
-    results: Sequence[Result], seeds: int, keys: Mapping[str, Any]
+    results: Sequence[Result], seeds: int
 ) -> list[tuple[Result, Intervention, Result]]:
     """Evaluates the interventions of facts that miss."""
     return [
@@ -76,7 +76,6 @@ def interventions_of(
             compare(
                 replace(result.fact, keys={**result.fact.keys, **each.keys}),
                 seeds,
-                keys,
             ),
         )
         for result in results
@@ -137,7 +136,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     add("--only", nargs="+", metavar="NAME", help="the names of some facts")
     add(
         "--set", action="append", default=[], metavar="KEY=VALUE",
-        help="another plant or stand, for all facts",
+        help="another plant or stand, for all facts; interventions are left "
+        "out",
     )  # fmt: skip
     add(
         "--seeds", type=number_within(int, 2, 1000), default=8, metavar="N",
@@ -157,7 +157,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
             for done, fact in enumerate(chosen):
                 progress.tell(done, len(chosen), fact.name)
                 results.append(compare(fact, options.seeds, keys))
-        changes = interventions_of(results, options.seeds, keys)
+        # Interventions change the plants of the file, not those of --set.
+        changes = [] if keys else interventions_of(results, options.seeds)
     except Error as error:
         return _fail(3, error)
     page = page_of(results, changes)

@@ -7,8 +7,17 @@ conditions and returns a `Result`: ours and theirs at each point, and whether
 they agree."""
 
 from .comparison import Point, Result, compare
-from .facts import Fact, Facts, Intervention, Source, read_facts, shipped_facts
-from .quantities import QUANTITIES, Quantity
+from .facts import (
+    Fact,
+    Facts,
+    Intervention,
+    Read,
+    Source,
+    Verdict,
+    read_facts,
+    shipped_facts,
+)
+from .quantities import QUANTITIES, Quantity, Seen
 from .table import Measurement, read_table
 
 __all__ = [
@@ -19,8 +28,11 @@ __all__ = [
     "Measurement",
     "Point",
     "Quantity",
+    "Read",
     "Result",
+    "Seen",
     "Source",
+    "Verdict",
     "compare",
     "read_facts",
     "read_table",

@@ -2,7 +2,7 @@
 #include "leaves.hpp"
 
 #include <algorithm>
-#include <ranges>
+#include <iterator>
 
 #include <fmt/ranges.h>
 
@@ -76,10 +76,11 @@ constexpr Numbers capacities[] = {&All::amax, &All::rate_2000, &All::vmax,
                                   &All::vcmax, &All::jmax};
 
 //! Returns the keys of numbers of leaves, each of which some model has.
-auto leaf_keys() {
-    return photosynthesis_table.keys() | std::views::filter([](const Key& key) {
-               return key.values.is_by_leaf;
-           });
+std::vector<Key> leaf_keys() {
+    std::vector<Key> keys;
+    std::ranges::copy_if(photosynthesis_table.keys(), std::back_inserter(keys),
+                         [](const Key& key) { return key.values.is_by_leaf; });
+    return keys;
 }
 
 //! Returns the numbers of a key; those of a table are not changed, although

@@ -38,8 +38,9 @@ std::vector<std::string> bands_of(const std::vector<MaterialSpec>& materials) {
     }
     // Assimilation is computed from the first band.
     std::vector<std::string> sorted(names.begin(), names.end());
-    std::ranges::stable_partition(
-        sorted, [](const std::string& band) { return band == "par"; });
+    std::stable_partition(
+        sorted.begin(), sorted.end(),
+        [](const std::string& band) { return band == "par"; });
     return sorted;
 }
 

@@ -5,8 +5,9 @@
 . "$(dirname "$0")/../cli/common.sh"
 . "$project/tests/slurm/cluster.sh"
 
-write_campaign chain 12 40
-sed 's/^seed = 7/seed = 7\nreplicates = 2/; s/"chain"/"tasks"/' \
+# Long enough that its worker is found while it runs.
+write_campaign chain 12 200
+sed 's/^seed = 7/seed = 7\nreplicates = 2/; s/"chain"/"tasks"/; s/= 200/= 40/' \
     campaigns/chain.toml >campaigns/tasks.toml
 trap stop_cluster EXIT
 start_cluster "$folder/cluster" 2
@@ -59,7 +60,7 @@ for replicate in 1 2; do
 done
 # $1 text that a log of the rest must have
 has() {
-    cat "${@:2}" | grep -q -- "$1" || fail "no '$1' in $(cat "${@:2}")"
+    grep -q -- "$1" "${@:2}" || fail "no '$1' in $(cat "${@:2}")"
 }
 has "drained; the next job of the chain continues" "ideotype-chain-$limit.log"
 has ": start 1 on node\[1-2\]" "ideotype-chain-$((limit + 1)).log"

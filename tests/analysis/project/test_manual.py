@@ -200,7 +200,7 @@ def test_every_submission_of_a_readme_can_be_planned(
         for line in block.text.splitlines()
         if line.startswith("slurm/submit ") and block.reason
     ]
-    assert len(commands) == 3
+    assert len(commands) == 4
     for command in commands:
         dry = command.replace("submit", "submit --dry-run --out none", 1)
         said = run(["bash", "-c", dry], clone_with_results, dry)

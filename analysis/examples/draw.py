@@ -35,9 +35,10 @@ def examples() -> list[Path]:
 
 def run(example: Path, folder: Path, built: Path | None = None) -> str:
     """Runs an example in a folder, and returns what it prints."""
-    place = folder / "campaigns"
-    if not place.exists():
-        place.symlink_to(TOP / "campaigns")
+    for name in ("campaigns", "analysis"):
+        place = folder / name
+        if not place.exists():
+            place.symlink_to(TOP / name)
     if example.suffix == ".ipynb":
         return run_notebook(example, folder)
     words = {

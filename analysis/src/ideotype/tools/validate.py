@@ -7,7 +7,6 @@ import argparse
 import json
 import sys
 from collections.abc import Sequence
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -18,7 +17,6 @@ from ..errors import Error, printable_lines
 from ..validation.comparison import Result, compare, error_of
 from ..validation.facts import (
     Fact,
-    Facts,
     Intervention,
     Verdict,
     facts_of_table,
@@ -73,10 +71,7 @@ def interventions_of(
         (
             result,
             each,
-            compare(
-                replace(result.fact, keys={**result.fact.keys, **each.keys}),
-                seeds,
-            ),
+            compare(result.fact, seeds, each.keys),
         )
         for result in results
         if result.verdict == Verdict.misses
@@ -84,7 +79,7 @@ def interventions_of(
     ]
 
 
-def _facts(options: argparse.Namespace) -> tuple[Facts, list[Fact]]:
+def _facts(options: argparse.Namespace) -> list[Fact]:
     path = options.facts
     if path and path.suffix.lower() == ".csv":
         if options.campaign is None:
@@ -95,7 +90,7 @@ def _facts(options: argparse.Namespace) -> tuple[Facts, list[Fact]]:
         facts = facts_of_table(path, options.campaign)
     else:
         facts = read_facts(path or shipped_facts())
-    return facts, facts.named(options.only or [])
+    return facts.named(options.only or [])
 
 
 def _keys(words: Sequence[str]) -> dict[str, Any]:
@@ -150,7 +145,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     )  # fmt: skip
     options = parser.parse_args(arguments)
     try:
-        _, chosen = _facts(options)
+        chosen = _facts(options)
         keys = _keys(options.set)
         results = []
         with Progress("compared") as progress:

@@ -16,6 +16,7 @@ from collections.abc import Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from copy import deepcopy
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from statistics import NormalDist, fmean, stdev
 from typing import Any
@@ -26,8 +27,8 @@ from ..common.settings import words_of
 from ..errors import Error, InputError
 from ..stand.stand import Stand
 from .facts import Fact, Verdict
-from .quantities import THIRDS, Seen, quantity_of
-from .table import Measurement, factor_to
+from .quantities import Seen, quantity_of
+from .table import THIRDS, Measurement, factor_to, third_of
 
 UNKNOWN_ERROR = 0.05
 """The standard error of values without an error, over the value (E: field
@@ -63,9 +64,8 @@ def changed(
                 f"there is no key '{key}'; use leaf.PART.MEASURE with all, "
                 f"lower, middle or upper, and {', '.join(leaves[0])}"
             )
-        for rank, leaf in enumerate(leaves):
-            third = int(3 * (rank + 0.5) / len(leaves))
-            if part == "all" or third == THIRDS[part]:
+        for rank, leaf in enumerate(leaves, 1):
+            if part == "all" or third_of(rank, len(leaves)) == THIRDS[part]:
                 _change_key(leaf, measure, value)
     return crop
 
@@ -156,26 +156,34 @@ class Conditions:
             keys["climate.to"] = row.date
         return keys
 
-    def values(
-        self, keys: Mapping[str, Any], rows: Sequence[Measurement], seed: int
-    ) -> list[float]:
-        """Returns the values of rows that share all keys, in their units; of
-        changes from a control in the units of the program."""
+    def settings(self, keys: Mapping[str, Any]) -> list[str]:
+        """Returns the settings of the campaign that keys mean, in which
+        changes of the baseline are a crop."""
         changes = {k: v for k, v in keys.items() if k.startswith((LEAF, CROP))}
         plain = {k: v for k, v in keys.items() if k not in changes}
-        settings = words_of({**plain, "seed": seed})
+        settings = words_of(plain)
         names = _core.case_names(str(self.campaign), settings)
         if len({name for name, _ in names}) > 1:
             raise Error(
                 f"{self.campaign} has {len(names)} cases; measurements belong "
                 "to one: leave one site, spacing and light in it"
             )
-        stand = Stand.from_campaign(self.campaign, settings=settings)
         if changes:
+            stand = Stand.from_campaign(self.campaign, settings=settings)
             crop = tomllib.loads(stand.crop_file(stand.baseline))
             settings += words_of({"plant.baseline": changed(crop, changes)})
-            stand = Stand.from_campaign(self.campaign, settings=settings)
-        seen = Seen(stand)
+        return settings
+
+    def values(
+        self, settings: Sequence[str], rows: Sequence[Measurement], seed: int
+    ) -> list[float]:
+        """Returns the values of rows that share all settings, in their units;
+        of changes from a control in the units of the program."""
+        seen = Seen(
+            Stand.from_campaign(
+                self.campaign, settings=[*settings, *words_of({"seed": seed})]
+            )
+        )
         found = []
         for row in rows:
             quantity = quantity_of(seen, row.quantity)
@@ -193,10 +201,10 @@ class Conditions:
         """Returns for each job, keys with the rows that have them, the values
         [seed, row]."""
 
-        def one(job: int, seed: int) -> list[float]:
-            keys, rows = jobs[job]
+        def located(rows: Sequence[Measurement], call: Any) -> Any:
+            """Calls a function whose errors then name a row."""
             try:
-                return self.values(keys, rows, seed)
+                return call()
             except (InputError, Error) as error:
                 text = str(error)
                 where = rows[0].where
@@ -204,15 +212,20 @@ class Conditions:
                     text if where and where in text else f"{where}: {text}"
                 ) from None
 
+        known = [
+            located(rows, partial(self.settings, keys)) for keys, rows in jobs
+        ]
         with ThreadPoolExecutor(processors()) as pool:
             found = [
-                [pool.submit(one, job, seed) for seed in self._all_seeds()]
-                for job in range(len(jobs))
+                [
+                    pool.submit(
+                        located, rows, partial(self.values, own, rows, seed)
+                    )
+                    for seed in range(1, self.seeds + 1)
+                ]
+                for own, (_, rows) in zip(known, jobs)
             ]
             return [[each.result() for each in job] for job in found]
-
-    def _all_seeds(self) -> range:
-        return range(1, self.seeds + 1)
 
 
 def compare(

@@ -15,11 +15,9 @@ import xarray
 
 from ..errors import Error
 from ..stand.stand import Stand
-from .table import Measurement
+from .table import THIRDS, Measurement, third_of
 
 DRY_MASS = "t ha-1"
-THIRDS = {"lower": 0, "middle": 1, "upper": 2}
-"""The parts of a plant's leaves by rank, as values of the column `leaves`."""
 
 
 class Seen:
@@ -105,7 +103,7 @@ def _extinction(seen: Seen, row: Measurement) -> float:
 
 def _inclination(seen: Seen, row: Measurement) -> float:
     angle, area, rank = seen.inclination
-    third = np.floor(3 * (rank - 0.5) / rank.max())
+    third = third_of(rank, rank.max())
     part = third == THIRDS[row.leaves] if row.leaves else rank > 0
     return float(np.average(angle[part], weights=area[part]))
 

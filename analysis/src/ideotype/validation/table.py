@@ -26,12 +26,22 @@ COLUMNS = {
     "leaves": "third of the leaves by rank: lower, middle, upper",
     "value": "measured value",
     "error": "standard error of the value",
-    "low": "least value that was measured, in the place of a value",
+    "low": "least value that was measured, instead of a value",
     "high": "largest value that was measured",
     "unit": "unit of value, error, low and high",
 }
 """The columns of a table; a column with a dot in its name is a key of the
 campaign, which takes the value of the row."""
+
+
+THIRDS = {"lower": 0, "middle": 1, "upper": 2}
+"""The parts of a plant's leaves by rank, as values of the column `leaves`."""
+
+
+def third_of(rank: Any, leaves: int) -> Any:
+    """Returns the third to which a rank or an array of ranks belongs; the
+    lowest of the leaves has rank 1."""
+    return 3 * (2 * rank - 1) // (2 * leaves)
 
 
 @dataclass(frozen=True)
@@ -186,7 +196,7 @@ def _measurement(
     quantity = str(cells.get("quantity", ""))
     if not quantity and "quantity" not in cells:
         problems.add(where, "quantity is empty; name what was measured")
-    if leaves not in ("", "lower", "middle", "upper"):
+    if leaves not in ("", *THIRDS):
         problems.add(
             where, f"leaves is '{leaves}'; use lower, middle or upper"
         )

@@ -63,19 +63,21 @@ has() {
     grep -q -- "$1" "${@:2}" || fail "no '$1' in $(cat "${@:2}")"
 }
 has "drained; the next job of the chain continues" "ideotype-chain-$limit.log"
-has ": start 1 on node\[1-2\]" "ideotype-chain-$((limit + 1)).log"
+# Job $2 of the chain that was submitted as $1, from 1. SLURM may have numbered
+# tasks of an array in between.
+job_of() {
+    sed -n 's/^job  *\([^;]*\);.*/\1/p' "submit-$1.log" | cut -d ' ' -f "$2"
+}
+has ": start 1 on node\[1-2\]" "ideotype-chain-$(job_of limit 2).log"
 has ": complete$" ideotype-chain-*.log
 has "drained; the next job" "ideotype-tasks-${tasks}_0.log"
-has ": complete$" "ideotype-tasks-$((tasks + 1))_0.log"
-has "everything is finished" "ideotype-tasks-$((tasks + 1))_1.log"
-first_of() {
-    sed -n 's/^job  *\([0-9]*\).*/\1/p' "submit-$1.log"
-}
-has "the program ended with 1" "ideotype-chain-$(first_of wrong).log"
-second=$(($(first_of wrong) + 1))
+has ": complete$" "ideotype-tasks-$(job_of tasks 2)_0.log"
+has "everything is finished" "ideotype-tasks-$(job_of tasks 2)_1.log"
+has "the program ended with 1" "ideotype-chain-$(job_of wrong 1).log"
+second=$(job_of wrong 2)
 [ ! -e "ideotype-chain-$second.log" ] || fail "a chain goes on after a failure"
 sacct -c -j "$second" --format=State | grep -q CANCELLED ||
     fail "SLURM keeps the rest of a chain that failed"
-has "ranks were lost (137); the next job" "ideotype-chain-$(first_of dying).log"
-has "this was the last job of the chain" \
-    "ideotype-chain-$(($(first_of dying) + 1)).log"
+has "ranks were lost (137); the next job" \
+    "ideotype-chain-$(job_of dying 1).log"
+has "this was the last job of the chain" "ideotype-chain-$(job_of dying 2).log"

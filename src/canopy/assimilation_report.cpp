@@ -25,7 +25,7 @@ std::vector<std::size_t> leaves_of(const std::vector<Group>& groups,
     return leaf;
 }
 
-//! Sets the groups of a component's organs besides leaves.
+//! Sets the groups of a component's non-leaf organs.
 void set_organs(const Component& component, std::uint32_t number,
                 const std::vector<Group>& groups,
                 std::vector<LeafGroup>& result) {

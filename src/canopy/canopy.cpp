@@ -33,7 +33,7 @@ Scene with_a_group_per_face(Scene scene) {
 }
 
 //! Follows light in all fields after the first one, which several threads
-//! share; each needs a device of its own.
+//! share; each needs a separate device.
 std::vector<FieldLight> light_in_others(const Evaluation& evaluation,
                                         const FirstLook& look,
                                         const Device& device,

@@ -198,7 +198,7 @@ class Reporter {
         return losses;
     }
 
-    //! Returns the component whose plants, with leaves or not, stand in a row.
+    //! Returns the component with plants, with leaves or not, in a row.
     std::uint32_t component_of_row(std::size_t row) const {
         for (std::uint32_t c = 0; c < scene_.components.size(); ++c)
             for (const Place& place : scene_.components[c].places)

@@ -11,10 +11,10 @@
 namespace ideotype {
 
 //! The parts of leaves that absorb light: pieces, and places. A place joins the
-//! pieces that are the same part of a leaf in plants that are alike.
+//! pieces that are the same part of a leaf in uniform plants.
 struct LeafPlaces {
     //! Finds the places of pieces.
-    //! @param is_each whether each piece is a place of its own
+    //! @param is_each whether each piece is a separate place
     LeafPlaces(const Pieces& pieces, const LitLeaves& lit, bool is_each);
 
     std::size_t count() const { return index.size(); }
@@ -24,10 +24,10 @@ struct LeafPlaces {
     std::vector<double> per_index;     //!< 1 / leaf area index, by piece
     std::vector<double> index;         //!< leaf area index, by place
     std::vector<std::uint32_t> group;  //!< group by place, each in a run
-    std::vector<std::uint32_t> row;    //!< row by place; 0 if not told apart
+    std::vector<std::uint32_t> row;    //!< row by place; 0 if not distinguished
     std::vector<double> height;        //!< height by place [m]
-    std::vector<double> width;         //!< width by place [m], if pieces tell
-    std::vector<double> absorptance;   //!< larger of both faces, by place
+    std::vector<double> width;        //!< width by place [m], if pieces have it
+    std::vector<double> absorptance;  //!< larger of both faces, by place
 };
 
 //! Diffuse light of one source [J m-2 of ground].

@@ -29,7 +29,7 @@ std::vector<Date> dates_of_suns(const LightSeries& series, int count) {
     return dates;
 }
 
-//! Returns, for each instant, the instant whose sun represents its own.
+//! Returns, for each instant, the instant of the sun that represents it.
 std::vector<std::size_t> instants_of_suns(const LightSeries& series,
                                           int count) {
     const std::vector<Date> dates = dates_of_suns(series, count);

@@ -235,7 +235,7 @@ class Transport {
     }
 
     //! Follows the kept paths of a band and a randomisation to their ends.
-    //! @param source the last source whose light they carry
+    //! @param source the last source of the light that they carry
     void follow(std::size_t b, std::size_t r, std::uint32_t source) {
         Randomness numbers = randomness_;
         numbers.first_randomisation += static_cast<std::uint32_t>(r);

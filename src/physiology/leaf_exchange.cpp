@@ -88,7 +88,7 @@ Expansion transpiration_of(double amount, double share, const Expansion& net) {
     return {amount, per_net * net.slope, per_net * net.curvature};
 }
 
-//! A leaf whose temperature, stomata and assimilation are not yet in balance.
+//! A leaf with temperature, stomata and assimilation not yet in balance.
 template <class Rates>
 class Sweeps {
   public:

@@ -14,7 +14,7 @@
 
 namespace ideotype {
 
-//! Whether all randomisations share one field or each has a field of its own.
+//! Whether all randomisations share one field or each has a separate field.
 enum class Fields { one, each };
 
 //! Plants of two leaves as they are evaluated.

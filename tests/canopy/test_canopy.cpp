@@ -47,7 +47,7 @@ TEST_F(TwoLeaves, ProfilesAreKnownByRandomisation) {
             for (const auto& [estimated, values] : profile) {
                 const Estimate again = estimate(values);
                 EXPECT_NEAR(again.mean, estimated.mean, 1e-12) << name;
-                // The error in a report contains what paths can tell.
+                // The error in a report contains the error of paths.
                 EXPECT_LE(again.standard_error,
                           estimated.standard_error * (1 + 1e-12))
                     << name;
@@ -252,7 +252,7 @@ TEST_F(TwoLeaves, LeafAreaByLightSumsToAllLeafArea) {
         EXPECT_NEAR((sunlit + shaded) / report.lai, 1, 1e-12);
         EXPECT_NEAR(sunlit / (report.hit_by_sun->mean.mean * report.lai), 1,
                     1e-12);
-        // The midpoints of classes tell the light that leaves absorb.
+        // The midpoints of classes give the light that leaves absorb.
         const double light = 4.57 * report.par().light.day.leaves.mean /
                              request.scene.bands[0].light.series.lit_seconds();
         EXPECT_NEAR(absorbed / light, 1, .05);

@@ -123,8 +123,8 @@ TEST(Field, PositionsDeviateByTheirStandardDeviationsFromTheLattice) {
         both += x * y / count;
         furthest = std::max({furthest, std::abs(x), std::abs(y)});
     }
-    // A normal distribution cut at three has a variance of .995; the bounds are
-    // four standard errors.
+    // A normal distribution cut at three has a variance of 0.995; the bounds
+    // are four standard errors.
     EXPECT_NEAR(along, 0.995, 4 * std::sqrt(2 / count));
     EXPECT_NEAR(across, 0.995, 4 * std::sqrt(2 / count));
     EXPECT_NEAR(both, 0, 4 / std::sqrt(count));
@@ -292,7 +292,7 @@ TEST(Field, ACutPlotKeepsNoVertexWithoutAFace) {
     EXPECT_EQ(*used.rbegin(), field.mesh.vertices.size() - 1);
 }
 
-//! Components have random numbers of their own, so that a further one changes
+//! Components have independent random numbers, so that a further one changes
 //! nothing for those before it.
 TEST(Field, HasThePlantsOfAllComponents) {
     const Plant sample = sample_plant();

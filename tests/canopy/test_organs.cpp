@@ -70,7 +70,7 @@ TEST_F(Organs, LeaveTheLightOfLeavesAsItIs) {
     const CanopyReport living = evaluated();
     EXPECT_EQ(living.par().budget_by_randomisation,
               dead.par().budget_by_randomisation);
-    // Expected light is a mean over neighbours, whose number may differ.
+    // Expected light is a mean over neighbours; their number may differ.
     EXPECT_NEAR(gross_of(living, 0).mean, gross_of(dead, 0).mean,
                 3 * gross_of(dead, 0).standard_error);
     EXPECT_EQ(living.hit_by_sun->mean.mean, dead.hit_by_sun->mean.mean);
@@ -203,7 +203,7 @@ TEST_F(Organs, OfMissingPlantsCostNothing) {
     for (const auto part : {&CarbonLoss::at_night, &CarbonLoss::building})
         EXPECT_NEAR(report.assimilation->losses[stalk].*part,
                     share * alike.assimilation->losses[stalk].*part, 1e-12);
-    // Each field loses what it would lose alone.
+    // Each field has the losses that it would have alone.
     request.accuracy = {512, 4};
     for (std::uint32_t r = 0; r < 8; ++r) {
         request.randomness.first_randomisation = r;

@@ -35,7 +35,7 @@ TEST_F(Sensors, AboveThePlantsReceiveAllLight) {
     }
 }
 
-//! Sensors on the ground over a row distance receive what meets the soil.
+//! Sensors on the ground over a row distance receive the light on the soil.
 TEST_F(Sensors, OnTheSoilReceiveWhatItAbsorbs) {
     const double row = request.scene.cell.row_distance;
     std::vector<Sensor> sensors;

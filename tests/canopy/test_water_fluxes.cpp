@@ -306,7 +306,7 @@ TEST_F(WaterOfTwoLeaves, ExactAssimilationIsRefused) {
     }
 }
 
-//! Plants whose leaves are more erect.
+//! Plants with more erect leaves.
 class ErectWater : public WaterOfTwoLeaves {
   public:
     ErectWater() : WaterOfTwoLeaves(25) {}

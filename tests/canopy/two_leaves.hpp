@@ -7,7 +7,7 @@
 namespace ideotype {
 
 //! Plants of two leaves on a clear day at Ames.
-//! @param erect what leaves stand and bend less than they do [deg]
+//! @param erect the angle by which leaves are steeper and bend less [deg]
 inline CanopyRequest two_leaves(const Accuracy& accuracy, double erect = 0) {
     Plant plant;
     plant.leaves = {{.7, .08, 40 - erect, 60 - erect, 90, .2},

@@ -15,7 +15,7 @@ namespace ideotype {
 
 namespace {
 
-//! Returns a place whose clock shows solar time.
+//! Returns a place with a clock that shows solar time.
 Site at_latitude(double latitude) {
     return {"somewhere", latitude, 0, 0};
 }
@@ -142,7 +142,7 @@ void last_paths_of_the_largest_net(Findings& findings) {
                 sum += x / some;
             }
         }
-        // Means of independent numbers deviate by .0011.
+        // Means of independent numbers deviate by 0.0011.
         for (const double mean : sums)
             findings.require(std::abs(mean - .5) < .005, "means are 1/2");
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Leaves and optical properties at the limits of what a scene may have.
+// Leaves and optical properties at the limits that a scene may have.
 #include <algorithm>
 #include <cmath>
 

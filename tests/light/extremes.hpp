@@ -40,7 +40,7 @@ class Findings {
     int traces() const { return traces_; }
     //! Returns the largest balance error in any randomisation of any trace.
     double balance_error() const { return balance_error_; }
-    //! Returns the noted words, or how far values were from references.
+    //! Returns the noted words, or the distance of values from references.
     std::string result() const;
 
   private:

@@ -17,7 +17,7 @@ struct FirstHitsCompared {
     std::size_t wrong = 0;   //!< differing points where the buffer is wrong
 };
 
-//! Compares every reference mesh and meshes at the limits, under suns from .01
+//! Compares every reference mesh and meshes at the limits, under suns from 0.01
 //! to 90 deg.
 //! @param points about the number of points of each lattice
 std::vector<FirstHitsCompared> compare_first_hits(int points);

@@ -16,7 +16,7 @@ using std::numbers::pi;
 
 constexpr double side = 0.02;
 
-//! Returns the share of leaves whose normal is within t [rad] of the vertical.
+//! Returns the share of leaves with a normal within t [rad] of the vertical.
 double share_within(LeafAngles angles, double t) {
     switch (angles) {
         case LeafAngles::spherical:

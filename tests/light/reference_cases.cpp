@@ -140,7 +140,7 @@ void add_two_stream(std::vector<ReferenceScene>& scenes) {
         double of_size;  //!< error of the theory for leaves of 2 cm in 10 m
     };
     // Light that a leaf scatters finds its way back free: stands of 1, 3 and 10
-    // m reflect .0025, .0010, .0004 too much in the near infrared, and a
+    // m reflect 0.0025, 0.0010, 0.0004 too much in the near infrared, and a
     // quarter of that in PAR.
     for (const Row& row :
          {Row{"par", .05, 0, .915722, .026245, .058033, 6e-5},
@@ -155,7 +155,7 @@ void add_two_stream(std::vector<ReferenceScene>& scenes) {
                           optics,
                           {},
                           {32768, 256}});
-        // A sample of 7,500 leaves is good to .003, which is four of these
+        // A sample of 7,500 leaves is good to 0.003, which is four of these
         // errors.
         scenes.push_back({"two-stream, to .003",
                           mesh_of("poisson_horizontal_L3"),

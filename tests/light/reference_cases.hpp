@@ -24,7 +24,7 @@ struct ReferenceCase {
     std::vector<KnownValue> known;
 };
 
-//! A stand whose light is known. Groups can be told apart only under a single
+//! A stand with known light. Groups can be distinguished only under a single
 //! light.
 struct ReferenceScene {
     std::string origin;  //!< origin of the known values
@@ -46,7 +46,7 @@ std::vector<ReferenceScene> reference_scenes();
 //! Returns the number of cases.
 std::size_t count_cases(const std::vector<ReferenceScene>& scenes);
 
-//! One known value beside our value.
+//! One known value next to our value.
 struct Comparison {
     std::string name;
     std::string quantity;

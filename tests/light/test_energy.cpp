@@ -32,7 +32,7 @@ TEST(Energy, AStandWithoutLeavesIsItsSoil) {
 TEST(Energy, ALeafOnTheSoilLetsLightThroughToIt) {
     Mesh mesh = leaves_only();
     add_sheet(mesh, {1, 1}, 0, 0);
-    // The leaf transmits .4; half of it comes back from the soil, and .4 of
+    // The leaf transmits 0.4; half of it comes back from the soil, and 0.4 of
     // that once more ...
     const Fractions f = trace(mesh, {1, 1}, leaf_optics(.4, .4, .5),
                               sun_from(60, 0), {1 << 14, 16});
@@ -70,7 +70,8 @@ TEST(Energy, SameSeedSameBitsOtherSeedOtherBits) {
 }
 
 TEST(Energy, StandardErrorIsThatOfTheSpread) {
-    // Over many independent estimates the spread must be what each reports.
+    // Over many independent estimates the spread must be the error that each
+    // reports.
     const Mesh mesh = load_reference_mesh("maize1");
     std::vector<double> means;
     double variance = 0;

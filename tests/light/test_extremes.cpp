@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Everything at the limits of what can be asked for.
+// Everything at the limits of valid input.
 #include <gtest/gtest.h>
 
 #include "expectations.hpp"

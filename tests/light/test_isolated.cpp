@@ -118,7 +118,7 @@ TEST(Isolated, ASheetHighAboveBrightSoilIsLitFromBelowToo) {
 
 TEST(Isolated, AWallOnBrightSoilSeesItUpToTheHorizon) {
     // A uniform sky lights each face with 1/2; the soil adds albedo / 2 less
-    // what the wall itself shades, which the furnace below checks.
+    // the shade of the wall itself, which the furnace below checks.
     Mesh mesh = leaves_only();
     add_leaf(mesh, {0, 0, 40}, {0, 1, 0}, {0, 0, 1});
     expect_agreement(

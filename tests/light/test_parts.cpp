@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The light that leaves absorb is told apart by origin, face and layer, and the
+// The light that leaves absorb is resolved by origin, face and layer, and the
 // leaf area that is sunlit is known.
 #include <cmath>
 
@@ -48,7 +48,7 @@ TEST(Parts, LightOfSunAndSkyIsToldFromWhatOtherSurfacesScatter) {
     const double incident = 4, absorptance = .6;
     EXPECT_NEAR(r.day.leaves_beam.mean, 3 * absorptance, 1e-2);
     EXPECT_NEAR(r.day.leaves_sky.mean, 1 * absorptance, 1e-2);
-    // Soil sends albedo * .4 of all light back up; no leaf reflects.
+    // Soil sends albedo * 0.4 of all light back up; no leaf reflects.
     expect_agreement(r.day.leaves_scattered,
                      {incident * .4 * albedo * absorptance, 0}, 2e-2,
                      "scattered");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// README.md is written by light_report; these tell when it is out of date.
+// README.md is written by light_report; these tests notice a stale one.
 #include <fstream>
 #include <sstream>
 

@@ -88,7 +88,7 @@ TEST_F(MadeUpDay, HasAClearSkyForEachInstantThatFollowsTheSun) {
               clear.relative_brightness(aslant));
     EXPECT_DOUBLE_EQ(light.light.energy(), day.incident());
 
-    // Each instant has the light of its own sources only.
+    // Each instant has only the light of its sources.
     tallies = {
         {{{1800, 0, 0, 0}, {3600, 0, 0, 0}, {900, 0, 0, 0}, {7200, 0, 0, 0}},
          {}},
@@ -158,7 +158,7 @@ TEST_F(MadeUpSeason, MayHaveAllItsSuns) {
     EXPECT_EQ(light.sky_of[2], light.sky_of[17]);
 }
 
-//! A leaf over black soil, and what is certain about its light.
+//! A leaf over black soil, and the known part of its light.
 class Certainty : public ::testing::Test {
   protected:
     //! Returns the report of the light of one second.

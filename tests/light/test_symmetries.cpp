@@ -101,8 +101,8 @@ TEST(Symmetry, AMirroredStandUnderAMirroredSunIsTheSame) {
 }
 
 TEST(Symmetry, AStandUpsideDownTransmitsAsMuch) {
-    // Reciprocity: what a uniform sky sends to black soil is what a uniform
-    // soil would send to the sky. Reflection and absorption may differ.
+    // Reciprocity: the light of a uniform sky on black soil is that of a
+    // uniform soil would send to the sky. Reflection and absorption may differ.
     const Mesh mesh = load_reference_mesh("maize1");
     double top = 0;
     for (const glm::dvec3& v : mesh.vertices) top = std::max(top, v.z);

@@ -135,7 +135,8 @@ TEST_F(LitLeaf, IsMetOftenEnoughWhereLeavesAreFew) {
     EXPECT_LT(found.largest, 2.5 * tolerance);
 }
 
-//! Such a leaf keeps little of a path, so one path more or less tells little.
+//! Such a leaf keeps little of a path, so one path more or less is little
+//! evidence.
 TEST_F(LitLeaf, ReportsTheErrorsOfALeafThatIsNearlyWhite) {
     Optics optics;
     optics.materials = {{.499, .499}};

@@ -111,8 +111,8 @@ class PlainTracer {
         return nearest;
     }
 
-    //! Returns how far along a ray the triangle with the edges b and c is,
-    //! whose first corner is the origin.
+    //! Returns the distance along a ray to the triangle with the edges b and c
+    //! and its first corner at the origin.
     static double distance_to(const glm::dvec3& from,
                               const glm::dvec3& direction, const glm::dvec3& b,
                               const glm::dvec3& c) {
@@ -141,7 +141,7 @@ class PlainTracer {
         return at;
     }
 
-    //! Returns a direction whose density is the cosine from a normal: that to a
+    //! Returns a direction with the cosine from a normal as density: that to a
     //! point of the unit sphere on it.
     glm::dvec3 lambertian(const glm::dvec3& normal) {
         for (;;) {

@@ -12,7 +12,7 @@
 namespace ideotype {
 namespace {
 
-//! Values of independent code, as data/physiology/README.md tells.
+//! Values of independent code, see data/physiology/README.md.
 nlohmann::json values() {
     std::ifstream file(IDEOTYPE_TEST_DATA "/physiology/collatz.json");
     return nlohmann::json::parse(file);

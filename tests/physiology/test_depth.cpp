@@ -9,7 +9,7 @@
 namespace ideotype {
 namespace {
 
-const std::vector<double> areas{.4, .5, .3, .2};  //!< the lowest leaf first
+const std::vector<double> areas{0.4, 0.5, 0.3, 0.2};  //!< the lowest leaf first
 
 TEST(Depth, IsWhatIsAboveAndHalfOfTheLeaf) {
     const std::vector<double> depth = depth_of_leaves(areas);
@@ -43,7 +43,7 @@ TEST(Depth, CapacityFollowsNitrogen) {
     EXPECT_DOUBLE_EQ(nitrogen_response(1.8), 1);
     EXPECT_DOUBLE_EQ(nitrogen_response(.25), 0);
     EXPECT_EQ(nitrogen_response(.1), 0);
-    // The function tanh(2.9 (N - .25) / 2) gives equal values.
+    // The function tanh(2.9 (N - 0.25) / 2) gives equal values.
     EXPECT_NEAR(nitrogen_response(1.3),
                 std::tanh(1.45 * 1.05) / std::tanh(1.45 * 1.55), 1e-14);
     // The lowest leaves of a very dense canopy have too little nitrogen.

@@ -12,7 +12,7 @@
 namespace ideotype {
 namespace {
 
-//! Reads cases of independent code, as data/physiology/README.md tells.
+//! Reads cases of independent code, see data/physiology/README.md.
 std::vector<Case> cases() {
     std::ifstream file(IDEOTYPE_TEST_DATA "/physiology/energy_given.json");
     const nlohmann::json all = nlohmann::json::parse(file);

@@ -24,7 +24,7 @@ TEST(Hyperbola, IsTheEquation) {
             EXPECT_NEAR(f.gross(light), textbook(f, light), 1e-12)
                 << theta << ' ' << light;
         }
-    // One sheet over soil of albedo .2 absorbs 909.09 in light of 1000.
+    // One sheet over soil of albedo 0.2 absorbs 909.09 in light of 1000.
     EXPECT_NEAR(Hyperbola{}.gross(1000 / 1.1), 33.6839, 5e-5);
 }
 

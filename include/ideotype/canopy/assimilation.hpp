@@ -27,9 +27,10 @@ struct FluxTally {
     std::vector<double> groups;
     std::vector<double> layers;  //!< amount by layer of the pieces [mol m-2]
     std::vector<double> steps;   //!< flux of all leaves by step [umol m-2 s-1]
-    std::vector<double> rows{};  //!< amount by row, if told apart [mol m-2]
+    std::vector<double>
+        rows{};  //!< amount by row, if rows are distinguished [mol m-2]
     //! Leaf area index by group, and by row and group, of gross assimilation if
-    //! randomisations have fields of their own.
+    //! randomisations have separate fields.
     std::vector<double> leaf_area{}, leaf_area_of_rows{};
 
     //! Adds another flux of the same leaves.
@@ -82,7 +83,7 @@ struct AssimilationReport {
     std::optional<FluxReport> uptake;
     //! Loss of each group of the mesh; leaves respire as if as warm as the air.
     std::vector<CarbonLoss> losses;
-    //! Losses of groups by randomisation, if these have fields of their own.
+    //! Losses of groups by randomisation, if these have separate fields.
     std::vector<std::vector<CarbonLoss>> losses_by_randomisation;
     //! Gross assimilation less respiration after silking by randomisation, if
     //! plants grow.
@@ -111,7 +112,7 @@ struct ComponentAssimilation {
     Estimate gross;
     Estimate uptake{};  //!< AssimilationReport::before_losses()
     CarbonLoss loss{};
-    //! Loss by randomisation, if these have fields of their own.
+    //! Loss by randomisation, if these have separate fields.
     std::vector<CarbonLoss> loss_by_randomisation{};
 };
 
@@ -121,7 +122,7 @@ std::vector<ComponentAssimilation> by_component(
     const AssimilationReport& report, const std::vector<Group>& groups,
     std::size_t components);
 
-//! The dry mass and tissue of an organ besides leaves in a group of a mesh.
+//! The dry mass and tissue of a non-leaf organ in a group of a mesh.
 struct OrganGroup {
     Tissue tissue{};
     double mass = 0;  //!< dry mass per ground area [kg m-2]
@@ -141,7 +142,7 @@ struct LeafGroup {
     double ear_share = 0;               //!< see Component::ear_share
     std::uint32_t component = 0;        //!< component of a living group
     //! Leaf area index of the component if no plant is missing or deviates from
-    //! its line; 0: fields do not differ. Dry mass and what was built are those
+    //! its line; 0: fields do not differ. Dry mass and past growth are those
     //! of such plants, and fields have them in proportion to leaf area.
     double lai_of_line = 0;
 
@@ -150,7 +151,7 @@ struct LeafGroup {
     bool exchanges_water() const { return photosynthesis && !organ; }
 };
 
-//! Tells how the leaves of each group of a scene assimilate, by their rank.
+//! The photosynthesis of leaves of each group of a scene, by their rank.
 //! If any leaf of a component has no rank, all its leaves count as one leaf.
 //! Organs have the response of the highest leaf, with their share of its
 //! capacity and without its respiration, which follows from their mass. Roots
@@ -163,8 +164,8 @@ std::vector<LeafGroup> leaf_groups(const Scene& scene,
                                    const std::vector<Group>& groups,
                                    const std::vector<double>& leaf_area_index);
 
-//! Returns what a group loses in some field or row: leaves in proportion to
-//! their area there, organs and what was built in proportion to the leaf area
+//! Returns the loss of a group in some field or row: leaves in proportion to
+//! their area there, organs and past growth in proportion to the leaf area
 //! of their component, since these are where its plants are.
 //! @param loss loss in the whole
 //! @param part,whole leaf area by group in the field or row, and in the whole
@@ -215,11 +216,11 @@ struct LitLeaves {
 //! few paths meet a piece. So f is expanded to second order about an expected
 //! diffuse light c: the mean light of the same piece in all plants that are
 //! alike, joined to its neighbours until the mean is well known. The deviation
-//! of a piece enters as D - c and (D - c)^2, whose estimates have no bias
+//! of a piece enters as D - c and (D - c)^2, and these estimates have no bias
 //! however few paths meet the piece, see PairLight; nor does noise in c matter
 //! to second order. Steps that share a sun are sums of the same numbers, so
 //! that many steps cost little. The returned tallies are pseudo-values of a
-//! jackknife over randomisations, whose scatter gives the error. The remaining
+//! jackknife over randomisations; their scatter gives the error. The remaining
 //! bias is of third order: see tests/benchmark/README.md.
 //!
 //! @param tallies tallies with leaf light, of independent randomisations of one

@@ -65,8 +65,8 @@ struct BandReport {
     std::vector<PartLight> objects;
     //! Light of each component, then of each object, if there are several.
     std::vector<PartReport> parts;
-    //! Light that leaves of each row absorb, where rows are told apart [J m-2
-    //! of all ground], as means and by randomisation.
+    //! Light that leaves of each row absorb, where rows are distinguished [J
+    //! m-2 of all ground], as means and by randomisation.
     std::vector<Estimate> rows;
     std::vector<std::vector<double>> rows_by_randomisation;
     //! The light that both sides of each face absorb, if asked for, per
@@ -103,7 +103,7 @@ struct ComponentReport {
     double ground_per_plant = 0;  //!< all ground over all plants [m2]
 };
 
-//! The plants of a row, where rows are told apart.
+//! The plants of a row, where rows are distinguished.
 struct RowReport {
     std::uint32_t component = 0;
     double position = 0;  //!< place of the row along x [m]
@@ -129,7 +129,7 @@ struct LeafArea {
 struct CanopyReport {
     std::vector<BandReport> bands;  //!< reports of the bands, PAR first
     std::vector<ComponentReport> components;
-    std::vector<RowReport> rows;  //!< rows, if told apart
+    std::vector<RowReport> rows;  //!< rows, if distinguished
     std::vector<ObjectReport> objects;
     std::optional<AssimilationReport> assimilation;  //!< assimilation, if any
     std::optional<WaterReport> water;  //!< water, if leaves exchange water
@@ -141,7 +141,7 @@ struct CanopyReport {
     std::optional<LineDistance> lines;  //!< distance from lines, if asked for
     std::uint64_t paths = 0;            //!< paths over which light is averaged
     bool is_capped = false;             //!< too few paths for the tolerance
-    std::vector<Group> groups;          //!< groups whose light was counted
+    std::vector<Group> groups;          //!< groups with counted light
     Layers layers;
     int days = 1;    //!< days over which daily figures are averaged
     double lai = 0;  //!< one-sided leaf area over ground [m2 m-2]
@@ -165,7 +165,7 @@ struct CanopyReport {
     }
 };
 
-//! Tells a time [s].
+//! Returns the present time [s].
 using Clock = std::function<double()>;
 
 //! Evaluates a canopy, always as scene -> fields -> light -> assimilation ->
@@ -181,7 +181,7 @@ CanopyReport evaluate(const CanopyRequest& request, const Device& device,
 RayScene build_scene(const Device& device, const Field& field);
 
 //! Returns an accuracy with which the light on most faces is known to some 5 %
-//! or better, but whose paths take about ten seconds at most.
+//! or better, with paths that take about ten seconds at most.
 Accuracy face_accuracy(const Accuracy& accuracy, std::size_t faces);
 
 }  // namespace ideotype

@@ -74,7 +74,7 @@ struct Field {
 };
 
 //! Draws the turn of each plant of a component [deg], place by place:
-//! independent, and uniform in +-jitter. If the variation tells a fraction of
+//! independent, and uniform in +-jitter. If the variation gives a fraction of
 //! plants across the row, that fraction is turned within 45 deg of across and
 //! the other plants within 45 deg of the row, one plant in each of equal parts
 //! of these ranges, in random order. The turns are a function of seed,
@@ -100,8 +100,9 @@ std::vector<std::vector<Place>> draw_places(const Scene& scene,
 Field draw_field(const Scene& scene, const Randomness& randomness,
                  std::span<const Mesh> lines = {});
 
-//! Returns a scene whose plants stand as in a drawn field of the given scene,
-//! not drawn again: each component is one mesh. Leaves do not assimilate.
+//! Returns a scene with its plants placed as in a random field of the given
+//! scene, not drawn again: each component is one mesh. Leaves do not
+//! assimilate.
 Scene as_drawn(Scene scene, const Field& field);
 
 }  // namespace ideotype

@@ -41,7 +41,7 @@ struct LightClasses {
 //! Finds the leaf area in one field by the light that leaves absorb, as a mean
 //! over the time with any light, by randomisation; all classes sum to the leaf
 //! area index. Diffuse light is computed as in assimilate(), as a mean over
-//! plants that are alike. Leaves that absorb nothing are shaded.
+//! uniform plants. Leaves that absorb nothing are shaded.
 //! @param tallies tallies with leaf light
 //! @param lit lit leaves with the scene of pieces.mesh
 std::vector<LightClasses> leaf_area_by_light(const std::vector<Tally>& tallies,

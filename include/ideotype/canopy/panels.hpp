@@ -28,8 +28,8 @@ struct PanelRows {
     bool backtracks = true;
 };
 
-//! Returns how far tracking modules are turned from level towards the azimuth
-//! of their rows [deg], computed about a level axis as by pvlib's
+//! Returns the angle by which tracking modules are turned from level towards
+//! the azimuth of their rows [deg], computed about a level axis as by pvlib's
 //! tracking.singleaxis(); modules lie level when the sun is down.
 double tracker_angle(const PanelRows& panels, const SunPosition& sun);
 

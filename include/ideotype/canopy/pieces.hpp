@@ -25,10 +25,10 @@ struct Pieces {
     //! For each piece, the first piece that is the same part of a plant that is
     //! alike.
     std::vector<std::uint32_t> like;
-    //! The row of each group, where rows are told apart; plants of different
+    //! The row of each group, where rows are distinguished; plants of different
     //! rows are then not alike. The row of an object has no meaning.
     std::vector<std::uint32_t> row{};
-    std::size_t rows = 0;        //!< number of rows that are told apart
+    std::size_t rows = 0;        //!< number of distinguished rows
     std::vector<double> area;    //!< one-sided area of each piece [m2]
     std::vector<double> height;  //!< height of the centre of each piece [m]
     //! Width of the blade where each piece is, if anyone needs it [m].
@@ -44,7 +44,7 @@ inline constexpr std::size_t pieces_of_blade = 48;
 //! cut in the same way, into pieces of four faces.
 Pieces cut_leaves(const Mesh& mesh, std::size_t per_blade = pieces_of_blade);
 
-//! Cuts a mesh from elsewhere, whose leaves may have only a few faces each.
+//! Cuts a mesh of another origin; its leaves may have only a few faces each.
 //! Blades with fewer faces than those of built plants are first divided, so
 //! that pieces are small relative to a leaf: each face into four, repeatedly,
 //! until a blade has about as many faces as pieces_of_blade, or four times as

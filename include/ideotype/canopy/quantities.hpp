@@ -12,7 +12,7 @@ namespace ideotype {
 //! The name of the quantity that an isolated plot lacks.
 inline constexpr auto extinction = "extinction_coefficient";
 
-//! Returns all quantities of a scene whose components are plants, along leaf,
+//! Returns all quantities of a scene with plants as components, along leaf,
 //! organ, layer, hour, light_source, leaf_side, and, where there are several,
 //! day, component, band, field_row and object.
 //! @param details details with which the canopy is evaluated

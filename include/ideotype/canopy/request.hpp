@@ -13,8 +13,8 @@
 
 namespace ideotype {
 
-//! The results that are wanted of a canopy besides the absorbed light. None of
-//! them changes an objective, and histories do not contain them.
+//! The results that are wanted of a canopy in addition to the absorbed light.
+//! None of them changes an objective, and histories do not contain them.
 struct Details {
     //! Whether to find the sunlit leaf area, which costs more rays, and, if
     //! leaves assimilate, leaf area by the light that it absorbs.
@@ -27,7 +27,7 @@ struct Details {
     bool exact = false;
     //! Whether to find the form of the plant of the first component.
     bool form = false;
-    //! Lines whose distance from the plant of the first component is wanted.
+    //! Lines of which the distance from the first component's plant is wanted.
     std::optional<MeasuredLines> lines{};
 };
 

@@ -35,8 +35,9 @@ struct Cell {
     std::optional<Rectangle> kept{};
     std::vector<double> rows{};  //!< places of rows along x, if any [m]
     double row_distance = 0;  //!< mean distance between neighbouring rows [m]
-    //! Area of the ground that is nearest to each row [m2], where rows are told
-    //! apart and each row has one component. Empty: rows are not told apart.
+    //! Area of the ground that is nearest to each row [m2], where rows are
+    //! distinguished and each row has one component. Empty: rows are not
+    //! distinguished.
     std::vector<double> row_ground{};
 };
 
@@ -107,10 +108,10 @@ inline constexpr double hot_leaf = 35;
 
 //! The exchange of heat and water of leaves with the air, see leaf_exchange().
 struct LeafWater {
-    //! True if leaves have a temperature of their own, by their energy balance;
+    //! True if the energy balance of leaves gives their temperature;
     //! else they are as warm as the air and transpire without a boundary layer.
     bool has_leaf_temperature = true;
-    //! True if the air within the canopy has a state of its own: one node,
+    //! True if the air within the canopy has a separate state: one node,
     //! which the canopy warms and moistens. Else leaves are in the air above.
     bool has_canopy_air = true;
     double stomatal_ratio = 1;    //!< conductance of lower over upper face
@@ -136,7 +137,8 @@ struct Scene {
         return bands.front().light;
     }
 
-    //! Returns whether plants of any component differ besides their direction.
+    //! Returns whether plants of any component differ in more than their
+    //! direction.
     bool varies() const {
         return std::ranges::any_of(components, &PlantVariation::is_any,
                                    &Component::variation);
@@ -144,7 +146,7 @@ struct Scene {
     //! Returns whether leaves of any component assimilate.
     bool assimilates() const;
 
-    //! Returns whether organs besides leaves of any component that assimilates
+    //! Returns whether non-leaf organs of any component that assimilates
     //! are living tissue.
     bool has_living_organs() const;
 };

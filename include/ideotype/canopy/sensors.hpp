@@ -21,7 +21,7 @@ struct Sensor {
 
 //! Finds the light on sensors in each instant of the light series, relative to
 //! the light on level ground above the canopy, as a mean over places along the
-//! rows and over fields; each randomisation has fields of its own. Paths are
+//! rows and over fields; each randomisation has separate fields. Paths are
 //! followed from the sensor back to the sources of light, so that the sensor
 //! shades nothing.
 //! @param points number of points on each sensor in each randomisation

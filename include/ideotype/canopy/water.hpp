@@ -11,7 +11,7 @@ namespace ideotype {
 //! Fluxes between leaves and the air, and the state of leaves, each as a sum
 //! over leaf area per ground area.
 enum class LeafFlux : std::size_t {
-    //! Net assimilation and what leaves as warm as the air would respire
+    //! Net assimilation and the respiration of leaves at air temperature
     //! [umol m-2 s-1].
     uptake,
     transpiration,  //!< transpiration [mmol m-2 s-1]

@@ -18,7 +18,7 @@ struct Accuracy {
     //! among fields.
     int fields = 1;
 
-    //! Returns the number of independent values of a figure, whose spread gives
+    //! Returns the number of independent values of a figure; their spread gives
     //! its error: one for each field if there are several, else for each
     //! randomisation.
     int repetitions() const { return fields > 1 ? fields : randomisations; }

@@ -18,9 +18,9 @@ bool is_lit(const RayScene& scene, const LeafPoint& point,
             const glm::dvec3& travel, std::uint32_t pose = 0);
 
 //! Finds the light at points of leaves, by paths that are followed from the
-//! points back to the sources of light. Each point needs paths of its own. Only
+//! points back to the sources of light. Each point needs separate paths. Only
 //! the scene is shared with the code that follows light forwards. A path counts
-//! for all sources whose light meets moving objects in one pose.
+//! for all sources that meet moving objects in one pose.
 class BackwardLight {
   public:
     //! Makes the object, which keeps references to all arguments.

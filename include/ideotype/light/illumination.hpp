@@ -17,7 +17,7 @@ struct Source {
     double energy = 0;  //!< energy on horizontal ground [J m-2]
     SkySampler sky;     //!< sky of a source without a direction
     double effort = 1;  //!< paths per energy, relative to other sources
-    //! The number of the pose of moving groups that the light meets, besides
+    //! The number of the pose of moving groups that the light meets, other than
     //! all fixed groups.
     std::uint32_t pose = 0;
 };
@@ -43,7 +43,8 @@ struct SeriesIllumination {
     Illumination light;
     std::vector<int> beam_of;
     std::vector<int> sky_of;
-    //! The instant whose sun each source has; 0 for a sky without a sun.
+    //! The instant that each source has its sun from; 0 for a sky without a
+    //! sun.
     std::vector<std::size_t> instant_of{};
 };
 
@@ -51,7 +52,7 @@ struct SeriesIllumination {
 //! @param row_direction direction of the field's y axis, clockwise from north
 //! [deg]
 //! @param dates number of dates, from the middles of equal parts of a season,
-//! whose suns stand for all: each instant has that nearest in direction; 0:
+//! with suns that represent all: each instant has that nearest in direction; 0:
 //! each instant has its own sun
 SeriesIllumination illuminate(LightSeries series, SkyModel sky_model,
                               double row_direction, Skies skies = Skies::shared,

@@ -14,7 +14,7 @@ struct LeafPoint {
     glm::dvec3 position;  //!< position in the axes of the mesh [m]
     glm::dvec3 normal;    //!< normal of the adaxial side, unit length
     std::uint32_t group;  //!< group of the mesh
-    //! Tells whether light cannot reach the point, because it is below the soil
+    //! Whether light cannot reach the point, because it is below the soil
     //! or on a face with the same corners as an earlier face.
     bool is_hidden;
 };
@@ -27,7 +27,7 @@ double own_part(const RayScene& scene, const LeafPoint& point);
 //! can be drawn.
 class LeafPoints {
   public:
-    //! A function that tells whether a group of the mesh is included.
+    //! A function that returns whether a group of the mesh is included.
     using Wanted = std::function<bool(std::uint32_t)>;
 
     //! Makes the surface of all leaves.

@@ -23,7 +23,7 @@ struct Material {
     Lambertian abaxial;
 
     constexpr Material() = default;
-    //! Makes a sheet whose faces are alike.
+    //! Makes a sheet with two equal faces.
     constexpr explicit Material(const Lambertian& both)
         : adaxial(both), abaxial(both) {}
     constexpr Material(double reflectance, double transmittance)

@@ -32,7 +32,7 @@ struct Hit {
     std::uint32_t triangle = 0;
 };
 
-//! A box whose edges are parallel to the axes [m].
+//! A box with edges parallel to the axes [m].
 struct Box {
     glm::dvec3 lower, upper;
 };
@@ -67,7 +67,7 @@ struct Surfaces {
     //! a triangle without area.
     std::vector<glm::dvec3> normals;
 
-    //! Adds a face of a mesh whose vertices the surfaces have.
+    //! Adds a face of a mesh; the surfaces have its vertices.
     void add(const std::array<std::uint32_t, 4>& face, std::uint32_t group,
              std::uint32_t pose);
 

@@ -42,7 +42,7 @@ struct Resolution {
 //! resolutions.
 Resolution combined(const Resolution& a, const Resolution& b);
 
-//! Returns an estimate whose standard error is not below the least error that
+//! Returns an estimate with a standard error not below the least error that
 //! its paths allow.
 Estimate at_least(Estimate x, double standard_error);
 

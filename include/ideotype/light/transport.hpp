@@ -21,11 +21,11 @@ struct Subject {
     const std::vector<Group>& groups;  //!< all groups of the scene's mesh
     std::span<const Band> bands;       //!< wavebands, at least one
     const Layers& layers;  //!< layers in which the light of leaves is counted
-    //! The number of leading groups, all of them leaves, whose light in the
+    //! The number of leading groups, all of them leaves, for which light in the
     //! first band is counted at each place.
     std::size_t pieces = 0;
 
-    //! Returns the light of the first band, whose sources are those of all
+    //! Returns the light of the first band, which has the sources of all
     //! bands.
     const Illumination& light() const {
         IDEOTYPE_EXPECT(!bands.empty());
@@ -56,18 +56,18 @@ std::vector<std::uint32_t> share_paths(const Illumination& illumination,
 //! source gets a share of the paths in proportion to its energy and effort, at
 //! least one; the paths share its entering light equally, see Launcher. First
 //! hits of beams in a periodic stand come from a DepthBuffer or from rays:
-//! numbers of faces and paths, never a clock, tell which costs less. At a first
-//! hit a surface absorbs exactly its absorptance; paths of their own follow the
-//! scattered light, which is absorbed, reflected or transmitted (Lambertian);
-//! see absorb_and_continue() in the source for the unbiased rule that ends
-//! paths. In every randomisation the budget of every source sums, to rounding,
-//! to the light that entered: the source's energy in a periodic stand, the
-//! light through the bounding box of an isolated plot.
-//! neglected around an isolated plot: the soil is infinite and lit, and light
-//! that leaves the box may return from the soil. Of the light that has been in
-//! the box, `soil` is then the part that soil anywhere absorbs, and `reflected`
-//! the part that goes to the sky. First hits are found once for all bands, by
-//! the energies of the first band; scattered light is followed in each band
+//! numbers of faces and paths, never a clock, decide which costs less. At a
+//! first hit a surface absorbs exactly its absorptance; separate paths follow
+//! the scattered light, which is absorbed, reflected or transmitted
+//! (Lambertian); see absorb_and_continue() in the source for the unbiased rule
+//! that ends paths. In every randomisation the budget of every source sums, to
+//! rounding, to the light that entered: the source's energy in a periodic
+//! stand, the light through the bounding box of an isolated plot. neglected
+//! around an isolated plot: the soil is infinite and lit, and light that leaves
+//! the box may return from the soil. Of the light that has been in the box,
+//! `soil` is then the part that soil anywhere absorbs, and `reflected` the part
+//! that goes to the sky. First hits are found once for all bands, by the
+//! energies of the first band; scattered light is followed in each band
 //! separately.
 //!
 //! @return tallies by band and randomisation

@@ -33,7 +33,7 @@ struct CollatzFactors {
     double respiration;  //!< factor of respiration in the dark
 };
 
-//! Does what collatz_at() does, for many values of CO2 at once.
+//! As collatz_at(), for many values of CO2 at once.
 class CollatzAt {
   public:
     CollatzAt(const CollatzLeaf& leaf, double temperature)
@@ -59,7 +59,7 @@ class CollatzAt {
 //! R 2^((T - 25) / 10) / (1 + e^{1.3 (T - 55)}).
 double dark_respiration(const CollatzLeaf& leaf, double temperature);
 
-//! CO2 within a leaf [umol mol-1] whose stomata follow the air's vapour
+//! CO2 within a leaf [umol mol-1] with stomata that follow the air's vapour
 //! pressure deficit [kPa]: ca (0.84 - 0.19 VPD), not below 0 (as in
 //! DCaPST).
 //! @param ambient CO2 of the air [umol mol-1]

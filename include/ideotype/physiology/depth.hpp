@@ -6,7 +6,7 @@
 namespace ideotype {
 
 //! Returns the leaf area index above the middle of each leaf: that of all
-//! higher leaves and half of its own.
+//! higher leaves and half of that leaf's.
 //! @param leaf_area_index of each leaf, the lowest first [m2 m-2 of ground]
 std::vector<double> depth_of_leaves(const std::vector<double>& leaf_area_index);
 

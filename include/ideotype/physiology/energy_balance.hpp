@@ -8,7 +8,7 @@
 
 namespace ideotype {
 
-//! A model of stomata. It tells their conductance gs for water vapour, of both
+//! A model of stomata. It gives their conductance gs for water vapour, of both
 //! faces together per area of leaf [mol m-2 s-1]. A is the assimilation; cs, h
 //! and D are CO2, humidity and the vapour pressure deficit [kPa] at the surface
 //! of the leaf, behind the boundary layer:
@@ -29,7 +29,7 @@ struct Stomata {
     double slope = 1.6;
 };
 
-//! Models of leaves whose assimilation depends on CO2.
+//! Models of leaves with assimilation that depends on CO2.
 using Co2Leaf = std::variant<CollatzLeaf, FarquharLeaf>;
 
 //! The air in front of a leaf's boundary layer.
@@ -113,8 +113,8 @@ struct EnergyBalance {
 //! several balances it is the coolest: enzymes fail in heat, so that in strong
 //! light and calm air a leaf may stay cool with open stomata or hot with closed
 //! ones. Each temperature has one conductance that closes the energy balance,
-//! and one assimilation at that conductance; what the stomata would open to
-//! then is a continuous function of temperature, which is looked at from the
+//! and one assimilation at that conductance; the opening of stomata
+//! is then a continuous function of temperature, searched from the
 //! coolest temperature that any stomata allow to that with none. Balances that
 //! are closer to each other than its steps (a fortieth of that range) may stay
 //! unseen.

@@ -31,7 +31,7 @@ struct FarquharLeaf {
 
 //! Response to light at a temperature [deg C] (Farquhar, von Caemmerer and
 //! Berry 1980, doi:10.1007/BF00386231). It is gross of the leaf's respiration,
-//! but what photorespiration releases is taken off: net assimilation is
+//! but the release by photorespiration is subtracted: net assimilation is
 //! gross() - dark_respiration(). A smooth minimum of the limits of Rubisco,
 //! electron transport and the use of triose phosphate,
 //!
@@ -61,11 +61,11 @@ struct FarquharFactors {
     double half_rate;     //!< Kc (1 + O / Ko) [umol mol-1]
     double vcmax, tpu, jmax;
     double yield;            //!< electrons for each absorbed photon [-]
-    double rise, curvature;  //!< what is added to theta, what is taken off [-]
+    double rise, curvature;  //!< added to theta, subtracted [-]
     double respiration;      //!< factor of respiration in the dark
 };
 
-//! Does what farquhar_at() does, for many values of CO2 at once.
+//! As farquhar_at(), for many values of CO2 at once.
 class FarquharAt {
   public:
     FarquharAt(const FarquharLeaf& leaf, double temperature)
@@ -77,14 +77,14 @@ class FarquharAt {
     double compensation_;  //!< G* [umol mol-1]
     double half_rate_;     //!< Kc (1 + O / Ko) [umol mol-1]
     double vcmax_, triose_use_;
-    double jmax_, jmax_rise_;  //!< jmax at 25 deg C, and times what it is
+    double jmax_, jmax_rise_;  //!< jmax at 25 deg C, and times its factor
     double yield_, theta_, beta_;
 };
 
 //! Respiration [umol m-2 s-1] at a temperature [deg C] (Bernacchi et al. 2001).
 double dark_respiration(const FarquharLeaf& leaf, double temperature);
 
-//! CO2 within a leaf [umol mol-1] whose stomata are optimal in the air's vapour
+//! CO2 within a leaf [umol mol-1] with stomata optimal in the air's vapour
 //! pressure deficit D [kPa]: ca g1 / (g1 + sqrt(D)) (Medlyn et al. 2011,
 //! doi:10.1111/j.1365-2486.2010.02375.x), with a D of 0.05 and more.
 //! @param g1 [kPa^0.5]

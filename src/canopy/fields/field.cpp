@@ -83,7 +83,7 @@ void drop_unused_vertices(Mesh& mesh) {
         for (std::uint32_t& v : face) v = place[v];
 }
 
-//! Keeps only the faces whose centre is above the kept ground.
+//! Keeps only the faces with their centre above the kept ground.
 void cut_border(Field& field) {
     const auto [x, y, width, depth] = *field.cell.kept;
     Mesh& mesh = field.mesh;

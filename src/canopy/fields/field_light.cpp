@@ -207,7 +207,7 @@ class FieldPass {
         return leaves;
     }
 
-    //! Measures the leaf area of each layer whose leaves assimilate.
+    //! Measures the assimilating leaf area of each layer.
     void measure_layers() {
         found_.leaf_area_of_layers.resize(look_.layers.count);
         for (std::size_t v = 0; v < pieces_.count; ++v)

@@ -13,7 +13,7 @@
 
 namespace ideotype {
 
-//! The names of the bands besides PAR whose radiation warms leaves.
+//! The names of the bands other than PAR that warm leaves.
 inline constexpr auto nir = "nir", longwave = "longwave";
 
 //! The fields of an evaluation, and how light is traced in each.
@@ -45,7 +45,7 @@ struct Lines {
     //! @param scene scene of the request, perhaps with other groups
     Lines(const Scene& scene, const CanopyRequest& request);
 
-    //! Whether leaves are cut or rows told apart, and `pieces` is filled.
+    //! Whether leaves are cut or rows distinguished, and `pieces` is filled.
     bool are_cut = false;
     std::vector<Pieces> pieces;  //!< without their meshes
     std::vector<Mesh> meshes;    //!< meshes of the pieces
@@ -78,7 +78,7 @@ struct FieldLight {
     void append(FieldLight more);
 
     BandTallies light;
-    //! Light that leaves absorb by row, where rows are told apart
+    //! Light that leaves absorb by row, where rows are distinguished
     //! [J m-2 of ground; band, randomisation, row].
     std::vector<std::vector<std::vector<double>>> rows;
     FluxTallies fluxes;  //!< tallies of fluxes, if leaves assimilate
@@ -90,7 +90,7 @@ struct FieldLight {
     std::vector<LeafArea> leaf_area;      //!< index by randomisation
     std::vector<double> leaf_area_index;  //!< index by group of the lines
     std::vector<double> areas_of_groups;  //!< area of all copies of a face [m2]
-    //! Leaf area index by row and group, where rows are told apart.
+    //! Leaf area index by row and group, where rows are distinguished.
     std::vector<double> areas_of_rows;
     std::uint64_t paths = 0;
     bool is_capped = false;
@@ -118,7 +118,7 @@ FirstField first_field(const Evaluation& all, const Device& device,
 
 //! Draws another field and follows light and assimilation in it: a pure
 //! function, so that fields may be computed at the same time by several
-//! threads, each with a device of its own.
+//! threads, each with a separate device.
 FieldLight light_in_field(const Evaluation& all, const FirstLook& look,
                           int number, const Device& device, const Clock& clock);
 

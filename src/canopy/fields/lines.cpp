@@ -15,7 +15,7 @@ namespace {
 //! Least number of randomisations in a field for assimilate().
 constexpr int fewest_in_field = 4;
 
-//! Tells whether fields of a scene may differ from each other.
+//! Returns whether fields of a scene may differ from each other.
 bool are_drawn(const Scene& scene) {
     return std::any_of(
         scene.components.begin(), scene.components.end(),
@@ -66,7 +66,7 @@ Plan::Plan(const CanopyRequest& request)
         accuracy.randomisations = fewest_in_field;
     }
     is_one_of_many = fields > 1 && accuracy.randomisations > 1;
-    // Each source needs a path of its own.
+    // Each source needs a separate path.
     accuracy.paths =
         std::max(accuracy.paths,
                  static_cast<int>(request.scene.light().light.sources.size()));
@@ -110,7 +110,7 @@ Bands bands_of(const Scene& scene) {
     const auto found = std::ranges::find(bands, nir, &Band::name);
     if (found == bands.end())
         throw Error(
-            "leaves have a temperature of their own, but the scene has no near "
+            "leaves have an energy balance, but the scene has no near "
             "infrared; add a band \"nir\"");
     found->is_by_piece = true;
     // Near infrared only warms leaves: a tenth of the paths is enough.

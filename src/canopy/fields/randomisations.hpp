@@ -40,7 +40,7 @@ inline void append(SunlitFractions& all, SunlitFractions more) {
 }
 
 //! Sums the light that leaves absorb by row [randomisation, row]; none if rows
-//! are not told apart.
+//! are not distinguished.
 //! @param groups groups of the pieces' mesh
 std::vector<std::vector<double>> light_of_rows(
     const std::vector<Tally>& tallies, const Pieces& pieces,

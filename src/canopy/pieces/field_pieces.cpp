@@ -119,7 +119,7 @@ class FieldGroups {
     }
 
     //! Adds the groups of a component that are not cut, once for each row of
-    //! the field if rows are told apart.
+    //! the field if rows are distinguished.
     void add_others(std::size_t c) {
         const Pieces& line = lines_[c];
         shares_[c].others = next();

@@ -40,14 +40,14 @@ inline Quantity exact(Quantity quantity) {
     return quantity;
 }
 
-//! A description of a canopy by what can be measured in it.
+//! The properties of a canopy that decide which quantities it has.
 struct Scope {
     std::size_t components = 1;
     std::vector<std::string> bands;
     bool assimilates = false;
     bool has_form = false;
     bool has_lines = false;
-    bool has_rows = false;  //!< whether rows are told apart
+    bool has_rows = false;  //!< whether rows are distinguished
     bool has_objects = false;
     bool has_panels = false;
     bool grows = false;
@@ -84,7 +84,7 @@ bool has_panels(const std::vector<Object>& objects) {
 
 //! Returns the quantities of one kind in the order of columns; the columns of
 //! one list follow those of the previous list. Light is PAR, parts are several
-//! components or bands, and objects include the ground beside them.
+//! components or bands, and objects include the ground around them.
 std::vector<Declaration> light_quantities();
 std::vector<Declaration> assimilation_quantities();
 std::vector<Declaration> form_quantities();

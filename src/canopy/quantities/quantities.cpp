@@ -88,7 +88,7 @@ const Declaration& declaration_of(const std::string& quantity) {
     throw std::out_of_range("no quantity " + quantity);
 }
 
-//! Returns whether a canopy has a quantity only because of what is taken away.
+//! Returns whether a canopy has a quantity only because of a subtraction.
 bool needs(const std::string& quantity, const auto& take_away) {
     Scope others = everything;
     take_away(others);

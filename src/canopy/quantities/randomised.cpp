@@ -92,7 +92,7 @@ Randomised per_leaf_area(const CanopyReport& report, const Randomised& number,
                    ratio * (report.leaf_area_by_randomisation[r].*of);
         });
     // The error of a number is larger than the scatter of its randomisations
-    // tells where these agree by chance.
+    // shows where these agree by chance.
     const double scatter = estimate(number.by_randomisation).standard_error;
     const double error = number.estimate.standard_error;
     if (error > scatter)

@@ -19,7 +19,7 @@ struct CanopyAir {
     double moister = 0;  //!< vapour pressure difference [kPa]
 };
 
-//! The light in a band besides PAR that the leaves of a field absorb.
+//! The light in a band other than PAR that the leaves of a field absorb.
 struct OtherLight {
     const Band& band;
     const std::vector<Tally>& tallies;  //!< tallies with leaf light
@@ -33,7 +33,7 @@ struct WaterLeaves {
     double height;                         //!< height of the canopy [m]
     Randomness randomness;                 //!< random numbers of the light
     std::optional<OtherLight> nir{}, longwave{};
-    //! Least number of points whose balance is solved, in all steps together.
+    //! Least number of points with a solved balance, in all steps together.
     double points = 3000;
 };
 
@@ -55,7 +55,7 @@ class LeafAir {
 
     const WaterLeaves& leaves() const { return leaves_; }
 
-    //! Tells whether leaves have a temperature of their own.
+    //! Returns whether an energy balance gives the temperature of leaves.
     bool warms() const { return water_.has_leaf_temperature; }
 
     //! Takes the properties of places that are equal in all steps.

@@ -13,7 +13,7 @@ namespace ideotype {
 //! from these fluxes. Fluxes of a class of leaves are taken as linear, those of
 //! gas in assimilation at the temperature of the air, heat and warming in
 //! absorbed light, along the line through the mean leaf in the shade and the
-//! mean leaf in the sun, whose energy balances are solved.
+//! mean leaf in the sun, with energy balances that are solved.
 class LeafLines {
   public:
     //! @param air air that has seen the leaves
@@ -33,7 +33,7 @@ class LeafLines {
         of(group).gross += gross;
     }
 
-    //! Finds the lines and the air of the step, and tells LeafAir the air.
+    //! Finds the lines and the air of the step, and passes the air to LeafAir.
     //! @param responses response of each group; empty: no light
     void settle(const std::vector<LeafResponse>& responses);
 

@@ -77,7 +77,7 @@ void WaterFluxes::add_nights() {
 }
 
 //! Returns whether a flux is summed in a step: at night, only heat and water.
-//! Without a temperature of their own leaves assimilate as is known already.
+//! Leaves at air temperature assimilate as is known already.
 bool WaterFluxes::takes(LeafFlux flux, const StepLight* light) const {
     if (flux == LeafFlux::uptake || flux == LeafFlux::respiration)
         return light && air_.warms();

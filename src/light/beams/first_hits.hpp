@@ -16,9 +16,9 @@ struct FirstHit {
     std::uint32_t group;     //!< group, soil or sky, as in Hit
     std::uint32_t triangle;  //!< triangle of the scene's surfaces, if any
     float height;            //!< height of the place [m]
-    bool is_adaxial;         //!< tells the side of the face
-    bool is_direct;  //!< tells whether light is straight from the source
-    double energy;   //!< arriving energy [J m-2 of ground]
+    bool is_adaxial;         //!< the side of the face
+    bool is_direct;          //!< whether light is straight from the source
+    double energy;           //!< arriving energy [J m-2 of ground]
 };
 
 //! The first hits of one source in one randomisation, from a depth buffer or

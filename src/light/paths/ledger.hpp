@@ -35,7 +35,7 @@ struct LeafSums {
     std::vector<SparseSums> diffuse;  //!< sums by source
 };
 
-//! Numbers of the parts whose light is counted for each source, see
+//! Numbers of the parts with light counted for each source, see
 //! Tally::parts.
 struct PartNumbers {
     explicit PartNumbers(const std::vector<Group>& groups);
@@ -58,7 +58,7 @@ struct Counted {
     const RayScene& scene;
     const std::vector<Group>& groups;
     const Layers& layers;
-    std::size_t pieces = 0;  //!< leading groups whose light is counted by place
+    std::size_t pieces = 0;  //!< leading groups with light counted by place
     PartNumbers parts{groups};
 };
 

@@ -17,7 +17,7 @@ namespace ideotype {
 
 namespace {
 
-//! Returns the energy that a surface keeps of a path, which goes on with the
+//! Returns the energy that a surface keeps of a path, which continues with the
 //! rest. While the scattered part is a large share of the path's initial
 //! energy, the surface keeps exactly its absorptance. Instead of a small part,
 //! all or nothing is scattered, with the right odds. Both rules are unbiased

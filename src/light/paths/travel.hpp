@@ -10,11 +10,11 @@ struct PhotonPacket {
     glm::dvec3 position;
     glm::dvec3 direction;
     double energy = 0;
-    bool is_scattered = false;  //!< tells whether it has met a surface
+    bool is_scattered = false;  //!< whether it has met a surface
 };
 
 //! Returns the first face, soil or sky straight on from a point, at any
-//! distance. In a periodic stand, a way that leaves the cell goes on at its
+//! distance. In a periodic stand, a path that leaves the cell continues at its
 //! opposite side; light that leaves an isolated plot finds only soil or sky.
 //! @param pose number of the pose of moving objects
 Hit travel(const RayScene& scene, glm::dvec3 from, const glm::dvec3& direction,

@@ -21,8 +21,8 @@ constexpr int trial_randomisations = 16;
 //! all results.
 constexpr std::uint32_t first_of_trials = 1u << 16;
 
-//! The fewest first hits on leaves from which a trial can tell their light and
-//! its scatter. With this number of them their sum is known to an eighth.
+//! The fewest first hits on leaves from which a trial can estimate their light
+//! and its scatter. With this number of them their sum is known to an eighth.
 constexpr double fewest_hits = 64;
 
 //! The factor by which a result may have more work than a trial; if it has
@@ -30,7 +30,7 @@ constexpr double fewest_hits = 64;
 constexpr double longest_step = 8;
 
 //! The number of suns in a trial that draws some of them at random. The
-//! randomisations of all these suns together tell the variance.
+//! randomisations of all these suns together give the variance.
 constexpr std::size_t trial_suns = 4;
 
 //! The factors by which variances are multiplied if the light of pieces of

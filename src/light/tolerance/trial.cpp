@@ -63,7 +63,7 @@ Findings try_out(const Subject& subject, const Workload& work,
     }
     const double caught =
         all.sent_on > 0 ? (all.leaves - all.unscattered) / all.sent_on : 0;
-    // The variance has two parts: first hits, of whose light each surface
+    // The variance has two parts: first hits, of which each surface
     // scatters a constant part to leaves, and further scattering, in paths of
     // all sources together.
     const Suns suns(light, work);

@@ -12,8 +12,8 @@ struct Findings {
     double rays_per_unit = 0;  //!< rays per unit of scattered light's amount
     double mean = 0;           //!< light of leaves from all suns
     double first_hits = 0;     //!< first hits of leaves
-    bool is_open = false;  //!< tells whether the leaves' light depends on paths
-    bool is_whole = true;  //!< tells whether the trial had all suns
+    bool is_open = false;      //!< whether the leaves' light depends on paths
+    bool is_whole = true;      //!< whether the trial had all suns
 };
 
 //! Learns from a simulation of one band.
@@ -52,7 +52,7 @@ struct WorkCosts {
     double for_pieces(const Amounts& amounts) const;
 
     const Subject& subject;
-    bool has_pieces;  //!< tells whether light of pieces is needed
+    bool has_pieces;  //!< whether light of pieces is needed
     const Accuracy& accuracy;
     int trials;  //!< randomisations of a trial
     const Findings& found;

@@ -209,6 +209,13 @@ class SpecReader {
         if (!light.tolerance) light.tolerance = light.paths ? 0 : 0.005;
         if (!light.paths) light.paths = 16384;
         const bool has_climates = !spec_.climates.empty();
+        problems_.doubt({"light.dates"}, light.dates && !has_climates,
+                        "light.dates has no effect without a [[climate]]; "
+                        "remove it, or give the weather of a season");
+        problems_.doubt({"light.stages"}, light.stages && !plants_grow(spec_),
+                        "light.stages has no effect on plants that do not "
+                        "grow; remove it, or give a [[climate]] an "
+                        "'emergence'");
         light.dates = has_climates ? std::optional(light.dates.value_or(3))
                                    : std::nullopt;
         light.stages = plants_grow(spec_)
@@ -236,8 +243,16 @@ class SpecReader {
             if (name.empty())
                 name = month_and_day(climate.period.from) + '-' +
                        month_and_day(climate.period.to);
-        for (auto& [name, spacing] : spec_.spacings) {
+        for (std::size_t i = 0; i < spec_.spacings.size(); ++i) {
+            auto& [name, spacing] = spec_.spacings[i];
             const bool has_distance = spacing.plant > 0;
+            problems_.in("spacing", i)
+                .rule(ProblemCode::contradiction, {"density", "plant"},
+                      has_distance && spacing.density > 0,
+                      "spacing has 'plant' = {} m and 'density' = {} m-2, "
+                      "which both set the distance between neighbours in a "
+                      "row; remove one of them",
+                      spacing.plant, spacing.density);
             if (!has_distance && spacing.density > 0 && spacing.row > 0)
                 spacing.plant = 1 / (spacing.density * spacing.row);
             if (has_distance) spacing.density = 0;

@@ -210,6 +210,28 @@ TEST(BrokenCampaign, ObjectsBelowTheSoilAreWarnedOf) {
               "-3 m), so it has no effect; raise it by object.z");
 }
 
+TEST(BrokenCampaign, TwoWaysToSetTheDistanceInTheRowAreRefused) {
+    std::string text = sample_text();
+    text.replace(text.find("plant = 0.1524"), 0, "density = 8\n");
+    EXPECT_NE(
+        problem_of(text).find(
+            "spacing has 'plant' = 0.1524 m and 'density' = 8 m-2, which both "
+            "set the distance between neighbours in a row; remove one of them"),
+        std::string::npos)
+        << problem_of(text);
+}
+
+TEST(BrokenCampaign, KeysWithoutEffectAreWarnedOf) {
+    const auto warnings =
+        sample("", "[light]\ndates = 4\nstages = 3\n").warnings;
+    ASSERT_EQ(warnings.size(), 2U);
+    EXPECT_EQ(warnings[0].what,
+              "light.dates has no effect without a [[climate]]; remove it, or "
+              "give the weather of a season");
+    EXPECT_EQ(warnings[1].key, "light.stages");
+    EXPECT_TRUE(sample("", "[light]\nfields = 4\n").warnings.empty());
+}
+
 TEST(BrokenCampaign, NumbersThatAreNotFiniteAreNamed) {
     for (const char* value : {"nan", "inf", "-inf"})
         for (const std::string& text :

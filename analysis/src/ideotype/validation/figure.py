@@ -26,14 +26,22 @@ def draw_fact(result: Result) -> Figure:
         points, places = (
             [points[i] for i in order], [places[i] for i in order],
         )  # fmt: skip
-    axes.errorbar(
-        places,
-        [point.ours for point in points],
-        style.half_width([point.standard_error for point in points]),
-        color=style.BEST,
-        marker="o",
-        label="computed",
-    )
+    # Measurements of the same hours make a curve.
+    for hours in dict.fromkeys(_hours(point, fact.axis) for point in points):
+        curve = [
+            (place, point)
+            for place, point in zip(places, points, strict=True)
+            if _hours(point, fact.axis) == hours
+        ]
+        axes.errorbar(
+            [place for place, _ in curve],
+            [point.ours for _, point in curve],
+            style.half_width([point.standard_error for _, point in curve]),
+            color=style.BEST,
+            marker="o",
+            linestyle="--" if hours else "-",
+            label=f"computed, {hours}" if hours else "computed",
+        )
     known = [
         (place, point.measurement)
         for place, point in zip(places, points, strict=True)
@@ -67,6 +75,15 @@ def draw_fact(result: Result) -> Figure:
     axes.set_title(f"{fact.question}: {result.verdict}", wrap=True)
     axes.legend()
     return figure
+
+
+def _hours(point: Point, axis: str) -> str:
+    """Returns the hours of a measurement of a part of the day, unless they are
+    the axis."""
+    hours = point.measurement.hours
+    if axis == "hour" or not hours:
+        return ""
+    return "-".join(f"{x:%H:%M}" for x in hours)
 
 
 def _place(point: Point, axis: str) -> Any:

@@ -127,7 +127,7 @@ std::string version_text() {
         "commit   {} (changed: {})\n"
         "compiler {} ({})\n"
         "{}\n{}\n{}\n"
-        "maths    {} (of the C library, see README.md, C3)\n"
+        "maths    {} (of the C library, see docs/contract.md)\n"
         "instruction sets of this processor: {}",
         build.version, build.git_sha, build.git_dirty, build.compiler,
         build.build_type, Device::library_version(), History::library_version(),

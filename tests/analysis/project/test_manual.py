@@ -235,6 +235,32 @@ def test_every_installation_of_a_text_is_possible() -> None:
     )
 
 
+def test_every_promise_of_the_contract_names_tests_that_exist() -> None:
+    """The tests are shell scripts, folders, and suites of GoogleTest."""
+    page = (DOCS / "contract.md").read_text()
+    promises = re.findall(r"(?m)^\| \*\*C\d\*\* .* \| (.*) \|$", page)
+    assert len(promises) == 5
+    sources = [
+        path.read_text() for path in (TOP / "tests").rglob("test_*.cpp")
+    ]
+    scripts = {
+        "App": "tests/cli/test_{}.sh",
+        "Stress": "tests/stress/{}.sh",
+        "Slurm": "tests/slurm/test_all.sh",
+    }
+    for promise in promises:
+        names = re.findall("`(.*?)`", promise)
+        assert names, promise
+        for name in names:
+            area, _, test = name.partition(".")
+            if area in scripts or "/" in name:
+                path = scripts.get(area, name).format(test)
+                assert (TOP / path).exists(), name
+            else:
+                suite = re.compile(rf"\bTEST(_F|_P)?\({name},")
+                assert any(map(suite.search, sources)), name
+
+
 def test_few_blocks_are_exempt(capsys: pytest.CaptureFixture[str]) -> None:
     blocks = [
         block for page in PAGES for block in blocks_of(page) if block.is_run

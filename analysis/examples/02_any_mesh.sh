@@ -2,14 +2,14 @@
 # SPDX-License-Identifier: Apache-2.0
 # An OBJ file of any plant model, on the command line.
 #
-# The verb `light` reads surfaces and tells where the light of a sun goes. The
-# lower the sun, the less of its light comes to the soil, but a stand in rows is
-# open along them. This teaches `light`, its JSON, and that a mesh repeats with
-# a period.
+# The command `light` computes the light of a sun that each surface absorbs. The
+# lower the sun, the smaller the fraction of light on the soil, but gaps between
+# rows let it pass along them. This example uses `light`, its JSON and a mesh
+# that repeats periodically.
 set -euo pipefail
 
 plant=analysis/benchmark/meshes/maize.obj
-echo "elevation of the sun [deg],across the rows [light that comes to the soil],along the rows" >02_any_mesh.csv
+echo "solar elevation [deg],across the rows [fraction of light on the soil],along the rows" >02_any_mesh.csv
 for elevation in 10 20 30 45 60 75 90; do
     line=$elevation
     for azimuth in 90 180; do

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The temperature of a leaf in more and more wind.
+"""Leaf temperature and transpiration at different wind speeds.
 
-A leaf absorbs light and longwave radiation, and gets rid of it as heat, as
-water vapour and by its own emission. In calm air little heat leaves it. This
-teaches `leaf_energy_balance`, which takes arrays."""
+A leaf absorbs light and longwave radiation, and loses energy as sensible heat,
+latent heat and emitted radiation. In calm air it loses little heat. This example
+uses `leaf_energy_balance`, which takes arrays."""
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -26,9 +26,11 @@ figure, (left, right) = plt.subplots(
 for name, leaf in (("C4, maize", c4), ("C3, soybean", c3)):
     left.semilogx(wind, leaf["leaf"] - NOON["air"], label=name)
     right.semilogx(wind, leaf["transpiration"], label=name)
-left.set(xlabel="wind [m s$^{-1}$]", ylabel="leaf less air [deg C]")
+left.set(
+    xlabel="wind speed [m s$^{-1}$]", ylabel="leaf − air temperature [°C]"
+)
 right.set(
-    xlabel="wind [m s$^{-1}$]",
+    xlabel="wind speed [m s$^{-1}$]",
     ylabel="transpiration [mmol m$^{-2}$ s$^{-1}$]",
 )
 right.legend()

@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: Apache-2.0
 # A day in a field, hour by hour, on the command line.
 #
-# A campaign is a file that tells a place, a day, a field and a plant. `check`
-# tells whether it is right, `evaluate` what its plant makes of the light, and
-# --set changes any key. This teaches campaigns and `evaluate --json`.
+# A campaign is a file that states a site, a day, a field and a plant. `check`
+# reports its mistakes, `evaluate` computes the light that the plant absorbs, and
+# --set changes any key. This example uses campaigns and `evaluate --json`.
 set -euo pipefail
 
 campaign=campaigns/ames_quick.toml
@@ -22,7 +22,7 @@ days = [json.load(open(f"05_day_{d}.json")) for d in (0, 90)]
 columns = [day["hours"] for day in days]
 with open("05_day.csv", "w") as file:
     out = csv.writer(file)
-    out.writerow(["clock [h]", "rows north-south [W m-2]", "rows east-west"])
+    out.writerow(["local time [h]", "rows north-south [absorbed PAR, W m-2]", "rows east-west"])
     for hours in zip(*columns):
         light = (x["incident"] * x["leaf"]["mean"] for x in hours)
         out.writerow([hours[0]["hour"], *(f"{x:.2f}" for x in light)])

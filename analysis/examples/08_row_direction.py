@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""SciPy turns all rows and finds the direction that absorbs most.
+"""SciPy optimises the row direction for absorbed light.
 
-The field itself may be searched, not the plant alone. Noise is smaller than what
-is looked for. This teaches a search of a single number, with any optimiser."""
+A search may change the field as well as the plant. The noise is smaller than the
+effect of the direction. This example optimises a single number with any
+optimiser."""
 
 import matplotlib.pyplot as plt
 from scipy.optimize import minimize_scalar
@@ -18,8 +19,8 @@ def loss(direction: float) -> float:
     stand = ideotype.Stand.from_campaign(
         CAMPAIGN, settings={"spacing": [spacing]}
     )
-    found = stand.evaluate(stand.baseline, tolerance=0.002)
-    tried.append((direction, found.absorbed_par.item()))
+    result = stand.evaluate(stand.baseline, tolerance=0.002)
+    tried.append((direction, result.absorbed_par.item()))
     return -tried[-1][1]
 
 
@@ -28,6 +29,6 @@ print(f"rows at {best.x:.0f} deg absorb {-best.fun:.2f} MJ m-2 day-1")
 
 plt.figure(figsize=(5, 3.2), layout="constrained")
 plt.plot(*zip(*sorted(tried)), "o-")
-plt.xlabel("direction of rows, clockwise from north [deg]")
+plt.xlabel("row direction, clockwise from north [deg]")
 plt.ylabel("absorbed PAR [MJ m$^{-2}$ day$^{-1}$]")
 plt.savefig("08_row_direction.png")

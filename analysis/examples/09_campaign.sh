@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Breed plants: run a campaign, and read what came out.
+# Optimise plants: run a campaign, and read its results.
 #
-# Each generation of plants is evaluated and the next is bred from the best. The
-# history has every plant; the page of `report` draws it. The gain has an error,
-# and one seed tells little. This teaches `run`, `summary` and `export`.
+# Each generation of plants is evaluated, and the next is derived from the best.
+# The history contains every plant, and `report` draws it. The gain has a
+# confidence interval; a single seed says little about other searches. This
+# example uses `run`, `summary` and `export`.
 set -euo pipefail
 
 ideotype run campaigns/ames_quick.toml --set stop.generations=12 \
@@ -18,6 +19,6 @@ rows = pd.read_csv("all.csv")
 light = next(x for x in rows.columns if x.startswith("absorbed_par_MJ"))
 table = rows.groupby("generation")[light].agg(["mean", "max"])
 table.index.name = "generation"
-table.columns = ["mean of plants", "best"]
+table.columns = ["population mean [absorbed PAR, MJ m-2 day-1]", "best"]
 table.to_csv("09_campaign.csv")
 PYTHON

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""CMA-ES of pycma breeds the plants of a campaign.
+"""CMA-ES of pycma optimises the plants of a campaign.
 
-Any optimiser may propose plants. All plants of a generation share random
-numbers (`seed`), so that they are compared and not their luck; the best is
-evaluated again at the end. This teaches bounds and genomes."""
+Any optimiser may propose plants. All plants of a generation are evaluated with
+common random numbers (`seed`), so that noise does not decide their order. The
+best is re-evaluated at the end. This example uses bounds and genomes."""
 
 import cma
 import matplotlib.pyplot as plt
@@ -19,17 +19,19 @@ means = []
 while not search.stop():
     points = search.ask()
     plants = [lower + point * (upper - lower) for point in points]
-    found = stand.evaluate(plants, ["absorbed_par"], seed=search.countiter)
-    search.tell(points, list(-found.absorbed_par.values))
-    means.append(found.absorbed_par.mean().item())
+    results = stand.evaluate(plants, ["absorbed_par"], seed=search.countiter)
+    search.tell(points, list(-results.absorbed_par.values))
+    means.append(results.absorbed_par.mean().item())
 best = lower + search.result.xfavorite * (upper - lower)
-own, bred = stand.evaluate([stand.start, best], final=True).absorbed_par.values
-print(f"gain {100 * (bred / own - 1):.1f} %")
+baseline, optimised = stand.evaluate(
+    [stand.start, best], final=True
+).absorbed_par.values
+print(f"gain {100 * (optimised / baseline - 1):.1f} %")
 
 plt.figure(figsize=(5, 3.2), layout="constrained")
 plt.plot(means)
-plt.axhline(own, color="0.5", label="baseline")
+plt.axhline(baseline, color="0.5", label="baseline")
 plt.xlabel("generation")
-plt.ylabel("mean of plants [MJ m$^{-2}$ day$^{-1}$]")
+plt.ylabel("population mean [MJ m$^{-2}$ day$^{-1}$]")
 plt.legend()
 plt.savefig("10_pycma.png")

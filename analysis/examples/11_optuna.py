@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Optuna breeds insertion angles alone.
+"""Optuna optimises insertion angles alone.
 
-Fewer traits need fewer plants, and gain less. This teaches trait sets, in which
-a campaign names what is free."""
+Fewer traits need fewer evaluations, and gain less. This example uses trait sets,
+in which a campaign names the free traits."""
 
 import matplotlib.pyplot as plt
 import optuna
@@ -25,14 +25,16 @@ study = optuna.create_study(direction="maximize", sampler=sampler)
 study.enqueue_trial(dict(zip(genes[:, 0], stand.start)))
 study.optimize(absorbed_par, n_trials=100)
 best = [study.best_params[name] for name in genes[:, 0]]
-own, bred = stand.evaluate([stand.start, best], final=True).absorbed_par.values
-print(f"gain {100 * (bred / own - 1):.1f} %")
+baseline, optimised = stand.evaluate(
+    [stand.start, best], final=True
+).absorbed_par.values
+print(f"gain {100 * (optimised / baseline - 1):.1f} %")
 
 plt.figure(figsize=(5, 3.2), layout="constrained")
 leaves = range(1, len(best) + 1)
 plt.barh(leaves, stand.start, height=0.4, label="baseline")
-plt.barh([leaf + 0.4 for leaf in leaves], best, height=0.4, label="bred")
+plt.barh([leaf + 0.4 for leaf in leaves], best, height=0.4, label="optimised")
 plt.xlabel("insertion angle [deg]")
-plt.ylabel("leaf, from below")
+plt.ylabel("leaf rank")
 plt.legend()
 plt.savefig("11_optuna.png")

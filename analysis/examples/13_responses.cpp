@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Leaf models in C++: what a C4 and a C3 leaf make of strong light.
+// Leaf models in C++: net assimilation of a C4 and a C3 leaf in strong light.
 //
-// The models of Collatz et al. 1992 and of Farquhar et al. 1980, each with the
-// CO2 that its own stomata let in, from 5 to 45 deg C. C3 leaves lose to
-// photorespiration in heat. This teaches the physiology library.
+// The models of Collatz et al. 1992 and of Farquhar et al. 1980, from 5 to 45
+// deg C, each with the intercellular CO2 of its stomatal model. Photorespiration
+// reduces C3 assimilation in heat. This example uses the physiology library.
 #include <cstdio>
 
 #include <ideotype/physiology/collatz.hpp>
@@ -34,6 +34,6 @@ int main() {
             warmth = t;
         }
     }
-    // C4 leaves are at their best where it is hot.
+    // C4 leaves have a high temperature optimum.
     return warmth > 30 && warmth < 42 ? 0 : 1;
 }

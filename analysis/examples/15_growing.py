@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Sorghum grows: its leaves come and die in thermal time.
+"""Sorghum grows: its leaves appear and die in thermal time.
 
-Thermal time is warmth above a base, added up from emergence on. This teaches
-`Crop`, which needs no campaign: plants of any age, and the leaf area of a stand
-day by day."""
+Thermal time is the sum of temperatures above a base from emergence on. This
+example uses `Crop` without a campaign: plants of any age, and the leaf area of a
+stand day by day."""
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -24,18 +24,18 @@ for i, age in enumerate(ages):
 left.set(
     xticks=1.2 * np.arange(5),
     xticklabels=[f"{age:.0f}" for age in ages],
-    xlabel="thermal time [deg C d]",
+    xlabel="thermal time [°C d]",
     ylabel="height [m]",
     aspect="equal",
 )
 days, hours = np.arange(130), np.arange(24)
-warmth = 21 + 4 * np.sin(np.pi * days / 130)[:, None]
-clock = 6 * np.sin(2 * np.pi * (hours - 9) / 24)
-season = crop.season("2025-05-10", (warmth + clock).ravel(), density=8)
+seasonal = 21 + 4 * np.sin(np.pi * days / 130)[:, None]
+daily = 6 * np.sin(2 * np.pi * (hours - 9) / 24)
+season = crop.season("2025-05-10", (seasonal + daily).ravel(), density=8)
 right.plot(season.day, season.leaf_area_index, label="green")
 right.plot(season.day, season.dead_area_index, label="dead")
 right.set(ylabel="leaf area index")
 right.tick_params("x", rotation=30)
 right.legend()
-print(f"largest leaf area index {float(season.leaf_area_index.max()):.1f}")
+print(f"maximum leaf area index {float(season.leaf_area_index.max()):.1f}")
 figure.savefig("15_growing.png")

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# A sensitivity study: on which traits the result depends.
+# Sensitivity analysis: the traits on which absorbed light depends.
 #
-# Plants are drawn over the whole range of all traits after Saltelli, and Sobol's
-# indices tell which part of the variance each trait causes. This teaches
-# `sensitivity` and `indices`.
+# Plants are sampled over the whole range of all traits (Saltelli's design).
+# Sobol' indices are the shares of the variance that each trait causes. This
+# example uses `sensitivity` and `indices`.
 set -euo pipefail
 
 ideotype sensitivity campaigns/ames_quick.toml --threads 2 \

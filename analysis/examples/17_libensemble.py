@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A generator of libEnsemble proposes plants, and its workers evaluate
-them.
+"""A generator of libEnsemble proposes plants, and its workers evaluate them.
 
-libEnsemble spreads evaluations over the nodes of a cluster; here it has three
-processes of one machine. This teaches `ideotype.search.gest`, which describes genes and
-objectives in the standard of gest-api."""
+libEnsemble distributes evaluations over the nodes of a cluster; here it uses
+three processes of one machine. This example uses `ideotype.search.gest`, which
+describes genes and objectives in the standard of gest-api."""
 
 import cma
 import matplotlib.pyplot as plt
@@ -28,8 +27,7 @@ POPULATION = 16
 
 
 class CmaEs(Generator):
-    """A gest-api generator of one objective that searches by CMA-ES of
-    pycma."""
+    """Proposes plants for one objective by CMA-ES of pycma (gest-api)."""
 
     def __init__(self, vocs: VOCS, start: dict[str, float]) -> None:
         super().__init__(vocs)
@@ -38,9 +36,13 @@ class CmaEs(Generator):
         self._lower, self._upper = np.array(domains).T
         self._objective = vocs.objective_names[0]
         width = self._upper - self._lower
-        at = (np.array([start[x] for x in self._names]) - self._lower) / width
+        start_point = (
+            np.array([start[name] for name in self._names]) - self._lower
+        ) / width
         options = {"bounds": [0, 1], "popsize": POPULATION, "verbose": -9}
-        self._cma = cma.CMAEvolutionStrategy(at, 0.15, options | {"seed": 1})
+        self._cma = cma.CMAEvolutionStrategy(
+            start_point, 0.15, options | {"seed": 1}
+        )
 
     def _validate_vocs(self, vocs: VOCS) -> None:
         if len(vocs.objectives) != 1:
@@ -86,12 +88,12 @@ def main() -> None:
     best = done[done["absorbed_par"].argmax()]
     free = stand.genes.name[stand.free]
     pair = [stand.start, [best[name] for name in free]]
-    own, bred = stand.evaluate(pair, final=True).absorbed_par.values
-    print(f"{len(done)} plants, gain {100 * (bred / own - 1):.1f} %")
+    baseline, optimised = stand.evaluate(pair, final=True).absorbed_par.values
+    print(f"{len(done)} plants, gain {100 * (optimised / baseline - 1):.1f} %")
     plt.figure(figsize=(5, 3.2), layout="constrained")
     order = np.argsort(done["sim_ended_time"])
     light = done["absorbed_par"][order]
-    plt.plot(light, ".", label="each plant")
+    plt.plot(light, ".", label="plants")
     plt.plot(np.maximum.accumulate(light), label="best so far")
     plt.xlabel("evaluations")
     plt.ylabel("absorbed PAR [MJ m$^{-2}$ day$^{-1}$]")

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Plants from traits in C++: from a Plant to a field, hour by hour.
 //
-// A plant of two leaves becomes a field of 2 x 2 plants that repeats. Erect
-// leaves let more of the light of a high sun pass than level ones, at noon most
-// of all. This teaches Plant, FieldForm, component_of() and reports by hour.
+// A plant of two leaves becomes a periodic field of 2 x 2 plants. Erect leaves
+// transmit more of the light of a high sun than level ones, most of all at noon.
+// This example uses Plant, FieldForm, component_of() and reports by hour.
 #include <cstdio>
 #include <vector>
 
@@ -37,7 +37,7 @@ std::vector<StepReport> by_hour(double angle, const Device& device) {
         .light.steps;
 }
 
-//! The part of the light on the ground that leaves absorb.
+//! Returns the absorbed fraction of the incident light.
 double share(const StepReport& step) {
     return step.budget.leaves.mean / step.budget.incident;
 }

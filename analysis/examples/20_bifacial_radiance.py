@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Maize below rows of modules that bifacial_radiance describes.
+"""Maize below rows of modules described by bifacial_radiance.
 
-How much light is left to the crop, and what falls on both sides of modules? The
-words of another program become settings of a campaign, whose field has to repeat
-with the modules. This teaches how to take over a scene."""
+The example computes the light available to the crop, and the light on both sides
+of modules. Keys of bifacial_radiance become settings of a campaign with a field
+that repeats with the modules."""
 
 import math
 from collections.abc import Mapping
@@ -13,8 +13,8 @@ import matplotlib.pyplot as plt
 
 import ideotype
 
-# As bifacial_radiance has them: what makeModule() and makeScene() take. Its tutorial 18
-# has these; ModuleObj and SceneObj keep them as module.x, scene.sceneDict and so on.
+# The arguments of makeModule() and makeScene() in tutorial 18 of bifacial_radiance.
+# ModuleObj and SceneObj store them as module.x, scene.sceneDict and so on.
 MODULE = {"x": 1.64, "y": 1.0, "xgap": 0.6096, "numpanels": 1, "ygap": 0.0}
 SCENE = {
     "tilt": 18,
@@ -24,7 +24,7 @@ SCENE = {
     "nMods": 20,
     "nRows": 7,
 }
-#: Rows of a [[panel]] that track the sun, as set1axis() and makeScene1axis() have them.
+#: Rows of modules that track the sun: arguments of set1axis() and makeScene1axis().
 TRACKED = {
     "gcr": 0.4,
     "hub_height": 4.0,
@@ -32,13 +32,14 @@ TRACKED = {
     "limit_angle": 55,
 }
 ROW, PLANT = 0.75, 0.16
-"""About how far plants shall be apart [m]."""
+"""Approximate distances between rows and between plants in a row [m]."""
 
 
-def panel_of(
+def panel_table(
     scene: Mapping[str, Any], module: Mapping[str, Any]
 ) -> dict[str, Any]:
-    """The table [[panel]] of a scene; rows and modules are without number here."""
+    """Returns the table [[panel]] of a scene. Numbers of rows and modules are
+    ignored, since rows repeat without end."""
     stacked = int(module.get("numpanels", 1))
     width = stacked * module["y"] + (stacked - 1) * module.get("ygap", 0)
     panel = {
@@ -67,9 +68,9 @@ def panel_of(
     }
 
 
-def field_of(panel: Mapping[str, Any]) -> dict[str, Any]:
-    """Settings of a field whose rows are parallel to those of modules, and with
-    which they repeat."""
+def field_settings(panel: Mapping[str, Any]) -> dict[str, Any]:
+    """Returns the settings of a field with rows parallel to those of modules,
+    and with the same period."""
     along = panel["module_length"] + panel["gap"]
     rows, plants = round(panel["pitch"] / ROW), round(along / PLANT)
     return {
@@ -82,10 +83,10 @@ def field_of(panel: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def light_below(scene: Mapping[str, Any]) -> Any:
-    """Prints the light of a day, and returns the maize's by hour, below modules
-    and without them."""
-    panel = panel_of(scene, MODULE)
-    field = field_of(panel)
+    """Prints the light of a day, and returns the light that maize absorbs by
+    hour, below modules and without them."""
+    panel = panel_table(scene, MODULE)
+    field = field_settings(panel)
 
     def light(panels: list[dict[str, Any]]) -> Any:
         stand = ideotype.Stand.from_campaign(
@@ -97,8 +98,8 @@ def light_below(scene: Mapping[str, Any]) -> Any:
     front, back = below.object_light.sel(object="panel").values
     print(f"front {front:.2f}, back {back:.2f},", end=" ")
     print(f"ground {float(below.ground_light):.2f} MJ m-2 day-1 of PAR")
-    left = float(below.absorbed_par / alone.absorbed_par)
-    print(f"light that is left to maize {left:.2f}")
+    remaining = float(below.absorbed_par / alone.absorbed_par)
+    print(f"maize absorbs {remaining:.2f} of the light without modules")
     return below.absorbed_by_hour, alone.absorbed_by_hour
 
 
@@ -107,7 +108,7 @@ for name, scene in (("fixed", SCENE), ("tracked", TRACKED)):
     below, alone = light_below(scene)
     plt.plot(below.hour, below, label=f"below {name} modules")
     plt.plot(alone.hour, alone, "--", label=f"without {name} modules")
-plt.xlabel("clock [h]")
+plt.xlabel("local time [h]")
 plt.ylabel("absorbed by leaves [W m$^{-2}$]")
 plt.legend()
 plt.savefig("20_bifacial_radiance.png")

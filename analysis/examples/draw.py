@@ -5,8 +5,8 @@
     draw.py [--examples FOLDER] [NUMBER...]
 
 Examples in C++ are the programs in FOLDER, which CMakeLists.txt builds. A
-picture is docs/figures/gallery/NAME.png: the one that an example draws itself, a
-chart of the table that it writes or prints, or the last one of a notebook."""
+picture is docs/figures/gallery/NAME.png: a figure of the example, a chart of the
+table that it writes or prints, or the last figure of a notebook."""
 
 from __future__ import annotations
 
@@ -72,7 +72,7 @@ def run(example: Path, folder: Path, built: Path | None = None) -> str:
 
 
 def run_notebook(example: Path, folder: Path) -> str:
-    """Executes a notebook, and keeps its last picture."""
+    """Executes a notebook, and saves its last picture."""
     import nbformat
     from nbclient import NotebookClient
 
@@ -114,7 +114,7 @@ def chart(table: pd.DataFrame, path: Path) -> None:
 
 
 def bars(indices: dict, path: Path) -> None:
-    """Draws total indices of absorbed light, as `ideotype indices` has them."""
+    """Draws total indices of absorbed light from the JSON of `ideotype indices`."""
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=(5, 3.2), layout="constrained")
@@ -126,12 +126,12 @@ def bars(indices: dict, path: Path) -> None:
         [each["mean"] for each in totals],
         xerr=[1.96 * each["standard_error"] for each in totals],
     )
-    axes.set(xlabel="total index of Sobol'")
+    axes.set(xlabel="total Sobol' index")
     figure.savefig(path)
 
 
 def draw(example: Path, folder: Path, built: Path | None) -> str:
-    """Runs an example and keeps its picture, small, in the gallery."""
+    """Runs an example and saves its reduced picture in the gallery."""
     said = run(example, folder, built)
     drawn = folder / f"{example.stem}.png"
     table, tree = drawn.with_suffix(".csv"), drawn.with_suffix(".json")

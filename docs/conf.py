@@ -106,11 +106,13 @@ def rebase_links(text: str, source: Path, folder: Path = DOCS) -> str:
         if is_image:
             return f"![{shown}]({name})"
         if (path, anchor) in PAGES:
-            return f"[{shown}]({PAGES[path, anchor]})"
+            page = os.path.relpath(DOCS / PAGES[path, anchor], folder)
+            return f"[{shown}]({page})"
         if not target:
             return link[0]
         if (path, "") in PAGES:
-            return f"[{shown}]({PAGES[path, '']}{anchor})"
+            page = os.path.relpath(DOCS / PAGES[path, ""], folder)
+            return f"[{shown}]({page}{anchor})"
         if path.suffix == ".md" and DOCS in path.parents:
             return f"[{shown}]({name}{anchor})"
         return f"[{shown}](path:{name})"

@@ -110,7 +110,7 @@ def field_of(mesh: Mesh, seed: int) -> ideotype.Canopy:
                 x, y = c * x - s * y, s * x + c * y
                 placed = y + place * PLANT, -x + row * ROW, z
                 # Points are rounded to the micrometre, as in the meshes of
-                # RESULTS.md.
+                # docs/results/organs_and_leaves.md.
                 vertices.append(np.round(np.column_stack(placed), 6))
                 faces += [[count + i for i in face] for face in own]
                 groups += [re.split("[0-9_]", name)[0]] * len(own)

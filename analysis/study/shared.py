@@ -72,8 +72,8 @@ TITLES = {
 """The titles of objectives, with the light under which each is evaluated."""
 
 #: The relative errors of light that campaigns of this project asked for in
-#: version 0.3.0, and the default of others. RESULTS.md was made with them; the
-#: campaigns of today ask for 0.005.
+#: version 0.3.0, and the default of others. The tables of docs/results were made
+#: with them; the campaigns of today ask for 0.005.
 FORMER_TOLERANCES = {
     "ames_quick": 0.01,
     "quickstart": 0.01,

@@ -1,26 +1,27 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Makes the study of RESULTS.md anew: all of its tables and figures.
+"""Reproduces the tables and figures of docs/results.
 
-study.py FOLDER [--only PART...] [--short] [--check] [--results FILE.md]
+study.py FOLDER [--only PART...] [--short] [--check] [--results PAGES]
 
-A part is a script of this folder, which breeds and evaluates in FOLDER/PART
-and prints a table. Searches that FOLDER has are not repeated, and interrupted
-ones go on. The tables replace those between
+A part is a script of this folder. It runs searches and evaluations in
+FOLDER/PART and prints a table. Finished searches are not repeated, and
+interrupted ones resume. The table replaces the text between
 
     <!-- study: PART -->
     <!-- end of study -->
 
-in RESULTS.md; with --check that file stays as it is, and the script fails if
-any number in it is not what the histories say. The last digit of a number after
-± may differ by one, since some of them were computed from rounded standard
-errors. It tells the commit of the
-project, the version of the program, the digests of the files that were read,
-and for each part how many evaluations its histories have and how long it took,
-earlier sessions included. --short is a study of minutes with the same parts,
-rough; its tables stand between <!-- short study: PART --> and
-<!-- end of study -->.
-IDEOTYPE_EXECUTABLE names the program, else it is that on PATH.
+on the page that has these marks, one of PAGES/*.md (docs/results by default).
+With --check the pages stay unchanged, and the script fails if a number on them
+differs from the histories. The last digit of a number after ± may differ by
+one, since some intervals were computed from rounded standard errors.
+
+The script prints the commit of the project, the version of the program and the
+digests of the input files; for each part also the evaluations in its histories
+and the time that it took, earlier sessions included. --short runs the same
+parts roughly, in minutes; its tables stand between <!-- short study: PART -->
+and <!-- end of study -->.
+IDEOTYPE_EXECUTABLE names the program; without it, the one on PATH is used.
 """
 
 from __future__ import annotations
@@ -31,6 +32,7 @@ import re
 import subprocess
 import sys
 import time
+from dataclasses import dataclass
 from pathlib import Path
 
 from shared import CAMPAIGNS, guard, parser_of, run_program
@@ -39,6 +41,7 @@ from study_parts import PARTS
 import ideotype
 
 HERE = Path(__file__).parent
+PAGES = CAMPAIGNS.parent / "docs" / "results"
 
 
 def table_of(name: str, folder: Path, figures: Path, is_short: bool) -> str:
@@ -63,15 +66,32 @@ def block(place: str) -> re.Pattern[str]:
     return re.compile(rf"(<!-- {place} -->\n)(.*?)({END})", re.DOTALL)
 
 
-def written(results: Path, place: str) -> str:
-    """Returns the table of a part in the file."""
-    found = block(place).search(results.read_text(encoding="utf-8"))
-    if found is None:
+@dataclass(frozen=True)
+class Quotation:
+    """The table of a part on a page of results."""
+
+    page: Path
+    table: str
+
+
+def find_quotation(pages: Path, place: str) -> Quotation:
+    """Finds the marks of a part on one of the pages."""
+    matches = [
+        Quotation(page, match[2].strip())
+        for page in sorted(pages.glob("*.md"))
+        for match in block(place).finditer(page.read_text(encoding="utf-8"))
+    ]
+    if not matches:
         raise SystemExit(
-            f"{results} has no place for this table; write "
-            f"<!-- {place} --> and {END} in it"
+            f"{pages} has no place for this table; write "
+            f"<!-- {place} --> and {END} on one of its pages"
         )
-    return found[2].strip()
+    if len(matches) > 1:
+        names = ", ".join(match.page.name for match in matches)
+        raise SystemExit(
+            f"{pages} has several places for <!-- {place} -->: {names}"
+        )
+    return matches[0]
 
 
 HALF_INTERVAL = re.compile(r"± (\d+)(\.\d+)?")
@@ -97,10 +117,10 @@ def agree(old: str, new: str) -> bool:
     )
 
 
-def write(results: Path, place: str, table: str) -> None:
-    text = results.read_text(encoding="utf-8")
-    results.write_text(
-        block(place).sub(lambda found: f"{found[1]}{table}\n{found[3]}", text),
+def write(page: Path, place: str, table: str) -> None:
+    text = page.read_text(encoding="utf-8")
+    page.write_text(
+        block(place).sub(lambda match: f"{match[1]}{table}\n{match[3]}", text),
         encoding="utf-8",
     )
 
@@ -162,7 +182,7 @@ def main() -> None:
     parser.add_argument("--only", nargs="+", choices=PARTS, metavar="PART")
     parser.add_argument("--short", action="store_true")
     parser.add_argument("--check", action="store_true")
-    parser.add_argument("--results", type=Path, default=HERE / "RESULTS.md")
+    parser.add_argument("--results", type=Path, default=PAGES)
     options = parser.parse_args()
     folder = options.folder.resolve()
     figures = folder if options.short or options.check else HERE / "figures"
@@ -171,8 +191,9 @@ def main() -> None:
         name: f"{'short study' if options.short else 'study'}: {name}"
         for name in options.only or PARTS
     }
-    told = {
-        name: written(options.results, place) for name, place in places.items()
+    quotations = {
+        name: find_quotation(options.results, place)
+        for name, place in places.items()
     }
     wrong = []
     for name, place in places.items():
@@ -187,10 +208,11 @@ def main() -> None:
             f"{evaluations(folder / name)} evaluations",
             flush=True,
         )
+        page = quotations[name].page
         if not options.check:
-            write(options.results, place, table)
-        elif not agree(told[name], table):
-            wrong.append(f"{options.results}: {place} is not\n{table}")
+            write(page, place, table)
+        elif not agree(quotations[name].table, table):
+            wrong.append(f"{page}: {place} is not\n{table}")
     if wrong:
         raise SystemExit("\n".join(wrong))
 

@@ -36,7 +36,7 @@ std::uint32_t tournament(RandomStream& stream, std::size_t size,
 //! individuals among children and parents, by front and crowding, are the next
 //! parents. Parents keep their outcomes, which may be luck: evaluating them
 //! again under their children's random numbers costs more than it gains
-//! (analysis/study/RESULTS.md).
+//! (docs/results/searches.md).
 class GeneticAlgorithm : public GenerationalOptimizer {
   public:
     GeneticAlgorithm(const SearchSettings& settings, SearchSpace space,

@@ -21,12 +21,12 @@ PARTS = re.findall(
 def run(
     folder: Path, *words: str, results: Path | None = None
 ) -> subprocess.CompletedProcess[str]:
-    """Runs the short study with options; its tables are in RESULTS.md of the
-    folder."""
+    """Runs the short study with options; its tables are on the pages of
+    `results`, by default those of folder/results."""
     return subprocess.run(
         [
             *(sys.executable, STUDY, folder / "study", "--short"),
-            *("--results", results or folder / "RESULTS.md"),
+            *("--results", results or folder / "results"),
             *words,
         ],
         env=os.environ | {"IDEOTYPE_EXECUTABLE": executable()},
@@ -37,20 +37,24 @@ def run(
 
 
 def tables_of(folder: Path, parts: Sequence[str]) -> str:
-    """Returns the tables of parts; their histories and figures are in
-    folder/study."""
-    results = folder / "RESULTS.md"
-    results.write_text(
-        "\n".join(
+    """Returns the tables of parts, each of which gets a page in
+    folder/results; their histories and figures are in folder/study."""
+    results = folder / "results"
+    results.mkdir()
+    for name in parts:
+        (results / f"{name}.md").write_text(
+            f"# {name}\n\n"
             f"<!-- short study: {name} -->\nold\n<!-- end of study -->\n"
-            for name in parts
         )
-    )
     done = run(folder, "--only", *parts)
     assert done.returncode == 0, done.stderr
     counted = re.findall(r"(?m)^(\w+): .* (\d+) evaluations$", done.stdout)
     assert [name for name, _ in counted] == list(parts), done.stdout
-    text = results.read_text()
-    assert "\nold\n" not in text
+    pages = [(results / f"{name}.md").read_text() for name in parts]
+    for name, page in zip(parts, pages, strict=True):
+        assert page.startswith(f"# {name}\n\n<!-- short study: {name} -->\n")
+        assert page.endswith("\n<!-- end of study -->\n")
+        assert "\nold\n" not in page
+    text = "\n".join(pages)
     assert text.count("|---|") >= len(parts)
     return text

@@ -22,7 +22,7 @@ from phone import phone_with
 
 TOP = Path(__file__).parents[3]
 DOCS = TOP / "docs"
-PAGES = sorted(DOCS.glob("*.md"))
+PAGES = sorted([*DOCS.glob("*.md"), *(DOCS / "results").glob("*.md")])
 READMES = [
     TOP / folder / "README.md"
     for folder in (
@@ -126,7 +126,11 @@ def run(command: list[str], folder: Path, what: str) -> str:
     return said
 
 
-@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
+@pytest.mark.parametrize(
+    "page",
+    PAGES,
+    ids=lambda page: str(page.relative_to(DOCS).with_suffix("")),
+)
 def test_every_block_of_a_page_runs(page: Path, clone: Path) -> None:
     for block in blocks_of(page):
         if block.file:
@@ -334,8 +338,12 @@ def manual() -> Path:
 def test_pages_are_as_wide_as_the_screen(manual: Path, tmp_path: Path) -> None:
     """Screens are those of a phone and of a desk: wider things, such as
     tables, scroll by themselves."""
-    names = sorted(path.name for path in manual.glob("*.html"))
-    assert "index.html" in names
+    names = sorted(
+        str(path.relative_to(manual))
+        for pattern in ("*.html", "results/*.html")
+        for path in manual.glob(pattern)
+    )
+    assert {"index.html", "results/index.html"} <= set(names)
     for width in (390, 1280):
         folder = tmp_path / str(width)
         folder.mkdir()

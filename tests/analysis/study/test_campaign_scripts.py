@@ -364,8 +364,11 @@ def test_the_error_of_a_gain_is_that_of_the_ratio(
 def test_a_study_that_is_told_to_end_leaves_no_program_running(
     tmp_path: Path,
 ) -> None:
-    results = tmp_path / "RESULTS.md"
-    results.write_text("<!-- study: paper_table -->\n<!-- end of study -->\n")
+    results = tmp_path / "results"
+    results.mkdir()
+    (results / "gains.md").write_text(
+        "<!-- study: paper_table -->\n<!-- end of study -->\n"
+    )
     words = [tmp_path, "--only", "paper_table", "--results", results]
     with subprocess.Popen(
         [sys.executable, STUDY, *words],

@@ -14,7 +14,8 @@ from real_program import CAMPAIGNS
 from short_study import tables_of
 
 STUDY = CAMPAIGNS.parent / "analysis" / "study"
-RESULTS = (STUDY / "RESULTS.md").read_text(encoding="utf-8")
+PAGES = sorted((CAMPAIGNS.parent / "docs" / "results").glob("*.md"))
+RESULTS = "\n".join(page.read_text(encoding="utf-8") for page in PAGES)
 
 
 def module(name: str, monkeypatch: pytest.MonkeyPatch) -> ModuleType:
@@ -71,9 +72,9 @@ def test_only_the_last_digit_of_an_interval_may_differ(
     assert not agree(row, "| sizes | +2.38 ± 0.49 | 12 ± 3 | 1 ± 1 |")
 
 
-@pytest.mark.parametrize("name", ["RESULTS.md", "METHODS.md"])
-def test_documents_have_one_meaning_of_plus_minus(name: str) -> None:
-    text = (STUDY / name).read_text(encoding="utf-8")
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
+def test_documents_have_one_meaning_of_plus_minus(page: Path) -> None:
+    text = page.read_text(encoding="utf-8")
     assert "± is half of a 95 % confidence" in " ".join(text.split())
     assert not re.search(
         r"±[^.|]{0,40}standard (error|deviation)", " ".join(text.split())

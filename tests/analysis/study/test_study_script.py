@@ -20,7 +20,8 @@ ELSEWHERE = {
 def test_a_number_that_histories_do_not_say_is_found(tmp_path: Path) -> None:
     assert set(PARTS) > ELSEWHERE
     text = tables_of(tmp_path, [x for x in PARTS if x not in ELSEWHERE])
-    results = tmp_path / "RESULTS.md"
+    results = tmp_path / "results" / "erect_tops.md"
+    page = results.read_text()
     row = re.search(r"\| clear \| area \| 42 \| ([+-][\d.]+) ±", text)
     assert row is not None
     assert re.search(r"\d of 1\d facts pass", text)
@@ -28,27 +29,56 @@ def test_a_number_that_histories_do_not_say_is_found(tmp_path: Path) -> None:
     again = run(tmp_path, "--only", "erect_tops", "--check")
     assert again.returncode == 0, again.stderr
     assert re.search(r"erect_tops: .* [1-9]\d* evaluations", again.stdout)
-    assert results.read_text() == text
+    assert results.read_text() == page
     changed = f"{float(row[1]) + 1:+.1f}"
     wrong_row = row[0].replace(row[1], changed)
-    results.write_text(text.replace(row[0], wrong_row, 1))
+    results.write_text(page.replace(row[0], wrong_row, 1))
     wrong = run(tmp_path, "--only", "erect_tops", "--check")
     assert wrong.returncode != 0
-    assert "erect_tops is not" in wrong.stderr and row[1] in wrong.stderr
+    assert f"{results}: short study: erect_tops is not" in wrong.stderr
+    assert row[1] in wrong.stderr
     assert changed in results.read_text()
 
 
 def test_the_small_study_of_results_is_what_histories_say(
     tmp_path: Path,
 ) -> None:
-    quoted = CAMPAIGNS.parent / "analysis" / "study" / "RESULTS.md"
+    quoted = CAMPAIGNS.parent / "docs" / "results"
     done = run(tmp_path, "--only", "erect_tops", "--check", results=quoted)
     assert done.returncode == 0, done.stderr
 
 
-def test_a_place_that_is_missing_is_told(tmp_path: Path) -> None:
-    (tmp_path / "RESULTS.md").write_text("# Results\n")
+def test_a_missing_place_is_reported(tmp_path: Path) -> None:
+    results = tmp_path / "results"
+    results.mkdir()
+    (results / "index.md").write_text("# Results\n")
     done = run(tmp_path, "--only", "plants_differ")
     assert done.returncode != 0
     assert "has no place" in done.stderr
     assert "<!-- short study: plants_differ -->" in done.stderr
+
+
+def test_two_places_of_a_table_are_reported(tmp_path: Path) -> None:
+    results = tmp_path / "results"
+    results.mkdir()
+    for name in ("first", "second"):
+        (results / f"{name}.md").write_text(
+            "<!-- short study: plants_differ -->\n<!-- end of study -->\n"
+        )
+    done = run(tmp_path, "--only", "plants_differ")
+    assert done.returncode != 0
+    assert "several places" in done.stderr
+    assert "first.md, second.md" in done.stderr
+
+
+def test_every_part_has_one_place_in_the_results() -> None:
+    pages = (CAMPAIGNS.parent / "docs" / "results").glob("*.md")
+    marks = [
+        mark
+        for page in pages
+        for mark in re.findall(
+            r"(?s)<!-- study: (\w+) -->\n.*?<!-- end of study -->",
+            page.read_text(encoding="utf-8"),
+        )
+    ]
+    assert sorted(marks) == sorted(PARTS)

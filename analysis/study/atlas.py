@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Finds the best maize of each kind: leaf area by the angle of the top.
+"""Finds the best maize of each type: leaf area by the angle of the top.
 
 atlas.py FOLDER [--figure FILE.png] [--generations N] [--rough]
 
-Runs atlas.toml, a search that keeps the best plant of each kind, and prints
-what the leaders have of the carbon of a clear day, evaluated again with the
-same new random numbers. A kind marked "?" has a leader that was evaluated only
-once in the search. ± is half of a 95 % interval.
+Runs atlas.toml, a search that keeps the best plant of each type, and prints
+the carbon balance of the leaders on a clear day, re-evaluated with independent
+random numbers. A "?" marks a leader that was evaluated only once in the search.
+± is half of a 95 % interval.
 """
 
 from __future__ import annotations

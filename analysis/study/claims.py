@@ -1,16 +1,16 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Looks at what the claims of arXiv:2512.06064 are worth.
+"""Tests the claims of arXiv:2512.06064.
 
 claims.py FOLDER --table PAPER_TABLE [--evaluations N] [--seeds N] [--rough]
 
-Looks at each claim in four set-ups: that of the paper (an isolated plot, lit
-from its sides, with a bare stalk, absorbed PAR), and a stand without end under
+Tests each claim in four set-ups: that of the paper (an isolated plot with
+light from the sides, a bare stalk, absorbed PAR), and an endless stand under
 absorbed PAR, net assimilation of a clear day, and the carbon balance of a
-season. The plants of the stand are those that paper_table.py has bred by `auto`
-in the folder PAPER_TABLE; those of the plot are bred in FOLDER by the genetic
-algorithm, as in the paper. Gains
-and losses are in % with 95 % intervals, over seeds where there are several.
+season. The plants of the stand are those that paper_table.py found by `auto`
+in the folder PAPER_TABLE; those of the plot are optimised in FOLDER by the
+genetic algorithm, as in the paper. Gains and losses are in % with 95 %
+intervals, over seeds where there are several.
 """
 
 from __future__ import annotations
@@ -207,9 +207,9 @@ def distichous(here: Stand, genome: Numbers) -> Numbers:
 
 
 def elsewhere(names: tuple[str, ...]) -> Callable[[SetUp], str]:
-    """Prints how the plant of 42 deg north and 30 x 6 inches does at other
-    places, over the plant that was bred there: [%], or the difference in mol
-    where that plant's carbon is not above zero."""
+    """Prints the gain of the plant of 42 deg north and 30 x 6 inches elsewhere
+    over the plant optimised there: [%], or the difference in mol where that
+    plant's carbon is not above zero."""
 
     def look(set_up: SetUp) -> str:
         cells = []

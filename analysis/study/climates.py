@@ -72,7 +72,7 @@ def dry_month() -> dict[str, Any]:
 
 
 def growth() -> dict[str, Any]:
-    """Returns tables for breeding the hybrid that grows and ages in 2011 at
+    """Returns tables for optimising the hybrid that grows and ages in 2011 at
     Bondville: site, climate, plant and light. Results of a single field would
     be those of its few plants."""
     found = growing_season()
@@ -84,8 +84,8 @@ def growth() -> dict[str, Any]:
 
 
 def site(latitude: float) -> dict[str, Any]:
-    """Returns a site whose clocks tell the time of the sun, but for the
-    equation of time."""
+    """Returns a site with clocks on solar time, except for the equation of
+    time."""
     return {
         "name": "site",
         "latitude": latitude,

@@ -1,19 +1,19 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Counts how often three searches tell how near the optimum is.
+"""Counts how often three searches bound the distance from the optimum.
 
 distance.py FOLDER [--triples N] [--evaluations N] [--long-evaluations N]
             [--objective NAME] [--rough]
 
-`ideotype summary` and reports tell the spread of a case's independent
-searches, which is the gain of the best less that of the worst, as a bound of
-the distance from the optimum. The script breeds maize where plants differ (all
-traits, 42 deg north, rows of 30 inches, plants 6 inches apart) by N triples of
-searches of so many evaluations each, and by three searches of
---long-evaluations. It evaluates all best plants again in the same fields; the
-best of them all stands for the optimum. It prints how many triples miss the
-optimum by no more than their spread, how many have it in the interval that
-`ideotype summary` prints, and for each triple its spread and the gain that it
+`ideotype summary` and reports print the spread of a case's independent
+searches, the gain of the best minus that of the worst, as a bound of the
+distance from the optimum. The script optimises maize under within-line
+variation (all traits, 42 deg north, rows of 30 inches, plants 6 inches apart)
+by N triples of searches of so many evaluations each, and by three searches of
+--long-evaluations. All best plants are re-evaluated in the same fields; the
+best of them represents the optimum. The script prints how many triples miss
+the optimum by no more than their spread, how many include it in the interval
+of `ideotype summary`, and for each triple its spread and the gain that it
 misses, in percentage points.
 """
 

@@ -4,12 +4,12 @@
 
 draw_field.py --to FILE.png [--spacing ROW PLANT] [TITLE=]PLANT...
 
-A PLANT is a plant or crop file, whose baseline is drawn, a history, whose best
-plant is drawn, or a campaign, whose own field is drawn with all of its
-components. Plants differ as those of fields do (FIELD_PLANTS in shared.py);
-leaves that were measured one by one keep their angles. Leaves have the colour
-of the PAR that they absorb per area, face by face, on a clear 7 August at
-42 deg north, in rows along the meridian, ROW and PLANT metres apart.
+A PLANT is a plant or crop file (its baseline is drawn), a history (its best
+plant is drawn) or a campaign (its field is drawn with all components). Plants
+have the within-line variation of fields (FIELD_PLANTS in shared.py); leaves
+that were measured one by one keep their angles. The colour of a leaf is its
+absorbed PAR per area, face by face, on a clear 7 August at 42 deg north, in
+rows along the meridian, ROW and PLANT metres apart.
 """
 
 from __future__ import annotations

@@ -4,8 +4,8 @@
 
 draw_plants.py --to FILE.png [TITLE=]PLANT...
 
-A PLANT is a plant or crop file, whose baseline is drawn, or a history, whose
-best plant is drawn. From the side one looks 30 deg past the row.
+A PLANT is a plant or crop file (its baseline is drawn) or a history (its best
+plant is drawn). The view from the side is 30 deg off the row.
 """
 
 from __future__ import annotations

@@ -1,16 +1,16 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Tells what erect leaves do to canopy assimilation, by plant density.
+"""Compares canopy assimilation of erect and flat leaves, by plant density.
 
 erect_leaves.py [--under CAMPAIGN] [--densities N...]
 
 Gives the leaves of crops/maize.toml other insertion angles or bends and prints
-how much more CO2 the canopy assimilates (gross, a clear day of CAMPAIGN) at
+the additional CO2 uptake of the canopy (gross, a clear day of CAMPAIGN) at
 some densities in rows of 0.762 m, in %, with 95 % intervals of paired
-differences. The table can be read beside field experiments: Wang and others
-1995 (doi:10.1007/BF02913002) tied leaves up at silking; Winter and Ohlrogge
-1973 (Agronomy Journal 65, 395-397) raised upper leaves from about 45 deg to 10
-or 15 deg from the vertical.
+differences. Field experiments for comparison: Wang and others 1995
+(doi:10.1007/BF02913002) tied leaves up at silking; Winter and Ohlrogge 1973
+(Agronomy Journal 65, 395-397) raised upper leaves from about 45 deg to 10 or
+15 deg from the vertical.
 """
 
 from __future__ import annotations

@@ -1,28 +1,28 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Finds the plant density from which on an erect top pays.
+"""Finds the plant density from which an erect top pays.
 
 erect_tops.py FOLDER [--figure FILE.png] [--light LIGHT...] [--limit LIMIT...]
               [--densities N...] [--latitudes N...] [--generations N]
               [--seeds N] [--rough]
 
-Breeds crops/maize.toml twice for each plant density, latitude, light and limit
-of leaf area: plants whose four highest leaves have insertion angles below
-25 deg, and plants whose four highest leaves have more than 45 deg. Everything
-else that a breeder can select is free (bounds "breedable", but insertion
-angles up to 50 deg above those of the baseline, without which no top is flat),
-and the plants of a line differ. Evaluates the best of both again with the same
-random numbers and prints how much more carbon the erect top gains [%], with
-its 95 % interval, and the density from which on it pays. Where the carbon of
-the flat top is not above zero by three standard errors, the difference is
-printed instead [mol m-2 day-1]. Where the sign changes between two densities,
-both are bred with more seeds. The figure is the map.
+Optimises crops/maize.toml twice for each plant density, latitude, light and
+limit of leaf area: with insertion angles of the four highest leaves below
+25 deg, and above 45 deg. All other traits that a breeder can select are free
+(bounds "breedable", but insertion angles up to 50 deg above those of the
+baseline, without which no top is flat); stands have within-line variation.
+Re-evaluates the best plant of both with common random numbers and prints the
+additional carbon of the erect top [%], with its 95 % interval, and the density
+from which it pays. Where the carbon of the flat top is not above zero by three
+standard errors, the difference is printed instead [mol m-2 day-1]. Where the
+sign changes between two densities, both have more seeds. The figure is the
+map.
 
 The light is a clear day (7 August), the season measured at Bondville, Illinois
-(40 deg north alone), or an overcast day with a quarter of the light outside of
-the atmosphere, all of it diffuse. The limit is what leaves cost to build and
-to keep ("carbon"), nitrogen of the stand that more leaves dilute ("nitrogen"),
-or the leaf area of the baseline ("area").
+(40 deg north only), or an overcast day with a quarter of the light outside of
+the atmosphere, all of it diffuse. The limit is the cost of building and
+maintaining leaves ("carbon"), nitrogen of the stand that more leaves dilute
+("nitrogen"), or the leaf area of the baseline ("area").
 """
 
 from __future__ import annotations

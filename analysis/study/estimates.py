@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Estimates of the study, means with standard errors: gains of plants under the
-same random numbers, intervals over seeds, and tables that print them. Printed ±
-is half of a 95 % interval."""
+"""Estimates of the study, means with standard errors: gains of plants with
+common random numbers, intervals over seeds, and the tables that print them.
+Printed ± is half of a 95 % interval."""
 
 from __future__ import annotations
 
@@ -36,8 +36,8 @@ def sign_change(
 
 
 def gain(before: Sequence[float], after: Sequence[float]) -> Estimate:
-    """Returns 100 (after / before - 1) [%], of randomisations that both plants
-    share."""
+    """Returns 100 (after / before - 1) [%], of common randomisations of both
+    plants."""
     found = relative_gain(
         *(
             Figure(*estimate(values), draws=np.array(values))
@@ -48,7 +48,7 @@ def gain(before: Sequence[float], after: Sequence[float]) -> Estimate:
 
 
 def difference(before: Sequence[float], after: Sequence[float]) -> Estimate:
-    """Returns after - before, of randomisations that both plants share."""
+    """Returns after - before, of common randomisations of both plants."""
     return estimate(np.subtract(after, before).tolist())
 
 
@@ -90,8 +90,8 @@ def told(value: Estimate, digits: int = 1, sign: str = "") -> str:
 
 
 def interval_of(values: Sequence[Estimate]) -> str:
-    """Tells the mean of gains with its 95 % interval over seeds, and the gain
-    of each seed."""
+    """Formats the mean of gains with its 95 % interval over seeds, and the
+    gain of each seed."""
     found = interval([Figure(*value, "%") for value in values])
     seeds = ", ".join(f"{mean:+.1f}" for mean, _ in values)
     return f"{found} (95 %; by seed {seeds})"

@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Tells what it costs to breed only plants that resemble lines of maize.
+"""Measures the cost of staying close to measured lines of maize.
 
 feasible.py FOLDER [--generations N] [--rough]
 
-Breeds the smooth traits of crops/maize.toml in rows of 30 inches with 6 inches
-between plants, where plants differ as those of fields do, for the light and
-the net assimilation of a clear day and for the carbon of a season. Plants may
-have any distance from 281 inbred lines (lines/maize_panel.toml), or at most 3
-standard deviations, where a typical line has 2.6. Prints baseline, bred plant,
+Optimises the smooth traits of crops/maize.toml in rows of 30 inches with 6
+inches between plants, under within-line variation, for absorbed PAR and net
+assimilation of a clear day and for the carbon of a season. Plants may have any
+distance from 281 inbred lines (lines/maize_panel.toml), or at most 3 standard
+deviations, where a typical line has 2.6. Prints baseline, optimised plant,
 gain and both distances. ± is half of a 95 % interval.
 """
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Members of the fronts of fronts.py, with what their carbon costs."""
+"""Members of the Pareto fronts of fronts.py, with the price of their carbon."""
 
 from __future__ import annotations
 

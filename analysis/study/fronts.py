@@ -5,15 +5,15 @@
 fronts.py FOLDER [--figure FILE.png] [--generations N] [--seeds N]
           [--growing | --water] [--rough]
 
-Breeds crops/maize.toml by NSGA-II for a high carbon balance of the season
+Optimises crops/maize.toml by NSGA-II for a high carbon balance of the season
 measured at Bondville, Illinois, and a low leaf area index; with --water for a
 high carbon balance of July in the drought of 2012, where leaves exchange
 water, and low transpiration. Traits are those that a breeder can select
-(bounds "breedable"), and plants differ as those of fields do. Evaluates
-members of the front of each seed again with the same random numbers and prints
+(bounds "breedable"), and stands have within-line variation. Re-evaluates
+members of the Pareto front of each seed with common random numbers and prints
 some of those that no other dominates, the baseline, and the leaf area index or
 transpiration beyond which more of it gains no carbon. ± is half of a 95 %
-interval; that of a difference is over randomisations that both plants share.
+interval; that of a difference is over common randomisations.
 """
 
 from __future__ import annotations
@@ -145,8 +145,8 @@ def over_baseline(values: Numbers, plant: int) -> tuple[float, float]:
 
 
 def tell_ends(found: Found) -> None:
-    """Prints what the carbon of the baseline takes in a plant of the front, and
-    how much the plant of the most carbon has."""
+    """Prints the price of the baseline's carbon on the front, and the carbon of
+    the plant with the most of it."""
     carbon = found.carbon.mean(1)
     ends = {
         f"least {found.price.name} of those with no less carbon than it": [
@@ -249,7 +249,9 @@ def main() -> None:
         __doc__, has_figure=True, has_growth=True, generations=60, seeds=2
     )
     parser.add_argument(
-        "--water", action="store_true", help="let water be what carbon costs"
+        "--water",
+        action="store_true",
+        help="minimise transpiration instead of leaf area",
     )
     options = parser.parse_args()
     if options.growing and options.water:

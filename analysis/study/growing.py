@@ -1,17 +1,20 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""A canopy that grows: how many stages it needs, what it costs, what it changes.
+"""Measures the stages, the cost and the effect of growth of a canopy.
 
 growing.py [--figure FOLDER] [--rough]
 
 Prints, for the hybrid of crops/maize_hybrid.toml and the weather of Bondville 2011:
-the error of the season's gross assimilation by number of stages; the cost of a growing
-season over that of the same days with a full canopy at an equal error, in pairs; what
-growth changes of the carbon; and how much
-more carbon the plant has when its four highest leaves are erect (15 deg) instead of
-flat (50 deg), by leaf area index at silking, with growth and without. Nothing is bred
-here: growth_maps.py breeds, and compares with measured seasons.
---figure writes stages.png, plants.png and season.png. --rough is for tests.
+
+* the error of the season's gross assimilation by number of stages;
+* the cost of a growing season relative to the same days with a full canopy, at an
+  equal error, in pairs;
+* the effect of growth on the carbon;
+* the additional carbon of the plant when its four highest leaves are erect (15 deg)
+  instead of flat (50 deg), by leaf area index at silking, with growth and without.
+
+No plant is optimised here; growth_maps.py does that, and compares with measured
+seasons. --figure writes stages.png, plants.png and season.png. --rough is for tests.
 """
 
 from __future__ import annotations
@@ -39,7 +42,7 @@ FULL = "emergence to maturity, full canopy"
 
 
 def tables(**light: Any) -> dict[str, Any]:
-    """The first year of growing_season.toml, with plants that are alike."""
+    """The first year of growing_season.toml, in a uniform stand."""
     field = {"rows": 2, "plants": 2, "jitter": 0}
     return growing_season(field=field, light=light)
 

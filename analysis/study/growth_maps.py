@@ -1,25 +1,24 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Asks what growth changes of what breeding finds, and of what fields measure.
+"""Compares optimised plants with growth and without, and seasons with fields.
 
 growth_maps.py FOLDER [--only PART] [--densities N...] [--generations N] [--seeds N]
                [--figure FILE.png] [--rough]
 
-tops     The hybrid bred twice for each plant density, with growth and without (the same days with
-         plants as they stand at silking): plants whose four highest leaves have insertion angles
-         below 25 deg, and plants whose four highest leaves have more than 45 deg, both with the
-         leaf area of the hybrid at most, at silking, in fields without gaps. Tells how much more
-         carbon of the season the erect top gains, and the leaf area index at silking at which it
-         gains nothing.
-best     The hybrid bred for the carbon of the season with growth and without. Each plant is
-         evaluated in both ways, with the same random numbers.
+tops     The hybrid optimised twice for each plant density, with growth and without (the same days
+         with plants as they stand at silking): with insertion angles of the four highest leaves
+         below 25 deg, and above 45 deg, both with at most the leaf area of the hybrid at silking,
+         in fields without gaps. Prints the additional carbon of the season by the erect top, and
+         the leaf area index at silking at which it gains nothing.
+best     The hybrid optimised for the carbon of the season with growth and without. Each plant is
+         evaluated in both ways, with common random numbers.
 season   Dry matter by organ in the measured seasons, of a hybrid of their time and of today's,
-         and what single parts of the carbon budget change; ± is from evaluations with different
+         and the effect of single parts of the carbon budget; ± is from evaluations with different
          random numbers. `ideotype validate` compares it by date.
 
-The weather is that of Bondville in 2011. What FOLDER has already is not bred again. ± is half of
-a 95 % interval: of randomisations, or of seeds where those differ more. --figure draws `tops`.
---rough is for tests. IDEOTYPE_EXECUTABLE names the program, else it is that on PATH.
+The weather is that of Bondville in 2011. Finished searches in FOLDER are not repeated. ± is half
+of a 95 % interval: of randomisations, or of seeds where those differ more. --figure draws `tops`.
+--rough is for tests. IDEOTYPE_EXECUTABLE names the program; without it, the one on PATH is used.
 """
 
 from __future__ import annotations
@@ -86,8 +85,8 @@ def campaigns(options: Options, density: float) -> dict[str, dict[str, Any]]:
 
 
 def comparing_stand(campaign: dict[str, Any]) -> Stand:
-    """Returns the stand that compares plants which a campaign bred, in several
-    fields: a search has one, whose few plants it favours."""
+    """Returns the stand that compares the optimised plants of a campaign in several
+    fields. A search has one field, and favours its few plants."""
     several = {**campaign["light"], **SEVERAL_FIELDS}
     return Stand({**campaign, "light": several})
 
@@ -194,7 +193,7 @@ def draw(found: dict[str, list[tuple[float, Estimate]]], path: Path) -> None:
 
 
 def shape(stand: Stand, genome: Numbers) -> list[str]:
-    """Tells leaf area, lengths times widths [m2], and angles of the four highest and
+    """Formats leaf area, lengths times widths [m2], and angles of the four highest and
     of the other leaves [deg]."""
     each = stand.leaves(genome)
     cells = [f"{(each.length * each.width).sum():.3f}"]
@@ -206,7 +205,7 @@ def shape(stand: Stand, genome: Numbers) -> list[str]:
 
 
 def best_plants(options: Options) -> None:
-    """Breeds with growth and without, and evaluates each plant in both ways."""
+    """Optimises with growth and without, and evaluates each plant in both ways."""
     both = campaigns(options, 7.5)
     stands = {way: comparing_stand(x) for way, x in both.items()}
     plants = {

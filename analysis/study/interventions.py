@@ -4,17 +4,17 @@
 
 interventions.py FOLDER [--fields N] [--generations N] [--seeds N] [--rough]
 
-Gives each trait that quickstart.toml breeds other values, half way to its
-bounds and at them, while all other traits stay those of the baseline. Prints
-the change of the season's carbon and of the PAR that leaves absorb in each
-variant of `ideotype.report.organ_split`: with stalk, sheaths, peduncle,
-tassel and ear and with leaves alone (`plant.organs = []`); the difference
-between successive variants; and the light that other organs and dead leaves
-take. Prints the same of height in the hybrid that grows in 2011 at Bondville.
-Breeds quickstart.toml in FOLDER and prints the gains of the best plants of its
-searches in each variant, with their height and with that of the baseline. All
-plants stand in the same N fields with common random numbers. ± is half of a
-95 % interval of paired differences.
+Moves each trait that quickstart.toml optimises halfway to its bounds and to
+them, while all other traits stay those of the baseline. Prints the change of
+the season's carbon and of absorbed PAR in each variant of
+`ideotype.report.organ_split`, from all organs to leaves alone
+(`plant.organs = []`); the difference between successive variants; and the
+light intercepted by other organs and dead leaves. Prints the same for height
+in the hybrid that grows in 2011 at Bondville. Runs quickstart.toml in FOLDER
+and prints the gains of the best plants of its searches in each variant, with
+their height and with that of the baseline. All plants stand in the same N
+fields with common random numbers. ± is half of a 95 % interval of paired
+differences.
 """
 
 from __future__ import annotations
@@ -125,7 +125,7 @@ def named(trait: str, unit: str, value: float) -> str:
 
 
 def changes(stand: Stand, only: str = "") -> Iterator[tuple[str, Numbers]]:
-    """Yields plants that differ from the baseline in one bred trait, any or
+    """Yields plants that differ from the baseline in one free trait, any or
     `only` this one. A trait of single leaves has opposite changes in
     successive leaves: equal ones would only turn the plant."""
     free = stand.genes[stand.free]
@@ -182,11 +182,11 @@ def with_own_height(stand: Stand, plant: Numbers) -> Numbers:
 
 
 def print_best(stands: Stands, plants: Sequence[Numbers]) -> None:
-    """Prints the gains of bred plants in each variant."""
+    """Prints the gains of optimised plants in each variant."""
     variants = [variant for variant, _ in stands]
     values = []
     for variant, stand in stands:
-        say(f"bred plants, {variant.title}")
+        say(f"optimised plants, {variant.title}")
         equally_high = [with_own_height(stand, plant) for plant in plants]
         genomes = [stand.baseline, *plants, *equally_high]
         values.append(evaluate(stand, genomes).carbon)

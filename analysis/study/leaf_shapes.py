@@ -1,17 +1,16 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Measures whether twist, waves and drooping tips of leaves matter.
+"""Measures the effect of twist, waves and drooping tips of leaves.
 
 leaf_shapes.py FOLDER [--seeds N] [--fields N] [--paths N] [--only WORD...]
 
-Breeds ames_quick.toml in FOLDER, draws the blades of its baseline and of its
-best plants with finer meshes, gives them other shapes, and evaluates each in
-the same fields with the same random numbers. Prints what each shape does to
-the light that leaves absorb, and to the gain of the bred plants over the
-baseline. Shapes keep the length and area of each blade; parts that vary from
-leaf to leaf are drawn at random for each plant of a field. Histories that are
-complete are not run again. IDEOTYPE_EXECUTABLE names the program, else it is
-that on PATH.
+Runs ames_quick.toml in FOLDER and draws the blades of its baseline and of its
+best plants with finer meshes and other shapes. All are evaluated in the same
+fields with common random numbers. Prints the effect of each shape on absorbed
+light, and on the gain of the optimised plants over the baseline. Shapes keep
+the length and area of each blade; parts that vary from leaf to leaf are random
+for each plant of a field. Finished histories are not repeated.
+IDEOTYPE_EXECUTABLE names the program; without it, the one on PATH is used.
 """
 
 from __future__ import annotations
@@ -119,8 +118,8 @@ def field_of(mesh: Mesh, seed: int) -> ideotype.Canopy:
 
 
 def leaf_light(mesh: Mesh, options: argparse.Namespace) -> list[float]:
-    """Returns what leaves absorb of a clear day's light, field by field
-    [%]."""
+    """Returns the part of a clear day's light that leaves absorb, field by
+    field [%]."""
 
     def share(seed: int) -> float:
         found = field_of(mesh, seed).evaluate(
@@ -145,8 +144,8 @@ def changes(after: list[float], before: list[float]) -> list[float]:
 
 
 def gains(lights: list[list[float]]) -> list[list[float]]:
-    """Returns the gain of each bred plant over the first, field by field
-    [%]."""
+    """Returns the gain of each optimised plant over the first, field by
+    field [%]."""
     return [changes(own, lights[0]) for own in lights[1:]]
 
 

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Seasons of maize whose dry matter was measured: weather by the hour, made of that of
-days, campaigns of the hybrid that grows in them, and how it compares.
+"""Seasons of maize with measured dry matter: hourly weather from daily values,
+campaigns of the hybrid that grows in them, and the comparison.
 
 Weather and dry matter are from github.com/DSSAT/dssat-csm-data (ac780c7): Maize
-UFGA8201 (treatment 4: irrigated, much nitrogen) and IUAF9901 (treatment 4)."""
+UFGA8201 (treatment 4: irrigated, much nitrogen) and IUAF9901 (treatment 4).
+"""
 
 from __future__ import annotations
 

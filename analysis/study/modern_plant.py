@@ -5,15 +5,14 @@
 modern_plant.py [--rough] [--only inclination|extinction]
 
 Prints the inclination of leaf surfaces by thirds of the plant for
-crops/maize_hybrid.toml and plants/maize_hybrid_1980s.toml in FIELDS drawn
-fields, beside that of 11 plants of Iowa (measured/README.md); then k of a clear
-day, around its noon and of the season of bondville.toml, with plants at exact
-positions and with those of modern planters and of surveys of 1987 to 1996
-(fields.py). Both hybrids have the leaf area
-index of 7.5 plants m-2 of that of the 1980s; the hybrid of today also stands
-at 7.5 plants m-2. ± is half of a 95 % interval: over drawn fields, or over the
-11 plants. Nothing here is fitted.
---rough is for tests.
+crops/maize_hybrid.toml and plants/maize_hybrid_1980s.toml in FIELDS fields,
+next to that of 11 plants of Iowa (measured/README.md). Then prints k of a
+clear day, around its noon and of the season of bondville.toml, with plants at
+exact positions, with those of modern planters and with those of surveys of
+1987 to 1996 (fields.py). Both hybrids have the leaf area index of the hybrid
+of the 1980s at 7.5 plants m-2; the hybrid of today also stands at 7.5 plants
+m-2. ± is half of a 95 % interval, over fields or over the 11 plants. Nothing
+here is fitted. --rough is for tests.
 """
 
 from __future__ import annotations

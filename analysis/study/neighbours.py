@@ -1,22 +1,24 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Measures what a plant is worth in strips with soybean, and as an invader.
+"""Measures gains of maize in strips with soybean, and of invaders of a stand.
 
 neighbours.py FOLDER [--only PART] [--generations N] [--seeds N] [--figure FILE]
               [--rough]
 
-Part strips breeds crops/maize.toml in the strips of strip.toml for the land
-equivalent ratio, which is the sum over both crops of the net assimilation that
-a crop has in the strip over that which it has alone (maize in rows .60 m apart
-with .15 m between plants, soybean .30 by .10 m), and for the net assimilation
-of maize alone. It prints these ratios with their parts; crops of a strip share
-its light, so that the error of the sum does not follow from the errors of the
-parts. Its figure is what the rows of the strip of baselines absorb and
-assimilate. Part invaders breeds the maize in a stand of its own at 30 x 6
-inches, and as one plant of 25 among plants of the baseline (invader.toml) and
-among plants that are best for the stand. It prints what invaders gain over
-their neighbours, and what a stand of invaders has. ± is half of a 95 %
-interval over randomisations, or over seeds where that is larger.
+Part strips optimises crops/maize.toml in the strips of strip.toml for the land
+equivalent ratio, and for the net assimilation of maize alone. The ratio is the
+sum over both crops of the net assimilation in the strip relative to that of
+the sole crop (maize in rows 0.60 m apart with 0.15 m between plants, soybean
+0.30 by 0.10 m). The script prints the ratios with their parts; crops of a strip
+share its light, so the error of the sum does not follow from the errors of the
+parts. The figure has absorbed light and assimilation by row of the strip of
+baselines.
+
+Part invaders optimises maize in its own stand at 30 x 6 inches, and as one
+plant of 25 among plants of the baseline (invader.toml) and among plants that
+are best for the stand. It prints the gain of invaders over their neighbours,
+and of a stand of invaders. ± is half of a 95 % interval over randomisations, or
+over seeds where that is larger.
 """
 
 from __future__ import annotations

@@ -1,15 +1,15 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Measures what each organ does to light, differences of plants and breeding.
+"""Measures the effect of each organ on light and on gains.
 
 organs.py [--full] [--traits SET...] [--seeds N] FOLDER
 
-Breeds ames_quick.toml (with --full also ames.toml) with plants that have more
-and more organs, all traits and azimuths alone, in FOLDER. Prints a table:
-where the light of the baseline goes, the gain of the same three plants over
-the baseline with these organs, and the gains of what is bred with them.
-Histories that are complete are not run again. IDEOTYPE_EXECUTABLE names the
-program, else it is that on PATH.
+Runs ames_quick.toml (with --full also ames.toml) in FOLDER with plants that
+have more and more organs, with all traits and with azimuths alone. Prints the
+distribution of the light of the baseline, the gain of the same three plants
+over the baseline with these organs, and the gains of plants optimised with
+them. Finished histories are not repeated. IDEOTYPE_EXECUTABLE names the
+program; without it, the one on PATH is used.
 """
 
 from __future__ import annotations
@@ -95,7 +95,7 @@ def parts(plant: str) -> list[str]:
 def main() -> None:
     parser = parser_of(__doc__)
     parser.add_argument(
-        "--full", action="store_true", help="breed ames.toml too"
+        "--full", action="store_true", help="also run ames.toml"
     )
     parser.add_argument(
         "--traits", nargs="+", choices=TRAITS, default=TRAITS, metavar="SET"

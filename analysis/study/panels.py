@@ -1,24 +1,24 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Asks which maize suits rows of photovoltaic modules, and what it costs to know.
+"""Compares maize below rows of photovoltaic modules, and the cost of its light.
 
 panels.py FOLDER [--only PART] [--generations N] [--seeds N] [--figure FILE.png] [--rough]
 
-layouts   The 54 layouts of tutorial 18 of bifacial_radiance, each with maize on a clear day, the
-          light of maize known to 1 %: time on two cores, and error.
-cost      What a day with modules that track costs, over one with fixed ones, at an equal error of
-          the light that leaves absorb; evaluations of both in pairs.
-measured  Modules at Foulum, Denmark (measured/README.md), from their measured light.
-trial     What maize loses in a season below modules that track, 6.1 m up, which shade 20 to
-          25 %, as in the trial at Purdue (Sanchez et al. 2024, SSRN 4807752), where it lost 7.7 % of
-          its yield. Pitch and width are not told there: several are computed. The season is that
-          of Bondville, 130 km away. Intervals are 95 % of randomisations.
-bred      A plant that is bred below the modules of agrivoltaic.toml and one that is bred without
-          modules, each evaluated in both places, and maize bred by NSGA-II for crop and light on
-          modules together with their height and the distance between rows.
+layouts   The 54 layouts of tutorial 18 of bifacial_radiance, each with maize on a clear day, for a
+          standard error of 1 % of the light of maize: time on two cores, and error.
+cost      Time of a day with tracking modules relative to fixed ones, at an equal error of absorbed
+          PAR; evaluations of both in pairs.
+measured  Modules at Foulum, Denmark (measured/README.md), under their measured light.
+trial     Loss of maize in a season below tracking modules, 6.1 m up, which shade 20 to 25 %, as in
+          the trial at Purdue (Sanchez et al. 2024, SSRN 4807752), where it lost 7.7 % of its yield.
+          Pitch and width are not reported: several are computed. The season is that of Bondville,
+          130 km away. Intervals are 95 % of randomisations.
+bred      A plant optimised below the modules of agrivoltaic.toml and one optimised without modules,
+          each evaluated in both places; and the Pareto front, by NSGA-II, of crop and light on
+          modules, over the plant, the height of modules and the distance between rows.
 
-What is in FOLDER already is not bred again. --figure draws the front of `bred`. --rough is for tests.
-IDEOTYPE_EXECUTABLE names the program, else it is that on PATH.
+Finished searches in FOLDER are not repeated. --figure draws the front of `bred`. --rough is for
+tests. IDEOTYPE_EXECUTABLE names the program; without it, the one on PATH is used.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Crops below rows of modules, for panels.py: the trial under trackers, and plants that are
-bred for their place."""
+"""Crops below rows of modules, for panels.py: the trial under trackers, and plants
+optimised for their place."""
 
 from __future__ import annotations
 
@@ -153,7 +153,7 @@ def carbon_and_net(stand: Stand) -> Numbers:
 
 
 def tell_gain(x: Estimate) -> str:
-    """Tells a figure with its 95 % interval."""
+    """Formats a figure with its 95 % interval."""
     return told(x, sign="+")
 
 
@@ -173,7 +173,7 @@ def shaded(stand: Stand, options: Options) -> str:
     return f"{100 - 100 * float((part * found.fraction).sum()):.1f}"
 
 
-# Plants that are bred for their place.
+# Plants optimised for their place.
 
 
 def bred(options: Options) -> None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The front of crop and electricity below rows of modules, for panels.py."""
+"""The Pareto front of crop and electricity below rows of modules, for panels.py."""
 
 from __future__ import annotations
 
@@ -42,8 +42,8 @@ def electricity(found: Any) -> float:
 
 
 def front(options: Options, alone: float) -> None:
-    """Breeds for crop and light on modules, and prints members of the front with
-    their land equivalent ratio."""
+    """Optimises crop and light on modules, and prints members of the Pareto front
+    with their land equivalent ratio."""
     tables = tables_of("agrivoltaic", options)
     # Rows of modules are as far apart as the field is wide.
     del tables["panel"][0]["pitch"]

@@ -1,32 +1,32 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Makes the table of arXiv:2512.06064: what breeding gains, and by which search.
+"""Makes the table of arXiv:2512.06064: gains by condition and search.
 
 paper_table.py FOLDER [--figure FILE.png] [--objective NAME...]
                [--condition NAME...] [--search NAME...] [--evaluations N]
                [--seeds N] [--other-seeds N] [--plant FILE.toml] [--alike]
                [--rough]
 
-Breeds crops/maize.toml with four sets of traits, at five latitudes and at six
-spacings (bounds "paper"; all else as in the first condition: all traits,
-42 deg north, rows of 30 inches, plants 6 inches apart) for absorbed PAR and
-net assimilation of a clear day, and for the carbon balance of a season, where
-plants differ as those of fields do, by several searches with as many
-evaluations each. BIPOP-CMA-ES comes from the package cma and differential
-evolution from pymoo; both ask for plants through the Python module, and run
-only if --search names them. Evaluates the best plants again, all with the same
-random numbers, and prints gains over the baseline [%] with 95 % intervals,
-leaf area, and the gain per leaf area; differences in the unit of the objective
-where the baseline is not above zero by three standard errors. Evaluates the
-same plants without other organs, and prints the gain with leaves alone and the
-part of the gain that is light of other organs. With --alike all
-plants of a field are the same while they are bred; a second table tells what
-those champions gain where plants differ. Also tells after how many core-seconds
-(by the clock of the wall: leave other work aside) the first seed had a plant
-with 90 % of the largest gain under the first condition, which has more seeds
-than the others.
+Optimises crops/maize.toml under within-line variation, by several searches
+with the same number of evaluations. Conditions are four sets of traits, five
+latitudes and six spacings, with bounds "paper"; each differs in one property
+from the first (all traits, 42 deg north, rows of 30 inches, plants 6 inches
+apart). Objectives are absorbed PAR and net assimilation of a clear day, and
+the carbon balance of a season. BIPOP-CMA-ES comes from the package cma and
+differential evolution from pymoo; both request plants through the Python
+module, and run only if --search names them.
 
-The season is that of Bondville, Illinois, 40 deg north in the place of 42, and
+Re-evaluates the best plants with common random numbers and prints gains over
+the baseline [%] with 95 % intervals, leaf area, and the gain per leaf area;
+differences in the unit of the objective where the baseline is not above zero
+by three standard errors. Also prints the gains of the same plants without
+other organs, and the parts of the gain. With --alike searches have uniform
+stands; a second table has the gains of their best plants in variable stands.
+A last table has the core-seconds until the first seed reaches 90 % of the
+largest gain under the first condition, which has more seeds than the others
+(wall-clock time: keep the machine free of other work).
+
+The season is that of Bondville, Illinois, 40 deg north instead of 42, and
 moved to the other latitudes (climates.moved_season).
 """
 

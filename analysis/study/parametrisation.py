@@ -1,21 +1,20 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Compares breeding a few numbers of the whole plant with some for each leaf.
+"""Compares optimising few numbers of the whole plant with some for each leaf.
 
 parametrisation.py FOLDER [--evaluations N] [--seeds N] [--condition NAME...]
                    [--way NAME...] [--rough]
 
-Breeds crops/maize.toml for net assimilation of a clear day as paper_table.py
-does, by auto, where plants differ. Lengths, widths and insertion angles are
-bred for each leaf, as smooth profiles, or as three numbers that all leaves
-share (two factors, and degrees that are added), always with the azimuth of
-each leaf. Two further ways spend half of the evaluations on profiles or
-factors and the other half on free leaves around the best plant that was found.
-Evaluates the best plants again, all with the same random numbers, and prints
-gains over the baseline [%] by seed, and half of the widest 95 % interval of
-one.
-Factors and profiles have the ranges of the profiles of crops/maize.toml, .65
-to 1.35 and -10 to 50 deg.
+Optimises crops/maize.toml for net assimilation of a clear day as
+paper_table.py does, by auto, under within-line variation. Lengths, widths and
+insertion angles are free for each leaf, as smooth profiles, or as three
+numbers that all leaves share (two factors, and degrees that are added), always
+with the azimuth of each leaf. Two further ways spend half of the evaluations
+on profiles or factors and the other half on free leaves around the best plant
+of the first half. Re-evaluates the best plants with common random numbers and
+prints gains over the baseline [%] by seed, and half of the widest 95 %
+interval of one. Factors and profiles have the ranges of the profiles of
+crops/maize.toml, 0.65 to 1.35 and -10 to 50 deg.
 """
 
 from __future__ import annotations

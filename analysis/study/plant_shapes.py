@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Compares the shape of our plants with that of plants that stood in a field.
+"""Compares the shape of model plants with that of plants measured in a field.
 
 plant_shapes.py FOLDER [--to FILE.png]
 
 Draws fields of crops/maize.toml, crops/maize_hybrid.toml and the hybrid of the
-1980s with FIELD_PLANTS of shared.py in FOLDER, and compares their leaves with those of 11 plants of
-Iowa (measured/README.md).
+1980s with FIELD_PLANTS of shared.py in FOLDER, and compares their leaves with
+those of 11 plants of Iowa (measured/README.md).
 """
 
 from __future__ import annotations

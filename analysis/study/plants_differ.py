@@ -1,16 +1,16 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Measures what plants that are all alike hide.
+"""Measures the bias of uniform stands.
 
 plants_differ.py [--under CAMPAIGN] [--plants N] [--figure FILE.png]
 
 Evaluates N plants of the bounds "breedable", spread evenly, and the baseline
-in stands of plants alike and in stands of plants that differ: as those of
-fields do, and as inbred lines of one trial do (docs/campaign_files.md).
-Prints what the baseline absorbs and assimilates on the day of CAMPAIGN in
-each, how far the order of plants agrees (rank correlation), and what the best
-plant of the stand of plants alike is worth where plants differ, relative to
-the best one there.
+in uniform stands and in variable ones: with the within-line variation of
+fields, and with that of the inbred lines of one trial
+(docs/campaign_files.md). Prints the absorbed PAR and the net assimilation of
+the baseline on the day of CAMPAIGN in each, the rank correlation of plants,
+and the loss by choosing the best plant of the uniform stand, relative to the
+best one of the variable stand.
 """
 
 from __future__ import annotations

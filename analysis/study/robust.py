@@ -1,19 +1,18 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Measures what one plant for five sites costs.
+"""Measures the cost of one plant for five sites.
 
 robust.py FOLDER [--figure FILE.png] [--latitudes N...] [--generations N]
           [--seeds N] [--growing] [--rough]
 
-Breeds crops/maize.toml for the carbon balance of a season at each latitude of
-arXiv:2512.06064 alone, and one robust plant for the mean over all of them: the
-season measured at Bondville, Illinois, under the sun of each latitude
-(temperature and the share of the light that passes the atmosphere are those of
+Optimises crops/maize.toml for the carbon balance of a season at each latitude
+of arXiv:2512.06064 alone, and one robust plant for the mean over all of them.
+The season is that measured at Bondville, Illinois, under the sun of each
+latitude (temperature and the transmission of the atmosphere are those of
 Bondville). Traits are those that a breeder can select (bounds "breedable"),
-and plants differ as those of fields do. Prints what each plant has at each
-latitude, relative to the plant that was bred there [%]; ± is half of a 95 %
-interval over randomisations that all plants share, or over seeds where that is
-larger.
+and stands have within-line variation. Prints the carbon of each plant at each
+latitude, relative to the plant optimised there [%]; ± is half of a 95 %
+interval over common randomisations, or over seeds where that is larger.
 """
 
 from __future__ import annotations
@@ -92,12 +91,12 @@ def campaign(
 
 def bred(tables: dict[str, Any], folder: Path) -> list[Numbers]:
     """Returns the best plant of each seed."""
-    say(f"breeding {tables['name']}")
+    say(f"optimising {tables['name']}")
     return best_plants(tables, folder)
 
 
 def relative(stand: Stand, home: int, plants: list[Numbers]) -> list[Estimate]:
-    """Returns the carbon of plants here [% of the plant that was bred
+    """Returns the carbon of plants here [% of the plant optimised
     here]."""
     values = light(stand, np.array(plants)).tolist()
     changes = (gain(values[home], value) for value in values)

@@ -1,17 +1,17 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Measures how fast each search gains, by evaluations and by time.
+"""Measures the gain of each search, by evaluations and by time.
 
 searches.py FOLDER [--figure FILE.png] [--evaluations N] [--seeds N]
             [--only SEARCH...] [--campaign FILE]
 
-Runs a campaign (ames.toml, unless another is given) with each search and takes
-the best plant of the generation in which each number of evaluations is reached
-(a search that learns nothing gives the best of all until then). Evaluates all
-of these again with many paths, beside the baseline. Prints the gain over the
-baseline in %, the mean of the seeds with its 95 % interval, and the seconds
-that all evaluations until then took. Cases that are in FOLDER already are not
-run again. IDEOTYPE_EXECUTABLE names the program, else it is that on PATH.
+Runs a campaign (ames.toml by default) with each search and takes the best
+plant of the generation that reaches each number of evaluations (the best of
+all until then for a search that does not learn). Re-evaluates these plants and
+the baseline with many paths. Prints the gain over the baseline in %, the mean
+of the seeds with its 95 % interval, and the seconds of all evaluations until
+then. Finished cases in FOLDER are not repeated. IDEOTYPE_EXECUTABLE names the
+program; without it, the one on PATH is used.
 """
 
 from __future__ import annotations

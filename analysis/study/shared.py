@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Functions that the scripts of this folder share: breeding by the program,
+"""Functions that the scripts of this folder share: searches by the program,
 plants in the light of a campaign, and gains over the baseline of a stand."""
 
 from __future__ import annotations
@@ -147,14 +147,14 @@ def parser_of_searches(
     has_growth: bool = False,
     **counts: int,
 ) -> argparse.ArgumentParser:
-    """Returns the parser of a script that breeds in a folder. `counts` are the
-    names of options that are whole numbers, with their defaults. With
-    `has_growth` plants may grow in place of standing as they do at silking."""
+    """Returns the parser of a script that runs searches in a folder. `counts`
+    are the names of integer options, with their defaults. With `has_growth`
+    plants may grow instead of standing as they do at silking."""
     parser = parser_of(
         description,
-        "Searches that the folder has are not repeated, and interrupted ones "
-        "go on. IDEOTYPE_EXECUTABLE names the program, else it is that on "
-        "PATH.",
+        "Finished searches in the folder are not repeated, and interrupted "
+        "ones resume. IDEOTYPE_EXECUTABLE names the program; without it, the "
+        "one on PATH is used.",
     )
     parser.add_argument("folder", type=folder_at)
     for name, count in counts.items():
@@ -170,7 +170,7 @@ def parser_of_searches(
             help="let the hybrid grow and age from emergence to maturity",
         )
     parser.add_argument(
-        "--rough", action="store_true", help="take little light, for tests"
+        "--rough", action="store_true", help="trace few paths, for tests"
     )
     return parser
 
@@ -234,7 +234,7 @@ def campaign_of(campaign: str | Path, **tables: Any) -> dict[str, Any]:
 def run_program(
     words: Sequence[str], stderr: int | None = None
 ) -> subprocess.CompletedProcess[str]:
-    """Runs a program and keeps what it prints. SIGTERM goes to the program,
+    """Runs a program and keeps its output. SIGTERM goes to the program,
     which then ends as it always does, before this script does."""
     with subprocess.Popen(
         words, stdout=subprocess.PIPE, stderr=stderr, text=True
@@ -255,7 +255,7 @@ def breed(
     verb: str = "run",
 ) -> list[Path]:
     """Returns the histories of all cases and seeds, in a folder of this name.
-    Complete ones are kept, interrupted ones go on. `verb` may be
+    Finished ones are kept, interrupted ones resume. `verb` may be
     "sensitivity". Campaigns of this project have the accuracy of version 0.3.0.
 
     IDEOTYPE_EXECUTABLE names the program, else it is `ideotype` on PATH."""
@@ -295,8 +295,8 @@ def best(history: Path) -> Numbers:
 
 
 def breedable_but(plant: Path, **ranges: Sequence[float]) -> dict[str, Any]:
-    """Returns the [plant] and [[traits]] of a campaign in which all is bred
-    that a breeder can select, but some traits have other ranges."""
+    """Returns the [plant] and [[traits]] of a campaign in which all traits
+    are free that a breeder can select, some of them in other ranges."""
     rules = tomllib.loads(plant.read_text(encoding="utf-8"))["bounds"]
     bounds = {
         rule["trait"]: rule["range"]
@@ -324,8 +324,8 @@ def best_plants(tables: Mapping[str, Any], folder: Path) -> list[Numbers]:
 
 
 def stand_of(plant: Path, campaign: Path, settings: Settings = ()) -> Stand:
-    """Returns the first case of a campaign, whose baseline is this plant: that
-    of a crop file, or the best of a history."""
+    """Returns the first case of a campaign with this plant as its baseline: the
+    plant of a crop file, or the best of a history."""
     with TemporaryDirectory() as folder:
         if plant.suffix == ".h5":
             bred = Stand.from_history(plant, same_isa=False)

@@ -4,16 +4,15 @@
 
 strip_light.py [--table FILE.csv] [--rough]
 
-Puts what abstracts tell of light in strips beside the light of this program,
-by sign and size: nothing is fitted. Maize is crops/maize.toml. Soybean at a
+Compares the light in strips that abstracts report with that of this program,
+by sign and size; nothing is fitted. Maize is crops/maize.toml. Soybean at a
 stage is crops/soybean.toml with as many of its leaves as the stage has; all
 lengths are multiplied by the factor that makes its stem as high as the sum of
 internodes (DSSAT, as in that file). Days are clear, of Chengdu. The table
-marks what a report does not tell: "rows" where distances between rows are
-ours, "stage" where the stage is. ± is half of a 95 % interval over
-randomisations.
+marks assumptions where a report is silent: "rows" for distances between rows,
+"stage" for the stage. ± is half of a 95 % interval over randomisations.
 --table compares light that was measured by row instead;
-measured/strips/README.md tells its form. --rough is for tests.
+measured/strips/README.md describes its form. --rough is for tests.
 """
 
 from __future__ import annotations
@@ -161,7 +160,7 @@ def total(rows: Sequence[Estimate]) -> Estimate:
 
 
 def more(a: Estimate, b: Estimate) -> str:
-    """Tells by how much a exceeds b [%]."""
+    """Formats the excess of a over b [%]."""
     ratio = a[0] / b[0]
     error = ratio * math.hypot(a[1] / a[0], b[1] / b[0])
     return told((100 * ratio - 100, 100 * error), 0, "+")
@@ -248,8 +247,8 @@ def southernmost(strips: Strips) -> list[str]:
 
 
 def compare(path: Path) -> None:
-    """Prints light that was measured by row beside that of the program, and
-    how far they agree."""
+    """Prints light measured by row, that of the program, and their
+    agreement."""
     measured_light = pd.read_csv(path, comment="#")
     rows, pairs = [], []
     for campaign, part in measured_light.groupby("campaign", sort=False):

@@ -1,22 +1,22 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Shows the effect of a response anchored in strong light, and of ageing leaves.
+"""Measures the effect of a response anchored in strong light, and of leaf age.
 
 strong_light.py [--only PART] [--rough]
 
 leaf        Net assimilation of a leaf at a PPFD of 500, 1000 and 2000, by the default of the
-            program and by crops/maize_hybrid.toml, with the rate that Kim and others 2006
-            measured.
+            program and by crops/maize_hybrid.toml, with the rate measured by Kim and others 2006.
 canopy      Gross assimilation of the hybrid at a leaf area index of 5.5 against PPFD, on a clear
             10 July.
 efficiency  Gross assimilation per absorbed PAR on a clear day and in the season of Bondville
             2011, where plants grow, with the response and with ageing each changed both ways.
 stages      The error of the season's gross assimilation by number of stages, with ageing.
 panels      The baseline of agrivoltaic.toml below its modules and without them, by the profile of
-            capacity over the canopy. Profiles do not depend on the light below modules, so that
-            two more rows share canopy nitrogen by the mean light that leaves absorb there.
+            capacity over the canopy. Profiles do not depend on the light below modules; in two
+            further rows canopy nitrogen follows the mean light that leaves absorb there.
 
-± is half of a 95 % interval. Evaluations of one table share their random numbers; --rough is for tests.
+± is half of a 95 % interval. Evaluations of one table have common random numbers; --rough is for
+tests.
 """
 
 from __future__ import annotations

@@ -134,26 +134,26 @@ def evaluations(folder: Path) -> int:
     return count
 
 
-def told_by(*words: str) -> str:
+def output_of(*words: str) -> str:
     """Returns the output of a command, if the command can be run."""
     done = subprocess.run(words, check=False, capture_output=True, text=True)
-    return done.stdout.strip() or f"{words[0]} tells nothing"
+    return done.stdout.strip() or f"{words[0]} prints nothing"
 
 
 def versions() -> str:
-    """Tells the versions of this script's project and of the program."""
+    """Describes the versions of this script's project and of the program."""
     program = os.environ.get("IDEOTYPE_EXECUTABLE", "ideotype")
     return "{}; {}".format(
-        told_by(
+        output_of(
             *("git", "-C", str(CAMPAIGNS), "describe"),
             *("--always", "--dirty", "--tags"),
         ),
-        told_by(program, "--version").partition("\n")[0],
+        output_of(program, "--version").partition("\n")[0],
     )
 
 
 def digests() -> list[str]:
-    """Tells the digests of the plants, weather files and campaigns that the
+    """Lists the digests of the plants, weather files and campaigns that the
     parts may read."""
     return [
         f"{hashlib.sha256(path.read_bytes()).hexdigest()[:12]} "

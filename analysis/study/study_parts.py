@@ -12,15 +12,15 @@ from shared import CAMPAIGNS
 class Part:
     question: str
     words: tuple[str, ...]
-    """The script, or -m and a module, and its options; {folder} is that of the part, {study} that
-    of all parts."""
+    """The script, or -m and a module, and its options; {folder} is the folder of the part, {study}
+    the one of all parts."""
     short: tuple[str, ...] = ()
     """Further options of a short study."""
 
 
 PARTS = {
     "interventions": Part(
-        "Which trait gains, and how much of a gain is light of other organs?",
+        "Which single trait gains, with other organs and without?",
         ("interventions.py", "{folder}"),
         (
             *("--rough", "--fields", "4"),
@@ -28,7 +28,7 @@ PARTS = {
         ),
     ),
     "paper_table": Part(
-        "How much can breeding gain, and which search finds it?",
+        "How much can breeding gain?",
         (
             *("paper_table.py", "{folder}"),
             *("--figure", "{figures}/paper_table.png"),
@@ -41,17 +41,17 @@ PARTS = {
         ),
     ),
     "plants_differ": Part(
-        "What do plants that are all alike hide?",
+        "Does the search need within-line variation?",
         ("plants_differ.py", "--figure", "{figures}/plants_differ.png"),
         ("--under", str(CAMPAIGNS / "ames_quick.toml"), "--plants", "2"),
     ),
     "feasible": Part(
-        "What do plants cost that lines of maize show to be possible?",
+        "What does it cost to stay within measured maize lines?",
         ("feasible.py", "{folder}"),
         ("--rough", "--generations", "2"),
     ),
     "validation": Part(
-        "Does the canopy behave as maize does in the field?",
+        "Do the numbers agree with the field?",
         ("-m", "ideotype.tools.validate", "-o", "{figures}/facts"),
         ("--seeds", "2"),
     ),
@@ -69,7 +69,7 @@ PARTS = {
         ),
     ),
     "claims": Part(
-        "What are the claims of arXiv:2512.06064 worth?",
+        "Do the claims of arXiv:2512.06064 hold?",
         ("claims.py", "{folder}", "--table", "{study}/paper_table"),
         (
             *("--set-up", "stand, absorbed PAR"),
@@ -77,7 +77,7 @@ PARTS = {
         ),
     ),
     "what_matters": Part(
-        "Which traits make the difference?",
+        "Which traits matter?",
         (
             *("what_matters.py", "{folder}"),
             *("--figure", "{figures}/what_matters.png"),
@@ -88,7 +88,7 @@ PARTS = {
         ),
     ),
     "robust": Part(
-        "What does one plant for five sites cost?",
+        "Does one plant suit five latitudes?",
         ("robust.py", "{folder}", "--figure", "{figures}/robust.png"),
         ("--rough", "--latitudes", "7", "56.2", "--generations", "1"),
     ),
@@ -98,12 +98,12 @@ PARTS = {
         ("--rough", "--generations", "2", "--seeds", "1"),
     ),
     "robust_growing": Part(
-        "What does one plant for five sites cost where plants grow?",
+        "Does one plant suit five latitudes where plants grow?",
         ("robust.py", "{folder}", "--growing", "--generations", "20"),
         ("--rough", "--latitudes", "7", "56.2", "--generations", "1"),
     ),
     "traits_growing": Part(
-        "Which traits make the difference where plants grow?",
+        "Which traits matter where plants grow?",
         (
             *("what_matters.py", "{folder}", "--growing"),
             *("--only", "carbon_balance", "--samples", "256"),
@@ -129,7 +129,7 @@ PARTS = {
         ("--rough", "--generations", "2"),
     ),
     "water": Part(
-        "What evolves where leaves exchange water?",
+        "Does more carbon need more water?",
         (
             *("water_bred.py", "{folder}"),
             *("--generations", "12", "--seeds", "4"),
@@ -137,12 +137,12 @@ PARTS = {
         ("--rough", "--only", "strip", "--generations", "1", "--seeds", "1"),
     ),
     "growth_best": Part(
-        "Which plant has the most carbon of a season, if plants grow?",
+        "Does the search need plant growth?",
         ("growth_maps.py", "{folder}", "--only", "best", "--seeds", "6"),
         ("--rough", "--generations", "1", "--seeds", "1"),
     ),
     "growth_tops": Part(
-        "When does an erect top pay, if plants grow?",
+        "When does an erect top pay where plants grow?",
         (
             *("growth_maps.py", "{folder}", "--only", "tops"),
             *("--densities", "3", "8", "--seeds", "4"),
@@ -153,12 +153,12 @@ PARTS = {
         ),
     ),
     "seasons": Part(
-        "Do growing seasons agree with measured ones?",
+        "Why is the dry matter of measured seasons missed?",
         ("growth_maps.py", "{folder}", "--only", "season"),
         ("--rough",),
     ),
     "strips": Part(
-        "How much land do strips of maize and soybean save?",
+        "Do strips of maize and soybean save land?",
         (
             *("neighbours.py", "{folder}", "--only", "strips"),
             *("--generations", "20", "--seeds", "4"),
@@ -167,7 +167,7 @@ PARTS = {
         ("--rough", "--generations", "1", "--seeds", "1"),
     ),
     "invaders": Part(
-        "What is a plant worth that was bred to win?",
+        "Does a plant that outcompetes its neighbours make a good stand?",
         (
             *("neighbours.py", "{folder}", "--only", "invaders"),
             *("--generations", "20", "--seeds", "4"),
@@ -175,7 +175,7 @@ PARTS = {
         ("--rough", "--generations", "1", "--seeds", "1"),
     ),
     "panels_measured": Part(
-        "Do modules have the light that was measured?",
+        "Does the light on modules agree with measurements?",
         ("panels.py", "{folder}", "--only", "measured"),
         ("--rough",),
     ),
@@ -194,11 +194,11 @@ PARTS = {
         ("--rough", "--generations", "1", "--seeds", "1"),
     ),
     "strip_light": Part(
-        "Do strips have the light that was reported?",
+        "Does the light in strips agree with reports?",
         *(("strip_light.py",), ("--rough",)),
     ),
     "atlas": Part(
-        "How good can a plant of each kind be?",
+        "How good can each type of plant be?",
         ("atlas.py", "{folder}", "--figure", "{figures}/atlas.png"),
         ("--rough", "--generations", "2"),
     ),

@@ -1,17 +1,22 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Tell what maize transpires: CO2, leaf area, parts of the model, their cost.
+"""Measures transpiration of maize: CO2, leaf area, parts of the model, cost.
 
 water.py [--only PART] [--rough]
 
-Prints, for maize that assimilates by Collatz in the weather of Bondville: the response
-to 550 umol mol-1 of CO2 in a hot week of 2011, with the air of the canopy and without,
-beside the field's (Hussain et al. 2013, doi:10.1111/gcb.12155; Leakey et al. 2006);
-transpiration against leaf area index (Suyker and Verma 2008: linear up to 3 to 4, then
-flat); what each part of the model changes; the growing seasons of 2011 and of the
-drought of 2012; processor time over that without water, in pairs; and how far numbers of
-a season change if one origin of their error is made smaller. Parts are co2, area, parts,
-seasons, cost and error. --rough is for tests.
+Prints, for maize with photosynthesis by Collatz in the weather of Bondville:
+
+co2      the response to 550 umol mol-1 of CO2 in a hot week of 2011, with the air of the canopy
+         and without, and that of the field (Hussain et al. 2013, doi:10.1111/gcb.12155; Leakey et
+         al. 2006);
+area     transpiration against leaf area index (Suyker and Verma 2008: linear up to 3 to 4, then
+         flat);
+parts    the effect of each part of the model;
+seasons  the growing seasons of 2011 and of the drought of 2012;
+cost     processor time relative to that without water, in pairs;
+error    the change of a season's numbers if one source of error is made smaller.
+
+--rough is for tests.
 """
 
 from __future__ import annotations
@@ -146,9 +151,9 @@ def print_seasons(paths: int) -> None:
 
 
 def print_cost(paths: int, pairs: int) -> None:
-    """Prints processor time with water over that without, and over the square of
-    relative errors of carbon, which tells what an equal error costs. Pairs have
-    different seeds."""
+    """Prints the ratio of processor times with water and without, and the same times
+    the ratio of squared relative errors of carbon, the cost of an equal error. Pairs
+    have different seeds."""
     rows = []
     for name, keys in (
         ("the tolerance of a campaign", {}),

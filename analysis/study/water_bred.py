@@ -1,13 +1,14 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Finds what evolves where leaves exchange water, with a limit of water and without.
+"""Optimises maize with exchange of water, with and without a limit of water.
 
 water_bred.py FOLDER [--only KIND] [--generations N] [--seeds N] [--rough]
 
-Breeds maize for the carbon of a growing season at Bondville, of the mild year 2011 and of
-the drought of 2012, and for the net assimilation of a hot week in strips beside soybean and
-below rows of modules. Prints gains over the baseline, whose 95 % intervals hold the search,
-and what the best plants transpire; then what a plant loses that was bred in the other year.
+Optimises maize for the carbon of a growing season at Bondville, of the mild year 2011 and of the
+drought of 2012, and for the net assimilation of a hot week in strips with soybean and below rows
+of modules. Prints gains over the baseline, with 95 % intervals that include differences between
+searches, and the transpiration of the best plants; then the loss of a plant that was optimised in
+the other year.
 """
 
 from __future__ import annotations
@@ -114,8 +115,8 @@ def row_of(name: str, limit: float, case: Case) -> list[str]:
 def print_other_year(
     stands: dict[str, Stand], plants: dict[str, list[Path]]
 ) -> None:
-    """Prints the carbon of plants bred in a year over that of plants bred in
-    the other year."""
+    """Prints the carbon of plants optimised in a year relative to plants
+    optimised in the other year."""
     for year, other in (("2011", "2012"), ("2012", "2011")):
         gains = [
             gain_in(stands[year], best(b), best(a))

@@ -1,25 +1,26 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Measures which traits make the difference.
+"""Measures which traits matter for three objectives.
 
 what_matters.py FOLDER [--figure FILE.png] [--only OBJECTIVE...] [--samples N]
                 [--generations N] [--seeds N] [--draws N] [--rough]
 
-Looks at absorbed PAR and net assimilation on the clear day of ames.toml, and
-at the carbon balance of the season of bondville.toml, with plants that a
-breeder can select (bounds "breedable") and that differ as those of fields do.
+Objectives are absorbed PAR and net assimilation on the clear day of ames.toml,
+and the carbon balance of the season of bondville.toml. Traits are those that a
+breeder can select (bounds "breedable"), and stands have within-line variation.
 Prints
 
 * Sobol' indices of the traits over their bounds (`ideotype sensitivity`), with
   95 % intervals;
-* the shares of groups of traits of a bred plant in its gain over the baseline.
-  A share is the Shapley value: the mean of what a group adds over all orders
-  in which the groups can be taken over from the bred plant (Shapley 1953;
-  Owen 2014, doi:10.1137/130936233);
-* what a mistake of 10 deg costs the bred plant. Angles below 0 deg are 0.
+* the shares of groups of traits of an optimised plant in its gain over the
+  baseline. A share is the Shapley value: the mean contribution of a group over
+  all orders in which the groups can be taken over from the optimised plant
+  (Shapley 1953; Owen 2014, doi:10.1137/130936233);
+* the cost of a mistake of 10 deg to the optimised plant. Angles below 0 deg
+  are set to 0.
 
-± is half of a 95 % interval over randomisations that all plants share, or over
-seeds where that is larger.
+± is half of a 95 % interval over common randomisations, or over seeds where
+that is larger.
 """
 
 from __future__ import annotations
@@ -124,8 +125,8 @@ def is_of(stand: Stand, traits: Sequence[str]) -> np.ndarray:
 def combined(
     stand: Stand, bred: Numbers
 ) -> Iterator[tuple[frozenset[str], Numbers]]:
-    """Yields the baseline with all combinations of groups of traits of a bred
-    plant; the first has none."""
+    """Yields the baseline with all combinations of groups of traits of an
+    optimised plant; the first has none."""
     for count in range(len(GROUPS) + 1):
         for names in combinations(GROUPS, count):
             traits = [trait for name in names for trait in GROUPS[name]]
@@ -153,7 +154,7 @@ def shares(stand: Stand, bred: Numbers) -> dict[str, Estimate]:
     gain."""
     names, plants = zip(*combined(stand, bred), strict=True)
     if not np.array_equal(plants[-1], bred):
-        raise SystemExit("traits that were bred belong to no group")
+        raise SystemExit("a free trait belongs to no group")
     values = dict(zip(names, light(stand, np.array(plants)), strict=True))
     baseline = values[frozenset()]
     parts = {name: shapley(values, name) for name in GROUPS}
@@ -214,7 +215,7 @@ def look(objective: str, options: argparse.Namespace) -> Result:
     tables = campaign(objective, options.rough, options.growing)
     say(f"sensitivity of {objective}")
     found = indices(tables, options.samples, options.folder)
-    say(f"breeding for {objective}")
+    say(f"optimising for {objective}")
     plants = bred(tables, options)
     stand = Stand(tables)
     by_seed = [shares(stand, plant) for plant in plants]
@@ -245,7 +246,7 @@ def sobol(indices: Indices, which: str) -> dict[str, Estimate]:
 
 
 def interval(value: Estimate) -> str:
-    """Tells a 95 % interval."""
+    """Formats a 95 % interval."""
     mean, half = value[0], half_interval(value[1])
     return f"{mean:.2f} ({mean - half:.2f} .. {mean + half:.2f})"
 

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Tells what has been bred, whether the seeds agree, and what its parts pay.
+"""Measures the value of single features of optimised plants.
 
 what_pays.py --under CAMPAIGN HISTORY...
 
-Prints the traits of the best plant of each history and how alike they are.
-Then undoes one feature at a time, looks at all variants under the light of
-CAMPAIGN, and prints what the canopy loses, in % of the light that its leaves
+Prints the traits of the best plant of each history and their similarity. Then
+undoes one feature at a time, evaluates all variants under the light of
+CAMPAIGN, and prints the loss of the canopy, in % of the light that its leaves
 absorb, with 95 % intervals. Histories should be the seeds of one case.
 """
 
@@ -71,7 +71,7 @@ def alike(trait: str, a: Values, b: Values) -> float:
 
 
 def print_traits(plants: list[pd.DataFrame]) -> None:
-    """Prints a row per leaf, the plants beside each other."""
+    """Prints a row per leaf, with a column for each plant."""
     form = {"length": "{:.2f}", "width": "{:.3f}", "insertion_angle": "{:.0f}"}
     names = [*form, "azimuth"]
     print("| leaf | length m | width m | insertion_angle deg | azimuth deg |")

@@ -82,6 +82,59 @@ def test_documents_have_one_meaning_of_plus_minus(page: Path) -> None:
     assert not re.findall(r"(?m)(?<![\w./\])])\.\d.*", text)
 
 
+MARKED = r"(?s)<!-- (?:short )?study: \w+ -->\n.*?<!-- end of study -->"
+INTERVAL = r"(\d[\d,]*(?:\.\d+)?) ± (\d+(?:\.\d+)?)"
+SUMMARIES = ("index", "gains")
+"""The pages with a table that quotes tables of the study."""
+OTHER_SOURCES = {
+    "errata",
+    "how_made",
+    "organs_and_leaves",
+    "searches",
+    "costs",
+}
+"""The pages with numbers that no table of the study has."""
+
+
+def decimals(number: str) -> int:
+    return len(number.partition(".")[2])
+
+
+def value(number: str) -> float:
+    return float(number.replace(",", ""))
+
+
+def test_texts_quote_numbers_of_their_tables() -> None:
+    """A number with an interval in a text is that of a table, which may have
+    more decimals. The last digit of an interval may differ by one."""
+    quoted, tabulated = [], []
+    for page in PAGES:
+        text = page.read_text(encoding="utf-8")
+        outside = re.sub(MARKED, "", text)
+        for table in re.findall(MARKED, text):
+            tabulated += re.findall(INTERVAL, table)
+        rows = "\n".join(re.findall(r"(?m)^\|.*$", outside))
+        if page.stem in SUMMARIES:
+            quoted += [
+                (page.stem, *pair) for pair in re.findall(INTERVAL, rows)
+            ]
+        else:
+            tabulated += re.findall(INTERVAL, rows)
+        prose = re.sub(r"(?m)^\|.*$", "", outside)
+        if page.stem not in OTHER_SOURCES:
+            quoted += [
+                (page.stem, *pair) for pair in re.findall(INTERVAL, prose)
+            ]
+    numbers = [(value(mean), value(half)) for mean, half in tabulated]
+    assert len(quoted) > 50
+    for name, mean, half in quoted:
+        assert any(
+            abs(other - value(mean)) <= 0.501 * 10 ** -decimals(mean)
+            and abs(other_half - value(half)) <= 1.001 * 10 ** -decimals(half)
+            for other, other_half in numbers
+        ), f"{name}: no table has {mean} ± {half}"
+
+
 def test_each_bred_trait_is_changed_alone_in_both_directions(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

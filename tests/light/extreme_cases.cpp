@@ -48,7 +48,7 @@ void grazing_sun(Findings& findings) {
                              "no hang");
         }
     findings.require(least > .85, "leaves take more than .85");
-    findings.say(fmt::format("leaves take at least {:.3f}", least));
+    findings.say(fmt::format("leaves absorb at least {:.3f}", least));
 }
 
 void low_sun_along_the_row(Findings& findings) {
@@ -205,23 +205,23 @@ void vertices_beyond_reason(Findings& findings) {
 
 std::vector<ExtremeCase> extreme_suns_and_fields() {
     return {
-        {"sun at .01, .1, 1 deg, five azimuths", "leaves take > .85, no hang",
-         grazing_sun},
-        {"sun at 10, 5, 2, .1 deg along the row", "leaves take > .9",
+        {"sun at 0.01, 0.1, 1 deg, five azimuths",
+         "leaves absorb > 0.85, and it ends", grazing_sun},
+        {"sun at 10, 5, 2, 0.1 deg along the row", "leaves absorb > 0.9",
          low_sun_along_the_row},
         {"sun at the zenith", "the same from any azimuth", sun_at_the_zenith},
-        {"sun exactly along a lattice axis", "the same as 1e-6 deg beside it",
+        {"sun exactly along a lattice axis", "the same as 1e-6 deg away",
          sun_along_a_lattice_axis},
-        {"clear sky, sun at the zenith and on the horizon", "leaves take > .9",
-         clear_sky_on_the_horizon},
+        {"clear sky, sun at the zenith and on the horizon",
+         "leaves absorb > 0.9", clear_sky_on_the_horizon},
         {"rays at edges, vertices, corners of the cell",
          "none passes a closed sheet", edges_and_vertices},
         {"closed mirror of tiles over white soil", "reflected 1",
          closed_mirror},
         {"100 x 100 plants", "the same as 1 plant", many_plants},
-        {"plants 1 cm apart", "leaves take > .9, soil < .001",
+        {"plants 1 cm apart", "leaves absorb > 0.9, soil < 0.001",
          one_centimetre_apart},
-        {"plants 50 m apart", "a black plant takes its projected area",
+        {"plants 50 m apart", "a black plant absorbs its projected area",
          fifty_metres_apart},
         {"field 10 km from the origin", "the same as at the origin",
          ten_kilometres_away},

@@ -28,7 +28,7 @@ double leaves_over_day(Findings& findings, const LightSeries& day) {
     const Fractions f =
         findings.closing(mesh, own_cell, par, illumination.light, {512, 4});
     findings.require(f.leaves.mean > .8 && f.leaves.mean < 1,
-                     "leaves take .8 to 1");
+                     "leaves absorb 0.8 to 1");
     return f.leaves.mean;
 }
 
@@ -167,13 +167,13 @@ void too_few_paths(Findings& findings) {
 }  // namespace
 
 std::vector<ExtremeCase> extreme_days_and_paths() {
-    return {{"21 June from pole to pole", "leaves take .8 to 1", solstice},
+    return {{"21 June from pole to pole", "leaves absorb 0.8 to 1", solstice},
             {"leap day, both hemispheres", "between its neighbours", leap_day},
             {"polar night, both hemispheres", "zeros, no NaN", polar_night},
-            {"sun that rises between two steps", "leaves take .8 to 1",
+            {"sun that rises between two steps", "leaves absorb 0.8 to 1",
              sunrise_between_steps},
             {"1 path", "finite", one_path},
-            {"path indices beyond 2^32", "the same within errors",
+            {"path indices beyond 2^32", "the same within standard errors",
              paths_beyond_two_to_the_32},
             {"ends of a net of 2^31 paths", "uniform in [0, 1)",
              last_paths_of_the_largest_net},

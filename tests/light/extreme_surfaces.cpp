@@ -74,7 +74,7 @@ void leaves_of_three_metres(Findings& findings) {
         in_lattice(two_leaves(3, .14, 40), {1, 1, {.76, .15}, 0});
     const Fractions f = findings.closing(field, own_cell, par, uniform_sky());
     findings.require(f.leaves.mean > .9, "leaves take more than .9");
-    findings.say(fmt::format("leaves take {:.3f}", f.leaves.mean));
+    findings.say(fmt::format("leaves absorb {:.3f}", f.leaves.mean));
 }
 
 void duplicate_faces(Findings& findings) {
@@ -103,8 +103,8 @@ void faces_without_area(Findings& findings) {
     const auto leaves = [&](const Mesh& m) {
         return findings.closing(m, own_cell, par, uniform_sky()).leaves.mean;
     };
-    findings.require(leaves(more) == leaves(mesh), "not a bit changes");
-    findings.say("the same bits");
+    findings.require(leaves(more) == leaves(mesh), "bit-identical results");
+    findings.say("bit-identical");
 }
 
 void coincident_leaves(Findings& findings) {
@@ -158,26 +158,27 @@ void scattering_from_none_to_all(Findings& findings) {
 }  // namespace
 
 std::vector<ExtremeCase> extreme_surfaces() {
-    return {{"vertical leaves", "nothing from the zenith; area / tan e aside",
-             vertical_leaves},
-            {"plant of leaves at 0 deg", "balance", upright_plant},
-            {"leaf in the side of the cell", "met from both sides",
-             leaf_in_the_boundary},
-            {"horizontal leaves", "their area, whatever the sun",
-             horizontal_leaves},
-            {"leaves of 1 mm", ".3 to 1 of the light on their area",
-             leaves_of_a_millimetre},
-            {"leaves of 3 m", "leaves take > .9", leaves_of_three_metres},
-            {"every face twice", "the same as once", duplicate_faces},
-            {"faces without area", "not a bit changes", faces_without_area},
-            {"coincident leaves of neighbours", "the same as one",
-             coincident_leaves},
-            {"leaf tips below the soil", "only what is above counts",
-             tips_below_the_soil},
-            {"leaf on the soil", "balance", leaf_on_the_soil},
-            {"rho + tau 0 to .98 and 1, albedo 0, .5, 1",
-             "nothing absorbed exactly where nothing absorbs",
-             scattering_from_none_to_all}};
+    return {
+        {"vertical leaves",
+         "nothing from the zenith; from the side area / tan e",
+         vertical_leaves},
+        {"plant of leaves at 0 deg", "balance", upright_plant},
+        {"leaf in the side of the cell", "met from both sides",
+         leaf_in_the_boundary},
+        {"horizontal leaves", "their area under any sun", horizontal_leaves},
+        {"leaves of 1 mm", "0.3 to 1 of the light on their area",
+         leaves_of_a_millimetre},
+        {"leaves of 3 m", "leaves absorb > 0.9", leaves_of_three_metres},
+        {"every face twice", "the same as once", duplicate_faces},
+        {"faces without area", "bit-identical results", faces_without_area},
+        {"coincident leaves of neighbours", "the same as one",
+         coincident_leaves},
+        {"leaf tips below the soil", "only the parts above count",
+         tips_below_the_soil},
+        {"leaf on the soil", "balance", leaf_on_the_soil},
+        {"rho + tau 0 to 0.98 and 1, albedo 0, 0.5, 1",
+         "0 absorbed if and only if nothing absorbs",
+         scattering_from_none_to_all}};
 }
 
 }  // namespace ideotype

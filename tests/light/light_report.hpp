@@ -5,11 +5,16 @@
 
 namespace ideotype {
 
-//! Sections of README.md; each is written to standard output when it is found.
+//! Sections of README.md, on standard output.
 
-//! Writes every known value against ours in the usual setup.
+//! Writes the largest deviation from known values for each stand, in the usual
+//! setup.
 //! @param thrift see compare()
 void report_references(int thrift);
+
+//! Writes reference_values.md: every known value against ours.
+//! @param thrift see compare()
+void report_values(int thrift);
 
 //! Writes the deviations in all setups of the engine.
 //! @param thrift see compare()
@@ -18,10 +23,10 @@ void report_setups(int thrift);
 //! Writes expectation, balance error and result of every extreme case.
 void report_extremes();
 
-//! Writes the spread of many estimates over the error that each reports.
+//! Writes the ratio of the spread of many estimates to their standard errors.
 void report_honesty();
 
-//! Writes how depth buffers compare with rays.
+//! Writes a comparison of depth buffers with rays.
 void report_first_hits();
 
 //! Writes the standard error of the baseline at Ames against paths.

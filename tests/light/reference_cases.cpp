@@ -157,7 +157,7 @@ void add_two_stream(std::vector<ReferenceScene>& scenes) {
                           {32768, 256}});
         // A sample of 7,500 leaves is good to 0.003, which is four of these
         // errors.
-        scenes.push_back({"two-stream, to .003",
+        scenes.push_back({"two-stream, to 0.003",
                           mesh_of("poisson_horizontal_L3"),
                           Kind::fixed,
                           unit_cell,

@@ -11,10 +11,10 @@ namespace ideotype {
 void report_extremes() {
     const std::vector<ExtremeCase> all = extreme_cases();
     fmt::print(
-        "\n## Extremes\n\n**{} cases**; balance is the largest relative "
-        "error of the balance in any\nrandomisation, - where nothing is "
-        "traced.\n\n| case | expectation | balance | result "
-        "|\n|---|---|---|---|\n",
+        "\n## Extremes\n\nDoes the engine hold at the limits of suns, fields, "
+        "surfaces, days and paths? **{} cases**; the energy\nbalance is the "
+        "largest relative error in any randomisation.\n\n| case | expectation "
+        "| energy balance | result |\n|---|---|---|---|\n",
         all.size());
     for (const ExtremeCase& extreme : all) {
         Findings findings;

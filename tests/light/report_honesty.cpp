@@ -65,12 +65,11 @@ void report_honesty() {
                                           accuracy, {5000 + run, 0, 0}));
     }
     fmt::print(
-        "\n## Standard errors\n\nThe spread of the estimates of {} independent "
-        "runs of one scene (maize1, a\nuniform sky and suns at 10, 40, 65 "
-        "deg), "
-        "divided by the standard error that they\nreport; 1 if that is honest. "
-        "In brackets: the part of first hits that depth buffers saw.\n\n"
-        "| figure |",
+        "\n## Standard errors\n\nAre reported standard errors right? The table "
+        "has the spread of {} independent runs (maize1, a uniform sky and\n"
+        "suns at 10, 40, 65 deg) over the reported s.e.; 1 is right. In "
+        "brackets: the part of first hits by depth buffers.\n\n"
+        "| quantity |",
         runs);
     for (std::size_t a = 0; a < all.size(); ++a)
         fmt::print(
@@ -79,7 +78,7 @@ void report_honesty() {
             1 - static_cast<double>(all[a][0][0].rays) / accuracies[a].paths);
     fmt::print("\n|---|---|---|\n");
     for (const auto& [name, figure] :
-         {std::pair<std::string, Figure>{"leaves in all", total},
+         {std::pair<std::string, Figure>{"all leaves", total},
           {"leaf 6", [](const Tally& t) { return t.groups[5]; }},
           {"leaves under the sun at 40 deg",
            [](const Tally& t) { return t.sources[2].leaves; }},

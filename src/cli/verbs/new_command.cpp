@@ -147,7 +147,7 @@ std::string variation_text(const std::optional<CropVariation>& known) {
 
 //! Returns the number of rows, or of plants in a row, of one of several small
 //! fields. Cells of 2 x 2 maize plants, 0.30 m long, were tested
-//! (tests/benchmark/README.md); closer plants need more of them to have as much
+//! (tests/benchmark/stands.md); closer plants need more of them to have as much
 //! space.
 int count_in_cell(double distance) {
     constexpr double tested = 0.30;

@@ -100,75 +100,75 @@ bool is_search(const Spec& spec) {
 constexpr Key top_keys[] = {
     key<&Spec::name>("name", name_text, required("\"ames\""), "name of the campaign, and of the folder of its histories"),
     key<&Spec::seed>("seed", words("0 .. 2^63-1"), usual(), "seed of all random numbers"),
-    key<&Spec::replicates>("replicates", within(1, 1000), usual(), "number of evolutions, each with a seed of its own, for each combination of the axes"),
+    key<&Spec::replicates>("replicates", within(1, 1000), usual(), "number of independent searches for each combination of the axes, each with another seed"),
 };
 
 constexpr Key traits_keys[] = {
     key<&NamedTraits::name>("name", name_text, required("\"angles\""), "name of the trait set, a part of the names of cases"),
-    key<&NamedTraits::value>("free", from_file(Names::traits, "traits of the crop file"), required("[\"insertion_angle\", \"azimuth\"]"), "traits that may be bred; all others keep the baseline's values").quiet(),
+    key<&NamedTraits::value>("free", from_file(Names::traits, "traits of the crop file"), required("[\"insertion_angle\", \"azimuth\"]"), "traits that the search may change; all others have the baseline's values").quiet(),
 };
 
 constexpr Key plant_keys[] = {
     key_of<PlantSpec>("baseline", source, required("\"crops/mine.toml\""), "crop file, relative to the campaign file; or its content as [plant.baseline]"),
-    key<&PlantSpec::crop, &CropSpec::rule>("bounds", rule("\"traits\", or a rule of the crop file"), usual(), "a rule of the crop file, \"traits\" for the ranges of its traits, or own values as [plant.bounds]").written_if<PlantSpec, has_rule>(),
-    key<&PlantSpec::organs>("organs", from_file(Names::organs, "of \"stalk\", \"sheath\", \"petiole\" and the crop file's [[organ]] tables"), by("those that the crop file has present"), "organs besides leaves that plants have"),
-    key<&PlantSpec::stage>("stage", within(0, 2), usual(), "development stage of plants that do not grow, silking at 1 and maturity at 2: their leaves have the capacity of that age by growth.ageing of the crop; nothing else follows it").quiet(),
-    key<&PlantSpec::tessellation, &Tessellation::cells_along>("cells_along", within(4, 200), usual(), "faces along a leaf with two across; leaflets have two thirds as many, with four across").trades({6, 8, 12, 16, 24}),
-    key<&PlantSpec::tessellation, &Tessellation::stalk_sides>("stalk_sides", within(3, 100), usual(), "faces around stalks and sheaths").trades<PlantSpec, has_organs>({3, 6, 12}),
+    key<&PlantSpec::crop, &CropSpec::rule>("bounds", rule("\"traits\", or a rule of the crop file"), usual(), "bounds of traits: a rule of the crop file, \"traits\" for the ranges of its traits, or values in [plant.bounds]").written_if<PlantSpec, has_rule>(),
+    key<&PlantSpec::organs>("organs", from_file(Names::organs, "of \"stalk\", \"sheath\", \"petiole\" and the crop file's [[organ]] tables"), by("those that the crop file has present"), "organs of plants in addition to leaves"),
+    key<&PlantSpec::stage>("stage", within(0, 2), usual(), "development stage of plants that do not grow, silking at 1 and maturity at 2: their leaves have the capacity of that age by growth.ageing of the crop; it has no other effect").quiet(),
+    key<&PlantSpec::tessellation, &Tessellation::cells_along>("cells_along", within(4, 200), usual(), "number of faces along a leaf, with two across; leaflets have two thirds as many, with four across").trades({6, 8, 12, 16, 24}),
+    key<&PlantSpec::tessellation, &Tessellation::stalk_sides>("stalk_sides", within(3, 100), usual(), "number of faces around stalks and sheaths").trades<PlantSpec, has_organs>({3, 6, 12}),
 };
 
 constexpr Key trait_bounds_keys[] = {
-    itself<Range>("TRAIT", within(-1000, 1000), by("the range of the trait", "[0.4, 1.1]"), "range of each number of the trait"),
+    itself<Range>("TRAIT", Values{.lower = -1000, .upper = 1000, .range = "within that of the measure"}, by("the range of the trait", "[0.4, 1.1]"), "lower and upper bound of each value of the trait, in the unit of the trait"),
 };
 
 constexpr Key component_keys[] = {
-    key<&ComponentSpec::name>("name", name_text, required("\"weed\""), "name of the kind of plant, as files and figures tell it"),
-    key_of<ComponentSpec>("crop", source, required("\"crops/mine.toml\""), "crop file of its plants, relative to the campaign file; or its content as [component.crop]").or_by("mesh").excluding("mesh"),
+    key<&ComponentSpec::name>("name", name_text, required("\"weed\""), "name of the component in files and figures"),
+    key_of<ComponentSpec>("crop", source, required("\"crops/mine.toml\""), "crop file of the plants, relative to the campaign file; or its content as [component.crop]").or_by("mesh").excluding("mesh"),
     key<&ComponentSpec::mesh, &ComponentMesh::file>("mesh", file_path, none("\"tree.obj\""), "Wavefront OBJ file of one plant in metres, z up, y along the rows, its foot at the origin; instead of `crop`").written_if<ComponentSpec, has_mesh>(),
     key<&ComponentSpec::mesh, &ComponentMesh::vertices>("vertices", numbers(0, 0, "m"), by("those of the mesh", "[0, 1, 2, 2]"), "coordinates of each vertex, as the program writes them instead of a file").written_if<ComponentSpec, has_mesh>(),
     key<&ComponentSpec::mesh, &ComponentMesh::faces>("faces", numbers(0, 0), by("those of the mesh", "[0, 1, 2, 2]"), "four vertices of each face, from 0").written_if<ComponentSpec, has_mesh>(),
     key<&ComponentSpec::mesh, &ComponentMesh::groups>("group_names", any_value, by("those of the mesh", "[\"leaf01\"]"), "names of the groups of the mesh").written_if<ComponentSpec, has_mesh>(),
     key<&ComponentSpec::mesh, &ComponentMesh::face_groups>("face_groups", numbers(0, 0), by("those of the mesh", "[0, 0, 1]"), "group of each face, from 0").written_if<ComponentSpec, has_mesh>(),
-    key<&ComponentSpec::free>("free", from_file(Names::traits, "traits of its crop file"), usual("[\"width\"]"), "traits of it that are bred; without any it stays as its crop file has it").quiet().excluding("mesh"),
-    key<&ComponentSpec::crop, &CropSpec::rule>("bounds", rule("\"traits\", or a rule of its crop file"), usual(), "bounds of its traits, chosen as by `plant.bounds` from its own crop file; or the table [component.bounds]").quiet().excluding("mesh"),
-    key_of<ComponentSpec>("variation", Values{.type = "table"}, by("as the field"), "table of how its plants differ, with the keys of [field.variation], in the place of the field's; {} for plants that do not differ").excluding("mesh"),
-    key<&ComponentSpec::rows>("rows", numbers(1, 100, "", "list of integers"), none("[2, 4]"), "rows of the field that it stands in instead of the crop's plants, counted from 1"),
-    key<&ComponentSpec::mixed>("mixed", within(0, 10000), usual(), "number of places of bred plants that it takes, drawn anew for each generation, in the place of `rows`").quiet(),
+    key<&ComponentSpec::free>("free", from_file(Names::traits, "traits of its crop file"), usual("[\"width\"]"), "traits that the search may change; without any the plants are those of the crop file").quiet().excluding("mesh"),
+    key<&ComponentSpec::crop, &CropSpec::rule>("bounds", rule("\"traits\", or a rule of its crop file"), usual(), "bounds of its traits: as for `plant.bounds`, by its crop file; or the table [component.bounds]").quiet().excluding("mesh"),
+    key_of<ComponentSpec>("variation", Values{.type = "table"}, by("as the field"), "within-line variation of its plants, with the keys of [field.variation], instead of that of the field; {} for uniform plants").excluding("mesh"),
+    key<&ComponentSpec::rows>("rows", numbers(1, 100, "", "list of integers"), none("[2, 4]"), "rows of the field with this component instead of the plant of [plant], counted from 1"),
+    key<&ComponentSpec::mixed>("mixed", within(0, 10000), usual(), "number of plants of [plant] that it replaces, at random positions in each generation; instead of `rows`").quiet(),
     key<&ComponentSpec::plants>("plants", within(0, 1000), usual(), "number of plants in each of its rows; 0: as many as `field.plants`").quiet(),
-    key<&ComponentSpec::later>("later", within(0, 200, "d"), usual(), "days from `climate.emergence` to its own emergence").quiet().excluding("mesh"),
-    key<&ComponentSpec::jitter>("jitter", within(0, 180, "deg"), by("as the field"), "largest random turn of each of its plants, in the place of `field.jitter` and `field.variation.across_row`"),
+    key<&ComponentSpec::later>("later", within(0, 200, "d"), usual(), "days from `climate.emergence` to the emergence of this component").quiet().excluding("mesh"),
+    key<&ComponentSpec::jitter>("jitter", within(0, 180, "deg"), by("as the field"), "largest random turn of each of its plants, instead of `field.jitter` and `field.variation.across_row`"),
 };
 
 constexpr Key light_keys[] = {
-    key<&LightSpec::paths>("paths", within(16, 16'777'216), by("16384"), "light paths per randomisation; with a tolerance at most").trades<LightSpec, has_no_tolerance>({1024, 4096, 16384, 65536}),
+    key<&LightSpec::paths>("paths", within(16, 16'777'216), by("16384"), "light paths per randomisation; with a tolerance the largest number").trades<LightSpec, has_no_tolerance>({1024, 4096, 16384, 65536}),
     key<&LightSpec::randomisations>("randomisations", within(2, 1024), usual(), "independent repetitions; their spread gives the standard error"),
-    key<&LightSpec::fields>("fields", within(1, 256), usual(), "random fields among which the randomisations are divided; with several, standard errors contain how fields differ").quiet(),
-    key<&LightSpec::tolerance>("tolerance", fraction(0, 0.1), by("0.005, or 0 if paths is given"), "relative standard error of the leaves' light that is expected of each evaluation, with as few paths as that takes; 0: none, all paths").trades<LightSpec, has_tolerance>({0.02, 0.01, 0.005, 0.0025}),
-    key<&LightSpec::band>("band", texts("par", "nir"), by("\"par\""), "waveband in which the tolerance bounds the light of leaves; first hits of light are shared by all bands, and scattered light of the others gets about as many paths"),
-    key<&LightSpec::sky>("sky", any_value, usual(), "distribution of the radiance of diffuse light: even, or as CIE overcast or clear skies"),
-    key<&LightSpec::dates>("dates", within(1, 366), by("3"), "number of dates of a climate whose suns stand for those of all dates, the nearest for each hour; stages of plants that grow share them out").trades<LightSpec, has_dates>({1, 2, 3, 6, 12}),
+    key<&LightSpec::fields>("fields", within(1, 256), usual(), "number of random fields among which the randomisations are divided; with several, standard errors include differences between fields").quiet(),
+    key<&LightSpec::tolerance>("tolerance", fraction(0, 0.1), by("0.005, or 0 if paths is given"), "expected relative standard error of the light absorbed by leaves in each evaluation, met with as few paths as possible; 0: none, all paths").trades<LightSpec, has_tolerance>({0.02, 0.01, 0.005, 0.0025}),
+    key<&LightSpec::band>("band", texts("par", "nir"), by("\"par\""), "waveband of the tolerance; all bands share first hits, and scattered light of the others gets about as many paths"),
+    key<&LightSpec::sky>("sky", any_value, usual(), "distribution of the radiance of diffuse light: uniform, or CIE overcast or clear sky"),
+    key<&LightSpec::dates>("dates", within(1, 366), by("3"), "number of dates of a climate with traced suns; each hour of other dates has the nearest of them; stages of growing plants share the dates").trades<LightSpec, has_dates>({1, 2, 3, 6, 12}),
     key<&LightSpec::stages>("stages", within(1, 40), by("10"), "number of ages at which the canopy of growing plants is evaluated; hours between two of them are linear in thermal time").trades<LightSpec, has_stages>({4, 7, 10, 20}),
 };
 
 constexpr Key objective_keys[] = {
-    key<&ObjectiveSpec::maximised>("maximise", objectives(nullptr), usual(), "any single number of the canopy: on a mean day light that leaves absorb, CO2 that they assimilate (net of their respiration while there is light) or carbon that is left (net of day and night, and of building leaves), per area of ground or of leaf; parts of the light; leaf area; \"NAME.net_assimilation\" is that of one component").written_if<ObjectiveSpec, maximises>(),
-    key<&ObjectiveSpec::minimised>("minimise", objectives("as maximise"), usual(), "quantities to minimise; several objectives are for nsga2"),
-    key<&ObjectiveSpec::weights>("weights", numbers(-1000, 1000), none("[1, 0.5]"), "weights in each objective of the plants that are bred and then of each [[component]]; without them objectives are those of all plants together"),
-    key<&ObjectiveSpec::sole>("sole", numbers(1e-06, 1e6), none("[1.1, 0.9]"), "values of the objective, in its unit, that the plants that are bred and then each [[component]] have when they stand alone: the objective is then the land equivalent ratio, the sum of the value of each over its value alone"),
-    key<&ObjectiveSpec::sole_errors>("sole_errors", numbers(0, 1e6), none("[0.002, 0.001]"), "standard errors of `sole`, which `evaluate` adds to that of the ratio; all rows share them, so that differences have none of them"),
-    key<&ObjectiveSpec::over>("over", axes(), usual(), "axes whose entries are scenarios, not cases: each plant is evaluated in all of them").written_if<ObjectiveSpec, has_scenarios>(),
-    key<&ObjectiveSpec::across>("scenarios", any_value, usual(), "value of each objective over scenarios: the mean, or that of the scenario where it is worst").written_if<ObjectiveSpec, has_scenarios>(),
+    key<&ObjectiveSpec::maximised>("maximise", objectives(nullptr), usual(), "quantity to maximise, any scalar of the canopy on a mean day: absorbed PAR, assimilation (net of leaf respiration in light) or net carbon balance (net of all respiration and of construction cost), per area of ground or of leaf; fractions of the light; leaf area; \"NAME.net_assimilation\" is that of one component").written_if<ObjectiveSpec, maximises>(),
+    key<&ObjectiveSpec::minimised>("minimise", objectives("as maximise"), usual(), "quantities to minimise; several objectives need nsga2"),
+    key<&ObjectiveSpec::weights>("weights", numbers(-1000, 1000), none("[1, 0.5]"), "weights of the plant of [plant] and of each [[component]] in each objective; without them objectives are those of all plants together"),
+    key<&ObjectiveSpec::sole>("sole", numbers(1e-06, 1e6), none("[1.1, 0.9]"), "values of the objective, in its unit, of sole stands of the plant of [plant] and of each [[component]]: the objective is then the land equivalent ratio, the sum of their values over these"),
+    key<&ObjectiveSpec::sole_errors>("sole_errors", numbers(0, 1e6), none("[0.002, 0.001]"), "standard errors of `sole`, which `evaluate` adds to that of the ratio; all rows share them, so they cancel in differences"),
+    key<&ObjectiveSpec::over>("over", axes(), usual(), "axes with entries that are scenarios, not cases: each plant is evaluated in all of them").written_if<ObjectiveSpec, has_scenarios>(),
+    key<&ObjectiveSpec::across>("scenarios", any_value, usual(), "value of each objective over scenarios: the mean, or the worst").written_if<ObjectiveSpec, has_scenarios>(),
 };
 
 constexpr Key constraints_keys[] = {
-    key<&Constraints::lai>("lai", within(0, 1000, "m2 m-2"), usual("[3.4, 3.5]"), "leaf area over ground area; a narrow range fixes it"),
+    key<&Constraints::lai>("lai", within(0, 1000, "m2 m-2"), usual("[3.4, 3.5]"), "leaf area index; a narrow range fixes it"),
 };
 
 constexpr Key trait_constraint_keys[] = {
     key<&TraitConstraint::step>("step", within(0, 360), usual(), "largest difference between neighbouring leaves; 0: any"),
     key<&TraitConstraint::total>("total", within(0, 1e9), usual(), "range of the sum over all leaves"),
-    key<&TraitConstraint::is_falling>("falling", any_value, usual(), "true if no leaf may have more than the one below it"),
-    key<&TraitConstraint::distichous>("distichous", within(0, 90, "deg"), usual(), "largest distance of azimuths from one plane between whose two sides leaves alternate; 0: any"),
+    key<&TraitConstraint::is_falling>("falling", any_value, usual(), "true if values may not increase from a leaf to the next higher one"),
+    key<&TraitConstraint::distichous>("distichous", within(0, 90, "deg"), usual(), "largest distance of azimuths from one plane, with leaves alternately on its two sides; 0: any"),
     key<&TraitConstraint::range>("range", within(-1e9, 1e9), usual(), "range of each leaf"),
     key<&TraitConstraint::highest>("highest", within(0, 40), usual(), "number of leaves that the range limits, counted from the highest down; 0: all"),
 };
@@ -179,15 +179,15 @@ constexpr Key correlations = key<Path..., &MeasuredLines::correlations>("correla
 
 constexpr Key feasibility_keys[] = {
     key_of<Feasibility>("lines", file_path, none(), "file of measured lines, relative to the campaign file; or its content as [[feasibility.trait]] and [[feasibility.line]]"),
-    key<&Feasibility::limit>("limit", within(0, 1000), usual(), "largest Mahalanobis distance from the mean of the lines that is allowed; 0: any"),
+    key<&Feasibility::limit>("limit", within(0, 1000), usual(), "largest allowed Mahalanobis distance from the mean of the lines; 0: any"),
     correlations<&Feasibility::lines>,
 };
 
 constexpr Key lines_keys[] = {correlations<>};
 
 constexpr Key line_trait_keys[] = {
-    key<&LineTrait::measure>("measure", words("measures of the plant"), required("\"leaf.insertion_angle\""), "measure of plants that was taken of several lines"),
-    key<&LineTrait::leaf>("leaf", words("\"ear\", \"ear+1\", \"top-1\", ..."), by("none: not of leaves"), "leaf whose measure it is, by its distance from the leaf at the ear or from the highest one"),
+    key<&LineTrait::measure>("measure", words("measures of the plant"), required("\"leaf.insertion_angle\""), "measure of plants that was taken in several lines"),
+    key<&LineTrait::leaf>("leaf", words("\"ear\", \"ear+1\", \"top-1\", ..."), by("none: not of leaves"), "leaf with this measure, counted from the leaf at the ear or from the highest one"),
     key<&LineTrait::mean>("mean", within(-1000, 1000), required("20"), "mean of the lines, in the unit of the measure"),
     key<&LineTrait::deviation>("deviation", within(1e-06, 1000), required("5"), "standard deviation of the lines"),
 };
@@ -198,37 +198,37 @@ constexpr Key line_keys[] = {
 };
 
 constexpr Key search_keys[] = {
-    key<&SearchSpec::optimizer>("optimizer", any_value, by("\"auto\""), "optimizer that proposes the candidates: a race of two searches by CMA-ES with restarts, the genetic algorithm, a single CMA-ES, NSGA-II for several objectives, the best plant of each kind, or without learning: chance or points of the Sobol' sequence"),
+    key<&SearchSpec::optimizer>("optimizer", any_value, by("\"auto\""), "optimizer that proposes the candidates: a race of two CMA-ES searches with restarts, the genetic algorithm, a single CMA-ES, NSGA-II for several objectives, the best plant of each kind, random points, or points of the Sobol' sequence"),
     key<&SearchSpec::population>("population", within(2, 100000), by("100; of CMA-ES 4 + 3 ln(free genes), of auto 2.5 times that"), "plants per generation"),
-    key<&SearchSpec::streams>("streams", within(1, 1000), usual(), "number of independent searches whose generations take turns, so that many workers do not wait for the end of a generation; not by chance"),
-    key<&SearchSpec::ga, &GaSettings::elites>("elites", within(0, 99999), usual(), "best plants carried over and evaluated again; fewer than the population"),
+    key<&SearchSpec::streams>("streams", within(1, 1000), usual(), "number of independent searches with generations in turn, so that many workers do not wait for the end of a generation; not for random search"),
+    key<&SearchSpec::ga, &GaSettings::elites>("elites", within(0, 99999), usual(), "best plants carried over and re-evaluated; fewer than the population"),
     key<&SearchSpec::ga, &GaSettings::tournament>("tournament", within(1, 100000), usual(), "contestants per selected parent; at most the population"),
-    key<&SearchSpec::start>("start", numbers(0, 0), usual(), "plant to begin around by auto and CMA-ES, a number for each gene; see run --start; none: the baseline"),
+    key<&SearchSpec::start>("start", numbers(0, 0), usual(), "genes of the plant around which auto and CMA-ES begin, as of run --start; none: the baseline"),
     key<&SearchSpec::reference>("reference", numbers(0, 0), by("the worst of each in generation 0"), "reference point of several objectives, in their order and units; the hypervolume of a generation is relative to it"),
 };
 
 constexpr Key varied_keys[] = {
-    key<&KeyFactor::key>("key", any_value, required("\"optics.soil_albedo\""), "number of field, spacing, panel, optics, photosynthesis or plant.baseline that is varied"),
-    key<&KeyFactor::range>("range", any_value, required("[0.05, 0.3]"), "range in which it is searched, beside the genes of the plant"),
+    key<&KeyFactor::key>("key", any_value, required("\"optics.soil_albedo\""), "varied number of field, spacing, panel, optics, photosynthesis or plant.baseline"),
+    key<&KeyFactor::range>("range", any_value, required("[0.05, 0.3]"), "range of the search"),
 };
 
 constexpr Key axis_keys[] = {
-    key<&AtlasAxis::quantity>("quantity", quantities("as maximise"), required("\"lai\""), "quantity that tells kinds of plants apart, any that could be an objective"),
-    key<&AtlasAxis::range>("range", any_value, required("[2, 6]"), "values that are divided into cells, in the unit of the quantity"),
+    key<&AtlasAxis::quantity>("quantity", quantities("as maximise"), required("\"lai\""), "quantity that defines kinds of plants, any that could be an objective"),
+    key<&AtlasAxis::range>("range", any_value, required("[2, 6]"), "range that is divided into cells, in the unit of the quantity"),
     key<&AtlasAxis::cells>("cells", within(1, 1000), usual(), "number of cells of equal width; all axes together have at most 1000"),
 };
 
 constexpr Key sensitivity_keys[] = {
-    key<&SensitivitySpec::method>("method", any_value, usual(), "method: Sobol' indices of the variance, first order and total, or elementary effects by Morris"),
-    key<&SensitivitySpec::samples>("samples", within(4, 131072), by("1024; of morris 64"), "number of base samples of Sobol', best a power of two, each of 2 rows and one per factor; or of trajectories of Morris, each of 1 row and one per factor"),
-    key<&SensitivitySpec::levels>("levels", within(2, 100), usual(), "even number of values that each number takes by Morris"),
-    key<&SensitivitySpec::groups>("groups", any_value, usual(), "factor: all numbers of a trait, or each gene"),
+    key<&SensitivitySpec::method>("method", any_value, usual(), "method: Sobol' indices of the variance, first order and total, or elementary effects after Morris"),
+    key<&SensitivitySpec::samples>("samples", within(4, 131072), by("1024; of morris 64"), "number of base samples after Sobol', best a power of two, each of 2 rows and one per factor; or of trajectories after Morris, each of 1 row and one per factor"),
+    key<&SensitivitySpec::levels>("levels", within(2, 100), usual(), "even number of values of each factor after Morris"),
+    key<&SensitivitySpec::groups>("groups", any_value, usual(), "factor: all genes of a trait, or each gene"),
     key<&SensitivitySpec::has_traits>("traits", any_value, usual(), "true if the traits of the case's trait set are varied"),
 };
 
 constexpr Key study_keys[] = {
-    key<&KeyFactor::key>("key", any_value, required("\"optics.soil_albedo\""), "number of field, spacing, panel, optics, photosynthesis or plant.baseline that is varied"),
-    key<&KeyFactor::range>("range", any_value, required("[0.05, 0.3]"), "range in which it is varied, evenly"),
+    key<&KeyFactor::key>("key", any_value, required("\"optics.soil_albedo\""), "varied number of field, spacing, panel, optics, photosynthesis or plant.baseline"),
+    key<&KeyFactor::range>("range", any_value, required("[0.05, 0.3]"), "range in which it is uniformly distributed"),
 };
 
 constexpr Key stop_keys[] = {
@@ -239,13 +239,13 @@ constexpr Key stop_keys[] = {
 };
 
 constexpr Key final_keys[] = {
-    key<&FinalSpec::candidates>("candidates", within(1, 1000), by("5"), "best plants that are evaluated again, at most the population; for an atlas it is the number of its cells"),
+    key<&FinalSpec::candidates>("candidates", within(1, 1000), by("5"), "number of best plants that are re-evaluated, at most the population; for an atlas the number of its cells"),
     key<&FinalSpec::paths>("paths", within(16, 16'777'216), usual(), "light paths per randomisation"),
     key<&FinalSpec::randomisations>("randomisations", within(2, 1024), usual(), "independent repetitions; their spread gives the standard error"),
 };
 
 constexpr Key parallel_keys[] = {
-    key<&AnswerLimits::deadline>("deadline", duration(0.001, 1000000000), usual("\"00:10:00\""), "time after which an evaluation is given to another worker; at least 20 times the longest so far"),
+    key<&AnswerLimits::deadline>("deadline", duration(0.001, 1000000000), usual("\"00:10:00\""), "time after which an evaluation is given to another worker; never below 20 times the longest so far"),
 };
 // clang-format on
 

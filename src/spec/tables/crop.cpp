@@ -114,29 +114,29 @@ constexpr Key blade_keys[] = {
 };
 
 constexpr Key growth_keys[] = {
-    key<&Growth::leaves>("leaves", within(3, 40), usual(), "number of leaves of the main stem; the plant's are the highest of them"),
+    key<&Growth::leaves>("leaves", within(3, 40), usual(), "leaf count of the main stem; the leaves of the plant are the highest of them"),
     key<&Growth::interval>("interval", within(0, 5000, "deg C d"), usual(), "thermal time between the tips of successive leaves"),
-    key<&Growth::largest_area>("largest_area", within(1e-05, 1, "m2"), usual(), "area of the blade that is largest, one-sided"),
-    key<&Growth::largest>("largest", within(0.01, 0.99), usual(), "rank of the largest blade over the leaves"),
+    key<&Growth::largest_area>("largest_area", within(1e-05, 1, "m2"), usual(), "one-sided area of the largest blade"),
+    key<&Growth::largest>("largest", within(0.01, 0.99), usual(), "rank of the largest blade over the leaf count"),
     key<&Growth::narrowing>("narrowing", within(0, 100), usual(), "a of the area by rank, exp(-a x^2 + b x^3) with x = (n - m) / (m - 1) and m the rank of the largest"),
     key<&Growth::skewness>("skewness", within(-100, 100), usual(), "b of the area by rank"),
     key<&Growth::first_extension>("first_extension", within(0, 5000, "deg C d"), usual(), "thermal time from tip to collar of the first leaf"),
-    key<&Growth::longest_extension>("longest_extension", within(0, 5000, "deg C d"), usual(), "thermal time from tip to collar of the leaf that takes longest"),
+    key<&Growth::longest_extension>("longest_extension", within(0, 5000, "deg C d"), usual(), "longest thermal time from tip to collar of a leaf"),
     key<&Growth::last_extension>("last_extension", within(0, 5000, "deg C d"), usual(), "thermal time from tip to collar of the highest leaf"),
     key<&Growth::lower_death>("lower_death", within(0, 5000, "deg C d"), usual(), "thermal time from emergence to the death of the lowest leaf"),
     key<&Growth::lower_interval>("lower_interval", within(0, 5000, "deg C d"), usual(), "thermal time between the deaths of lower leaves"),
     key<&Growth::upper_death>("upper_death", within(0, 5000, "deg C d"), usual(), "thermal time from silking to the death of the first upper leaf"),
     key<&Growth::upper_interval>("upper_interval", within(0, 5000, "deg C d"), usual(), "thermal time between the deaths of upper leaves"),
-    key<&Growth::fading>("fading", within(0, 5000, "deg C d"), usual(), "thermal time from the death of a blade to its last green"),
+    key<&Growth::fading>("fading", within(0, 5000, "deg C d"), usual(), "thermal time from the death of a blade to the loss of all green"),
     key<&Growth::silking>("silking", within(0, 5000, "deg C d"), usual(), "thermal time to silking after as many intervals as there are leaves"),
     key<&Growth::maturity>("maturity", within(0, 5000, "deg C d"), usual(), "thermal time from silking to maturity"),
-    key<&Growth::internode_rate>("internode_rate", within(1e-05, 0.1, "m / (deg C d)"), usual(), "growth of an internode from the collar of its leaf on"),
-    key<&Growth::base>("base", within(-5, 20, "deg C"), usual(), "temperature that thermal time is counted from"),
-    key<&Growth::cap>("cap", within(20, 50, "deg C"), usual(), "temperature above which growth is no faster"),
-    key<&Growth::ageing>("ageing", number_or_list(0, 2), usual(), "capacity of green leaves over that before silking, at equal steps of development from silking to maturity, linear in between; it begins with 1").quiet(),
-    key<&Growth::maintenance>("maintenance", number_or_list(0, 2), usual(), "maintenance respiration of other organs per mass over that before silking, at equal steps as for ageing; it begins with 1").quiet(),
-    key<&Growth::root_share>("root_share", within(0, 1), usual(), "dry mass of roots over that of leaves and of organs with a density, where plants grow; roots respire 0.015 of it a day at 25 deg C, times `maintenance`, and cost 1.45 of carbohydrate; 0: roots do not count").quiet(),
-    key<&Growth::ear_maintenance>("ear_maintenance", within(0, 0.1, "d-1"), usual(), "carbohydrate that the dry matter which enters the ear after silking respires at 25 deg C, times `maintenance`, until maturity; 0: it does not count").quiet(),
+    key<&Growth::internode_rate>("internode_rate", within(1e-05, 0.1, "m / (deg C d)"), usual(), "elongation of an internode after the collar of its leaf"),
+    key<&Growth::base>("base", within(-5, 20, "deg C"), usual(), "base temperature of thermal time"),
+    key<&Growth::cap>("cap", within(20, 50, "deg C"), usual(), "temperature above which thermal time is no faster"),
+    key<&Growth::ageing>("ageing", number_or_list(0, 2), usual(), "capacity of green leaves relative to that before silking, at equal steps of development from silking to maturity, linear in between; it begins with 1").quiet(),
+    key<&Growth::maintenance>("maintenance", number_or_list(0, 2), usual(), "maintenance respiration of other organs per mass relative to that before silking, at the steps of ageing; it begins with 1").quiet(),
+    key<&Growth::root_share>("root_share", within(0, 1), usual(), "dry mass of roots over that of leaves and of organs with a density, where plants grow; roots respire 0.015 of it per day at 25 deg C, times `maintenance`, and cost 1.45 of carbohydrate; 0: roots have no effect").quiet(),
+    key<&Growth::ear_maintenance>("ear_maintenance", within(0, 0.1, "d-1"), usual(), "carbohydrate that the dry matter which enters the ear after silking respires at 25 deg C, times `maintenance`, until maturity; 0: no effect").quiet(),
 };
 
 constexpr Key leaf_keys[] = {
@@ -151,15 +151,15 @@ constexpr Key leaf_keys[] = {
     measured<leaf_measures, "petiole_length">().quiet(),
     measured<leaf_measures, "petiole_angle">().quiet(),
     measured<leaf_measures, "internode">().quiet(),
-    key<&Leaf::midrib>("midrib", words("two points or more"), by("from insertion_angle and curvature"), "points of the digitised midrib from base to tip, out from the stalk and up, in any unit; where it is told, insertion_angle and curvature follow from it, and may be told to bend it further"),
+    key<&Leaf::midrib>("midrib", words("two points or more"), by("from insertion_angle and curvature"), "points of the digitised midrib from base to tip, out from the stalk and up, in any unit; insertion_angle and curvature follow from it, and bend it further if given"),
 };
 
 constexpr Key organ_keys[] = {
     key<&Organ::name>("name", name_text, required("\"ear\""), "name of the organ"),
-    key<&Organ::is_present>("present", any_value, usual(), "true if plants have it"),
-    key<&Organ::material>("tissue", any_value, usual(), "tissue whose optics its surface has"),
-    key<&Organ::leaf>("leaf", within(0, 40), usual(), "rank of the leaf at whose insertion it is; 0: the stalk's top"),
-    key<&Organ::count>("count", within(1, 100), usual(), "number of such cones, evenly around the stalk"),
+    key<&Organ::is_present>("present", any_value, usual(), "true if plants have the organ"),
+    key<&Organ::material>("tissue", any_value, usual(), "tissue with the optics of its surface"),
+    key<&Organ::leaf>("leaf", within(0, 40), usual(), "rank of the leaf at the insertion of the organ; 0: the stalk's top"),
+    key<&Organ::count>("count", within(1, 100), usual(), "number of cones, evenly around the stalk"),
     key<&Organ::sides>("sides", within(3, 24), usual(), "number of faces around each cone"),
     measured<organ_measures, "offset">(),
     measured<organ_measures, "spread">(),
@@ -171,28 +171,28 @@ constexpr Key organ_keys[] = {
     measured<tissue_measures<Organ>, "density">().written_if<Organ, is_living>(),
     measured<tissue_measures<Organ>, "maintenance">().written_if<Organ, is_living>(),
     measured<tissue_measures<Organ>, "construction">().written_if<Organ, is_living>(),
-    key<&Organ::senescence>("senescence", within(0, 5000, "deg C d"), usual(), "thermal time after silking at which it dies, where plants grow: it then has the optics of the stalk and does not assimilate; 0: it stays green").quiet(),
+    key<&Organ::senescence>("senescence", within(0, 5000, "deg C d"), usual(), "thermal time from silking to its death, where plants grow: a dead organ has the optics of the stalk and does not assimilate; 0: it stays green").quiet(),
 };
 
 constexpr Key trait_keys[] = {
     key<&TraitEntry::trait, &Trait::name>("name", name_text, required("\"length\""), "name of the trait"),
     key<&TraitEntry::trait, &Trait::numbers>("per", any_value, usual(), "number of values: one for each leaf, one for the whole plant, or the points of a smooth curve over leaf position"),
     key<&TraitEntry::trait, &Trait::points>("points", within(1, 10), usual(), "number of points of a profile, at equal distances from the lowest leaf to the highest"),
-    key<&TraitEntry::sets>("sets", words("measures of the plant"), usual("[\"leaf.length\"]"), "the measure that is the number").quiet(),
-    key<&TraitEntry::scales>("scales", words("measures of the plant"), usual("[\"leaf.length\"]"), "the measures of the baseline that the number multiplies").quiet(),
-    key<&TraitEntry::shifts>("shifts", words("measures of the plant"), usual("[\"leaf.length\"]"), "the measures of the baseline that the number is added to").quiet(),
-    key<&TraitEntry::trait, &Trait::unit>("unit", texts("m", "deg", "1"), required("\"m\""), "unit of the number: that of the measures, \"1\" of a factor"),
-    key<&TraitEntry::trait, &Trait::range>("range", within(-1000, 1000), required("[0.4, 1.1]"), "range in which it may be bred"),
+    key<&TraitEntry::sets>("sets", words("measures of the plant"), usual("[\"leaf.length\"]"), "the measure that has the value of the trait").quiet(),
+    key<&TraitEntry::scales>("scales", words("measures of the plant"), usual("[\"leaf.length\"]"), "measures of the baseline that the value multiplies").quiet(),
+    key<&TraitEntry::shifts>("shifts", words("measures of the plant"), usual("[\"leaf.length\"]"), "measures of the baseline to which the value is added").quiet(),
+    key<&TraitEntry::trait, &Trait::unit>("unit", texts("m", "deg", "1"), required("\"m\""), "unit of the value: that of the measures, or \"1\" of a factor"),
+    key<&TraitEntry::trait, &Trait::range>("range", within(-1000, 1000), required("[0.4, 1.1]"), "range of the values that searches may reach"),
     key<&TraitEntry::trait, &Trait::is_circular>("circular", any_value, usual(), "true if both ends of the range are the same direction"),
-    key<&TraitEntry::trait, &Trait::is_bred>("bred", any_value, usual(), "true if campaigns that name no trait set breed it"),
+    key<&TraitEntry::trait, &Trait::is_bred>("bred", any_value, usual(), "true if campaigns without trait sets search the trait"),
 };
 
 constexpr Key bounds_keys[] = {
     key<&BoundsEntry::rule>("name", name_text, required("\"paper\""), "name by which campaigns choose the bounds"),
-    key<&BoundsEntry::trait>("trait", name_text, required("\"length\""), "trait that the bounds are for"),
-    key<&BoundsEntry::range>("range", within(-1000, 1000), required("[0.4, 1.1]"), "range in which it may be bred"),
+    key<&BoundsEntry::trait>("trait", name_text, required("\"length\""), "trait with these bounds"),
+    key<&BoundsEntry::range>("range", within(-1000, 1000), required("[0.4, 1.1]"), "range of the values that searches may reach"),
     key<&BoundsEntry::change>("change", within(0, 100), usual(), "largest change of the baseline's value, relative to it; 0: any"),
-    key<&BoundsEntry::is_bred>("bred", any_value, usual(), "true if campaigns that choose these bounds, but name no trait set, breed it; if any of the rule is, no other traits are"),
+    key<&BoundsEntry::is_bred>("bred", any_value, usual(), "true if campaigns with these bounds and without trait sets search the trait; they then search only traits of the rule with this mark"),
 };
 
 constexpr Key crop_keys[] = {

@@ -20,24 +20,24 @@ constexpr auto reflectance = &Lambertian::reflectance,
 constexpr Key mesh_keys[] = {
     key<&MeshSpec::scene>("scene", file, none(), "FILE.toml with materials, components and wavebands by the names of groups, for several kinds of plants or near infrared; see the manual"),
     key<&MeshSpec::boundary>("boundary", any_value, usual(), "periodic: an endless stand; isolated: the mesh alone on endless soil"),
-    key<&MeshSpec::ground_area>("ground_area", within(1e-6, 1e8, "m2"), none("0.114"), "ground that fractions refer to; in a periodic stand it is that of the period"),
+    key<&MeshSpec::ground_area>("ground_area", within(1e-6, 1e8, "m2"), none("0.114"), "ground area of fractions; in a periodic stand that of the period"),
     key<&MeshSpec::jitter>("jitter", within(0, 180, "deg"), by("0"), "largest random turn of each plant of a field"),
-    key<&MeshSpec::sky>("sky", any_value, none(), "light of the sky (clear needs the place of the sun); at a site the sky of that day"),
+    key<&MeshSpec::sky>("sky", any_value, none(), "light of the sky (clear needs the position of the sun); at a site the sky of that day"),
     key<&MeshSpec::date>("date", Values{.type = "date", .range = "YYYY-MM-DD, 1950 .. 2100"}, none("2025-08-07"), "date of the clear day at the site"),
-    key<&MeshSpec::beam_ppfd>("beam_ppfd", within(0, 1e5, "umol m-2 s-1"), none("1500"), "light of the sun on level ground above the canopy; if not given, it is 1"),
-    key<&MeshSpec::sky_ppfd>("sky_ppfd", within(0, 1e5, "umol m-2 s-1"), none("300"), "light of the sky on level ground"),
+    key<&MeshSpec::beam_ppfd>("beam_ppfd", within(0, 1e5, "umol m-2 s-1"), none("1500"), "light of the sun on horizontal ground above the canopy; 1 by default"),
+    key<&MeshSpec::sky_ppfd>("sky_ppfd", within(0, 1e5, "umol m-2 s-1"), none("300"), "light of the sky on horizontal ground"),
     key<&MeshSpec::climate>("climate", file, none(), "FILE.toml with the tables [site] and [climate] of a campaign: the light of a season, as its mean day"),
-    key<&MeshSpec::photosynthesis>("photosynthesis", file, none(), "FILE.toml with a [photosynthesis] table, from which the assimilation of the leaves follows"),
-    key<&MeshSpec::is_exact>("exact", any_value, usual(), "finds assimilation at random points of leaves, by paths from there to the light: without bias, but slowly; it checks the usual way"),
-    key<&MeshSpec::optics, leaf, reflectance>("leaf_reflectance", within(0, 1), usual(), "reflected part of the light, of both faces").excluding("scene"),
-    key<&MeshSpec::optics, leaf, transmittance>("leaf_transmittance", within(0, 1), usual(), "transmitted part of the light, of both faces").excluding("scene"),
-    key<&MeshSpec::optics, stalk, reflectance>("stalk_reflectance", within(0, 1), usual(), "reflected part of the light, of groups whose names begin with stalk, or with plantN_stalk").excluding("scene"),
-    key<&MeshSpec::optics, stalk, transmittance>("stalk_transmittance", within(0, 1), usual(), "transmitted part of the light, of the same groups").excluding("scene"),
-    key<&MeshSpec::optics, sheath, reflectance>("sheath_reflectance", within(0, 1), usual(), "reflected part of the light, of groups whose names begin with sheath, or with plantN_sheath").excluding("scene"),
-    key<&MeshSpec::optics, sheath, transmittance>("sheath_transmittance", within(0, 1), usual(), "transmitted part of the light, of the same groups").excluding("scene"),
-    key<&MeshSpec::soil_albedo>("soil_albedo", within(0, 1), usual(), "part of the light that the soil reflects").excluding("scene"),
-    key<&MeshSpec::tolerance>("tolerance", within(1e-9, 1), usual(), "relative standard error of the leaves' total"),
-    key<&MeshSpec::paths>("paths", within(1, 4294967296), none("4096"), "how many paths of light to follow at least, instead of a tolerance").excluding("tolerance"),
+    key<&MeshSpec::photosynthesis>("photosynthesis", file, none(), "FILE.toml with a [photosynthesis] table, for the assimilation of the leaves"),
+    key<&MeshSpec::is_exact>("exact", any_value, usual(), "computes assimilation at random points of leaves by paths from there to the light: without bias, but slowly, to check the usual method"),
+    key<&MeshSpec::optics, leaf, reflectance>("leaf_reflectance", within(0, 1), usual(), "reflectance of both faces of leaves").excluding("scene"),
+    key<&MeshSpec::optics, leaf, transmittance>("leaf_transmittance", within(0, 1), usual(), "transmittance of leaves").excluding("scene"),
+    key<&MeshSpec::optics, stalk, reflectance>("stalk_reflectance", within(0, 1), usual(), "reflectance of groups with names that begin with stalk, or with plantN_stalk").excluding("scene"),
+    key<&MeshSpec::optics, stalk, transmittance>("stalk_transmittance", within(0, 1), usual(), "transmittance of the same groups").excluding("scene"),
+    key<&MeshSpec::optics, sheath, reflectance>("sheath_reflectance", within(0, 1), usual(), "reflectance of groups with names that begin with sheath, or with plantN_sheath").excluding("scene"),
+    key<&MeshSpec::optics, sheath, transmittance>("sheath_transmittance", within(0, 1), usual(), "transmittance of the same groups").excluding("scene"),
+    key<&MeshSpec::soil_albedo>("soil_albedo", within(0, 1), usual(), "reflectance of the soil").excluding("scene"),
+    key<&MeshSpec::tolerance>("tolerance", within(1e-9, 1), usual(), "relative standard error of the light absorbed by all leaves"),
+    key<&MeshSpec::paths>("paths", within(1, 4294967296), none("4096"), "smallest number of light paths, instead of a tolerance").excluding("tolerance"),
     key<&MeshSpec::seed>("seed", any_value, usual(), "seed of the random numbers"),
 };
 
@@ -58,12 +58,12 @@ constexpr Key mesh_field_keys[] = {
 
 constexpr Key scene_component_keys[] = {
     key<&MeshScene::Component::name>("name", name_text, required("\"maize\""), "name of the component"),
-    key<&MeshScene::Component::groups>("groups", groups, by("the name"), "texts that the names of the component's groups begin with"),
+    key<&MeshScene::Component::groups>("groups", groups, by("the name"), "prefixes of the names of the component's groups"),
 };
 constexpr Key scene_keys[] = {
-    key_of<MeshScene>("soil_albedo", within(0, 1), usual(), "part of the light that the soil reflects, or a table of it by waveband"),
+    key_of<MeshScene>("soil_albedo", within(0, 1), usual(), "reflectance of the soil, or a table of it by waveband"),
 };
-constexpr Key soil_band = itself<double>("BAND", within(0, 1), none("0.1"), "part of the light that the soil reflects in a waveband");
+constexpr Key soil_band = itself<double>("BAND", within(0, 1), none("0.1"), "reflectance of the soil in a waveband");
 // clang-format on
 
 constinit const Description period_table =
@@ -87,11 +87,11 @@ constexpr Table mesh_tables[] = {
               "repeats the mesh, a plant at x = y = 0, in rows along y"),
     table<&MeshSpec::sun>("sun", sun_table)
         .with(&Table::meaning,
-              "place of the sun, of which the light on level "
-              "ground is 1 unless it is given"),
+              "position of the sun, with light of 1 on horizontal "
+              "ground unless it is given"),
     table<&MeshSpec::site>("site", place_table)
         .with(&Table::meaning,
-              "place with the sun and the sky of a clear day on a date")};
+              "site with the sun and the sky of a clear day on a date")};
 constexpr Table scene_tables[] = {
     table<&MeshScene::materials>("material", material_table),
     table<&MeshScene::components>("component", mesh_component_table)

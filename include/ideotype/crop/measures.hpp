@@ -52,8 +52,8 @@ inline constexpr std::array leaf_measures{
     measure("petiole_angle", "deg", 0, 180, &Leaf::petiole_angle,
             "angle of the petiole from the stalk"),
     measure("internode", "m", 0, 1, &Leaf::internode,
-            "height above the leaf below, or of the lowest above the soil, in "
-            "the place of insertion_height")};
+            "height above the leaf below, or of the lowest above the soil, "
+            "instead of insertion_height")};
 
 //! The number of measures, counted from the first, that a plant file must give
 //! for every leaf; further measures are 0 where a file does not give them.

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# From a fresh Debian 12 or 13 to an evolved canopy: installs what is missing,
-# builds, runs a quick campaign on all cores, writes its report.
-# May be run again: finished parts are not repeated.
+# From a fresh Debian 12 or 13 to an optimised canopy: installs missing packages,
+# builds, runs a quick campaign on all cores and writes its report. It can be run
+# again: finished parts are not repeated.
 #
 #     ./quickstart.sh [FOLDER]     # of the results; default: results
 set -euo pipefail
@@ -24,12 +24,12 @@ echo
 echo
 "$ideotype" run "$campaign" --out "$out" --resume || {
     status=$?
-    echo "$0 FOLDER writes to another folder than $out" >&2
+    echo "to use another folder than $out: $0 FOLDER" >&2
     exit "$status"
 }
 
-# Reports draw the shapes of plants, which the compiled module knows. The extras
-# are those of commands in the manual: crate, fit, indices and weather.
+# Reports draw plants with the compiled module. The extras are those of commands
+# in the manual: crate, fit, indices and weather.
 install_python release crate,fit,sensitivity,weather
 echo
 "$ideotype" summary "$out/quickstart"

@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Installs what is missing, builds, and runs every unit test and a test of each
-# promise. `./test.sh --all` runs every test: also long ones, of kills, SLURM,
-# scale, browsers, the manual and the study. Other words are options of ctest.
+# Installs missing packages, builds, and runs all unit tests and a test of each
+# guarantee of the contract. `./test.sh --all` also runs the long tests: of kills,
+# SLURM, scale, browsers, the manual and the study. Other arguments are options of
+# ctest.
 set -euo pipefail
 cd "$(dirname "$0")"
 . .ci/install
@@ -24,7 +25,7 @@ rm -f build-dev.log
 install_python dev test,docs,lint
 
 [ $is_all = no ] || docs/build
-# Tests wait for ranks, browsers and clusters half of the time.
+# Tests spend half of their time waiting for ranks, browsers and clusters.
 processes=$(($(nproc) + 1))
 ctest --preset dev --timeout 600 --parallel $processes "${label[@]}" "$@"
 IDEOTYPE_EXECUTABLE=$PWD/build/dev/src/ideotype \

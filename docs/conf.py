@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Builds the manual: pages in Markdown, which include the texts that stand
-beside what they describe, and the references of Python and C++ from the
-sources."""
+"""Builds the manual: pages in Markdown, which include texts of other folders,
+and the references of Python and C++ from the sources."""
 
 from __future__ import annotations
 
@@ -39,7 +38,7 @@ extensions = [
 exclude_patterns = ["_static"]
 write_gallery()
 nitpicky = True
-# Types of other libraries, whose manuals a build without a network lacks.
+# Types of other libraries; a build without a network lacks their manuals.
 nitpick_ignore_regex = [(r"py:.*", r"(?!ideotype).*"), (r"cpp:.*", r".*")]
 
 myst_enable_extensions = [
@@ -50,8 +49,8 @@ myst_enable_extensions = [
 ]
 myst_substitutions = {"release": release}
 myst_heading_anchors = 4
-# Texts that are included begin below their own title, and every header opens
-# the one namespace again.
+# Included texts begin below their title, and every header reopens the same
+# namespace.
 suppress_warnings = ["myst.header", "duplicate_declaration.cpp"]
 
 autodoc_member_order = "bysource"
@@ -72,8 +71,8 @@ copybutton_only_copy_prompt_lines = True
 
 
 def pages_of_texts() -> dict[tuple[Path, str], str]:
-    """Returns the page that includes a text, and those that include a chapter
-    of it, by the anchor of its heading."""
+    """Returns the pages that include a text, or a chapter of it, by the path
+    of the text and the anchor of the chapter."""
     pages = {}
     for page in DOCS.glob("*.md"):
         for text, options in re.findall(
@@ -93,9 +92,9 @@ PAGES = pages_of_texts()
 
 
 def rebase_links(text: str, source: Path, folder: Path = DOCS) -> str:
-    """Turns links of a source, on a page in a folder, into links to pages of
-    the manual, or to files of the repository to download. A link to a folder,
-    which a page has nothing to show of, becomes its text."""
+    """Converts the links of a source, for a page in a folder, to links to
+    pages of the manual or to downloads of files. Links to folders become
+    text."""
 
     def rebase(link: re.Match[str]) -> str:
         is_image, shown, target, anchor = link.groups("")
@@ -123,14 +122,16 @@ def rebase_links(text: str, source: Path, folder: Path = DOCS) -> str:
 
 
 def list_arguments(lines: list[str]) -> list[str]:
-    """Turns paragraphs of `name: meaning` into a list, in which `code` stays
-    code."""
+    """Converts paragraphs `name: meaning` to a list, and `code` to
+    literals."""
     result: list[str] = []
     for line in lines:
         line = re.sub(r"(?<![`:])`([^`]+)`(?!`)", r"``\1``", line)
-        found = re.match(r"([a-z_]+(?:, [a-z_]+)*): (.*)", line)
-        if found and (not result or not result[-1] or result[-1][0] in "* "):
-            result.append(f"* **{found[1]}**: {found[2]}")
+        argument = re.match(r"([a-z_]+(?:, [a-z_]+)*): (.*)", line)
+        if argument and (
+            not result or not result[-1] or result[-1][0] in "* "
+        ):
+            result.append(f"* **{argument[1]}**: {argument[2]}")
         elif line.startswith("    "):
             result.append("  " + line.strip())
         else:

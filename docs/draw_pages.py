@@ -29,7 +29,7 @@ PROGRAM = os.environ.get("IDEOTYPE_EXECUTABLE", "ideotype")
 
 
 def keep(phone: Phone, name: str) -> None:
-    """Writes what the screen shows; telephones are drawn smaller."""
+    """Saves a screenshot; those of phones are scaled down."""
     path = DOCS / "figures" / name
     with tempfile.TemporaryDirectory() as folder:
         phone.picture(whole := Path(folder) / "page.png")
@@ -58,7 +58,7 @@ def play(folder: Path) -> None:
 
 def watch(folder: Path) -> None:
     """Draws the page of the campaigns in a folder."""
-    os.chdir(folder)  # the page tells the folder as it was given
+    os.chdir(folder)  # The page shows the path as given.
     with served("watch", "results") as page:
         with shown(page, folder) as phone:
             keep(phone, "watch.jpg")

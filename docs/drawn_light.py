@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Draws light, and what leaves make of it, for the manual."""
+"""Draws light and photosynthesis for the manual."""
 
 from __future__ import annotations
 
@@ -22,22 +22,22 @@ from ideotype.figures.style import new_figure
 
 
 def light(shapes: Shapes) -> Figure:
-    """Draws what faces absorb at two times of a clear day, in a dense
-    stand."""
+    """Draws the light absorbed by each face of a plant in a dense stand, from
+    the sun and from a uniform sky."""
     plant = shapes.maize()
     surfaces = mesh(plant.vertices, plant.faces, groups=plant.groups)
     figure = new_figure(4.6, 4.4)
     grid = figure.subplots(1, 2, sharex=True, sharey=True)
-    found = [
+    absorbed = [
         surfaces.evaluate(
             period=(ROW, PLANT), by_face=True, paths=1 << 18, **source
         ).absorbed_by_face.values
         for source in ({"sun": (60, 180)}, {"sky": "uniform"})
     ]
-    brightest = np.quantile(found[0], 0.98)
+    brightest = np.quantile(absorbed[0], 0.98)
     colors = matplotlib.colormaps["viridis"]
     for axes, title, values in zip(
-        grid, ("sun at 60°, from the south", "diffuse light"), found
+        grid, ("sun at 60°, from the south", "diffuse light"), absorbed
     ):
         draw(axes, plant, is_side=True)
         (faces,) = axes.collections
@@ -97,7 +97,7 @@ def agrivoltaics(_: Shapes) -> Figure:
     light."""
     tables = campaign_of("agrivoltaic")
     stand = Stand(tables)
-    found = stand.evaluate(stand.baseline, tolerance=0.005).isel(
+    evaluated = stand.evaluate(stand.baseline, tolerance=0.005).isel(
         plant=0, band=0
     )
     figure = new_figure(4.8, 6.0)
@@ -137,13 +137,16 @@ def agrivoltaics(_: Shapes) -> Figure:
         axes.text(-5, 4.4, f"{hour}:00", color=INK)
         axes.set(xlim=(-5, 11), ylim=(-0.1, 5.2))
         bare(axes)
-    hours, light = found.hour, found.object_light_by_hour.sel(object="panel")
+    hours, light = (
+        evaluated.hour,
+        evaluated.object_light_by_hour.sel(object="panel"),
+    )
     last = grid[-1]
     for label, values, color in (
         ("front of modules", light.sel(object_side="front"), "#234E78"),
         ("back of modules", light.sel(object_side="back"), "#7FA8CC"),
-        ("leaves, absorbed per ground", found.absorbed_by_hour, "#4E9A3A"),
-        ("ground", found.ground_light_by_hour, "#8F7459"),
+        ("leaves, absorbed per ground", evaluated.absorbed_by_hour, "#4E9A3A"),
+        ("ground", evaluated.ground_light_by_hour, "#8F7459"),
     ):
         last.plot(hours, values, color=color, label=label)
     last.set(xlabel="hour", ylabel="PAR [W m⁻²]", xlim=(6, 21), ylim=(0, 640))

@@ -36,8 +36,9 @@ class Shapes:
             (DOCS.parent / "campaigns/crops/maize.toml").read_text()
         )
 
-    def of(self, crop: dict[str, Any]) -> Mesh:
-        # Some trait has to be within its range, whatever it is.
+    def mesh_crop(self, crop: dict[str, Any]) -> Mesh:
+        """Returns the plant of a crop in metres."""
+        # A campaign needs a trait, here one with a range that includes 1.
         crop = {key: crop[key] for key in crop if key != "bounds"}
         crop["trait"] = [
             {
@@ -51,7 +52,7 @@ class Shapes:
     def maize(self, change: Change = lambda crop: None) -> Mesh:
         crop = copy.deepcopy(self._maize)
         change(crop)
-        return self.of(crop)
+        return self.mesh_crop(crop)
 
     def single_leaf(self, folding_angle: float = 10, **leaf: float) -> Mesh:
         """Returns a leaf of 70 cm on a short stalk, to the right."""
@@ -67,7 +68,7 @@ class Shapes:
                 }
             ],
         }  # fmt: skip
-        return self.of(crop)
+        return self.mesh_crop(crop)
 
 
 def turned(mesh: Mesh, angle: float) -> Mesh:
@@ -134,7 +135,7 @@ def cell(shapes: Shapes) -> Figure:
 
 
 def traits(shapes: Shapes) -> Figure:
-    """Draws what a change of each trait does to maize."""
+    """Draws the effect of each trait on the shape of maize."""
 
     def scale(key: str, factor: float) -> Change:
         def change(crop: dict[str, Any]) -> None:

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Writes the gallery of the manual: a page for each example of
-analysis/examples, with its picture and what it teaches, and one of
-thumbnails."""
+"""Writes the gallery of the manual: one page for each example of
+analysis/examples, with its picture and introduction, and one of thumbnails."""
 
 from __future__ import annotations
 
@@ -32,8 +31,9 @@ program too, and those in C++ with the installed library
 """
 
 
-def told(example: Path) -> str:
-    """Returns what an example says of itself at its beginning."""
+def introduction(example: Path) -> str:
+    """Returns the introduction of an example: its docstring, first comment or
+    first cell."""
     text = example.read_text()
     if example.suffix == ".py":
         return ast.get_docstring(ast.parse(text)) or ""
@@ -56,8 +56,8 @@ def told(example: Path) -> str:
 
 
 def parts(example: Path) -> tuple[str, str]:
-    """Returns the title of an example and the rest of what it says."""
-    title, _, rest = told(example).partition("\n\n")
+    """Returns the title of an example and the rest of its introduction."""
+    title, _, rest = introduction(example).partition("\n\n")
     return re.sub(r"\s+", " ", title).strip().rstrip("."), rest.strip()
 
 

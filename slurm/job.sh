@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
 # shellcheck disable=SC2034,SC2154  # its variables are those of what sources it
-# What the batch scripts share; sourced with `here` the folder slurm.
-# run_until_complete CAMPAIGN OUT [CASE] is one start of a job: it resumes what
-# is there, drains ahead of the time limit, and puts the job back into the queue
-# as long as work is left and starts get on.
+# Functions of the batch scripts; sourced with `here` the folder slurm.
+# run_until_complete CAMPAIGN OUT [CASE] is one start of a job: it resumes
+# existing histories, drains before the time limit, and requeues the job as long
+# as cases remain and starts make progress.
 set -uo pipefail
 . "$here/settings.sh"
 
-# Seconds that a launcher may live on without ranks, and starts that may follow
-# each other without a new evaluation.
+# Longest time that a launcher may outlive its ranks [s], and largest number of
+# consecutive starts without a new evaluation.
 patience=${IDEOTYPE_PATIENCE:-60}
 most_idle_starts=${IDEOTYPE_IDLE_STARTS:-3}
 
@@ -27,8 +27,8 @@ work_left() {
         awk -v only="$only_case" 'only == "" || $1 == only'
 }
 
-# A job that cannot go on, for whatever reason, must not be put back for ever:
-# counts the starts that found what the start before them had found.
+# A job that makes no progress must not be requeued for ever: counts consecutive
+# starts that found the same remaining work.
 count_idle_starts() {
     local notes=$out/.slurm/$SLURM_JOB_ID idle=0 before=
     [ "${SLURM_RESTART_COUNT:-0}" -gt 0 ] || rm -f "$notes"
@@ -38,7 +38,7 @@ count_idle_starts() {
     fi
     [ "$idle" -lt "$most_idle_starts" ] ||
         give_up "$idle starts did not complete one evaluation, see above" \
-            "and 'ideotype status $out'; submit again when the cause is gone"
+            "and 'ideotype status $out'; submit again when the cause is fixed"
     mkdir -p "$out/.slurm"
     printf '%s\n%s\n' "$idle" "$left" >"$notes"
 }
@@ -52,7 +52,7 @@ ranks_here() {
     done
 }
 
-# Waits for the launcher, but does not trust it to end: Open MPI's mpirun
+# Waits for the launcher, which may never end: Open MPI's mpirun
 # sometimes hangs after a rank was killed. Sets code; 124 if it had to be killed.
 watch_over() {
     local seen=
@@ -76,17 +76,17 @@ watch_over() {
     code=$?
 }
 
-# Leaves the rest to a later start: of the next job of a chain, else of this job.
+# Leaves the remaining work to the next job of a chain, or requeues this job.
 requeue() {
     if [ "${IDEOTYPE_LATER_JOBS:-0}" -gt 0 ]; then
         say "$*; the next job of the chain continues"
         exit 0
     fi
     [ -z "${IDEOTYPE_LATER_JOBS:-}" ] ||
-        give_up "$*; this was the last job of the chain; submit again to go on"
-    say "$*; back into the queue"
+        give_up "$*; this was the last job of the chain; submit again to continue"
+    say "$*; requeued"
     scontrol requeue "$SLURM_JOB_ID" ||
-        give_up "SLURM does not take it back; submit again to go on"
+        give_up "SLURM refused to requeue this job; submit again to continue"
     exit 0
 }
 
@@ -95,20 +95,20 @@ run_until_complete() {
     local chosen=${2:-}
     load_site "${IDEOTYPE_SITE:-generic}" && find_program || exit
     out=${chosen:-$out}
-    # Enough is left to be requeued, which a job beyond its limit is not.
+    # Time for requeueing remains, since a job beyond its limit cannot be requeued.
     lead=${IDEOTYPE_LEAD:-$lead}
     grace=$((lead > 60 ? lead - 40 : lead / 2))
     drained='' cancelled=''
     left=$(work_left) || give_up "the cases cannot be listed"
     if [ -z "$left" ]; then
-        say "everything is finished"
+        say "all cases are finished"
         exit 0
     fi
     count_idle_starts
     say "start $((${SLURM_RESTART_COUNT:-0} + 1)) on $SLURM_JOB_NODELIST," \
         "cases left: $(wc -l <<<"$left")"
 
-    export IDEOTYPE_START=$SLURM_JOB_ID.$$  # tells our ranks from others'
+    export IDEOTYPE_START=$SLURM_JOB_ID.$$  # marks the ranks of this start
     "${launcher[@]}" "$ideotype" run "$campaign" --out "$out" --resume \
         ${only_case:+--case "$only_case"} &
     job=$!
@@ -123,17 +123,17 @@ run_until_complete() {
         say "complete"
         exit 0
     fi
-    [ -z "$cancelled" ] || give_up "SLURM told it to; if SLURM does not" \
-        "requeue it by itself, submit again to go on"
+    [ -z "$cancelled" ] || give_up "SLURM cancelled it; if SLURM does not" \
+        "requeue it, submit again to continue"
     case $code in
     5) requeue "drained" ;;
     # The mpirun of MPICH 4.0 at times ends with 0 after a signal.
     0)
         [ -z "$drained" ] || requeue "drained"
-        requeue "others work on what is left"
+        requeue "other jobs work on the remaining cases"
         ;;
-    # The program has said what is wrong, and that would be so again.
-    1 | 2 | 3 | 4) give_up "the program ended with $code" ;;
+    # The program has reported an error that would occur again.
+    1 | 2 | 3 | 4) give_up "the program ended with exit code $code" ;;
     *) requeue "the ranks were lost ($code)" ;;
     esac
 }

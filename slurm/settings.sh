@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # shellcheck disable=SC2034,SC2154  # its variables are those of what sources it
 # Sourced by slurm/submit and by slurm/job.sh, with `here` the folder slurm.
-# Sets what the site says, and the program `ideotype`.
+# Sets the options of the site, and the path of the program `ideotype`.
 
 # $1 a name in slurm/sites or a file
 load_site() {
@@ -17,8 +17,8 @@ load_site() {
     . "$site"
 }
 
-# The program: $IDEOTYPE, that which these scripts were installed or built with,
-# or one on the PATH.
+# The program: $IDEOTYPE, the one installed or built with these scripts, or the one
+# on the PATH.
 find_program() {
     local candidate candidates=("$here/ideotype"
         "$here/../build/release/src/ideotype"

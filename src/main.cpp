@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fcntl.h>
 
-#include "cli/verbs.hpp"
+#include "cli/commands.hpp"
 
 namespace {
 
-//! Opens the standard files that are closed, so that no history gets the number
-//! of one of them. Reads and writes fail as if they were closed.
+//! Opens closed standard files as /dev/null, so that no history gets one of
+//! their file descriptors. Reads and writes still fail, as if they were closed.
 void reserve_standard_files() {
     for (const int file : {0, 1, 2})
         if (fcntl(file, F_GETFD) == -1)

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Runs what ./test.sh runs, one test after the other, and lists the CPU time
+"""Runs the tests of ./test.sh, one after the other, and lists the CPU time
 (user and system, with all processes that a test starts and waits for): sums by
 area, and the slowest 20 tests.
 
@@ -27,21 +27,21 @@ def cpu_seconds() -> float:
     """Returns the CPU time of this process and its finished children [s]."""
     both = (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)
     used = [resource.getrusage(who) for who in both]
-    return sum(each.ru_utime + each.ru_stime for each in used)
+    return sum(usage.ru_utime + usage.ru_stime for usage in used)
 
 
 def show(title: str, seconds: dict[str, float], failed: list[str]) -> None:
     """Prints sums by area, and the slowest tests."""
     areas: dict[str, float] = defaultdict(float)
-    for name, each in seconds.items():
-        areas[name.split("::")[0].split(".")[0]] += each
+    for name, spent in seconds.items():
+        areas[name.split("::")[0].split(".")[0]] += spent
     total = sum(seconds.values())
     print(f"\n{title}: {total:.1f} s of CPU in {len(seconds)} tests")
     for kind, values in (("areas", areas), ("tests", seconds)):
         print(f"slowest {kind}:")
         ranked = sorted(values.items(), key=lambda item: -item[1])
-        for name, each in ranked[:20]:
-            print(f"{each:8.2f} s  {name}")
+        for name, spent in ranked[:20]:
+            print(f"{spent:8.2f} s  {name}")
     if failed:
         print("failed:", *failed)
 

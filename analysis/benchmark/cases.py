@@ -196,7 +196,7 @@ def all_cases() -> dict[str, Case]:
 
 
 def write_cases() -> None:
-    """Writes meshes/ and cases/ anew."""
+    """Writes meshes/ and cases/ again."""
     for folder in ("meshes", "cases"):
         (HERE / folder).mkdir(exist_ok=True)
         for old in (HERE / folder).iterdir():

@@ -7,7 +7,7 @@
 Two ways that share no code compute each case in rounds, each with a seed of its
 own, until all standard errors of both together are below --error of the light
 on the ground, or as many rounds are done as --rounds says. methods.csv keeps
-what each way has found, so that a run that was stopped goes on; the values
+what each way has found, so that a run that was stopped continues; the values
 depend on the numbers of rounds alone. Where theory knows a value it is the
 value, and both ways are compared with it."""
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The meshes of the benchmark, each made anew by its function."""
+"""The meshes of the benchmark, each made by a function."""
 
 from __future__ import annotations
 

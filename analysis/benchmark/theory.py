@@ -50,7 +50,7 @@ def beer(case: Case) -> dict[str, float]:
 
 def shadow(case: Case) -> dict[str, float]:
     """Black surfaces over black soil in the sun: the area of the union of all
-    shadows on the soil. Groups have no theory of their own."""
+    shadows on the soil. Groups have no separate theory."""
     mesh = mesh_of(case)
     elevation, azimuth = np.radians(case["light"]["sun"])
     drift = -np.array([np.sin(azimuth), np.cos(azimuth)]) / np.tan(elevation)

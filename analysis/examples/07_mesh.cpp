@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // The installed library in C++: the light absorbed by a mesh.
 //
-// A square leaf of 1 m2 is placed at increasing height over each 4 m2 of ground,
-// on a clear day. The leaf absorbs 90 % of the incident light, and some of the
-// light that the soil reflects. It absorbs more of it at greater height, where it
-// shades the visible soil less. This example uses Scene, illuminate() and
-// evaluate().
+// A square leaf of 1 m2 is placed at increasing height over each 4 m2 of
+// ground, on a clear day. The leaf absorbs 90 % of the incident light, and some
+// of the light that the soil reflects. It absorbs more of it at greater height,
+// where it shades the visible soil less. This example uses Scene, illuminate()
+// and evaluate().
 #include <cstdio>
 
 #include <ideotype/canopy/canopy.hpp>

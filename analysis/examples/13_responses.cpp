@@ -2,8 +2,9 @@
 // Leaf models in C++: net assimilation of a C4 and a C3 leaf in strong light.
 //
 // The models of Collatz et al. 1992 and of Farquhar et al. 1980, from 5 to 45
-// deg C, each with the intercellular CO2 of its stomatal model. Photorespiration
-// reduces C3 assimilation in heat. This example uses the physiology library.
+// deg C, each with the intercellular CO2 of its stomatal model.
+// Photorespiration reduces C3 assimilation in heat. This example uses the
+// physiology library.
 #include <cstdio>
 
 #include <ideotype/physiology/collatz.hpp>

@@ -2,8 +2,8 @@
 // Plants from traits in C++: from a Plant to a field, hour by hour.
 //
 // A plant of two leaves becomes a periodic field of 2 x 2 plants. Erect leaves
-// transmit more of the light of a high sun than level ones, most of all at noon.
-// This example uses Plant, FieldForm, component_of() and reports by hour.
+// transmit more of the light of a high sun than level ones, most of all at
+// noon. This example uses Plant, FieldForm, component_of() and reports by hour.
 #include <cstdio>
 #include <vector>
 

@@ -31,11 +31,11 @@ from ideotype.common.labels import unit_label
 from ideotype.figures.field import (
     Field,
     add_key,
-    at_eye_height,
     face_colors,
-    from_above,
-    lit,
+    shade_faces,
     show,
+    view_at_eye_height,
+    view_from_above,
 )
 from ideotype.figures.style import RC, new_figure
 
@@ -132,7 +132,9 @@ def in_view(drawn: Drawn, colors: Numbers) -> Field:
     corners = drawn.field.corners
     middle = corners[..., 0].min() + corners[..., 0].max()
     corners = corners - [middle / 2, 0, 0]
-    return Field(corners, lit(colors, corners), drawn.rows, drawn.length)
+    return Field(
+        corners, shade_faces(colors, corners), drawn.rows, drawn.length
+    )
 
 
 def main() -> None:
@@ -157,8 +159,8 @@ def main() -> None:
     for column, (title, each) in zip(grid.T, shown.items()):
         colors = face_colors(each.field, each.light, brightest)
         field = in_view(each, colors)
-        show(column[0], at_eye_height(field))
-        show(column[1], from_above(field))
+        show(column[0], view_at_eye_height(field))
+        show(column[1], view_from_above(field))
         column[0].set_title(title)
     unit = unit_label("MJ m-2 day-1")
     add_key(

@@ -45,11 +45,11 @@ Change = dict[str, list[float | None]]
 ALL_45: Change = {"insertion_angle": [45.0] * 10}
 #: Variants by name: the plant that is changed, and the plant that it becomes.
 VARIANTS: dict[str, tuple[Change, Change]] = {
-    "all leaves at 15 deg instead of their own": (
+    "all leaves at 15 deg instead of as they are": (
         {},
         {"insertion_angle": [15.0] * 10},
     ),
-    "all leaves at 15 deg and straight instead of their own": (
+    "all leaves at 15 deg and straight instead of as they are": (
         {},
         {"insertion_angle": [15.0] * 10, "curvature": [0.0] * 10},
     ),

@@ -43,7 +43,12 @@ from shared import (
 import ideotype
 from ideotype import Stand
 from ideotype.history.estimate import Estimate as Figure
-from ideotype.report.organ_split import Split, Variant, split, variants_of
+from ideotype.report.organ_split import (
+    Split,
+    Variant,
+    make_variants,
+    split_gain,
+)
 
 STEPS = (-1.0, -0.5, 0.5, 1.0)
 """The parts of the way from the baseline to the lower (-) or upper bound."""
@@ -87,7 +92,7 @@ def splits(
     """Returns the split of the gain of each plant over the first one. `values`
     are those of all plants in each variant [plants, randomisations]."""
     return [
-        split(variants, [each[[0, k]] for each in values], unit)
+        split_gain(variants, [each[[0, k]] for each in values], unit)
         for k in range(1, len(values[0]))
     ]
 
@@ -234,7 +239,7 @@ def stands_of(tables: dict[str, Any], fields: int) -> Stands:
     resolved = tomllib.loads(Stand(tables, settings=settings).campaign)
     return [
         (each, Stand(resolved, settings=each.settings))
-        for each in variants_of(resolved)
+        for each in make_variants(resolved)
     ]
 
 

@@ -12,7 +12,7 @@ from ideotype import Stand
 
 class Function:
     """A function of free genes from 0 to 1 that a library minimises. Each
-    generation has fields and random numbers of its own."""
+    generation has separate fields and random numbers."""
 
     def __init__(self, stand: Stand) -> None:
         genes = stand.genes

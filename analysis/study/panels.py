@@ -134,7 +134,7 @@ def layouts(options: Options) -> None:
             "light of maize [MJ m-2 day-1]",
             "standard error, rms [%]",
             "largest [%]",
-            "from another field at .3 %, rms [%]",
+            "from another field at 0.3 %, rms [%]",
         ],
         [
             [

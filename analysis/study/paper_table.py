@@ -72,7 +72,7 @@ from shared import (
 
 from ideotype import Stand
 from ideotype.figures.style import new_figure, series
-from ideotype.report.organ_split import Split, split, variants_of
+from ideotype.report.organ_split import Split, make_variants, split_gain
 
 TITLES_OF_SEARCHES = {
     "random": "random search",
@@ -163,7 +163,7 @@ def splits_of(stand: Stand, genomes: Numbers, values: Numbers) -> list[Split]:
     """Returns the split of the gain of each plant over the first one. `values`
     are the objective with all organs [plants, randomisations]."""
     resolved = tomllib.loads(stand.campaign)
-    variants = variants_of(resolved)
+    variants = make_variants(resolved)
     if not variants:
         return []
     found = [values]
@@ -172,7 +172,7 @@ def splits_of(stand: Stand, genomes: Numbers, values: Numbers) -> list[Split]:
         found.append(light(changed, genomes))
     unit = UNITS[next(iter(stand.objectives))]
     return [
-        split(variants, [each[[0, k]] for each in found], unit)
+        split_gain(variants, [each[[0, k]] for each in found], unit)
         for k in range(1, len(genomes))
     ]
 

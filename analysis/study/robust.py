@@ -74,7 +74,7 @@ def campaign(
 ) -> dict[str, Any]:
     """Returns the tables of a search for the mean of these places."""
     lit = light_of(options)
-    # Each site has a weather file of its own.
+    # Each site has a separate weather file.
     lit["climate"][0].pop("file")
     return {
         **BREEDABLE,

@@ -92,7 +92,7 @@ class Strips:
         direction: float = 0,
     ) -> Stand:
         """Returns rows at these distances [m], with plants `plant` apart [m],
-        and soybean .10 m apart in some of them."""
+        and soybean 0.10 m apart in some of them."""
         length = 0.6  # About the length of the cell along the rows [m].
         tables: dict[str, Any] = {
             "name": "strip",

@@ -33,6 +33,6 @@ throttle=
 lead=120
 
 # Ranks are single threads and need not be tied to cores. Tie them
-# (`core`) only where jobs have nodes of their own.
+# (`core`) only where jobs do not share nodes.
 export OMPI_MCA_hwloc_base_binding_policy=none
 export PRTE_MCA_hwloc_default_binding_policy=none  # Open MPI 5

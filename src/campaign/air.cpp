@@ -20,7 +20,7 @@ std::optional<double> clearness_of(const TimeStep& step, const Site& site,
     return std::clamp((step.par.beam + step.par.diffuse) / most, 0., 1.);
 }
 
-//! Gives a value to all steps that lack it; returns whether any step did.
+//! Fills in a value in all steps that lack it; returns whether any step did.
 template <class Estimate>
 bool fill(LightSeries& series, std::optional<double> TimeStep::*member,
           const Estimate& estimate) {

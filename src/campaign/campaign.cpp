@@ -15,8 +15,9 @@ namespace ideotype {
 
 namespace {
 
-//! Reports ranges of keys whose ends, or a point between them, contradict other
-//! keys of the campaign, and notes those in which a search cannot begin.
+//! Reports ranges of varied keys with ends, or a point in between, that
+//! contradict other keys. Collects ranges that exclude the value from which a
+//! search starts.
 void try_ranges(const Spec& spec, const Problems& problems,
                 BaselineDoubts& doubts) {
     constexpr double inner = 0.382;
@@ -25,26 +26,26 @@ void try_ranges(const Spec& spec, const Problems& problems,
         spec.is_study ? spec.sensitivity.keys : spec.search.keys;
     for (std::size_t i = 0; i < factors.size(); ++i) {
         const auto& [key, range, unit, value] = factors[i];
-        const Problems own = problems.in(table).in("keys", i);
+        const Problems key_problems = problems.in(table).in("keys", i);
         if (!spec.is_study && (value < range.lower || value > range.upper))
-            doubts.outside.push_back(own.problem(
+            doubts.outside.push_back(key_problems.problem(
                 "range", ProblemCode::contradiction,
                 fmt::format("search.keys: {} is {} in this campaign (outside "
-                            "the range {} .. {}, but a search begins there); "
-                            "widen the range, or give the key another value",
+                            "the range {} .. {}, but the search starts from "
+                            "this value); widen the range, or change the value",
                             key, value, range.lower, range.upper)));
         for (const double part : {0.0, 1.0, inner}) {
             const double at = std::lerp(range.lower, range.upper, part);
             Spec varied = spec;
             set_key(varied, key, at);
-            const Problems found(spec.name);
-            check_stand(varied, found);
+            const Problems stand_problems(spec.name);
+            check_stand(varied, stand_problems);
             try {
-                found.throw_if_any();
+                stand_problems.throw_if_any();
             } catch (const InputError& error) {
-                own.add("range", ProblemCode::contradiction,
-                        "{}.keys: if {} is {}, then {}", table, key, at,
-                        error.problems().front().what);
+                key_problems.add("range", ProblemCode::contradiction,
+                                 "{}.keys: if {} is {}, then {}", table, key,
+                                 at, error.problems().front().what);
                 break;
             }
         }
@@ -90,10 +91,12 @@ Campaign read_campaign_text(const std::string& text, const std::string& path,
 
 Campaign read_study(const std::string& path,
                     const std::vector<std::string>& settings) {
-    // Replicates would repeat the study with other random numbers.
-    std::vector<std::string> all{"replicates=1"};
-    all.insert(all.end(), settings.begin(), settings.end());
-    return parse(read_text(path), path, TextSource::file, all, true);
+    // Replicates would only repeat the study with other random numbers.
+    std::vector<std::string> with_replicates{"replicates=1"};
+    with_replicates.insert(with_replicates.end(), settings.begin(),
+                           settings.end());
+    return parse(read_text(path), path, TextSource::file, with_replicates,
+                 true);
 }
 
 Campaign parse_campaign(const std::string& text, const std::string& file,
@@ -139,7 +142,7 @@ std::string crop_text(const Campaign& campaign, const Plant& baseline,
                         ? campaign.spec.plant.crop
                         : campaign.spec.components.at(component - 1).crop;
     crop.baseline = baseline;
-    // A search may turn leaves beyond north, which files may not.
+    // A search may turn leaves beyond 0 to 360 deg, which files do not allow.
     for (Leaf& leaf : crop.baseline.leaves)
         if (leaf.azimuth < 0 || leaf.azimuth > 360)
             leaf.azimuth -= 360 * std::floor(leaf.azimuth / 360);

@@ -15,8 +15,8 @@ namespace ideotype {
 
 namespace {
 
-//! The number of entries of each axis by which cases differ: an axis whose
-//! entries are scenarios counts as one.
+//! The number of entries of each axis by which cases differ. An axis with
+//! entries that are scenarios counts as one.
 struct Axes {
     explicit Axes(const Spec& spec)
         : sites(is_over(spec, "site") ? 1 : spec.sites.size()),
@@ -54,8 +54,8 @@ AxisEntries entries_of(const Axes& axes, std::size_t index) {
     return entry;
 }
 
-//! Returns the series of a site's weather: dates are those of the file, hours
-//! are in the time of the site.
+//! Returns the light series of the weather at a site: dates are those of the
+//! file, hours are in the local time of the site.
 LightSeries to_series(const SiteWeather& weather, const Site& here) {
     Site site = here;
     site.utc_offset = weather.utc_offset;
@@ -94,8 +94,8 @@ std::string name_of_day(const Spec& spec, std::size_t day) {
     return day < days ? spec.days[day].name : spec.climates.at(day - days).name;
 }
 
-//! Names a scenario by its axes, its trait set and its replicate. The name does
-//! not depend on the number of other cases: axes with one entry are named too.
+//! Names a scenario by its axes, trait set and replicate. Axes with one entry
+//! are included, so that the name does not depend on the number of cases.
 void set_name(CaseName& one) {
     one.name = lower_case(fmt::format("{}_{}_{}_{}_r{}", one.site_name,
                                       one.day_name, one.spacing_name,
@@ -113,12 +113,12 @@ CaseName name_of_scenario(const Spec& spec, const AxisEntries& entry) {
     return one;
 }
 
-//! Makes a scenario with the index and the random numbers of its case.
+//! Makes a scenario with the index and the seed of its case.
 Case scenario_of(const Campaign& campaign, const AxisEntries& entry,
-                 const CaseName& of) {
+                 const CaseName& case_name) {
     Case one{name_of_scenario(campaign.spec, entry)};
-    one.index = of.index;
-    one.seed = of.seed;
+    one.index = case_name.index;
+    one.seed = case_name.seed;
     one.site = campaign.spec.sites[entry.site];
     if (entry.day < campaign.spec.days.size())
         one.day = campaign.spec.days[entry.day].value;
@@ -135,13 +135,14 @@ std::vector<Case> scenarios(const Case& chosen) {
 }
 
 std::vector<Case> evaluated_cases(const Case& chosen) {
-    std::vector<Case> all;
-    for (const Case& each : scenarios(chosen))
-        if (each.stages.empty())
-            all.push_back(each);
+    std::vector<Case> evaluated;
+    for (const Case& scenario : scenarios(chosen))
+        if (scenario.stages.empty())
+            evaluated.push_back(scenario);
         else
-            all.insert(all.end(), each.stages.begin(), each.stages.end());
-    return all;
+            evaluated.insert(evaluated.end(), scenario.stages.begin(),
+                             scenario.stages.end());
+    return evaluated;
 }
 
 std::size_t count_cases(const Spec& spec) {
@@ -167,25 +168,25 @@ CaseName Cases::name(std::size_t i) const {
 }
 
 std::vector<CaseName> Cases::names() const {
-    std::vector<CaseName> all;
-    all.reserve(count_);
-    for (std::size_t i = 0; i < count_; ++i) all.push_back(name(i));
-    return all;
+    std::vector<CaseName> list;
+    list.reserve(count_);
+    for (std::size_t i = 0; i < count_; ++i) list.push_back(name(i));
+    return list;
 }
 
 Case Cases::at(std::size_t i) const {
     if (i >= count_) throw std::out_of_range("there is no such case");
     const Campaign& campaign = *campaign_;
-    const CaseName of = name(i);
+    const CaseName named = name(i);
     const Axes axes(campaign.spec);
     const AxisEntries entry = entries_of(axes, first_ + i);
     if (campaign.spec.objective.over.empty())
-        return scenario_of(campaign, entry, of);
-    // If cases have one entry of an axis, scenarios have all that there are.
-    const auto entries = [](std::size_t of_cases, std::size_t all,
-                            std::size_t own) {
-        std::vector<std::size_t> places(of_cases == 1 ? all : 1);
-        std::iota(places.begin(), places.end(), of_cases == 1 ? 0 : own);
+        return scenario_of(campaign, entry, named);
+    // On an axis with scenarios, the scenarios take all entries.
+    const auto entries = [](std::size_t of_cases, std::size_t count,
+                            std::size_t index) {
+        std::vector<std::size_t> places(of_cases == 1 ? count : 1);
+        std::iota(places.begin(), places.end(), of_cases == 1 ? 0 : index);
         return places;
     };
     std::vector<Case> scenarios;
@@ -200,9 +201,10 @@ Case Cases::at(std::size_t i) const {
                          entry.spacing))
                 scenarios.push_back(scenario_of(
                     campaign,
-                    {site, day, spacing, entry.traits, entry.replicate}, of));
+                    {site, day, spacing, entry.traits, entry.replicate},
+                    named));
     Case one = scenarios.front();
-    static_cast<CaseName&>(one) = of;
+    static_cast<CaseName&>(one) = named;
     one.stages.clear();
     one.scenarios = std::move(scenarios);
     return one;

@@ -16,30 +16,31 @@ namespace ideotype {
 
 struct Campaign;
 
-//! A canopy that grows, at one of several moments. A stage stands for the hours
-//! around this moment: figures are linear in thermal time between stages.
+//! A growing canopy at one of several moments of the season. A stage represents
+//! the hours around its moment: quantities are interpolated linearly in thermal
+//! time between stages.
 struct Stage {
     std::uint32_t number = 0;  //!< number of the stage, from 0
-    //! Thermal times of the campaign's crop at this stage, at the stage before
-    //! and at the stage after, if there are such stages [deg C d].
+    //! Thermal times of the main crop at this stage, and at the stages before
+    //! and after, if there are any [deg C d].
     double at = 0;
     std::optional<double> before{}, after{};
     double day = 0;  //!< days since emergence
-    //! Thermal time of each component since its own emergence at this stage,
-    //! and at the stage before [deg C d]; the campaign's crop is the first.
+    //! Thermal time of each component since its emergence, at this stage and at
+    //! the stage before [deg C d]; the main crop is first.
     std::vector<double> ages{}, ages_before{};
     //! Component::ear_share of each component; empty: 0.
     std::vector<double> ear_shares{};
-    double share = 1;            //!< approximate share of the season's carbon
-    std::optional<Date> date{};  //!< only date of the stage, if given
+    double share = 1;  //!< approximate share of the carbon of the season
+    std::optional<Date> date{};  //!< the only date of the stage, if given
 };
 
-//! The names of a point of the sweep and of its entries on all axes. An axis
-//! whose entries are scenarios has one entry "all".
+//! The name of a case and of its entry on each axis of the sweep. An axis with
+//! entries that are scenarios has the entry "all".
 struct CaseName {
     int index = 0;
-    std::string name;        //!< name, also of the case's file
-    std::uint64_t seed = 0;  //!< function of campaign seed and name
+    std::string name;        //!< name, also that of the history file
+    std::uint64_t seed = 0;  //!< derived from campaign seed and name
     std::string site_name;
     std::string day_name;  //!< name of the day or climate
     std::string spacing_name;
@@ -47,8 +48,8 @@ struct CaseName {
     int replicate = 1;
 };
 
-//! A point of the sweep: one search with a history of its own. Its site, day
-//! and spacing are those of its first scenario.
+//! A point of the sweep: one search with one history. Site, day and spacing are
+//! those of its first scenario.
 struct Case : CaseName {
     Site site{};
     DaySpan day{};  //!< day, if the case has no climate
@@ -62,10 +63,10 @@ struct Case : CaseName {
     std::optional<Stage> stage{};  //!< stage, if the case is at one
 };
 
-//! Returns the rows of the field, from 0, in which plants are bred.
+//! Returns the rows of the field, from 0, with plants of the main crop.
 std::vector<int> bred_rows(const Campaign& campaign);
 
-//! Returns the number of plants of the field that are bred.
+//! Returns the number of plants of the main crop in the field.
 std::size_t bred_plants(const Campaign& campaign);
 
 //! Returns the scenarios of a case, at least one.
@@ -80,18 +81,18 @@ LightSeries light_of(const Campaign& campaign, const Case& chosen);
 //! Returns the number of cases of a campaign.
 std::size_t count_cases(const Spec& spec);
 
-//! Makes the names of a case, which is much less work than the case.
+//! Makes the names of a case, which costs much less than making the case.
 CaseName case_name(const Spec& spec, std::size_t index);
 
-//! The cases of a campaign, or a part of them, each made when it is asked for:
-//! a campaign may have very many. The campaign must outlive its cases.
+//! The cases of a campaign, or a range of them. Each is made on demand, since a
+//! campaign may have very many. The campaign must outlive its cases.
 class Cases {
   public:
     explicit Cases(const Campaign& campaign);
 
     std::size_t size() const { return count_; }
 
-    //! Returns the index in the campaign of a case of this part.
+    //! Returns the index in the campaign of case i of this range.
     int index(std::size_t i) const { return static_cast<int>(first_ + i); }
 
     CaseName name(std::size_t i) const;
@@ -103,18 +104,18 @@ class Cases {
     Case front() const { return at(0); }
     Case back() const { return at(count_ - 1); }
 
-    //! Makes the case of a name; nothing if there is none.
+    //! Makes the case with this name; nothing if there is none.
     std::optional<Case> find(const std::string& name) const;
 
-    //! Returns some of these cases.
+    //! Returns a range of these cases.
     Cases part(std::size_t first, std::size_t count) const;
 
-    //! Returns the case of this index alone.
+    //! Returns the range with only the case of this index.
     //! @param path path of the campaign, for the message
     //! @throws Error of wrong usage if there is no such case.
     Cases only(int index, const std::string& path) const;
 
-    //! Makes one case after the other.
+    //! Iterates over cases, making each one on access.
     class Iterator {
       public:
         Iterator(const Cases& all, std::size_t i) : all_(&all), i_(i) {}
@@ -138,8 +139,9 @@ class Cases {
 };
 
 //! Returns all cases in order: sites, days or climates, spacings, trait sets,
-//! and replicates fastest. An axis whose entries are scenarios has one entry
-//! "all". A new entry of an axis changes the name or seed of no other case.
+//! and replicates fastest. An axis with entries that are scenarios has one
+//! entry "all". A new entry of an axis does not change the name or seed of
+//! other cases.
 Cases cases(const Campaign& campaign);
 Cases cases(Campaign&& gone) = delete;
 
@@ -151,27 +153,27 @@ Case case_at(const Campaign& campaign, int index, const std::string& path);
 //! Returns the climate of a case.
 const Climate& climate_of(const Campaign& campaign, const Case& chosen);
 
-//! A plant for each component, the campaign's crop first.
+//! A plant for each component, the main crop first.
 using Plants = std::vector<Plant>;
 
-//! Returns the numbers of the crop's baseline, then those of bred components,
-//! in the order of gene_space().
+//! Returns the trait values of the baseline, then those of optimised
+//! components, in the order of gene_space().
 Genome baseline_genome(const Campaign& campaign);
 
 //! Returns the number of genes of a genome, without varied keys.
 std::size_t count_genes(const Campaign& campaign);
 
-//! Returns the plants that a genome makes of the baselines of all components.
+//! Returns the plants of all components that a genome describes.
 //! @throws Error if there are too few or too many genes
 Plants grow(const Campaign& campaign, const Genome& genome);
 
-//! Returns the genes of a case with their bounds: genes of the crop, then those
-//! of bred components, such as "soybean.petiole_length". Genes outside the
-//! trait set are not free.
+//! Returns the genes of a case with their bounds: genes of the main crop, then
+//! those of optimised components, such as "soybean.petiole_length". Genes
+//! outside the trait set are not free.
 GeneSpace gene_space(const Campaign& campaign, const Case& chosen);
 
-//! Returns the genes of a case and, after them, the keys that a study or search
-//! varies. If traits are not varied, no gene of a trait is free.
+//! Returns the genes of a case, followed by varied campaign keys. If traits are
+//! not varied, no gene of a trait is free.
 GeneSpace search_genes(const Campaign& campaign, const Case& chosen);
 
 //! Returns the pressure of the standard atmosphere at an elevation [m] in kPa.
@@ -188,42 +190,42 @@ double standard_pressure(double elevation);
 //! @param clearness s: light over that of a clear sky, 0 to 1
 double sky_longwave(double temperature, double vapour, double clearness);
 
-//! Gives each step the wind, pressure and longwave radiation that weather does
-//! not tell: a wind of 2 m s-1 at a height of 2 m (Allen et al. 1998, FAO 56),
-//! the pressure at the elevation, and sky_longwave(), at night and with a low
-//! sun with the clearness of the daylight before. If temperature or humidity is
-//! unknown, air is that of clear days. The series then lists the estimates.
-//! @param par_fraction PAR over all solar radiation of the clear sky
+//! Fills in wind, pressure and longwave radiation that the weather lacks: a
+//! wind of 2 m s-1 at a height of 2 m (Allen et al. 1998, FAO 56), the standard
+//! pressure at the elevation, and sky_longwave(). At night and with a low sun
+//! the last clearness of daylight is used. Unknown temperature or humidity is
+//! that of clear days. The series then lists the estimated variables.
+//! @param par_fraction PAR over solar radiation of the clear sky
 void estimate_air(LightSeries& series, const Site& site, double par_fraction);
 
-//! Adds stages to a case whose plants grow, from the first leaf to maturity or
-//! to the end of the period. The ages of stages are chosen so that straight
-//! lines between them follow best how much light leaves intercept.
+//! Adds stages to a case with growing plants, from the first leaf to maturity
+//! or to the end of the period. Their ages are chosen so that linear
+//! interpolation best reproduces light interception over time.
 void add_stages(const Campaign& campaign, Case& one);
 
-//! Returns the stage of plants at noon of a date, or at a thermal time of the
-//! campaign's crop [deg C d]. The stage stands for the hours of the day.
+//! Returns the stage at noon of a date, or at a thermal time of the main crop
+//! [deg C d]. The stage represents the hours of that day.
 //! @param one a case without scenarios, or a single scenario of a case
 //! @throws Error of wrong usage if plants do not grow or are out of season.
 Stage stage_on(const Campaign& campaign, const Case& one,
                const std::variant<Date, double>& when);
 
-//! Returns the hours of a period for which a stage stands, each with the share
-//! of its time that belongs to the stage.
+//! Returns the hours of a period that a stage represents, each weighted by its
+//! share in the stage.
 LightSeries at_stage(const Campaign& campaign, const Case& chosen,
                      LightSeries series);
 
-//! Returns a component's growth (0: the campaign's crop); null if it has none.
+//! Returns the growth of a component (0: the main crop); null if it has none.
 const Growth* growth_of(const Campaign& campaign, std::size_t component);
 
-//! The thermal time of a stage [deg C d], and roughly the part of light that
-//! green leaves of the baseline then intercept.
+//! The thermal time of a stage [deg C d], and the approximate fraction of light
+//! that green leaves of the baseline intercept then.
 struct StageTime {
     double at, interception;
 };
 
-//! Returns the thermal times of a campaign's stages up to some time. A single
-//! stage is in the middle of the time with the most leaves.
+//! Returns the thermal times of the stages of a campaign up to a time. A single
+//! stage is in the middle of the time with the largest light interception.
 std::vector<StageTime> stage_times(const Campaign& campaign,
                                    double ground_per_plant, double last);
 

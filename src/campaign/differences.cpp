@@ -17,21 +17,21 @@ namespace {
 //! Dotted names and values in the order of a resolved text.
 using Entries = std::vector<std::pair<std::string, std::string>>;
 
-//! The names of a case's entries on each axis that may have several.
+//! The names of the entries of a case on each axis; scenarios may add several.
 struct EntriesOfCase {
     std::set<std::string> sites, days, spacings, trait_sets;
 
     explicit EntriesOfCase(const Case& chosen) {
-        for (const Case& each : scenarios(chosen)) {
-            sites.insert(each.site_name);
-            days.insert(each.day_name);
-            spacings.insert(each.spacing_name);
-            trait_sets.insert(each.trait_set_name);
+        for (const Case& scenario : scenarios(chosen)) {
+            sites.insert(scenario.site_name);
+            days.insert(scenario.day_name);
+            spacings.insert(scenario.spacing_name);
+            trait_sets.insert(scenario.trait_set_name);
         }
     }
 
-    //! Returns whether a case has one entry of a list, which then needs no
-    //! number.
+    //! Returns whether a case has a single entry of a list, which then needs no
+    //! index in messages.
     bool is_single(const std::string& list) const {
         const std::pair<const char*, std::size_t> counts[] = {
             {"site", sites.size()},
@@ -45,9 +45,9 @@ struct EntriesOfCase {
     }
 };
 
-//! Returns the part of a campaign that determines the results of a case: of
-//! each axis the entries of the case, and neither the number of replicates nor
-//! the time that workers may take.
+//! Returns the part of a campaign that determines the results of a case: only
+//! its entries on each axis, without the number of replicates and the limits of
+//! workers.
 Spec part_of(Spec spec, const EntriesOfCase& entries) {
     const auto keep = [](auto& list, const std::set<std::string>& names) {
         std::erase_if(list, [&](const auto& entry) {
@@ -91,12 +91,12 @@ Entries entries_of(const Spec& spec, const EntriesOfCase& chosen) {
 }
 
 const std::string* find(const Entries& entries, const std::string& name) {
-    const auto found = std::ranges::find_if(
+    const auto match = std::ranges::find_if(
         entries, [&](const auto& entry) { return entry.first == name; });
-    return found == entries.end() ? nullptr : &found->second;
+    return match == entries.end() ? nullptr : &match->second;
 }
 
-//! Returns a value as it stands, or shortened if it has a season's numbers.
+//! Returns a value, shortened if it is long, such as the weather of a season.
 std::string shown(const std::string& value) {
     constexpr std::size_t longest = 80;
     if (value.size() <= longest) return value;

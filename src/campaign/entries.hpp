@@ -14,54 +14,55 @@
 
 namespace ideotype {
 
-//! Returns how far a plant fails its constraints: the sum of the excesses over
-//! all limits, each relative to its limit; 0 if all are met.
+//! Returns the constraint violation of a plant: the sum of excesses over all
+//! limits, each relative to its limit; 0 if all are met.
 //! @param traits traits of the plant's crop
 //! @param lai leaf area index of the plant in its stand
 double violation(const Constraints& constraints,
                  const std::vector<Trait>& traits, const Plant& plant,
                  double lai);
 
-//! The places of the plants of a component in the field.
+//! The positions of the plants of a component in the field.
 struct Standing {
     std::vector<int> rows{};  //!< rows of the field, from 0
-    //! Number of places of bred plants that the component takes instead of
-    //! rows, drawn for each field. 0: none.
+    //! Number of random positions of the main crop that the component takes
+    //! instead of rows, drawn for each field. 0: none.
     int mixed = 0;
     int plants = 0;                  //!< plants per row; 0: as in the field
     int later = 0;                   //!< delay of emergence after the crop [d]
     std::optional<double> jitter{};  //!< jitter instead of the field's [deg]
-    std::optional<PlantVariation> variation{};  //!< variation of its own
+    std::optional<PlantVariation>
+        variation{};  //!< within-line variation instead of the field's
 };
 
-//! A number of a model of leaves.
+//! A parameter of a leaf model.
 struct LeafNumber {
     std::string name;
-    std::vector<double> values;  //!< value of all leaves, or of each; none: see
+    std::vector<double> values;  //!< one value, or one per leaf; empty: see
                                  //!< docs/campaign_files.md
-    std::string file;            //!< file that states the number; "": default
-    bool is_capacity = false;    //!< whether it is a capacity of assimilation
+    std::string file;          //!< file that states the parameter; "": default
+    bool is_capacity = false;  //!< whether it is a photosynthetic capacity
 };
 
-//! The photosynthesis of a component, and the files that state it.
+//! The photosynthesis parameters of a component, and the files that state them.
 struct StatedLeaves {
     std::string crop, model;
     std::string file;  //!< file that states the model; "": default
     std::vector<LeafNumber> numbers;
 };
 
-//! A kind of plant that stands in the field beside that of the campaign's crop.
+//! A kind of plant that stands in the field in addition to the main crop.
 struct ComponentEntry {
     std::string name;
     Standing standing;
     Crop crop;
     std::vector<Range> bounds;  //!< bounds of trait_numbers(crop)
-    TraitSet free;              //!< bred traits; none: not bred
+    TraitSet free;              //!< optimised traits; empty: not optimised
     ByBand<PlantOptics> optics;
-    //! Mesh of each plant in place of a crop, and the materials of its groups.
+    //! Mesh of each plant instead of a crop, and the materials of its groups.
     std::optional<Mesh> mesh{};
     std::vector<MaterialSpec> materials{};
-    //! Model of assimilation, if leaves assimilate.
+    //! Photosynthesis model, if leaves assimilate.
     std::optional<Photosynthesis> photosynthesis{};
     Stomata stomata{};  //!< stomata, if leaves exchange water
 };

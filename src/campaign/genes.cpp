@@ -10,7 +10,7 @@ namespace ideotype {
 
 namespace {
 
-//! @param prefix prefix of the genes' names, which tells the component
+//! @param prefix prefix of gene names, which names the component
 void append_genes(GeneSpace& genes, const Crop& crop,
                   const std::vector<Range>& bounds, const TraitSet& free,
                   const std::string& prefix) {
@@ -36,9 +36,9 @@ void append_genes(GeneSpace& genes, const Crop& crop,
 
 Genome baseline_genome(const Campaign& campaign) {
     Genome genome = baseline_numbers(campaign.crop);
-    for (const ComponentEntry& each : campaign.components)
-        if (!each.free.empty()) {
-            const Genome own = baseline_numbers(each.crop);
+    for (const ComponentEntry& component : campaign.components)
+        if (!component.free.empty()) {
+            const Genome own = baseline_numbers(component.crop);
             genome.insert(genome.end(), own.begin(), own.end());
         }
     return genome;
@@ -47,8 +47,8 @@ Genome baseline_genome(const Campaign& campaign) {
 Plants grow(const Campaign& campaign, const Genome& genome) {
     if (const std::size_t count = count_genes(campaign); genome.size() != count)
         throw Error(
-            fmt::format("a genome of {} genes is no plant of this "
-                        "campaign (its traits have {} numbers)",
+            fmt::format("a genome of {} genes does not describe a plant of "
+                        "this campaign (its traits have {} numbers)",
                         genome.size(), count));
     auto next = genome.begin();
     const auto grown = [&](const Crop& crop, std::size_t count) {
@@ -57,10 +57,10 @@ Plants grow(const Campaign& campaign, const Genome& genome) {
         return grow(crop, std::vector<double>(first, next));
     };
     Plants plants{grown(campaign.crop, campaign.bounds.size())};
-    for (const ComponentEntry& each : campaign.components)
-        plants.push_back(each.free.empty()
-                             ? each.crop.baseline
-                             : grown(each.crop, each.bounds.size()));
+    for (const ComponentEntry& component : campaign.components)
+        plants.push_back(component.free.empty()
+                             ? component.crop.baseline
+                             : grown(component.crop, component.bounds.size()));
     return plants;
 }
 
@@ -74,10 +74,10 @@ std::size_t count_genes(const Campaign& campaign) {
 GeneSpace gene_space(const Campaign& campaign, const Case& chosen) {
     GeneSpace genes;
     append_genes(genes, campaign.crop, campaign.bounds, chosen.traits, "");
-    for (const ComponentEntry& each : campaign.components)
-        if (!each.free.empty())
-            append_genes(genes, each.crop, each.bounds, each.free,
-                         each.name + '.');
+    for (const ComponentEntry& component : campaign.components)
+        if (!component.free.empty())
+            append_genes(genes, component.crop, component.bounds,
+                         component.free, component.name + '.');
     return genes;
 }
 

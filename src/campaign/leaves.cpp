@@ -20,8 +20,8 @@ using Numbers = std::vector<double> All::*;
 //! The absorbed PPFD of `rate_2000` [umol m-2 s-1].
 constexpr double full_light = 2000;
 
-//! Calls a function with each list of numbers of a model's leaves and the
-//! member of a leaf that holds such a number; each model has an overload.
+//! Calls a function with each parameter list of a leaf model and the member of
+//! the leaf that takes one of its values. Each model has an overload.
 void each_number(HyperbolaLeaf& leaf, const auto& with) {
     with(&All::phi, leaf.response.phi);
     with(&All::theta, leaf.response.theta);
@@ -53,7 +53,7 @@ void each_number(FarquharLeaf& leaf, const auto& with) {
 
 struct Model {
     LeafModel kind;
-    LeafRates leaf;  //!< numbers where a table has none
+    LeafRates leaf;  //!< default parameters
 };
 
 constexpr Model models[] = {{LeafModel::hyperbola, HyperbolaLeaf{}},
@@ -65,17 +65,17 @@ const Model& model_of(const PhotosynthesisSpec& table) {
     return *std::ranges::find(models, table.model, &Model::kind);
 }
 
-//! Returns a leaf whose numbers a function fills in by each_number().
+//! Returns a leaf with parameters filled in by each_number().
 LeafRates filled(LeafRates leaf, const auto& with) {
     std::visit([&](auto& each) { each_number(each, with); }, leaf);
     return leaf;
 }
 
-//! The numbers that are capacities of assimilation.
+//! The parameters that are photosynthetic capacities.
 constexpr Numbers capacities[] = {&All::amax, &All::rate_2000, &All::vmax,
                                   &All::vcmax, &All::jmax};
 
-//! Returns the keys of numbers of leaves, each of which some model has.
+//! Returns the keys of leaf parameters of all models.
 std::vector<Key> leaf_keys() {
     std::vector<Key> keys;
     std::ranges::copy_if(photosynthesis_table.keys(), std::back_inserter(keys),
@@ -83,14 +83,14 @@ std::vector<Key> leaf_keys() {
     return keys;
 }
 
-//! Returns the numbers of a key; those of a table are not changed, although
-//! targets could be.
+//! Returns the values of a key. The table is not changed, although its targets
+//! are not const.
 const std::vector<double>& numbers_of(const Key& key, const All& table) {
     return *std::get<std::vector<double>*>(key.place(const_cast<All*>(&table)));
 }
 
 bool is_of(const Key& key, Numbers numbers) {
-    static const All any;  // for the places of its numbers alone
+    static const All any;  // only for the addresses of its members
     return &numbers_of(key, any) == &(any.*numbers);
 }
 
@@ -109,10 +109,10 @@ std::vector<std::string> models_with(const Key& key) {
 }
 
 std::size_t leaves_of(const PhotosynthesisSpec& table) {
-    std::size_t most = 1;
+    std::size_t largest = 1;
     for (const Key& key : leaf_keys())
-        most = std::max(most, numbers_of(key, table).size());
-    return most;
+        largest = std::max(largest, numbers_of(key, table).size());
+    return largest;
 }
 
 std::string file_of(const CropSpec& crop, const std::string& key) {
@@ -120,12 +120,12 @@ std::string file_of(const CropSpec& crop, const std::string& key) {
     return found == crop.leaf_files.end() ? "" : found->second;
 }
 
-//! Returns the numbers that a leaf has for a key of its model: one, or none if
-//! they follow from other numbers.
+//! Returns the default value of a parameter; empty if it follows from other
+//! parameters.
 std::vector<double> default_of(const Model& model, const Key& key) {
     std::vector<double> values;
-    filled(model.leaf, [&](Numbers own, auto& value) {
-        if (!is_of(key, own)) return;
+    filled(model.leaf, [&](Numbers numbers, auto& value) {
+        if (!is_of(key, numbers)) return;
         if constexpr (requires { value.has_value(); }) {
             if (value) values.push_back(*value);
         } else {
@@ -135,7 +135,7 @@ std::vector<double> default_of(const Model& model, const Key& key) {
     return values;
 }
 
-//! Returns `amax` of the leaves of a hyperbola.
+//! Returns `amax` of each leaf of the hyperbola model.
 std::vector<double> capacities_of(const PhotosynthesisSpec& table) {
     std::vector<double> values;
     for (const LeafRates& leaf : to_photosynthesis(table).rates)
@@ -166,7 +166,7 @@ StatedLeaves stated_leaves_of(const CropSpec& crop) {
     return leaves;
 }
 
-//! Returns whether a file states the model of leaves, or a number of the model.
+//! Returns whether a file states the leaf model or any of its parameters.
 bool is_stated(const CropSpec& crop) {
     if (!file_of(crop, "model").empty()) return true;
     const Model& model = model_of(crop.photosynthesis);
@@ -175,20 +175,21 @@ bool is_stated(const CropSpec& crop) {
     });
 }
 
-//! Warns of a crop with leaves that assimilate by default.
-//! @param own problems of the keys of the crop
-void warn_of_default(const CropSpec& crop, const Problems& own) {
-    own.doubt({"name"}, crop.is_known && !is_stated(crop),
-              "the crop \"{}\" has no [photosynthesis] (its leaves assimilate "
-              "by the default, which is right for C4 crops such as maize, not "
-              "for C3 crops such as wheat); add the table to the crop file, "
-              "with model = \"farquhar\" for a C3 crop, or \"hyperbola\" or "
-              "\"collatz\" for a C4 crop",
-              crop.baseline.name);
+//! Warns about a crop that uses the default photosynthesis.
+//! @param problems problems of the crop
+void warn_of_default(const CropSpec& crop, const Problems& problems) {
+    problems.doubt(
+        {"name"}, crop.is_known && !is_stated(crop),
+        "the crop \"{}\" has no [photosynthesis] (its leaves assimilate "
+        "by the default, which is right for C4 crops such as maize, not "
+        "for C3 crops such as wheat); add the table to the crop file, "
+        "with model = \"farquhar\" for a C3 crop, or \"hyperbola\" or "
+        "\"collatz\" for a C4 crop",
+        crop.baseline.name);
 }
 
-//! Reports rates in full light that are stated with amax, or that no amax
-//! reaches.
+//! Reports rates in full light that are stated in addition to amax, or that no
+//! amax can reach.
 //! @param problems problems of the table
 void check_full_light(const PhotosynthesisSpec& table,
                       const Problems& problems) {
@@ -206,13 +207,13 @@ void check_full_light(const PhotosynthesisSpec& table,
         for (std::size_t i = 0; is_given && i < leaves; ++i) {
             const double rate = rates[rates.size() == 1 ? 0 : i];
             const double yield = phi[phi.size() == 1 ? 0 : i];
-            const double most = full_light * yield;
-            if (rate < most) continue;
+            const double largest = full_light * yield;
+            if (rate < largest) continue;
             return fmt::format(
                 "photosynthesis.rate_2000 is {} (the quantum yield "
                 "photosynthesis.phi of {} gives less than {} at {} umol m-2 "
                 "s-1, whatever the capacity); use less, or a larger phi",
-                rate, yield, most, full_light);
+                rate, yield, largest, full_light);
         }
         return "";
     });
@@ -228,8 +229,8 @@ void check_photosynthesis(const PhotosynthesisSpec& table, std::size_t leaves,
         const std::vector<double>& numbers = numbers_of(key, table);
         problems.rule({key.name, "model"},
                       !numbers.empty() && !has(model_of(table), key),
-                      "photosynthesis.{} is no number of the model \"{}\" (it "
-                      "is one of \"{}\"); remove it",
+                      "photosynthesis.{} is not a parameter of the model "
+                      "\"{}\" (but of \"{}\"); remove it",
                       key.name, name_of(table.model),
                       fmt::join(models_with(key), "\" or \""));
         problems.rule({key.name}, numbers.size() > 1 && numbers.size() != count,
@@ -245,8 +246,8 @@ Photosynthesis to_photosynthesis(const PhotosynthesisSpec& table) {
     Photosynthesis result;
     result.rates.clear();
     for (std::size_t i = 0; i < leaves_of(table); ++i) {
-        const auto take = [&](Numbers from, auto& to) {
-            const std::vector<double>& numbers = table.*from;
+        const auto take = [&](Numbers member, auto& to) {
+            const std::vector<double>& numbers = table.*member;
             if (!numbers.empty()) to = numbers[numbers.size() == 1 ? 0 : i];
         };
         result.rates.push_back(filled(model_of(table).leaf, take));
@@ -289,21 +290,20 @@ Stomata to_stomata(const WaterSpec& table,
 
 void check_water(const Spec& spec, const Problems& problems) {
     if (!spec.water) return;
-    const auto check = [](const CropSpec& crop, const Problems& own,
+    const auto check = [](const CropSpec& crop, const Problems& of_crop,
                           const std::string& whose) {
-        own.rule(
+        of_crop.rule(
             {"photosynthesis.model"},
             crop.is_known && crop.photosynthesis.model == LeafModel::hyperbola,
-            "photosynthesis.model{} is \"hyperbola\", which does not follow "
-            "CO2 (leaves exchange water in [water]); use \"collatz\" or "
-            "\"farquhar\"",
+            "photosynthesis.model{} is \"hyperbola\", which does not depend on "
+            "CO2 (as [water] requires); use \"collatz\" or \"farquhar\"",
             whose);
     };
     check(spec.plant.crop, problems, "");
     for (std::size_t i = 0; i < spec.components.size(); ++i) {
-        const ComponentSpec& each = spec.components[i];
-        check(each.crop, problems.in("component", i),
-              " of component \"" + each.name + "\"");
+        const ComponentSpec& component = spec.components[i];
+        check(component.crop, problems.in("component", i),
+              " of component \"" + component.name + "\"");
     }
 }
 

@@ -15,25 +15,25 @@ namespace ideotype {
 class Problems;
 
 //! Returns the photosynthesis that a table describes.
-//! @param table table without problems
+//! @param table checked table
 Photosynthesis to_photosynthesis(const PhotosynthesisSpec& table);
 
-//! Returns the photosynthesis of each component of a campaign, the crop first,
-//! with the files that state it; none if leaves do not assimilate.
+//! Returns the photosynthesis parameters of each component, the main crop
+//! first, with the files that state them; empty if leaves do not assimilate.
 std::vector<StatedLeaves> stated_leaves(const Spec& spec);
 
-//! Warns of crops with leaves that assimilate by default, which is right for C4
-//! plants only.
+//! Warns about crops that use the default photosynthesis, which suits C4 plants
+//! only.
 void check_leaf_models(const Spec& spec, const Problems& problems);
 
-//! Returns the stomata of leaves of some photosynthesis. Numbers that the table
-//! lacks are those of the kind of leaf: Medlyn's slope of C4 plants, or of the
-//! leaf by Farquhar, and those of maize by Ball and Berry.
+//! Returns the stomatal parameters of leaves. Parameters missing in the table
+//! depend on the leaf: for Medlyn the slope of C4 plants or of the Farquhar
+//! leaf, for Ball and Berry those of maize.
 Stomata to_stomata(const WaterSpec& table,
                    const Photosynthesis& photosynthesis);
 
-//! Reports leaves whose photosynthesis does not depend on CO2, and objectives
-//! that need the table [water] where it is missing.
+//! Reports leaves with photosynthesis that does not depend on CO2, where
+//! [water] requires it.
 void check_water(const Spec& spec, const Problems& problems);
 
 }  // namespace ideotype

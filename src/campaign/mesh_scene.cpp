@@ -20,7 +20,7 @@ namespace ideotype {
 
 namespace {
 
-//! Reads the albedo of the soil, one number or one of each band.
+//! Reads the albedo of the soil: one number, or one for each band.
 void read_soil(const toml::table& top, const std::vector<std::string>& bands,
                const TableReader& reader, const Problems& problems,
                MeshScene& scene) {
@@ -49,14 +49,14 @@ void read_soil(const toml::table& top, const std::vector<std::string>& bands,
     }
 }
 
-void check_component(const std::vector<MeshScene::Component>& all,
+void check_component(const std::vector<MeshScene::Component>& components,
                      std::size_t i, const std::vector<std::string>& bands,
                      const Problems& problems) {
-    const MeshScene::Component& one = all[i];
+    const MeshScene::Component& one = components[i];
     const auto same = [&](const auto& other) { return other.name == one.name; };
     problems.rule(
-        {"name"}, std::any_of(all.begin(), all.begin() + i, same),
-        "component.name is \"{}\" (already used); give each a name of its own",
+        {"name"}, std::any_of(components.begin(), components.begin() + i, same),
+        "component.name is \"{}\" (already used); give each a different name",
         one.name);
     if (!one.photosynthesis) return;
     problems.in("photosynthesis")
@@ -66,7 +66,7 @@ void check_component(const std::vector<MeshScene::Component>& all,
     check_photosynthesis(*one.photosynthesis, 0, problems);
 }
 
-//! Reads the text of a file that has the given tables and no others.
+//! Reads a file that has exactly the given tables.
 //! @param tables tables, each with the path of its keys for problems
 void read_tables(const std::string& text, const std::string& file,
                  const std::vector<std::pair<std::string, Section>>& tables,
@@ -82,15 +82,15 @@ void read_tables(const std::string& text, const std::string& file,
         if (node && node->is_table())
             reader.in(at).read_keys(*node->as_table(), table);
         else
-            problems.add_at(
-                Location{file, 1, 1}, table.name, ProblemCode::missing,
-                "there is no table [{0}] (this file is read for it); "
-                "write [{0}] and its keys",
-                table.name);
+            problems.add_at(Location{file, 1, 1}, table.name,
+                            ProblemCode::missing,
+                            "there is no table [{0}] (for which this file is "
+                            "read); write [{0}] and its keys",
+                            table.name);
     }
 }
 
-//! Returns the keys of a table without the need of a name.
+//! Returns the keys of a table, with an optional name.
 std::vector<Key> nameless(const Description& description) {
     std::vector<Key> keys(description.keys().begin(), description.keys().end());
     keys.front().initial.is_required = false;
@@ -117,7 +117,8 @@ SeasonLight read_climate(const std::string& path) {
     spec.sites.resize(1);
     spec.climates.resize(1);
     spec.plant.crop.follows.fill(true);
-    // A file of a climate has no table [optics], so line 1 stands for it.
+    // A climate file has no table [optics]; problems with it are reported in
+    // line 1.
     problems.locate("optics.par_fraction", {path, 1, 1});
     const std::vector<Key> site = nameless(site_table),
                            climate = nameless(climate_table);

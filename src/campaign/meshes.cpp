@@ -15,11 +15,12 @@ namespace ideotype {
 
 namespace {
 
-//! The largest width of a face over that of the cell. Light meets the images of
-//! a wide face one by one, so its time is proportional to this width.
+//! The largest width of a face relative to the cell. Rays test the periodic
+//! images of a wide face one by one, so time is proportional to this width.
 constexpr double most_periods = 100;
 
-//! The most crossings of a periodic cell by light on its way out.
+//! The largest number of periods that a path may cross before it leaves the
+//! canopy.
 constexpr double most_crossings = 1000;
 
 //! Returns the extent of a face along an axis [m].
@@ -31,23 +32,23 @@ double width(const Mesh& mesh, const std::array<std::uint32_t, 4>& face,
     return largest - least;
 }
 
-//! Returns vertices and faces, and the group of each face, if it is known.
+//! Returns vertices, faces and, if known, the group of each face.
 Mesh surfaces_of(const MeshContent& content) {
     Mesh mesh;
-    const std::vector<double>&at = content.vertices, &of = content.faces;
+    const std::vector<double>&at = content.vertices, &corners = content.faces;
     for (std::size_t i = 0; i + 2 < at.size(); i += 3)
         mesh.vertices.push_back({at[i], at[i + 1], at[i + 2]});
-    for (std::size_t i = 0; i + 3 < of.size(); i += 4) {
+    for (std::size_t i = 0; i + 3 < corners.size(); i += 4) {
         auto& face = mesh.faces.emplace_back();
         for (std::size_t k = 0; k < face.size(); ++k)
-            face[k] = static_cast<std::uint32_t>(of[i + k]);
+            face[k] = static_cast<std::uint32_t>(corners[i + k]);
     }
     for (const double group : content.face_groups)
         mesh.face_group.push_back(static_cast<std::uint32_t>(group));
     return mesh;
 }
 
-//! Returns whether all numbers count from 0 to below a limit.
+//! Returns whether all numbers are integers from 0 to below a limit.
 bool are_below(const std::vector<double>& numbers, std::size_t limit) {
     return std::ranges::all_of(numbers, [&](double x) {
         return x >= 0 && x < static_cast<double>(limit) && x == std::floor(x);
@@ -110,13 +111,13 @@ void number_groups(Mesh& mesh) {
 
 Range heights_of(const Mesh& mesh) {
     constexpr double none = std::numeric_limits<double>::infinity();
-    Range all{none, -none};
+    Range range{none, -none};
     for (const auto& face : mesh.faces)
         for (const std::uint32_t vertex : face) {
             const double z = mesh.vertices[vertex].z;
-            all = {std::min(all.lower, z), std::max(all.upper, z)};
+            range = {std::min(range.lower, z), std::max(range.upper, z)};
         }
-    return all;
+    return range;
 }
 
 std::optional<std::string> excess_of(const Mesh& mesh, double copies,

@@ -14,19 +14,19 @@
 
 namespace ideotype {
 
-//! Returns the surfaces of an object at its place in the field.
+//! Returns the mesh of an object at its position in the field.
 Mesh mesh_of(const ObjectEntry& object);
 
-//! Returns the surfaces of a file. Its groups of names such as "leaf07" are
-//! leaves, or all groups if there are none.
+//! Returns the mesh of a file. Groups with names such as "leaf07" are leaves,
+//! or all groups if there are none.
 Mesh mesh_of(const MeshContent& content);
 
-//! Numbers the groups of a mesh by their names: those such as "leaf07" are
-//! leaves, or all groups if there are none.
+//! Identifies the groups of a mesh by name: those such as "leaf07" are leaves,
+//! or all groups if there are none.
 void number_groups(Mesh& mesh);
 
-//! Returns the place of the first entry with a text that a name begins with, or
-//! the number of entries.
+//! Returns the index of the first entry with a prefix of a name, or the number
+//! of entries.
 template <class Entry>
 std::size_t first_that_fits(const std::vector<Entry>& entries,
                             const std::string& name) {
@@ -39,36 +39,35 @@ std::size_t first_that_fits(const std::vector<Entry>& entries,
                                     entries.begin());
 }
 
-//! Makes a mesh part of a scene: gives each group the first material that fits
-//! its name, and appends the materials to those of the scene's wavebands.
-//! @param materials materials that are known in each of the wavebands
+//! Makes a mesh part of a scene: assigns each group the first material that
+//! fits its name, and appends the materials to the wavebands of the scene.
+//! @param materials materials with values in all these wavebands
 void add_surfaces(const std::vector<MaterialSpec>& materials, Mesh& mesh,
                   Bands& bands);
 
 //! Makes a mesh of a single material part of a scene.
 void add_surfaces(const ByBand<Lambertian>& optics, Mesh& mesh, Bands& bands);
 
-//! The depth below the soil that rounding may explain [m].
+//! The depth below the soil that is attributed to rounding [m].
 inline constexpr double least_depth = 1e-3;
 
-//! Returns the lowest and the highest corner of all faces [m].
+//! Returns the lowest and the highest vertex of all faces [m].
 Range heights_of(const Mesh& mesh);
 
-//! Returns why light in copies of a mesh could not be traced in a bounded time:
-//! the size of the mesh relative to the cell with which it repeats. Returns
-//! nothing if it can be traced.
+//! Returns the reason why light in copies of a mesh cannot be traced in bounded
+//! time: its size relative to the periodic cell. Returns nothing if it can be
+//! traced.
 //! @param copies copies of the mesh in the cell
-//! @return words that follow the name of the mesh
+//! @return text that follows the name of the mesh
 std::optional<std::string> excess_of(const Mesh& mesh, double copies,
                                      const Cell& cell);
 
-//! Reads the OBJ file that a key names, unless its content is there already.
+//! Reads the OBJ file that a key names, unless it was read already.
 //! @param folder file to which the path of the OBJ file is relative
 void read_content(MeshContent& content, const std::string& key,
                   const std::string& folder, const Problems& problems);
 
-//! Returns whether faces have vertices and groups that exist, if there are
-//! groups.
+//! Returns whether all indices of vertices and groups are valid.
 bool is_whole(const MeshContent& content);
 
 }  // namespace ideotype

@@ -15,9 +15,9 @@ ObjectiveEntry to_objective(const std::string& name, Sense sense,
                             const std::vector<std::string>& components) {
     const std::size_t dot = name.find('.');
     if (dot == std::string::npos) return {name, name, {}, sense};
-    const auto found = std::ranges::find(components, name.substr(0, dot));
+    const auto position = std::ranges::find(components, name.substr(0, dot));
     return {name, name.substr(dot + 1),
-            static_cast<std::size_t>(found - components.begin()), sense};
+            static_cast<std::size_t>(position - components.begin()), sense};
 }
 
 constexpr double circle = 360;
@@ -33,7 +33,7 @@ double excess(double value, const Range& allowed) {
     return sum;
 }
 
-//! Returns the distance of two values, which may be directions [deg].
+//! Returns the difference of two values, which may be directions [deg].
 double distance(double a, double b, bool is_direction) {
     const double apart = std::abs(a - b);
     if (!is_direction) return apart;
@@ -49,7 +49,7 @@ double step_excess(const std::vector<double>& leaves, double limit,
     return sum;
 }
 
-//! Returns the sum of all rises from leaf to leaf, over the largest possible.
+//! Returns the sum of all increases from leaf to leaf, relative to the range.
 double rise(const std::vector<double>& leaves, const Range& limits) {
     double sum = 0;
     for (std::size_t i = 1; i < leaves.size(); ++i)
@@ -58,9 +58,9 @@ double rise(const std::vector<double>& leaves, const Range& limits) {
     return sum;
 }
 
-//! Returns the azimuth of the plane with the least largest deviation of leaves
-//! that alternate between its two sides: the middle of the smallest arc that
-//! holds all leaves once every other leaf is turned by half a circle.
+//! Returns the azimuth of the plane with the smallest maximum deviation of
+//! alternating (distichous) leaves. It is the middle of the smallest arc that
+//! includes all leaves after every other leaf is turned by 180 deg.
 double plane(std::vector<double> leaves) {
     for (std::size_t i = 0; i < leaves.size(); ++i) {
         leaves[i] =
@@ -86,13 +86,13 @@ double distichous_excess(const std::vector<double>& azimuths, double limit) {
         sum += excess(
             distance(azimuths[i], middle + (i % 2 == 0 ? 0 : circle / 2), true),
             limit);
-    // The middle of an arc is rounded; leaves at its ends may be just allowed.
+    // Ignores rounding errors, since leaves may be exactly at the limit.
     constexpr double rounding = 1e-12;
     return sum > rounding ? sum : 0;
 }
 
-//! Returns the excess over a range, relative to the limit, or to the whole
-//! range of the measure where the limit is 0.
+//! Returns the excess over a range, relative to the limit, or to the range of
+//! the measure where the limit is 0.
 double range_excess(const std::vector<double>& leaves,
                     const TraitConstraint& limit, const Range& limits) {
     const std::size_t count = limit.highest > 0
@@ -132,12 +132,12 @@ std::vector<std::string> component_names(const Campaign& campaign) {
 
 std::vector<ObjectiveEntry> objectives_of(const Campaign& campaign) {
     const std::vector<std::string> components = component_names(campaign);
-    std::vector<ObjectiveEntry> all;
+    std::vector<ObjectiveEntry> objectives;
     for (const std::string& each : campaign.spec.objective.maximised)
-        all.push_back(to_objective(each, Sense::maximise, components));
+        objectives.push_back(to_objective(each, Sense::maximise, components));
     for (const std::string& each : campaign.spec.objective.minimised)
-        all.push_back(to_objective(each, Sense::minimise, components));
-    return all;
+        objectives.push_back(to_objective(each, Sense::minimise, components));
+    return objectives;
 }
 
 std::vector<double> component_weights(const Campaign& campaign) {
@@ -150,10 +150,10 @@ std::vector<double> component_weights(const Campaign& campaign) {
 }
 
 std::string unit_of(const Campaign& campaign, const std::string& quantity) {
-    const std::vector<ObjectiveEntry> all = objectives_of(campaign);
+    const std::vector<ObjectiveEntry> objectives = objectives_of(campaign);
     const bool is_ratio =
         !campaign.spec.objective.sole.empty() &&
-        std::ranges::any_of(all, [&](const ObjectiveEntry& objective) {
+        std::ranges::any_of(objectives, [&](const ObjectiveEntry& objective) {
             return objective.quantity == quantity;
         });
     return is_ratio ? "1" : unit_of(quantity);

@@ -12,13 +12,13 @@ namespace ideotype {
 
 namespace {
 
-//! Returns the height of the highest leaf with all numbers at their upper
-//! bounds, or of the highest leaf of the baseline, if it stood upright [m].
+//! Returns the largest height that an upright leaf could reach [m], in the
+//! baseline or with all traits at their upper bounds.
 double reach_of(const Crop& crop, const std::vector<Range>& bounds,
                 const PlantVariation& variation) {
-    std::vector<double> most;
-    for (const Range& range : bounds) most.push_back(range.upper);
-    const Plant largest = most.empty() ? crop.baseline : grow(crop, most);
+    std::vector<double> upper;
+    for (const Range& range : bounds) upper.push_back(range.upper);
+    const Plant largest = upper.empty() ? crop.baseline : grow(crop, upper);
     double top = 0;
     for (const Plant* plant : {&crop.baseline, &largest})
         for (const Leaf& leaf : plant->leaves)
@@ -61,7 +61,7 @@ std::optional<Photosynthesis> photosynthesis_of(const ComponentSpec& spec) {
     return to_photosynthesis(*spec.mesh.photosynthesis);
 }
 
-//! Fills in the stand: plants, bounds and the response of leaves.
+//! Fills in the stand: plants, bounds and photosynthesis.
 void resolve_stand(Campaign& campaign) {
     const Spec& spec = campaign.spec;
     const CropSpec& crop = spec.plant.crop;
@@ -72,9 +72,9 @@ void resolve_stand(Campaign& campaign) {
     campaign.follows = crop.follows;
     campaign.sampling = {*spec.light.paths, spec.light.randomisations,
                          *spec.light.tolerance, spec.light.fields};
-    for (const ComponentSpec& each : spec.components) {
+    for (const ComponentSpec& component : spec.components) {
         const ComponentEntry& added =
-            campaign.components.emplace_back(to_component(each));
+            campaign.components.emplace_back(to_component(component));
         campaign.reach = std::max(
             campaign.reach,
             added.mesh
@@ -97,19 +97,21 @@ void resolve_stand(Campaign& campaign) {
         each.stomata = to_stomata(*spec.water, *each.photosynthesis);
 }
 
-//! Returns the usual population for the most free genes of any case.
+//! Returns the default population for the largest number of free genes of any
+//! case.
 int usual_population_of(const Campaign& campaign) {
-    std::size_t most = 1;
+    std::size_t largest = 1;
     Case chosen;
     for (const NamedTraits& set : campaign.spec.trait_sets) {
         chosen.traits = set.value;
-        most = std::max(most, count_free(gene_space(campaign, chosen)));
+        largest = std::max(largest, count_free(gene_space(campaign, chosen)));
     }
     return usual_population(campaign.search.optimizer,
-                            most + campaign.varied.keys.size());
+                            largest + campaign.varied.keys.size());
 }
 
-//! Plans a sensitivity study, which ends only with the last row of its design.
+//! Fills in the settings of a sensitivity study, which ends only with the last
+//! row of its design.
 void plan_study(Campaign& campaign) {
     SensitivitySpec& spec = campaign.spec.sensitivity;
     constexpr int few = 64;
@@ -127,12 +129,12 @@ void plan_study(Campaign& campaign) {
             std::max(campaign.search.population,
                      generation_size(design, search_genes(campaign, chosen)));
     }
-    campaign.stop = {.generations = generations_of(design)};
+    campaign.stop = {.generations = count_generations(design)};
     campaign.search.design = design;
     campaign.has_light_by_row = true;
 }
 
-//! Fills in the search, and what its file left open of it.
+//! Fills in the search settings, with defaults.
 void plan_search(Campaign& campaign) {
     Spec& spec = campaign.spec;
     SearchSettings& search = campaign.search;
@@ -159,7 +161,8 @@ void plan_search(Campaign& campaign) {
     spec.search.population = search.population;
     spec.stop = campaign.stop;
     spec.final.candidates = campaign.final_rule.candidates;
-    // A start is a plant; keys start from their values in the campaign.
+    // search.start describes a plant; keys start from their values in the
+    // campaign.
     if (!search.start.empty())
         for (const KeyFactor& each : campaign.varied.keys)
             search.start.push_back(each.value);

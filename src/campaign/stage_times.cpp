@@ -9,14 +9,14 @@ namespace ideotype {
 
 namespace {
 
-//! A rough description of a canopy at an age: the part of light that green
-//! leaves intercept, the height and angles relative to full growth, and the
-//! capacity of leaves over that before silking.
+//! A rough description of a canopy at an age: fraction of light intercepted by
+//! green leaves, height and angles relative to full growth, and photosynthetic
+//! capacity relative to that before silking.
 struct Shape {
     double interception = 0, height = 0, unfolded = 0, capacity = 1;
 };
 
-//! The shapes of the canopy of a crop's baseline over time.
+//! The shape of the canopy of the baseline over time.
 class Shapes {
   public:
     Shapes(const Growth& growth, const Plant& plant,
@@ -25,12 +25,13 @@ class Shapes {
           dates_(leaf_dates(growth)),
           heights_(final_collar_heights(growth, plant)),
           sheath_(plant.sheath.length) {
-        // Areas of the plant's own leaves may differ from those of its growth.
-        double all = 0;
-        for (const LeafDates& leaf : dates_) all += leaf.area;
+        // Leaf areas of the plant may differ from those of the growth model, so
+        // the total is rescaled.
+        double total = 0;
+        for (const LeafDates& leaf : dates_) total += leaf.area;
         const Mesh mesh =
             build_plant(complete_plant(growth, plant), tessellation);
-        index_ = plant_area(mesh).leaves / all / ground_per_plant;
+        index_ = plant_area(mesh).leaves / total / ground_per_plant;
     }
 
     Shape at(double time) const {
@@ -49,7 +50,7 @@ class Shapes {
                 capacity_factor(growth_, time)};
     }
 
-    //! Returns the time at which half of the first leaf is out.
+    //! Returns the time at which half of the first leaf is visible.
     double first() const {
         return (dates_.front().tip + dates_.front().collar) / 2;
     }
@@ -61,12 +62,13 @@ class Shapes {
     double sheath_, index_ = 0;
 };
 
-//! Chooses points, with the first and the last, so that straight lines between
-//! them are nearest to all values (dynamic programming).
+//! Chooses knots, including the first and the last point, that minimise the
+//! error of linear interpolation between them, by dynamic programming (Bellman
+//! 1961, Commun. ACM 4, 284).
 std::vector<std::size_t> best_knots(const std::vector<Shape>& values,
                                     std::size_t count) {
-    // Heights and angles affect carbon less than leaf area does. Canopies of
-    // the hybrid lose 5 % of a clear day's assimilation with 10 % of capacity.
+    // Height and angles affect carbon less than leaf area does. Canopies of the
+    // hybrid lose 5 % of the assimilation of a clear day with 10 % of capacity.
     constexpr double of_form = 0.5, of_capacity = 0.5;
     const std::size_t n = values.size();
     const auto error = [&](std::size_t a, std::size_t b) {
@@ -86,34 +88,37 @@ std::vector<std::size_t> best_knots(const std::vector<Shape>& values,
         }
         return sum;
     };
+    // Error of a straight line between each pair of points.
     std::vector<double> errors(n * n);
     for (std::size_t b = 1; b < n; ++b)
         for (std::size_t a = 0; a < b; ++a) errors[b * n + a] = error(a, b);
     constexpr double none = std::numeric_limits<double>::infinity();
+    // Smallest error up to each point with k lines, and the point before it.
     std::vector<double> best(n, none);
     best[0] = 0;
-    std::vector<std::vector<std::size_t>> from;
+    std::vector<std::vector<std::size_t>> previous;
     for (std::size_t k = 1; k < count; ++k) {
         std::vector<double> next(n, none);
-        from.emplace_back(n);
+        previous.emplace_back(n);
         for (std::size_t b = k; b < n; ++b)
             for (std::size_t a = k - 1; a < b; ++a)
                 if (const double sum = best[a] + errors[b * n + a];
                     sum < next[b]) {
                     next[b] = sum;
-                    from.back()[b] = a;
+                    previous.back()[b] = a;
                 }
         best = std::move(next);
     }
+    // Trace the best knots back from the last point.
     std::vector<std::size_t> knots{n - 1};
-    while (!from.empty()) {
-        knots.insert(knots.begin(), from.back()[knots.front()]);
-        from.pop_back();
+    while (!previous.empty()) {
+        knots.insert(knots.begin(), previous.back()[knots.front()]);
+        previous.pop_back();
     }
     return knots;
 }
 
-//! Returns the thermal times of a number of stages up to some time.
+//! Returns the thermal times of a number of stages up to a time.
 std::vector<double> times_of(const Shapes& shapes, double last, int count) {
     constexpr std::size_t steps = 80;
     std::vector<double> times;
@@ -124,11 +129,11 @@ std::vector<double> times_of(const Shapes& shapes, double last, int count) {
         values.push_back(shapes.at(times.back()));
     }
     if (count == 1) {
-        double most = 0;
+        double largest = 0;
         for (const Shape& each : values)
-            most = std::max(most, each.interception * (1 - 1e-9));
+            largest = std::max(largest, each.interception * (1 - 1e-9));
         const auto is_most = [&](const Shape& x) {
-            return x.interception >= most;
+            return x.interception >= largest;
         };
         const auto low = std::find_if(values.begin(), values.end(), is_most);
         const auto high = std::find_if(values.rbegin(), values.rend(), is_most);

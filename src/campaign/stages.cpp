@@ -16,11 +16,11 @@ namespace {
 //! before emergence it is negative.
 std::vector<double> thermal_times(const Growth& growth, const Date& emergence,
                                   int later, const LightSeries& series) {
-    const auto begin = day_of(emergence) + std::chrono::days(later);
+    const auto begin = to_day(emergence) + std::chrono::days(later);
     std::vector<double> times;
     double sum = 0;
     for (const TimeStep& step : series.steps) {
-        if (day_of(step.date) < begin) {
+        if (to_day(step.date) < begin) {
             times.push_back(-1);
             continue;
         }
@@ -33,7 +33,7 @@ std::vector<double> thermal_times(const Growth& growth, const Date& emergence,
     return times;
 }
 
-//! A season of a crop: its hours from emergence to the day of maturity.
+//! The season of a crop: its hours from emergence to the day of maturity.
 struct Season {
     std::size_t begin = 0, end = 0;  //!< first step, and step after the last
     std::vector<double> times;       //!< thermal times of all steps
@@ -77,19 +77,21 @@ std::vector<std::vector<double>> all_ages(const Campaign& campaign,
     return ages;
 }
 
-//! @param of_crop thermal time of the campaign's crop
+//! @param of_crop thermal time of the main crop
 std::vector<double> ages_at(const std::vector<std::vector<double>>& ages,
                             std::size_t step, double of_crop) {
-    std::vector<double> all{of_crop};
-    for (std::size_t c = 1; c < ages.size(); ++c) all.push_back(ages[c][step]);
-    return all;
+    std::vector<double> component_ages{of_crop};
+    for (std::size_t c = 1; c < ages.size(); ++c)
+        component_ages.push_back(ages[c][step]);
+    return component_ages;
 }
 
 std::vector<double> ages_before(const Campaign& campaign) {
     return std::vector<double>(1 + campaign.components.size(), -1);
 }
 
-//! Returns the part of the time around a thermal time that a stage stands for.
+//! Returns the weight of a stage in the time around a thermal time (linear
+//! interpolation).
 double weight(const Stage& stage, double time) {
     if (time < stage.at)
         return stage.before ? std::max(0., (time - *stage.before) /
@@ -100,13 +102,13 @@ double weight(const Stage& stage, double time) {
                : 1;
 }
 
-//! Returns the part of the carbon that a component assimilates in each step
-//! that its ears respire later, 0 before silking. The dry mass M of ears gains
-//! dM/dt = e N - e m' M, where N is the carbon that fills them, e dry matter
-//! per carbon, and m' [mol kg-1 d-1] their maintenance. So of the carbon of a
-//! time t the part exp(-R) is left at maturity, R being the integral of e m'
-//! since t: this part does not depend on N, so that the steps of all stages are
-//! apart.
+//! Returns, for each step, the fraction of carbon assimilated by a component
+//! that its ears respire later; 0 before silking. The dry mass M of ears grows
+//! by dM/dt = e N - e m' M, with the carbon N that fills them, dry matter per
+//! carbon e, and their maintenance m' [mol kg-1 d-1]. So exp(-R) of the carbon
+//! of time t remains at maturity, where R is the integral of e m' since t. This
+//! fraction does not depend on N, so that stages can be evaluated
+//! independently.
 //! @param ages thermal times of the component
 std::vector<double> respired_by_ears(const Growth& growth, const Season& season,
                                      const std::vector<double>& ages,
@@ -128,7 +130,8 @@ std::vector<double> respired_by_ears(const Growth& growth, const Season& season,
     return shares;
 }
 
-//! Sets Stage::ear_shares of all stages: those of their steps, by light.
+//! Sets Stage::ear_shares of all stages: means over their steps, weighted by
+//! light.
 void set_ear_shares(const Campaign& campaign, const Season& season,
                     const std::vector<std::vector<double>>& ages,
                     const LightSeries& series, Case& one) {
@@ -145,17 +148,17 @@ void set_ear_shares(const Campaign& campaign, const Season& season,
         }
         const std::vector<double> shares =
             respired_by_ears(*growth, season, ages[c], *photosynthesis, series);
-        for (Case& each : one.stages) {
+        for (Case& stage_case : one.stages) {
             double sum = 0, all = 0;
             for (std::size_t i = season.begin; i < season.end; ++i) {
                 const TimeStep& step = series.steps[i];
-                const double light = weight(*each.stage, season.times[i]) *
-                                     step.seconds *
-                                     (step.par.beam + step.par.diffuse);
+                const double light =
+                    weight(*stage_case.stage, season.times[i]) * step.seconds *
+                    (step.par.beam + step.par.diffuse);
                 sum += light * shares[i];
                 all += light;
             }
-            each.stage->ear_shares.push_back(all > 0 ? sum / all : 0);
+            stage_case.stage->ear_shares.push_back(all > 0 ? sum / all : 0);
         }
     }
 }
@@ -177,7 +180,7 @@ const Growth* growth_of(const Campaign& campaign, std::size_t component) {
 }
 
 void add_stages(const Campaign& campaign, Case& one) {
-    // A draft has not set crop.growth yet.
+    // crop.growth is not set in a draft campaign.
     if (!campaign.crop.growth || campaign.spec.climates.empty() ||
         !climate_of(campaign, one).grows())
         return;
@@ -188,6 +191,7 @@ void add_stages(const Campaign& campaign, Case& one) {
                     season.times[season.end - 1]);
     const auto ages = all_ages(campaign, one, season, series);
     const Case whole = one;
+    // Each stage, with its share of the light intercepted in the season.
     double sum = 0;
     for (std::size_t k = 0; k < times.size(); ++k) {
         const auto [at, interception] = times[k];
@@ -224,8 +228,7 @@ Stage stage_on(const Campaign& campaign, const Case& one,
     if (one.stages.empty())
         throw wrong_usage(
             "plants of this campaign do not grow (there is no "
-            "climate.emergence), so that they have one age only; leave the age "
-            "out");
+            "climate.emergence), so they have a single age; leave the age out");
     const LightSeries series = light_of(campaign, one);
     const Season season = season_of(campaign, one, series);
     const auto* date = std::get_if<Date>(&when);

@@ -81,7 +81,7 @@ SiteWeather to_site_weather(const LightSeries& series,
     return result;
 }
 
-//! Reports impossible values in the weather that a campaign contains.
+//! Reports impossible values in the weather included in a campaign.
 void check_weather(const SiteWeather& weather, const Problems& problems) {
     const auto& hours = weather.hours;
     const auto check = [&](const std::string& name,
@@ -112,7 +112,7 @@ void check_weather(const SiteWeather& weather, const Problems& problems) {
     of_steps("pressure", weather.pressure, 0, 1);
     of_steps("longwave", weather.longwave, 0, 0);
     for (std::size_t b = 0; b < wavebands.size(); ++b) {
-        // Beam and diffuse light are given together; for PAR always.
+        // Beam and diffuse light are given together; PAR is required.
         const auto &beam = weather.beam[b], &diffuse = weather.diffuse[b];
         const bool is_none = b > 0 && beam.empty() && diffuse.empty();
         of_steps(wavebands[b].prefix + "beam", beam, is_none ? 0 : steps, 0);
@@ -126,12 +126,12 @@ struct WeathersReader {
     TextSource source;
     Spec& spec;
     const Problems& problems;
-    std::set<std::string> told{};
+    std::set<std::string> reported{};
 
     void read() {
         for (std::size_t i = 0; i < spec.weathers.size(); ++i)
             check_weather(spec.weathers[i], problems.in("weather", i));
-        std::vector<SiteWeather> found;
+        std::vector<SiteWeather> weathers;
         for (std::size_t c = 0; c < spec.climates.size(); ++c) {
             const Problems of_climate = problems.in("climate", c);
             const auto& [name, climate] = spec.climates[c];
@@ -139,9 +139,9 @@ struct WeathersReader {
             for (std::size_t s = 0; s < spec.sites.size(); ++s)
                 if (!has(spec.sites[s].name, name))
                     read(spec.sites[s], spec.climates[c],
-                         problems.in("site", s), of_climate, found);
+                         problems.in("site", s), of_climate, weathers);
         }
-        for (SiteWeather& each : found)
+        for (SiteWeather& each : weathers)
             spec.weathers.push_back(std::move(each));
     }
 
@@ -153,13 +153,13 @@ struct WeathersReader {
 
     void read(const Site& site, const Named<Climate>& named,
               const Problems& of_site, const Problems& of_climate,
-              std::vector<SiteWeather>& found) {
+              std::vector<SiteWeather>& weathers) {
         const auto& [name, climate] = named;
         if (source != TextSource::file)
             return of_climate.add(
                 "file", ProblemCode::missing,
                 "climate \"{}\" has no [[weather]] of site \"{}\" (resolved "
-                "campaigns have it in them); use the campaign file",
+                "campaigns include it); use the campaign file",
                 name, site.name);
         if (!of_site.usable({"name", "weather", "latitude", "longitude",
                              "utc_offset", "elevation"}) ||
@@ -173,8 +173,8 @@ struct WeathersReader {
                 name, site.name);
         if (!climate.file.empty() && !site.weather.empty())
             return of_site.add("weather", ProblemCode::contradiction,
-                               "site \"{}\" has weather of its own (climate "
-                               "\"{}\" has a file for all sites); remove one",
+                               "site \"{}\" has a weather file (and climate "
+                               "\"{}\" has one for all sites); remove one",
                                site.name, name);
         const bool is_of_site = climate.file.empty();
         const Problems& of_file = is_of_site ? of_site : of_climate;
@@ -193,13 +193,14 @@ struct WeathersReader {
             for (const Problem& warning : weather.warnings)
                 if (is_new(warning))
                     problems.warn(of_file.named_by(key, warning));
-            found.push_back(
+            weathers.push_back(
                 to_site_weather(weather.series, spec.plant.crop.follows));
-            found.back().site = site.name;
-            found.back().climate = name;
-            found.back().sha256 = sha256(file.text);
+            weathers.back().site = site.name;
+            weathers.back().climate = name;
+            weathers.back().sha256 = sha256(file.text);
         } catch (const InputError& error) {
-            // Sites may share a file, whose problems are reported only once.
+            // Problems of a file shared by several sites are reported only
+            // once.
             for (const Problem& problem : error.problems())
                 if (is_new(problem))
                     problems.add(of_file.named_by(key, problem));
@@ -207,7 +208,7 @@ struct WeathersReader {
     }
 
     bool is_new(const Problem& problem) {
-        return told.insert(to_string(problem)).second;
+        return reported.insert(to_string(problem)).second;
     }
 };
 

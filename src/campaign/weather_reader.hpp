@@ -9,9 +9,9 @@
 namespace ideotype {
 
 //! Reads the weather files of a campaign, for each site in each climate, unless
-//! the campaign has the weather already; resolved campaigns have all. Problems
-//! of a file are reported with their line.
-//! @param file path of the campaign, from which weather files are found
+//! the campaign includes the weather, as resolved campaigns do. Problems are
+//! reported with file and line.
+//! @param file path of the campaign, to which weather paths are relative
 void read_weathers(const std::string& file, TextSource source, Spec& spec,
                    const Problems& problems);
 

@@ -93,7 +93,7 @@ class Assimilation {
             if (noise.whole == 0) continue;
             const std::vector<double> sums =
                 pair.scatter(noise.weights, noise.sky, noise.differences);
-            const double mean = mean_of(sums);
+            const double mean = average(sums);
             // The error of each step is assumed to be proportional to the size
             // of its value.
             for (std::size_t r = 0; r < sums.size(); ++r)

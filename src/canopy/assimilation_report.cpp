@@ -30,7 +30,7 @@ void set_organs(const Component& component, std::uint32_t number,
                 const std::vector<Group>& groups,
                 std::vector<LeafGroup>& result) {
     if (!component.plant) return;
-    const std::vector<PlantOrgan> organs = organs_of(*component.plant);
+    const std::vector<PlantOrgan> organs = list_organs(*component.plant);
     std::uint32_t present = 0;
     for (std::size_t place = 0; place < organs.size(); ++place) {
         const PlantOrgan& organ = organs[place];

@@ -17,7 +17,7 @@ bool Scene::has_living_organs() const {
     return std::ranges::any_of(components, [](const Component& each) {
         return each.photosynthesis && each.plant &&
                std::ranges::any_of(
-                   organs_of(*each.plant), [](const PlantOrgan& organ) {
+                   list_organs(*each.plant), [](const PlantOrgan& organ) {
                        return organ.is_present && organ.tissue.is_living();
                    });
     });

@@ -42,14 +42,14 @@ Row row_of(const History& history, const RowChoice& choice, Task& task) {
     if (choice.is_best) return best_row(history, task);
     if (!choice.generation || !choice.slot)
         throw wrong_usage(
-            "no plant of the history is chosen; give --best, or --generation G "
-            "--slot S");
+            "no plant of the history is selected; give --best, or --generation "
+            "G --slot S");
     const HistoryHeader& header = history.header();
-    const auto most = static_cast<std::uint32_t>(header.generations);
-    if (*choice.generation >= most)
+    const auto count = static_cast<std::uint32_t>(header.generations);
+    if (*choice.generation >= count)
         throw wrong_usage(
             "there is no generation {}: this history has generations 0 to {}",
-            *choice.generation, most - 1);
+            *choice.generation, count - 1);
     const std::uint32_t slots = history.size(*choice.generation);
     if (slots > 0 && *choice.slot >= slots)
         throw wrong_usage(
@@ -60,7 +60,7 @@ Row row_of(const History& history, const RowChoice& choice, Task& task) {
     Row row;
     if (slots > 0) row = history.row(task.generation, task.slot);
     if (row.candidate.origin == Origin::none)
-        throw wrong_usage("generation {} slot {} has not been bred yet",
+        throw wrong_usage("generation {} slot {} has no plant yet",
                           task.generation, task.slot);
     return row;
 }

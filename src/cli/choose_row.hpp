@@ -2,31 +2,32 @@
 #pragma once
 
 #include "campaign/campaign.hpp"
+#include "commands.hpp"
 #include "history/history.hpp"
 #include "parallel/evaluator.hpp"
-#include "verbs.hpp"
 
 namespace ideotype {
 
-//! A row that was asked for, with all that made it.
+//! A selected row of a history, with the data needed to recompute it.
 struct ChosenRow {
     Campaign campaign;
     Case chosen;
     Task task;
     Row row;
-    //! Settings of the keys that were bred beside the plant, as words of --set.
+    //! Values of campaign keys that were optimised along with the plant, in the
+    //! form of --set.
     std::vector<std::string> keys;
     OutcomeSchema schema;  //!< schema of the row
     std::string isa;       //!< instruction set
 };
 
-//! Returns the best finalist, the best of the last generation if there are no
-//! finalists yet, or the row of a generation and slot.
-//! @param path of a history
+//! Returns the best finalist, the best plant of the last generation if there
+//! are no finalists yet, or the row of a generation and slot.
+//! @param path path of a history
 //! @throws Error (usage) if the choice is incomplete or out of range.
 ChosenRow choose_row(const std::string& path, const RowChoice& choice);
 
-//! True for the name of a history, false for that of a campaign.
+//! Returns whether a path names a history, not a campaign.
 bool is_history(const std::string& path);
 
 }  // namespace ideotype

@@ -6,26 +6,26 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "commands.hpp"
 #include "spec/tables.hpp"
 #include "spec/writer.hpp"
-#include "verbs.hpp"
 
 namespace ideotype {
 
 namespace {
 
-//! Returns a name of values in the style of a help text.
+//! Returns the placeholder of a value in a help text.
 std::string upper_case(std::string text) {
     for (char& c : text)
         c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
     return text;
 }
 
-//! Declares an option that takes a value of each of some names.
-CLI::Option* add_given(CLI::App& verb, const std::string& key,
+//! Declares an option that takes one value for each name.
+CLI::Option* add_given(CLI::App& command, const std::string& key,
                        const std::vector<std::string>& names,
                        const std::string& meaning, GivenKeys& given) {
-    return verb
+    return command
         .add_option_function<std::vector<std::string>>(
             option_of_key(key),
             [&given, key](const std::vector<std::string>& words) {
@@ -38,7 +38,7 @@ CLI::Option* add_given(CLI::App& verb, const std::string& key,
         ->allow_extra_args(false);
 }
 
-//! Returns the meaning of a key and the values that it takes.
+//! Returns the meaning of a key and its allowed values.
 std::string about(const Key& key) {
     const std::string range = range_text(key);
     return range == "-" ? key.meaning
@@ -53,7 +53,7 @@ std::string option_of_key(const std::string& key) {
     return option;
 }
 
-void declare_mesh_keys(CLI::App& verb, GivenKeys& given) {
+void declare_mesh_keys(CLI::App& command, GivenKeys& given) {
     MeshSpec types;
     for (const Table& table : mesh_table.tables()) {
         std::vector<std::string> names, meanings;
@@ -62,20 +62,20 @@ void declare_mesh_keys(CLI::App& verb, GivenKeys& given) {
             meanings.push_back(about(key));
         }
         add_given(
-            verb, table.name, names,
+            command, table.name, names,
             fmt::format("{}: {}", table.meaning, fmt::join(meanings, ", ")),
             given);
     }
     for (const Key& key : mesh_table.keys()) {
         if (std::holds_alternative<bool*>(key.place(&types))) {
-            verb.add_flag_callback(
+            command.add_flag_callback(
                 option_of_key(key.name),
                 [&given, name = key.name] { given[name] = {true}; },
                 key.meaning);
             continue;
         }
         CLI::Option* const option =
-            add_given(verb, key.name, {key.values.type}, about(key), given);
+            add_given(command, key.name, {key.values.type}, about(key), given);
         if (!key.initial.words)
             option->default_str(default_text(key, mesh_table.usual()));
     }

@@ -11,10 +11,10 @@
 
 #include <fmt/format.h>
 
+#include "commands.hpp"
 #include "ideotype/core/host.hpp"
 #include "run/job/way_on.hpp"
 #include "spec/problems.hpp"
-#include "verbs.hpp"
 
 namespace ideotype {
 
@@ -24,8 +24,8 @@ int number_in(const char* text, int otherwise) {
     return text != nullptr ? std::atoi(text) : otherwise;
 }
 
-//! The variables in which launchers tell rank and size. PMIx tells no size, but
-//! SLURM does under srun.
+//! The environment variables in which launchers state rank and size. PMIx
+//! states no size; under srun SLURM does.
 struct Variables {
     const char *rank, *size;
 };
@@ -35,14 +35,14 @@ constexpr std::array<Variables, 3> variables{{
     {"PMIX_RANK", "SLURM_STEP_NUM_TASKS"},
 }};
 
-//! Refuses a job with fewer ranks found than started, as under the launcher of
-//! another MPI, where each rank would do all the work.
-void require_all_ranks(int found, int started) {
-    if (found >= started) return;
+//! Refuses a job in which MPI connects fewer ranks than were started. Under the
+//! launcher of another MPI library each rank would do all the work.
+void require_all_ranks(int connected, int started) {
+    if (connected >= started) return;
     throw wrong_usage(
-        "{} ranks were started, but do not find each other: the launcher is "
-        "not that of {}, which this program is built with; start it with the "
-        "mpirun of that, or srun with another --mpi (srun --mpi=list)",
+        "{} ranks were started but cannot find each other: the launcher does "
+        "not match {}, with which this program was built; use the mpirun of "
+        "that library, or srun with another --mpi (srun --mpi=list)",
         started, Session::library_version());
 }
 
@@ -63,8 +63,8 @@ int parse_threads(const std::string& text) {
     if (failure != std::errc() || rest != end || threads < 1 ||
         threads > most_threads)
         throw wrong_usage(
-            "--threads: '{}' is no number of threads; give 1 to {}, or auto, "
-            "which is {} here",
+            "--threads: '{}' is not a number of threads; give 1 to {}, or auto "
+            "({} here)",
             text, most_threads, automatic);
     return threads;
 }
@@ -98,10 +98,10 @@ std::string launcher_of(const std::string& program) {
 }
 
 Launch launch_of_this_process() {
-    for (const Variables& each : variables)
-        if (const char* rank = std::getenv(each.rank))
+    for (const Variables& names : variables)
+        if (const char* rank = std::getenv(names.rank))
             return {true, number_in(rank, 0),
-                    number_in(std::getenv(each.size), 1)};
+                    number_in(std::getenv(names.size), 1)};
     return {};
 }
 
@@ -141,7 +141,7 @@ ExitCode share_work(const Session& session, const Evaluators& evaluators,
     } catch (...) {
         failure = std::current_exception();
     }
-    // A hanging worker would keep the program from ending.
+    // A hanging worker would block the end of the program.
     const bool all_answer = dispatcher->dismiss();
     try {
         if (failure) std::rethrow_exception(failure);

@@ -14,14 +14,15 @@ namespace ideotype {
 
 namespace {
 
-double mean_day(const LightSeries& series, double Irradiance::*component) {
+//! Integrates a component of PAR over the steps, per day [J m-2].
+double integrate_day(const LightSeries& series, double Irradiance::*component) {
     double sum = 0;
     for (const TimeStep& step : series.steps)
         sum += step.par.*component * step.seconds;
     return sum / series.days;
 }
 
-int step_count(const DaySpan& span) {
+int count_steps(const DaySpan& span) {
     const double steps = (span.end - span.start) * 60 / span.step_minutes;
     const double whole = std::round(steps);
     if (!(whole >= 1) || !(std::abs(steps - whole) <= 1e-6))
@@ -40,9 +41,9 @@ class Elevation {
         return 90 - sun_position(site_, date_, hour).zenith;
     }
 
-    //! Returns the hour of the highest elevation between two hours, before
-    //! which it rises and after which it falls.
-    double highest(double first, double last) const {
+    //! Finds the hour of the highest elevation between two hours, before which
+    //! it rises and after which it falls, by ternary search.
+    double find_highest(double first, double last) const {
         while (last - first > precision) {
             const double third = (last - first) / 3;
             if (at(first + third) < at(last - third))
@@ -53,9 +54,9 @@ class Elevation {
         return (first + last) / 2;
     }
 
-    //! Returns the hour when the sun is at the horizon, between an hour below
-    //! and an hour above the horizon.
-    std::optional<double> crossing(double low, double high) const {
+    //! Finds the hour when the sun is at the horizon by bisection, between an
+    //! hour with the sun below and one with the sun above it.
+    std::optional<double> find_crossing(double low, double high) const {
         if (at(low) >= 0 || at(high) < 0) return std::nullopt;
         while (std::abs(high - low) > precision) {
             const double middle = (low + high) / 2;
@@ -71,8 +72,8 @@ class Elevation {
     const Date& date_;
 };
 
-//! The largest distance of the highest sun from mean noon: the equation of time
-//! is below 17 minutes, to which declination adds a little at high latitudes.
+//! Largest difference between solar noon and mean noon [h]: the equation of
+//! time is below 17 minutes, and declination adds a little at high latitudes.
 constexpr double largest_shift = 1;
 
 }  // namespace
@@ -92,11 +93,11 @@ std::optional<Date> to_date(const std::string& text) {
 }
 
 double LightSeries::beam() const {
-    return mean_day(*this, &Irradiance::beam);
+    return integrate_day(*this, &Irradiance::beam);
 }
 
 double LightSeries::diffuse() const {
-    return mean_day(*this, &Irradiance::diffuse);
+    return integrate_day(*this, &Irradiance::diffuse);
 }
 
 double LightSeries::lit_seconds() const {
@@ -122,13 +123,14 @@ std::vector<Date> LightSeries::dates() const {
 }
 
 std::vector<std::vector<std::size_t>> LightSeries::steps_of_hours() const {
-    const std::vector<double> all = hours();
-    std::vector<std::vector<std::size_t>> result(all.size());
+    const std::vector<double> sorted = hours();
+    std::vector<std::vector<std::size_t>> result(sorted.size());
     for (std::size_t i = 0; i < steps.size(); ++i) {
-        const auto found =
-            std::lower_bound(all.begin(), all.end(), steps[i].hour);
-        if (found != all.end() && *found == steps[i].hour)
-            result[static_cast<std::size_t>(found - all.begin())].push_back(i);
+        const auto hour =
+            std::lower_bound(sorted.begin(), sorted.end(), steps[i].hour);
+        if (hour != sorted.end() && *hour == steps[i].hour)
+            result[static_cast<std::size_t>(hour - sorted.begin())].push_back(
+                i);
     }
     return result;
 }
@@ -144,7 +146,7 @@ std::vector<std::vector<std::size_t>> LightSeries::steps_of_dates() const {
 
 LightSeries clear_days(const Site& site, const DaySpan& span,
                        double par_fraction) {
-    const int count = step_count(span);
+    const int count = count_steps(span);
     const double step_hours = (span.end - span.start) / count;
     LightSeries series;
     series.days = static_cast<int>(span.dates.size());
@@ -170,11 +172,11 @@ Daylight daylight(const Site& site, const Date& date) {
     const Elevation elevation(site, date);
     const double mean_noon = 12 + clock_ahead(site);
     Daylight day;
-    day.noon =
-        elevation.highest(mean_noon - largest_shift, mean_noon + largest_shift);
+    day.noon = elevation.find_highest(mean_noon - largest_shift,
+                                      mean_noon + largest_shift);
     day.elevation = elevation.at(day.noon);
-    day.sunrise = elevation.crossing(day.noon - 12, day.noon);
-    day.sunset = elevation.crossing(day.noon + 12, day.noon);
+    day.sunrise = elevation.find_crossing(day.noon - 12, day.noon);
+    day.sunset = elevation.find_crossing(day.noon + 12, day.noon);
     return day;
 }
 
@@ -185,17 +187,17 @@ double clock_ahead(const Site& site) {
 double share_left_out(const Site& site, const DaySpan& span) {
     constexpr int instants = 24 * 60;
     const double midnight = clock_ahead(site);
-    double all = 0, kept = 0;
+    double total = 0, kept = 0;
     for (const Date& date : span.dates)
         for (int i = 0; i < instants; ++i) {
             const double hour = midnight + (i + 0.5) * 24 / instants;
             const Irradiance light =
                 clear_sky(site, date, sun_position(site, date, hour));
             const double sum = light.beam + light.diffuse;
-            all += sum;
+            total += sum;
             if (hour > span.start && hour < span.end) kept += sum;
         }
-    return all > 0 ? 1 - kept / all : 0;
+    return total > 0 ? 1 - kept / total : 0;
 }
 
 }  // namespace ideotype

@@ -20,28 +20,27 @@ using std::numbers::pi;
 
 //! The two factors of the CIE clear sky, see relative_radiance().
 
-//! Returns the scattering at an angle from the sun [rad].
+//! The scattering indicatrix: relative radiance at an angle from the sun [rad].
 double indicatrix(double to_sun) {
     const double c = std::cos(to_sun);
     return 0.91 + 10 * std::exp(-3 * to_sun) + 0.45 * c * c;
 }
 
-//! Returns the brightening from the zenith to the horizon.
+//! The gradation: relative radiance from the zenith to the horizon.
 double gradation(double cos_zenith) {
     return cos_zenith > 0 ? 1 - std::exp(-0.32 / cos_zenith) : 1;
 }
 
-//! Returns a direction of travel from a place of the sky at an angle from the
-//! zenith.
-glm::dvec3 travel_from(double cos_zenith, double sin_zenith, double azimuth) {
+//! Returns the direction of travel from a point of the sky.
+glm::dvec3 make_travel(double cos_zenith, double sin_zenith, double azimuth) {
     return {sin_zenith * std::cos(azimuth), -sin_zenith * std::sin(azimuth),
             -cos_zenith};
 }
 
-//! Returns the inverse of (3 m^2 + 4 m^3) / 7, the share of an overcast sky's
-//! irradiance from below a place with cos z = m. With m = (2 w - 1) / 4 the
-//! cubic becomes the Chebyshev polynomial 4 w^3 - 3 w = 56 share - 1.
-double overcast_cos_zenith(double share) {
+//! Inverts (3 m^2 + 4 m^3) / 7, the share of an overcast sky's irradiance from
+//! points with cos z below m. With m = (2 w - 1) / 4 the cubic becomes the
+//! Chebyshev polynomial 4 w^3 - 3 w = 56 share - 1.
+double invert_overcast(double share) {
     const double k = 56 * share - 1;
     const double w =
         k < 1 ? std::cos(std::acos(k) / 3) : std::cosh(std::acosh(k) / 3);
@@ -67,8 +66,9 @@ double relative_radiance(const SkyRadiance& sky, const glm::dvec3& travel) {
 }
 
 //! A density on [0, 1] that is smooth within each of several equal panels. In
-//! each panel a polynomial through Gauss-Legendre nodes approximates the
-//! density; its known integral is inverted to rounding.
+//! each panel the density is approximated by a polynomial through
+//! Gauss-Legendre nodes; its integral, known in closed form, is inverted to
+//! rounding.
 template <std::size_t panels>
 class PiecewiseDensity {
   public:
@@ -77,7 +77,7 @@ class PiecewiseDensity {
         double sum = 0;
         for (std::size_t p = 0; p < panels; ++p) {
             for (std::size_t j = 0; j < order; ++j) {
-                values_[p][j] = density(place(p, nodes[j]));
+                values_[p][j] = density(map(p, nodes[j]));
                 sum += weights[j] * values_[p][j] / (2 * panels);
             }
             integrals_[p] = sum;
@@ -87,14 +87,15 @@ class PiecewiseDensity {
     //! Returns the integral over [0, 1].
     double total() const { return integrals_.back(); }
 
-    //! Returns where the integral from 0 reaches a share of the total.
+    //! Returns the point where the integral from 0 reaches a share of the
+    //! total.
     double quantile(double share) const {
         const double target = share * total();
-        const auto found =
+        const auto panel =
             std::lower_bound(integrals_.begin(), integrals_.end() - 1, target);
-        const auto p = static_cast<std::size_t>(found - integrals_.begin());
+        const auto p = static_cast<std::size_t>(panel - integrals_.begin());
         const double before = p == 0 ? 0 : integrals_[p - 1];
-        return place(p, solve(values_[p], (target - before) * 2 * panels));
+        return map(p, solve(values_[p], (target - before) * 2 * panels));
     }
 
   private:
@@ -107,8 +108,8 @@ class PiecewiseDensity {
                                     0.467913934572691047, 0.467913934572691047,
                                     0.360761573048138608, 0.171324492379170345};
 
-    //! Returns the point of a panel at x in [-1, 1].
-    static double place(std::size_t panel, double x) {
+    //! Maps x in [-1, 1] to a point of a panel.
+    static double map(std::size_t panel, double x) {
         return (static_cast<double>(panel) + (1 + x) / 2) / panels;
     }
 
@@ -122,11 +123,12 @@ class PiecewiseDensity {
         return p;
     }
 
-    //! Returns the point of [-1, 1] where the integral from -1 reaches an
-    //! amount, by Newton's method, or by bisection where Newton's step leaves
-    //! the bracket.
+    //! Finds the point of [-1, 1] where the integral from -1 reaches an amount,
+    //! by Newton's method, or by bisection where a Newton step leaves the
+    //! bracket.
     static double solve(const Values& values, double amount) {
-        // Scaled coefficients: coefficient k of the density over (2 k + 1).
+        // Coefficients of the Legendre series of the density, that of degree k
+        // over (2 k + 1): they are also those of the integral.
         Values c{};
         for (std::size_t j = 0; j < order; ++j) {
             const auto p = legendre(nodes[j]);
@@ -134,9 +136,10 @@ class PiecewiseDensity {
                 c[k] += weights[j] * values[j] * p[k] / 2;
         }
         double low = -1, high = 1;
-        // Only shares of 0 and 1 reach a panel whose integral is zero.
+        // Only shares of 0 and 1 reach a panel with an integral of zero.
         if (!(c[0] > 0)) return low;
         double x = std::clamp(amount / c[0] - 1, low, high);
+        // Newton's method on the integral, safeguarded by [low, high].
         for (int i = 0; i < 60; ++i) {
             const auto p = legendre(x);
             double density = c[0];
@@ -159,11 +162,12 @@ class PiecewiseDensity {
     std::array<double, panels> integrals_{};
 };
 
-//! The clear sky in polar coordinates about the sun, without singularities: one
-//! factor of the radiance depends only on the angle to the sun, the second
-//! changes smoothly along circles about the sun. The distribution of the angle
-//! is tabulated; that of the position on a circle is integrated for each
-//! direction. The mean relative error of the sampled density is at most 3e-7.
+//! The clear sky in polar coordinates about the sun, which avoids
+//! singularities: one factor of the radiance depends only on the angle to the
+//! sun, the other varies smoothly along circles about the sun. The distribution
+//! of the angle is tabulated; that of the position on a circle is integrated
+//! for each direction. The mean relative error of the sampled density is at
+//! most 3e-7.
 class SkySampler::ClearSky {
   public:
     explicit ClearSky(const SunPosition& sun)
@@ -184,8 +188,8 @@ class SkySampler::ClearSky {
         const double side = 2 * v - 1;
         const double around =
             std::copysign(Circle(*this, to_sun).quantile(std::abs(side)), side);
-        // The components point to the sun, perpendicular to the sun on the
-        // zenith's side, and horizontally.
+        // Components towards the sun, perpendicular to it on the zenith's side,
+        // and horizontal.
         const double s = std::cos(to_sun);
         const double t = std::sin(to_sun) * std::cos(around);
         const double b = std::sin(to_sun) * std::sin(around);
@@ -198,13 +202,13 @@ class SkySampler::ClearSky {
     }
 
   private:
-    //! All places above the horizon at one angle to the sun; the position angle
+    //! All points above the horizon at one angle to the sun; the position angle
     //! is 0 on the side of the zenith.
     class Circle {
       public:
         Circle(const ClearSky& sky, double to_sun)
-            : end_(end(std::cos(to_sun) * sky.cos_sun_,
-                       std::sin(to_sun) * sky.sin_sun_)),
+            : end_(find_end(std::cos(to_sun) * sky.cos_sun_,
+                            std::sin(to_sun) * sky.sin_sun_)),
               half_([this, a = std::cos(to_sun) * sky.cos_sun_,
                      b = std::sin(to_sun) * sky.sin_sun_](double x) {
                   const double cos_zenith =
@@ -214,14 +218,14 @@ class SkySampler::ClearSky {
 
         double irradiance() const { return 2 * end_ * half_.total(); }
 
-        //! Returns the angle that splits off a share of half the circle.
+        //! Returns the position angle that bounds a share of half the circle.
         double quantile(double share) const {
             return position(half_.quantile(share));
         }
 
       private:
         //! Returns the angle at which cos z = a + b cos x becomes zero.
-        static double end(double a, double b) {
+        static double find_end(double a, double b) {
             return a >= b ? pi : a <= -b ? 0 : std::acos(-a / b);
         }
 
@@ -239,8 +243,8 @@ class SkySampler::ClearSky {
     };
 
     //! Returns the angle to the sun for t in [0, 1]: whole circles in the first
-    //! half, circles that the horizon cuts in the second half. The cosine
-    //! removes the square roots at both ends of the cut.
+    //! half, circles cut by the horizon in the second. The cosine removes the
+    //! square-root singularities at both ends of the cut.
     Angle angle_at(double t) const {
         const double cut = std::max(0.0, pi / 2 - sun_zenith_);
         const double begin = t < 0.5 ? 0 : cut;
@@ -265,9 +269,9 @@ SkySampler::SkySampler(const SkyRadiance& sky) : radiance_(sky) {
 glm::dvec3 SkySampler::sample(double u, double v) const {
     if (clear_) return clear_->sample(u, v);
     if (radiance_.model == SkyModel::uniform)
-        return travel_from(std::sqrt(1 - u), std::sqrt(u), 2 * pi * v);
-    const double cos_zenith = overcast_cos_zenith(1 - u);
-    return travel_from(cos_zenith, std::sqrt(1 - cos_zenith * cos_zenith),
+        return make_travel(std::sqrt(1 - u), std::sqrt(u), 2 * pi * v);
+    const double cos_zenith = invert_overcast(1 - u);
+    return make_travel(cos_zenith, std::sqrt(1 - cos_zenith * cos_zenith),
                        2 * pi * v);
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 //! Returns the days since noon of 1 January 2000, in universal time.
 double days_since_2000(const Date& date, double universal_hour) {
-    const auto whole_days = (day_of(date) - day_of({2000, 1, 1})).count();
+    const auto whole_days = (to_day(date) - to_day({2000, 1, 1})).count();
     return static_cast<double>(whole_days) - 0.5 + universal_hour / 24;
 }
 
@@ -23,6 +23,8 @@ struct Equatorial {
     double declination;
 };
 
+//! Returns the apparent position of the sun by the PSA algorithm with the 2020
+//! coefficients (Blanco et al. 2020), see sun_position().
 Equatorial apparent_sun(double days) {
     const double node = 2.267127827 - 9.300339267e-4 * days;
     const double mean_longitude = 4.895036035 + 1.720279602e-2 * days;
@@ -45,7 +47,7 @@ constexpr double sea_level_pressure = 1013.25;  //!< [hPa]
 
 //! Returns the days since 1 January of the same year.
 int day_of_year(const Date& date) {
-    return static_cast<int>((day_of(date) - day_of({date.year, 1, 1})).count());
+    return static_cast<int>((to_day(date) - to_day({date.year, 1, 1})).count());
 }
 
 //! Returns the pressure of the standard atmosphere [hPa] at an elevation [m].
@@ -53,8 +55,8 @@ double standard_pressure(double elevation) {
     return std::pow((44331.514 - elevation) / 11880.516, 1 / 0.1902632);
 }
 
-//! Returns the optical path through the air over that for a zenith sun at sea
-//! level (Kasten and Young 1989, doi:10.1364/AO.28.004735).
+//! Returns the relative optical air mass at an elevation, 1 for a zenith sun at
+//! sea level (Kasten and Young 1989, doi:10.1364/AO.28.004735).
 double air_mass(double zenith, double elevation) {
     const double relative =
         1 / (std::cos(zenith * degree) +
@@ -62,8 +64,8 @@ double air_mass(double zenith, double elevation) {
     return relative * standard_pressure(elevation) / sea_level_pressure;
 }
 
-//! Returns the cosine of the zenith angle [deg], but at least the limit for
-//! clearness indices.
+//! Returns the cosine of the zenith angle [deg], bounded below as for clearness
+//! indices.
 double bounded_cosine(double zenith) {
     return std::max(std::cos(zenith * degree), 0.065);
 }
@@ -82,6 +84,7 @@ SunPosition sun_position(const Site& site, const Date& date, double hour) {
     const double days = days_since_2000(date, universal_hour);
     const Equatorial sun = apparent_sun(days);
 
+    // Hour angle from the Greenwich mean sidereal time.
     const double greenwich_sidereal_hours =
         6.697096103 + 6.570984737e-2 * days + universal_hour;
     const double hour_angle =
@@ -131,6 +134,7 @@ Irradiance clear_sky(const Site& site, const Date& date,
     const double mass = air_mass(sun.zenith, site.elevation);
     const double turbidity = site.linke_turbidity;
 
+    // Global light on a horizontal plane.
     const double fh1 = std::exp(-site.elevation / 8000);
     const double fh2 = std::exp(-site.elevation / 1250);
     const double cg1 = 5.09e-5 * site.elevation + 0.868;
@@ -138,6 +142,7 @@ Irradiance clear_sky(const Site& site, const Date& date,
     const double global = cg1 * extraterrestrial * cos_zenith *
                           std::exp(-cg2 * mass * (fh1 + fh2 * (turbidity - 1)));
 
+    // Beam on a plane that faces the sun.
     const double b = 0.664 + 0.163 / fh1;
     const double beam_normal =
         b * extraterrestrial * std::exp(-0.09 * mass * (turbidity - 1));
@@ -160,8 +165,8 @@ double diffuse_fraction(double global, double extraterrestrial_normal,
 }
 
 double par_share(double par, double extraterrestrial_normal, double zenith) {
-    // Each step divides the error of the share by at least nine, the ratio of
-    // photons to energy over 0.191.
+    // Fixed-point iteration: each step reduces the error of the share by a
+    // factor of at least nine, the ratio of photons to energy over 0.191.
     constexpr int steps = 18;
     double share = 0.45;
     for (int i = 0; i < steps; ++i) {

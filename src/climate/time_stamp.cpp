@@ -11,7 +11,7 @@ namespace ideotype {
 using namespace std::chrono;
 
 ClockTime midnight(const Date& date) {
-    return ClockTime{day_of(date).time_since_epoch()};
+    return ClockTime{to_day(date).time_since_epoch()};
 }
 
 Date date_at(ClockTime time) {
@@ -31,7 +31,7 @@ ClockTime later(ClockTime time, double hours) {
 
 namespace {
 
-//! Returns the first instant of a date; nothing if there is no such date.
+//! Returns the first instant of a date, or nothing if there is no such date.
 std::optional<ClockTime> midnight(int year, int month, int day) {
     if (month < 1 || month > 12 || day < 1 || day > 31) return std::nullopt;
     const Date date{year, month, day};
@@ -39,20 +39,21 @@ std::optional<ClockTime> midnight(int year, int month, int day) {
     return midnight(date);
 }
 
-//! Returns the whole numbers, of up to four digits, between separators of one
-//! kind; nothing if the text is anything else.
-std::vector<int> numbers(std::string_view text, std::string_view separators) {
+//! Parses whole numbers of up to four digits between separators of one kind;
+//! returns nothing for any other text.
+std::vector<int> parse_numbers(std::string_view text,
+                               std::string_view separators) {
     const std::size_t first = text.find_first_of(separators);
     const char separator = first == text.npos ? '\0' : text[first];
-    std::vector<int> all;
+    std::vector<int> values;
     for (;;) {
         const std::size_t end = text.find(separator);
         const std::string_view part = text.substr(0, end);
         if (part.empty() || part.size() > 4 ||
             part.find_first_not_of("0123456789") != part.npos)
             return {};
-        all.push_back(static_cast<int>(*number_of(part)));
-        if (end == text.npos) return all;
+        values.push_back(static_cast<int>(*parse_number(part)));
+        if (end == text.npos) return values;
         text.remove_prefix(end + 1);
     }
 }
@@ -62,7 +63,7 @@ std::optional<ClockTime> parse_date(std::string_view text, DateOrder order) {
     if (order == DateOrder::year_month_day && text.size() == 8 &&
         text.find_first_of("-/.") == text.npos)
         parted.insert(6, "-").insert(4, "-");
-    std::vector<int> parts = numbers(parted, "-/.");
+    std::vector<int> parts = parse_numbers(parted, "-/.");
     if (parts.size() != 3) return std::nullopt;
     if (order == DateOrder::month_day_year)
         parts = {parts[2], parts[0], parts[1]};
@@ -73,7 +74,7 @@ std::optional<ClockTime> parse_date(std::string_view text, DateOrder order) {
 }
 
 std::optional<double> parse_clock(std::string_view text) {
-    std::vector<int> parts = numbers(text, ":");
+    std::vector<int> parts = parse_numbers(text, ":");
     if (parts.size() == 1 && text.size() == 4)
         parts = {parts[0] / 100, parts[0] % 100};
     if (parts.size() != 2 && parts.size() != 3) return std::nullopt;
@@ -83,14 +84,14 @@ std::optional<double> parse_clock(std::string_view text) {
     return hours;
 }
 
-//! Returns the hours of an offset from UTC, such as -06:00, +0530 or Z.
+//! Parses an offset from UTC such as -06:00, +0530 or Z [h].
 std::optional<double> parse_offset(std::string_view text) {
     if (text == "Z" || text == "z") return 0;
     if (text.size() < 2) return std::nullopt;
     const double sign = text.front() == '-' ? -1 : 1;
     text.remove_prefix(1);
     const std::optional<double> hours =
-        text.size() == 2 ? number_of(text) : parse_clock(text);
+        text.size() == 2 ? parse_number(text) : parse_clock(text);
     if (!hours) return std::nullopt;
     return sign * *hours;
 }
@@ -128,18 +129,19 @@ std::optional<WrittenTime> parse_time(const std::vector<CsvField>& parts,
     if (parts.size() == 2)
         return sum(parse_date(parts[0].text, order),
                    parse_clock(parts[1].text));
-    std::array<double, 5> numbers{};
-    for (std::size_t i = 0; i < parts.size() && i < numbers.size(); ++i) {
-        const auto number = number_of(parts[i].text);
+    // The date and the clock time are in columns of numbers.
+    std::array<double, 5> values{};
+    for (std::size_t i = 0; i < parts.size() && i < values.size(); ++i) {
+        const auto number = parse_number(parts[i].text);
         if (!number || !(std::abs(*number) <= 9999) ||
             (i < 3 && *number != std::trunc(*number)))
             return std::nullopt;
-        numbers[i] = *number;
+        values[i] = *number;
     }
     const auto whole = [&](std::size_t i) {
-        return static_cast<int>(numbers[i]);
+        return static_cast<int>(values[i]);
     };
-    const double hours = numbers[3] + numbers[4] / 60;
+    const double hours = values[3] + values[4] / 60;
     if (hours < 0 || hours > 24) return std::nullopt;
     return sum(midnight(whole(0), whole(1), whole(2)), hours);
 }

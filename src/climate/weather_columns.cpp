@@ -17,8 +17,8 @@ using namespace std::chrono;
 
 enum class Measured { energy, photons, fraction, temperature, speed, pressure };
 
-//! A spelling of a unit, in lower case without other characters than letters,
-//! digits and %, and the unit in the spelling of campaigns.
+//! A spelling of a unit, reduced to lower-case letters, digits and %, and the
+//! unit as campaigns spell it.
 struct Spelling {
     Measured kind;
     std::string_view text, unit;
@@ -61,14 +61,14 @@ constexpr std::array spellings{
     Spelling{Measured::pressure, "pa", "Pa"},
 };
 
-//! A quantity, and the names of its columns: the beginnings of bare() texts.
+//! A quantity, and the names of its columns as beginnings of simplified texts.
 struct Meaning {
     std::optional<Column> ColumnMap::*column;
     Measured kind;
     std::vector<std::string_view> names;
 };
 
-//! The first that fits counts: diffuse light comes before global light, since
+//! The first match applies: diffuse light comes before global light, since
 //! either may be called radiation.
 const std::vector<Meaning> meanings{
     {&ColumnMap::diffuse_fraction, Measured::fraction, {"diffusefraction"}},
@@ -92,9 +92,9 @@ const std::vector<Meaning> meanings{
     {&ColumnMap::pressure, Measured::pressure, {"pressure", "press"}},
 };
 
-//! Returns the letters, digits and percent signs of a text in lower case, with
+//! Reduces a text to its letters in lower case, digits and percent signs, with
 //! u for the micro sign.
-std::string bare(std::string_view text) {
+std::string simplify(std::string_view text) {
     std::string result;
     for (std::size_t i = 0; i < text.size(); ++i) {
         const auto c = static_cast<unsigned char>(text[i]);
@@ -109,93 +109,99 @@ std::string bare(std::string_view text) {
     return result;
 }
 
-//! Returns the unit at the end of a column's name, in brackets or after a
-//! separator, of a kind; "" if there is none.
-std::string_view unit_of(std::string_view column, Measured kind) {
+//! Finds the unit of a kind at the end of a column's name, in brackets or after
+//! a separator; returns "" if there is none.
+std::string_view find_unit(std::string_view column, Measured kind) {
     for (std::size_t end = column.find_first_of("([_ "); end != column.npos;
          end = column.find_first_of("([_ ", end + 1)) {
-        const std::string rest = bare(column.substr(end));
-        for (const Spelling& each : spellings)
-            if (each.kind == kind && each.text == rest) return each.unit;
+        const std::string rest = simplify(column.substr(end));
+        for (const Spelling& spelling : spellings)
+            if (spelling.kind == kind && spelling.text == rest)
+                return spelling.unit;
     }
     return "";
 }
 
-//! Returns the columns of the time of a header; none if there are none.
-std::vector<std::string> time_columns(const std::vector<CsvField>& header) {
-    const auto called =
+//! Recognises the columns of the time in a header; returns none if there are
+//! none.
+std::vector<std::string> find_time_columns(
+    const std::vector<CsvField>& header) {
+    const auto find =
         [&](std::initializer_list<const char*> names) -> std::string {
         for (const char* const name : names)
-            for (const CsvField& each : header)
-                if (bare(each.text) == name) return std::string(each.text);
+            for (const CsvField& field : header)
+                if (simplify(field.text) == name)
+                    return std::string(field.text);
         return "";
     };
-    std::vector<std::string> parts{called({"year", "yr"}),
-                                   called({"month", "mo"}), called({"day"}),
-                                   called({"hour", "hr"})};
+    std::vector<std::string> parts{find({"year", "yr"}), find({"month", "mo"}),
+                                   find({"day"}), find({"hour", "hr"})};
     if (std::ranges::count(parts, "") == 0) {
-        if (const std::string minute = called({"minute"}); !minute.empty())
+        if (const std::string minute = find({"minute"}); !minute.empty())
             parts.push_back(minute);
         return parts;
     }
-    const std::string date = called({"date"}), time = called({"time", "clock"});
+    const std::string date = find({"date"}), time = find({"time", "clock"});
     if (!date.empty() && !time.empty()) return {date, time};
-    const std::string both = called(
+    const std::string both = find(
         {"time", "datetime", "timestamp", "dateandtime", "localtime", "date"});
     return both.empty() ? std::vector<std::string>{} : std::vector{both};
 }
 
-//! Returns the columns of the light and the weather of a header.
-ColumnMap value_columns(const std::vector<CsvField>& header) {
+//! Recognises the columns of light and weather in a header.
+ColumnMap find_value_columns(const std::vector<CsvField>& header) {
     ColumnMap columns;
     for (const CsvField& field : header) {
-        const std::string name = bare(field.text);
-        for (const Meaning& each : meanings) {
-            std::optional<Column>& column = columns.*each.column;
-            const std::string_view unit = unit_of(field.text, each.kind);
+        const std::string name = simplify(field.text);
+        for (const Meaning& meaning : meanings) {
+            std::optional<Column>& column = columns.*meaning.column;
+            const std::string_view unit = find_unit(field.text, meaning.kind);
             const bool is_called = std::ranges::any_of(
-                each.names, [&](auto part) { return name.starts_with(part); });
+                meaning.names,
+                [&](auto part) { return name.starts_with(part); });
             if (column || unit.empty() || !is_called) continue;
             column = Column{std::string(field.text), std::string(unit)};
             break;
         }
     }
-    // Photons alone are the light.
+    // Without other light, photons are the light.
     if (!columns.global && !columns.beam_normal)
         std::swap(columns.global, columns.ppfd);
     return columns;
 }
 
-//! Returns the first and the last day of which all steps have rows.
-Period whole_days(const WeatherTable& table, const Findings& findings) {
+//! Finds the first and the last day with rows for all steps.
+Period find_whole_days(const WeatherTable& table, const Findings& findings) {
     const ClockTime first = table.rows.front().middle,
                     last = table.rows.back().middle;
-    sys_days from{floor<days>(first).time_since_epoch()};
-    sys_days to{floor<days>(last).time_since_epoch()};
-    if (first - floor<days>(first) >= table.step) from += days{1};
-    if (floor<days>(last) + 24h - last > table.step) to -= days{1};
-    if (to < from)
+    sys_days first_day{floor<days>(first).time_since_epoch()};
+    sys_days last_day{floor<days>(last).time_since_epoch()};
+    if (first - floor<days>(first) >= table.step) first_day += days{1};
+    if (floor<days>(last) + 24h - last > table.step) last_day -= days{1};
+    if (last_day < first_day)
         findings.stop(0, 0, "the file has no whole day; give a longer one");
-    return {date_at(ClockTime{from.time_since_epoch()}),
-            date_at(ClockTime{to.time_since_epoch()})};
+    return {date_at(ClockTime{first_day.time_since_epoch()}),
+            date_at(ClockTime{last_day.time_since_epoch()})};
 }
 
 }  // namespace
 
 WeatherDescription describe_weather(const std::string& text,
                                     const std::string& file, const Site& site) {
-    const std::vector<std::string_view> lines = lines_of(text);
+    const std::vector<std::string_view> lines = split_lines(text);
     Findings findings(file);
     ColumnMap columns;
     std::vector<CsvField> header;
+    // Search the first lines for a header, and infer the order of dates from
+    // all rows.
     for (std::size_t i = 0; i < std::min<std::size_t>(lines.size(), 100); ++i) {
-        header = fields_of(lines[i]);
-        if (header.size() < 2 || time_columns(header).empty()) continue;
-        columns = value_columns(header);
-        columns.time = time_columns(header);
+        header = split_fields(lines[i]);
+        if (header.size() < 2 || find_time_columns(header).empty()) continue;
+        columns = find_value_columns(header);
+        columns.time = find_time_columns(header);
         std::vector<std::vector<CsvField>> stamps;
         for (std::size_t row = i + 1; row < lines.size(); ++row) {
-            const std::vector<CsvField> fields = fields_of(lines[row]);
+            const std::vector<CsvField> fields = split_fields(lines[row]);
             if (fields.size() < 2) continue;
             std::vector<CsvField>& stamp = stamps.emplace_back();
             for (const std::string& name : columns.time)
@@ -206,11 +212,11 @@ WeatherDescription describe_weather(const std::string& text,
                               header.begin())));
         }
         columns.date_order =
-            order_of_dates(stamps).value_or(DateOrder::year_month_day);
+            find_date_order(stamps).value_or(DateOrder::year_month_day);
         break;
     }
     WeatherRequest request{file, site};
-    // The columns that `ideotype weather` writes have no units in their names.
+    // Files written by `ideotype weather` have no units in their header.
     if (columns.global || (columns.beam_normal && columns.diffuse))
         request.columns = columns;
     else if (std::ranges::count(header, "global", &CsvField::text) == 0 &&
@@ -226,7 +232,7 @@ WeatherDescription describe_weather(const std::string& text,
                       " (the file has {})",
                       fmt::join(mapped(header, &CsvField::text), ", ")));
     return {request.columns,
-            whole_days(read_table(lines, request, findings), findings)};
+            find_whole_days(read_table(lines, request, findings), findings)};
 }
 
 }  // namespace ideotype

@@ -12,13 +12,13 @@ namespace ideotype {
 
 namespace {
 
-//! The usual difference between instruments [W m-2]; a larger one is worth a
+//! The usual difference between instruments [W m-2]; a larger one causes a
 //! warning.
 constexpr double noticeable = 20;
 
-//! Counts slightly negative values and removes them.
-WeatherValues without_negative(WeatherValues values, int line,
-                               Findings& findings) {
+//! Sets slightly negative values to 0, and counts them.
+WeatherValues remove_negative(WeatherValues values, int line,
+                              Findings& findings) {
     for (const auto member :
          {&WeatherValues::global, &WeatherValues::beam_normal,
           &WeatherValues::diffuse}) {
@@ -31,9 +31,9 @@ WeatherValues without_negative(WeatherValues values, int line,
     return values;
 }
 
-//! Returns the diffuse part of global light.
-double diffuse_of(const WeatherValues& values, double extraterrestrial,
-                  const WeatherStep& step, Findings& findings) {
+//! Returns the diffuse part of global light from the best source available.
+double compute_diffuse(const WeatherValues& values, double extraterrestrial,
+                       const WeatherStep& step, Findings& findings) {
     const double global = *values.global;
     if (values.diffuse) {
         if (*values.diffuse > 1.05 * global + noticeable)
@@ -51,37 +51,39 @@ double diffuse_of(const WeatherValues& values, double extraterrestrial,
     return diffuse_fraction(global, extraterrestrial, step.sun.zenith) * global;
 }
 
+//! Splits the light of a step into beam and diffuse light.
 Irradiance split(const WeatherStep& step, Findings& findings) {
     const WeatherValues values =
-        without_negative(step.values, step.line, findings);
+        remove_negative(step.values, step.line, findings);
     if (step.sun.zenith >= 90)
         return {0, values.global ? *values.global : *values.diffuse};
     const double extraterrestrial =
         extraterrestrial_normal(date_at(step.middle));
     const double cosine = std::cos(step.sun.zenith * degree);
-    const double most = extraterrestrial * cosine;
+    const double largest_beam = extraterrestrial * cosine;
     Irradiance light;
     if (values.global) {
-        light.diffuse = diffuse_of(values, extraterrestrial, step, findings);
+        light.diffuse =
+            compute_diffuse(values, extraterrestrial, step, findings);
         light.beam = *values.global - light.diffuse;
     } else {
         light = {*values.beam_normal * cosine, *values.diffuse};
     }
-    if (light.beam > most) {
-        if (light.beam > most + noticeable)
+    if (light.beam > largest_beam) {
+        if (light.beam > largest_beam + noticeable)
             findings.doubt(step.line,
                            "a step has more beam than there is outside the "
                            "atmosphere; it is capped");
-        if (values.global) light.diffuse += light.beam - most;
-        light.beam = most;
+        if (values.global) light.diffuse += light.beam - largest_beam;
+        light.beam = largest_beam;
     }
     return light;
 }
 
 }  // namespace
 
-std::vector<Irradiance> light_of(const std::vector<WeatherStep>& series,
-                                 Findings& findings) {
+std::vector<Irradiance> split_light(const std::vector<WeatherStep>& series,
+                                    Findings& findings) {
     std::vector<Irradiance> light;
     double global = 0, apart = 0;
     const WeatherStep* missing = nullptr;
@@ -105,7 +107,7 @@ std::vector<Irradiance> light_of(const std::vector<WeatherStep>& series,
                 "a step of the night has no light in the file; it counts as 0");
         } else {
             missing = &step;
-            // Only the first of consecutive missing steps is told.
+            // Report only the first of consecutive missing steps.
             if (!was_missing)
                 findings.add_row(
                     0, step.line, 1,

@@ -15,7 +15,7 @@ namespace {
 
 using namespace std::chrono;
 
-//! Returns the light outside the atmosphere on a horizontal plane [W m-2].
+//! Returns the extraterrestrial light on a horizontal plane [W m-2].
 double extraterrestrial(const Site& site, ClockTime time) {
     const Date date = date_at(time);
     const double zenith = sun_position(site, date, hour_at(time)).zenith;
@@ -23,8 +23,8 @@ double extraterrestrial(const Site& site, ClockTime time) {
            std::max(0.0, std::cos(zenith * degree));
 }
 
-double correlation(const std::vector<double>& a, const std::vector<double>& b) {
-    const double ma = mean_of(a), mb = mean_of(b);
+double correlate(const std::vector<double>& a, const std::vector<double>& b) {
+    const double ma = average(a), mb = average(b);
     double aa = 0, bb = 0, ab = 0;
     for (std::size_t i = 0; i < a.size(); ++i) {
         aa += (a[i] - ma) * (a[i] - ma);
@@ -34,10 +34,10 @@ double correlation(const std::vector<double>& a, const std::vector<double>& b) {
     return aa > 0 && bb > 0 ? ab / std::sqrt(aa * bb) : 0;
 }
 
-//! Returns advice on the light of another time than the sun: the part of a step
-//! that stamps would have to name, if one makes up for the difference.
-//! @param late the time of the light after that of the sun [h]
-std::string remedy_for(const WeatherTable& table, double late) {
+//! Suggests a remedy for light that is shifted in time against the sun: another
+//! stamp if it makes up for the shift.
+//! @param late time of the light after that of the sun [h]
+std::string suggest_remedy(const WeatherTable& table, double late) {
     constexpr double quarter = 0.25;  // Accuracy of the difference [h].
     const double half = duration<double, hours::period>(table.step).count() / 2;
     // The time from a stamp to the middle of its step [h].
@@ -52,34 +52,34 @@ std::string remedy_for(const WeatherTable& table, double late) {
         if (std::abs(to_middle(table.stamp()) - late - to_middle(stamp)) <
             quarter / 2)
             return fmt::format(
-                "set stamp = \"{}\" if the times of the file are that part "
+                "set stamp = \"{}\" if the times of the file mark that part "
                 "of their steps, or check the place and the clock",
                 name);
     return "check the place, the clock, and the part of a step that the times "
-           "of the file are (stamp)";
+           "of the file mark (stamp)";
 }
 
-//! Compares light with the sun of the site, also by clocks shifted by quarters
-//! of an hour, up to half a day.
+//! Compares the light with the sun of the site, also on clocks shifted by
+//! quarters of an hour, up to half a day.
 void check_clock(const WeatherTable& table,
                  const std::vector<WeatherStep>& series,
                  const std::vector<double>& measured, Site site,
                  Findings& findings) {
     const double offset = site.utc_offset;
-    const auto at = [&](int quarters) {
+    const auto correlate_at = [&](int quarters) {
         site.utc_offset = offset + quarters / 4.0;
-        return correlation(measured, mapped(series, [&](const auto& step) {
-                               return extraterrestrial(site, step.middle);
-                           }));
+        return correlate(measured, mapped(series, [&](const auto& step) {
+                             return extraterrestrial(site, step.middle);
+                         }));
     };
-    const double unshifted = at(0);
+    const double unshifted = correlate_at(0);
     double best = unshifted;
     int shift = 0;
     const auto try_it = [&](int quarters) {
-        const double r = at(quarters);
+        const double r = correlate_at(quarters);
         if (r > best) best = r, shift = quarters;
     };
-    // Whole hours are tried first, then quarters of hours around the best.
+    // Try whole hours first, then quarters of hours around the best.
     for (int hours = -11; hours <= 12; ++hours) try_it(4 * hours);
     const int coarse = shift;
     for (int quarters = -3; quarters <= 3; ++quarters)
@@ -91,7 +91,7 @@ void check_clock(const WeatherTable& table,
                       "the light hardly follows the sun (a correlation of "
                       "{:.2f}); is it the column of the light?",
                       best);
-    // Clouds also shift the best clock, by up to half an hour in ten days.
+    // Clouds also shift the best clock, by up to half an hour over ten days.
     const bool long_enough =
         series.back().middle - series.front().middle > 9 * 24h;
     const double hours = std::abs(shift) / 4.0;
@@ -99,47 +99,47 @@ void check_clock(const WeatherTable& table,
         "the light comes {:.4g} h {} than the sun of the site (correlation "
         "{:.3f}, and {:.3f} with that shift); {}",
         hours, shift > 0 ? "later" : "earlier", unshifted, best,
-        remedy_for(table, shift / 4.0));
+        suggest_remedy(table, shift / 4.0));
     if (hours >= (long_enough ? 0.75 : 2)) findings.stop(line, 1, "{}", text);
     if (hours >= (long_enough ? 0.5 : 1)) findings.doubt(line, text, false);
 }
 
-//! Looks for days with more light than almost all extraterrestrial light.
+//! Checks for days with more light than nearly all extraterrestrial light.
 void check_days(const std::vector<WeatherStep>& series,
                 const std::vector<double>& measured, const Site& site,
                 Findings& findings) {
-    int bright = 0, all = 0, first = 0;
+    int bright = 0, days_checked = 0, first = 0;
     for (std::size_t i = 0; i < series.size();) {
         const ClockTime day = floor<days>(series[i].middle);
         const int line = series[i].line;
-        double there = 0, most = 0;
+        double light = 0, outside = 0;
         for (; i < series.size() && floor<days>(series[i].middle) == day; ++i) {
-            there += measured[i];
-            most += extraterrestrial(site, series[i].middle);
+            light += measured[i];
+            outside += extraterrestrial(site, series[i].middle);
         }
-        ++all;
-        if (there > 0.95 * most + 20 * 24 && bright++ == 0) first = line;
+        ++days_checked;
+        if (light > 0.95 * outside + 20 * 24 && bright++ == 0) first = line;
     }
-    const std::string what =
-        fmt::format("{} of {} days have more light than the sun", bright, all);
-    if (bright > 0.05 * all)
-        findings.stop(first, 1,
-                      "{} of the site outside the atmosphere; check the place "
-                      "and the unit",
-                      what);
-    if (bright > 0) findings.doubt(first, what, false);
+    const std::string text = fmt::format(
+        "{} of {} days have more light than arrives outside the "
+        "atmosphere",
+        bright, days_checked);
+    if (bright > 0.05 * days_checked)
+        findings.stop(first, 1, "{} at this site; check the place and the unit",
+                      text);
+    if (bright > 0) findings.doubt(first, text, false);
 }
 
 //! Returns the fraction of days with a clearness index of at most k in a month
-//! with a mean of 0.2, which few months of the cloudiest places have: the
+//! with a mean of 0.2, which few months of the cloudiest climates reach: the
 //! distribution of Bendt, Collares-Pereira and Rabl (1981, Solar Energy 27,
-//! 1-5), whose least index is 0.05, up to the largest index of Hollands and
+//! 1-5), with a lowest index of 0.05, up to the highest index of Hollands and
 //! Huget (1983, Solar Energy 30, 195-209).
 double fraction_of_darker_days(double k) {
-    constexpr double least = 0.05, most = 0.585, gamma = -4.74;
-    const double bounded = std::clamp(k, least, most);
-    return (std::exp(gamma * least) - std::exp(gamma * bounded)) /
-           (std::exp(gamma * least) - std::exp(gamma * most));
+    constexpr double lowest = 0.05, highest = 0.585, gamma = -4.74;
+    const double bounded = std::clamp(k, lowest, highest);
+    return (std::exp(gamma * lowest) - std::exp(gamma * bounded)) /
+           (std::exp(gamma * lowest) - std::exp(gamma * highest));
 }
 
 //! Compares the brightest day with the extraterrestrial light: light in a wrong
@@ -147,41 +147,42 @@ double fraction_of_darker_days(double k) {
 void check_brightest(const std::vector<WeatherStep>& series,
                      const std::vector<double>& measured, const Site& site,
                      Findings& findings) {
-    // Days with less light outside the atmosphere, on the mean [W m-2], are not
-    // compared: in polar winters twilight counts.
+    // Days with less extraterrestrial light on average [W m-2] are skipped: in
+    // polar winters twilight counts.
     constexpr double enough = 50;
     double brightest = -1;
-    int line = 0, all = 0;
+    int line = 0, days_checked = 0;
     for (std::size_t i = 0; i < series.size();) {
         const ClockTime day = floor<days>(series[i].middle);
         const std::size_t begin = i;
-        double there = 0, most = 0;
+        double light = 0, outside = 0;
         for (; i < series.size() && floor<days>(series[i].middle) == day; ++i) {
-            there += measured[i];
-            most += extraterrestrial(site, series[i].middle);
+            light += measured[i];
+            outside += extraterrestrial(site, series[i].middle);
         }
-        if (most < enough * static_cast<double>(i - begin)) continue;
-        ++all;
-        if (there <= brightest * most) continue;
-        brightest = there / most;
+        if (outside < enough * static_cast<double>(i - begin)) continue;
+        ++days_checked;
+        if (light <= brightest * outside) continue;
+        brightest = light / outside;
         line = series[begin].line;
     }
-    if (all == 0) return;
+    if (days_checked == 0) return;
     const std::string text = fmt::format(
         "the brightest of {} day{} has {:.2g} of the light outside the "
         "atmosphere",
-        all, all == 1 ? "" : "s", brightest);
+        days_checked, days_checked == 1 ? "" : "s", brightest);
     const std::string remedy =
         "check the unit, and that the column is all solar radiation";
-    // Clouds of an optical thickness of 380 transmit 0.02 (two streams with
-    // an asymmetry of 0.85, without absorption); none last all days.
+    // Clouds with an optical thickness of 380 transmit 0.02 (two-stream
+    // solution with an asymmetry of 0.85, without absorption); none last for
+    // all days.
     constexpr double thickest = 0.02;
     if (brightest < thickest)
         findings.stop(line, 1, "{} (clouds transmit {} or more); {}", text,
                       thickest, remedy);
-    // Chance that all days are so dark, independent of each other.
+    // Probability that all days are so dark, if they are independent.
     constexpr double credible = 0.001;
-    if (std::pow(fraction_of_darker_days(brightest), all) < credible)
+    if (std::pow(fraction_of_darker_days(brightest), days_checked) < credible)
         findings.doubt(line,
                        text +
                            " (even the darkest climates have brighter "
@@ -190,23 +191,24 @@ void check_brightest(const std::vector<WeatherStep>& series,
                        false);
 }
 
+//! Checks that hardly any light comes at night.
 void check_nights(const std::vector<WeatherStep>& series,
                   const std::vector<double>& measured, Findings& findings) {
-    double all = 0, dark = 0;
+    double total = 0, at_night = 0;
     for (std::size_t i = 0; i < series.size(); ++i) {
-        all += measured[i];
+        total += measured[i];
         if (series[i].highest > -6 || measured[i] <= 5) continue;
-        dark += measured[i];
+        at_night += measured[i];
         findings.doubt(
             series[i].line,
             "a step of the night has light, which counts as diffuse");
     }
-    if (dark > 0.01 * all)
+    if (at_night > 0.01 * total)
         findings.stop(
             series.front().line, 1,
             "{:.1f} % of the light comes at night (with the sun 6 deg below "
             "the horizon or lower); check the place and the clock",
-            100 * dark / all);
+            100 * at_night / total);
 }
 
 }  // namespace
@@ -216,7 +218,7 @@ void check_place(const WeatherTable& table,
                  const std::vector<Irradiance>& light, const Site& site,
                  Findings& findings) {
     const std::vector<double> measured = mapped(
-        light, [](const Irradiance& each) { return each.beam + each.diffuse; });
+        light, [](const Irradiance& step) { return step.beam + step.diffuse; });
     if (*std::max_element(measured.begin(), measured.end()) <= 0)
         return findings.doubt(series.front().line,
                               "the period has no light at all", false);

@@ -13,13 +13,13 @@ namespace {
 
 using namespace std::chrono;
 
-//! Returns every time step of the period, with the values of existing rows. A
-//! 29 February without rows is left out.
-std::vector<WeatherStep> all_steps(const WeatherTable& table,
-                                   Findings& findings) {
+//! Makes every time step of the period, with the values of existing rows. A 29
+//! February without rows is omitted.
+std::vector<WeatherStep> make_steps(const WeatherTable& table,
+                                    Findings& findings) {
     const auto& rows = table.rows;
-    // The middle of the first step of the period, a whole number of steps from
-    // the first row.
+    // The first step of the period is a whole number of steps before the first
+    // row.
     ClockTime middle = rows.front().middle;
     middle -= (middle - table.begin) / table.step * table.step;
     const auto steps = (table.end - middle) / table.step;
@@ -59,13 +59,15 @@ std::vector<WeatherStep> all_steps(const WeatherTable& table,
     return series;
 }
 
+//! Interpolates gaps in a variable linearly over up to 6 hours.
 void interpolate(std::vector<WeatherStep>& series,
                  std::optional<double> WeatherValues::*member,
                  const std::string& name, seconds step, Findings& findings) {
-    const auto known = [&](const WeatherStep& each) {
-        return (each.values.*member).has_value();
+    const auto known = [&](const WeatherStep& row) {
+        return (row.values.*member).has_value();
     };
     if (std::none_of(series.begin(), series.end(), known)) return;
+    // Each pass fills one gap, from `begin` to `end`.
     for (auto begin = series.begin(); begin != series.end();) {
         begin = std::find_if_not(begin, series.end(), known);
         const auto end = std::find_if(begin, series.end(), known);
@@ -81,29 +83,32 @@ void interpolate(std::vector<WeatherStep>& series,
         const auto after = end == series.end() ? before : end;
         const double first = *(before->values.*member);
         const double last = *(after->values.*member);
-        for (auto each = begin; each != end; ++each) {
-            const auto part = static_cast<double>(each - begin + 1) / count;
-            each->values.*member = first + part * (last - first);
-            findings.doubt(each->line, "a value of the " + name +
-                                           " is not known and is interpolated");
+        for (auto gap = begin; gap != end; ++gap) {
+            const auto fraction = static_cast<double>(gap - begin + 1) / count;
+            gap->values.*member = first + fraction * (last - first);
+            findings.doubt(gap->line, "a value of the " + name +
+                                          " is not known and is interpolated");
         }
         begin = end;
     }
 }
 
+//! Sets the position of the sun in the middle of a step, and its highest
+//! elevation.
 void place_sun(WeatherStep& step, const Site& site, seconds length) {
-    const auto at = [&](ClockTime time) {
+    const auto position_at = [&](ClockTime time) {
         return sun_position(site, date_at(time), hour_at(time));
     };
-    step.sun = at(step.middle);
+    step.sun = position_at(step.middle);
     step.highest =
-        90 - std::min({step.sun.zenith, at(step.middle - length / 2).zenith,
-                       at(step.middle + length / 2).zenith});
+        90 -
+        std::min({step.sun.zenith, position_at(step.middle - length / 2).zenith,
+                  position_at(step.middle + length / 2).zenith});
 }
 
-//! Returns the solar radiation beyond PAR from the share of PAR in solar
-//! radiation; its diffuse fraction is that of PAR.
-Irradiance beyond(const Irradiance& par, double share) {
+//! Returns the solar radiation other than PAR from the share of PAR; it has the
+//! diffuse fraction of PAR.
+Irradiance complement_par(const Irradiance& par, double share) {
     const double ratio = 1 / share - 1;
     return {ratio * par.beam, ratio * par.diffuse};
 }
@@ -111,7 +116,7 @@ Irradiance beyond(const Irradiance& par, double share) {
 //! Warns if the number of photons does not match the global light.
 void compare_photons(const std::vector<WeatherStep>& steps, double par_fraction,
                      Findings& findings) {
-    // The photons of PAR over solar energy in a whole season [umol J-1].
+    // Photons of PAR over solar energy over a whole season [umol J-1].
     constexpr double expected = 2.06, tolerated = 0.05;
     double photons = 0, energy = 0;
     for (const WeatherStep& step : steps)
@@ -124,7 +129,7 @@ void compare_photons(const std::vector<WeatherStep>& steps, double par_fraction,
         findings.doubt(
             steps.front().line,
             fmt::format("there are {:.2f} umol of photons per J of global "
-                        "light, and {} are expected; one of both sensors may "
+                        "light instead of {}; one of the two sensors may "
                         "have drifted",
                         ratio, expected),
             false);
@@ -133,11 +138,12 @@ void compare_photons(const std::vector<WeatherStep>& steps, double par_fraction,
 }  // namespace
 
 Weather parse_weather(const std::string& text, const WeatherRequest& request) {
-    const std::vector<std::string_view> lines = lines_of(text);
+    const std::vector<std::string_view> lines = split_lines(text);
     Findings findings(request.file);
     WeatherTable table = read_table(lines, request, findings);
     read_values(table, lines, request.par_fraction, findings);
-    std::vector<WeatherStep> steps = all_steps(table, findings);
+    // Read all values, and interpolate those of the air.
+    std::vector<WeatherStep> steps = make_steps(table, findings);
     using Values = WeatherValues;
     for (const auto& [member, name] :
          {std::pair{&Values::temperature, "temperature"},
@@ -147,13 +153,15 @@ Weather parse_weather(const std::string& text, const WeatherRequest& request) {
           std::pair{&Values::longwave, "longwave radiation"}})
         interpolate(steps, member, name, table.step, findings);
     findings.stop_if_any();
+    // Split the light by the position of the sun, and check it.
     Site site = request.site;
     site.utc_offset = table.utc_offset;
     for (WeatherStep& step : steps) place_sun(step, site, table.step);
-    const std::vector<Irradiance> light = light_of(steps, findings);
+    const std::vector<Irradiance> light = split_light(steps, findings);
     check_place(table, steps, light, site, findings);
     compare_photons(steps, request.par_fraction, findings);
 
+    // Convert each step to PAR and near infrared.
     LightSeries series;
     series.utc_offset = table.utc_offset;
     const auto seconds = static_cast<double>(table.step.count());
@@ -171,7 +179,7 @@ Weather parse_weather(const std::string& text, const WeatherRequest& request) {
                 : request.par_fraction;
         series.steps.push_back({hour_at(step.middle), seconds, step.sun, par,
                                 date, step.values.temperature, humidity,
-                                beyond(par, share), step.values.wind,
+                                complement_par(par, share), step.values.wind,
                                 step.values.pressure, step.values.longwave});
     }
     series.days = static_cast<int>(series.dates().size());

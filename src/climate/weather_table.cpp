@@ -17,32 +17,35 @@ namespace {
 
 using namespace std::chrono;
 
-bool has(const std::vector<CsvField>& header, std::string_view name) {
-    return std::any_of(header.begin(), header.end(),
-                       [&](const CsvField& each) { return each.text == name; });
+bool has_column(const std::vector<CsvField>& header, std::string_view name) {
+    return std::any_of(
+        header.begin(), header.end(),
+        [&](const CsvField& field) { return field.text == name; });
 }
 
-//! Returns the columns that `ideotype weather` writes, as far as present.
-ColumnMap native_columns(ColumnMap columns,
-                         const std::vector<CsvField>& header) {
+//! Maps the columns that `ideotype weather` writes, as far as present.
+ColumnMap map_native_columns(ColumnMap columns,
+                             const std::vector<CsvField>& header) {
     columns.time = {"time"};
     columns.stamp = columns.stamp.value_or(Stamp::middle);
-    const auto find = [&](std::optional<Column>& column, const char* name,
-                          const char* unit) {
-        if (has(header, name)) column = Column{name, unit};
+    const auto add = [&](std::optional<Column>& column, const char* name,
+                         const char* unit) {
+        if (has_column(header, name)) column = Column{name, unit};
     };
-    find(columns.global, "global", "W/m2");
-    find(columns.beam_normal, "beam_normal", "W/m2");
-    find(columns.diffuse, "diffuse", "W/m2");
-    find(columns.temperature, "temperature", "C");
-    find(columns.humidity, "humidity", "%");
-    find(columns.wind, "wind", "m/s");
-    find(columns.pressure, "pressure", "kPa");
-    find(columns.longwave, "longwave", "W/m2");
+    add(columns.global, "global", "W/m2");
+    add(columns.beam_normal, "beam_normal", "W/m2");
+    add(columns.diffuse, "diffuse", "W/m2");
+    add(columns.temperature, "temperature", "C");
+    add(columns.humidity, "humidity", "%");
+    add(columns.wind, "wind", "m/s");
+    add(columns.pressure, "pressure", "kPa");
+    add(columns.longwave, "longwave", "W/m2");
     return columns;
 }
 
-std::string way_to_convert(const WeatherRequest& request) {
+//! Explains how to map the columns of a file in another format, or to convert
+//! it.
+std::string explain_conversion(const WeatherRequest& request) {
     const std::string& file = request.file;
     std::string command = fmt::format(
         "ideotype weather '{}' --to '{}_weather.csv' --latitude {} --longitude "
@@ -53,33 +56,34 @@ std::string way_to_convert(const WeatherRequest& request) {
         command += fmt::format(" --from {} --until {}",
                                to_string(request.period->from),
                                to_string(request.period->to));
-    return "this is no table with columns time and global; say which columns "
-           "hold what, or convert it and name what this writes: " +
+    return "this is not a table with columns time and global; map its columns "
+           "in [[climate]], or convert it and name the file that this command "
+           "writes: " +
            command;
 }
 
-//! Takes the columns' names from the first line that has the column of time.
-WeatherTable read_head(const std::vector<std::string_view>& lines,
-                       const WeatherRequest& request, Findings& findings) {
+//! Reads the header: the first line with the column of time.
+WeatherTable read_header(const std::vector<std::string_view>& lines,
+                         const WeatherRequest& request, Findings& findings) {
     WeatherTable table{request.columns, {}};
     const bool is_native = request.columns.time.empty();
     const std::string time = is_native ? "time" : request.columns.time.front();
     for (std::size_t i = 0; i < std::min<std::size_t>(lines.size(), 100); ++i) {
-        table.header = fields_of(lines[i]);
+        table.header = split_fields(lines[i]);
         table.header_line = i + 1;
-        if (!has(table.header, time)) continue;
+        if (!has_column(table.header, time)) continue;
         if (!is_native) return table;
-        table.columns = native_columns(request.columns, table.header);
+        table.columns = map_native_columns(request.columns, table.header);
         if (!table.columns.global && !table.columns.beam_normal) break;
         return table;
     }
-    if (is_native) findings.stop(1, 1, "{}", way_to_convert(request));
+    if (is_native) findings.stop(1, 1, "{}", explain_conversion(request));
     findings.stop(
         1, 1, "no line has a column \"{}\" (the header must name the columns)",
         time);
 }
 
-const char* name_of(DateOrder order) {
+const char* get_name(DateOrder order) {
     switch (order) {
         case DateOrder::month_day_year:
             return "month_day_year";
@@ -90,12 +94,13 @@ const char* name_of(DateOrder order) {
     }
 }
 
+//! Reads the time stamps of all rows, on one clock.
 void read_stamps(WeatherTable& table,
                  const std::vector<std::string_view>& lines, double site_offset,
                  Findings& findings) {
     std::vector<std::size_t> columns;
     for (const std::string& name : table.columns.time)
-        if (const auto index = table.index_of(name, findings))
+        if (const auto index = table.find_column(name, findings))
             columns.push_back(*index);
     findings.stop_if_any();
     std::optional<double> offset = table.columns.utc_offset;
@@ -104,7 +109,7 @@ void read_stamps(WeatherTable& table,
     for (std::size_t i = table.header_line; i < lines.size(); ++i) {
         if (lines[i].find_first_not_of(" \t,") == std::string_view::npos)
             continue;
-        const std::vector<CsvField> fields = fields_of(lines[i]);
+        const std::vector<CsvField> fields = split_fields(lines[i]);
         const std::vector<CsvField>& parts = stamps.emplace_back(
             mapped(columns, [&](auto index) { return entry(fields, index); }));
         const int line = static_cast<int>(i) + 1;
@@ -115,43 +120,44 @@ void read_stamps(WeatherTable& table,
             continue;
         }
         if (written->utc_offset) {
-            // The first offset holds for all rows, since summer time may come
-            // and go.
+            // The offset of the first row applies to all rows, since summer
+            // time may begin or end in the file.
             if (!offset) offset = written->utc_offset;
             table.rows.back().middle =
                 later(written->time, *offset - *written->utc_offset);
         }
     }
+    // Report unreadable stamps once, with an order of dates that would fit.
     if (!unreadable.empty()) {
-        const auto order = order_of_dates(stamps);
+        const auto order = find_date_order(stamps);
         const std::string remedy =
-            order ? fmt::format("set date_order = \"{}\"", name_of(*order))
+            order ? fmt::format("set date_order = \"{}\"", get_name(*order))
                   : "correct it, or check date_order and the columns of time";
         for (const int row : unreadable) {
             const auto& parts = stamps[static_cast<std::size_t>(row)];
             findings.add_row(
                 0, table.rows[static_cast<std::size_t>(row)].line,
-                parts.front().column, "\"{}\" is no date and time; {}",
+                parts.front().column, "\"{}\" is not a date and time; {}",
                 fmt::join(mapped(parts, &CsvField::text), ","), remedy);
         }
     }
     findings.stop_if_any();
     table.utc_offset = offset.value_or(site_offset);
     if (table.rows.size() < 2)
-        findings.stop(0, 0, "there are not two rows of data");
+        findings.stop(0, 0, "there are fewer than two rows of data");
 }
 
-//! Sets the step to the most frequent difference between neighbours, and moves
-//! stamps to the middles of steps.
+//! Sets the step to the most frequent difference between consecutive rows, and
+//! moves stamps to the middles of steps.
 void find_step(WeatherTable& table, Findings& findings) {
     auto& rows = table.rows;
     std::map<seconds, int> count;
     for (std::size_t i = 1; i < rows.size(); ++i)
         ++count[rows[i].middle - rows[i - 1].middle];
-    const auto most = std::max_element(
+    const auto frequent = std::max_element(
         count.begin(), count.end(),
         [](const auto& a, const auto& b) { return a.second < b.second; });
-    table.step = most->first;
+    table.step = frequent->first;
     if (table.step < 1min || table.step > 1h || 24h % table.step != 0s)
         findings.stop(rows[1].line, 1,
                       "the rows are {} s apart (there must be one each hour, "
@@ -164,7 +170,8 @@ void find_step(WeatherTable& table, Findings& findings) {
         row.middle += stamp == Stamp::beginning ? half : -half;
 }
 
-//! Chooses the site's clock if the file's date would change by daylight.
+//! Chooses the site's clock if the date would change by day on the file's
+//! clock.
 void choose_clock(WeatherTable& table, Site site) {
     const double shift = site.utc_offset - table.utc_offset;
     std::swap(site.utc_offset, table.utc_offset);
@@ -175,6 +182,7 @@ void choose_clock(WeatherTable& table, Site site) {
     for (WeatherStep& row : table.rows) row.middle = later(row.middle, shift);
 }
 
+//! Checks that rows are in order, without duplicates.
 void check_order(const WeatherTable& table, Findings& findings) {
     for (std::size_t i = 1; i < table.rows.size(); ++i) {
         const WeatherStep& row = table.rows[i];
@@ -195,14 +203,16 @@ void check_order(const WeatherTable& table, Findings& findings) {
     findings.stop_if_any();
 }
 
+//! Removes the rows outside the period; by default the period is that of the
+//! file.
 void select_period(WeatherTable& table, const std::optional<Period>& period,
                    Findings& findings) {
     auto& rows = table.rows;
     table.begin = rows.front().middle;
     table.end = rows.back().middle + table.step;
     if (!period) return;
-    const std::string from = to_string(period->from);
-    const std::string to = to_string(period->to);
+    const std::string first = to_string(period->from);
+    const std::string last = to_string(period->to);
     table.begin = midnight(period->from);
     table.end = midnight(period->to) + 24h;
     if (rows.front().middle >= table.begin + 24h ||
@@ -211,36 +221,38 @@ void select_period(WeatherTable& table, const std::optional<Period>& period,
                       "the file has {} to {}, but the period is {} to {}; "
                       "choose days that it has",
                       to_string(date_at(rows.front().middle)),
-                      to_string(date_at(rows.back().middle)), from, to);
+                      to_string(date_at(rows.back().middle)), first, last);
     std::erase_if(rows, [&](const WeatherStep& row) {
         return row.middle < table.begin || row.middle >= table.end;
     });
-    if (rows.empty()) findings.stop(0, 0, "no row is of the period");
+    if (rows.empty()) findings.stop(0, 0, "no row is in the period");
 }
 
 }  // namespace
 
-std::optional<std::size_t> WeatherTable::index_of(const std::string& name,
-                                                  Findings& findings) const {
-    const auto is_it = [&](const CsvField& each) { return each.text == name; };
-    const auto found = std::find_if(header.begin(), header.end(), is_it);
+std::optional<std::size_t> WeatherTable::find_column(const std::string& name,
+                                                     Findings& findings) const {
+    const auto matches = [&](const CsvField& field) {
+        return field.text == name;
+    };
+    const auto column = std::find_if(header.begin(), header.end(), matches);
     const int line = static_cast<int>(header_line);
-    if (found == header.end()) {
+    if (column == header.end()) {
         std::vector<std::string> names;
-        for (const CsvField& each : header) names.emplace_back(each.text);
+        for (const CsvField& field : header) names.emplace_back(field.text);
         const std::string near = nearest_name(name, names);
         findings.add(line, 1, "there is no column \"{}\"{}", name,
                      near.empty() ? "" : "; is it \"" + near + "\"?");
         return std::nullopt;
     }
-    if (std::find_if(found + 1, header.end(), is_it) != header.end())
-        findings.add(line, found->column,
+    if (std::find_if(column + 1, header.end(), matches) != header.end())
+        findings.add(line, column->column,
                      "two columns have the name \"{}\"; rename one of them",
                      name);
-    return static_cast<std::size_t>(found - header.begin());
+    return static_cast<std::size_t>(column - header.begin());
 }
 
-std::optional<DateOrder> order_of_dates(
+std::optional<DateOrder> find_date_order(
     const std::vector<std::vector<CsvField>>& stamps) {
     using enum DateOrder;
     std::optional<DateOrder> best;
@@ -248,6 +260,7 @@ std::optional<DateOrder> order_of_dates(
     for (const DateOrder order :
          {year_month_day, month_day_year, day_month_year}) {
         std::optional<ClockTime> first, last;
+        // Accept an order if it reads all stamps and none goes back in time.
         const auto follows = [&](const std::vector<CsvField>& parts) {
             const auto written = parse_time(parts, order);
             if (!written || (last && written->time < *last)) return false;
@@ -266,7 +279,7 @@ std::optional<DateOrder> order_of_dates(
 
 WeatherTable read_table(const std::vector<std::string_view>& lines,
                         const WeatherRequest& request, Findings& findings) {
-    WeatherTable table = read_head(lines, request, findings);
+    WeatherTable table = read_header(lines, request, findings);
     read_stamps(table, lines, request.site.utc_offset, findings);
     find_step(table, findings);
     choose_clock(table, request.site);

@@ -39,96 +39,100 @@ double hour_at(ClockTime time);
 //! Returns the instant a number of hours later, to the nearest second.
 ClockTime later(ClockTime time, double hours);
 
-//! Reads a time from one column (date, T or a blank, clock time, and perhaps Z
-//! or an offset like -06:00), two (date, clock time), or four or five (year,
-//! month, day, hour, minute). Dates are 2011-07-21, or in another order, also
-//! with / or . or no separator; clock times are 13:30, 13:30:00, 1330 or 24:00.
+//! Parses a time from one column (date, T or a blank, clock time, and
+//! optionally Z or an offset such as -06:00), two (date, clock time), or four
+//! or five (year, month, day, hour, minute). Dates are 2011-07-21, or in
+//! another order, also with / or . or no separator; clock times are 13:30,
+//! 13:30:00, 1330 or 24:00.
 std::optional<WrittenTime> parse_time(const std::vector<CsvField>& parts,
                                       DateOrder order);
 
-//! Collects problems and doubts about a file.
+//! Collects problems with a file, which end its reading, and doubts, which
+//! become warnings.
 class Findings {
   public:
     explicit Findings(std::string file) : file_(std::move(file)) {}
 
     //! Adds a problem of the whole file or of a column.
     template <class... Args>
-    void add(int line, int column, fmt::format_string<Args...> what,
+    void add(int line, int column, fmt::format_string<Args...> message,
              Args&&... args) {
-        problems_.push_back({{{file_, line, column},
-                              "",
-                              ProblemCode::data,
-                              fmt::format(what, std::forward<Args>(args)...)}});
+        problems_.push_back(
+            {{{file_, line, column},
+              "",
+              ProblemCode::data,
+              fmt::format(message, std::forward<Args>(args)...)}});
     }
 
-    //! Adds a problem of a row. Problems of one kind, which have the same
-    //! format and the same field, become one with their number.
+    //! Adds a problem of a row. Problems of one kind, with the same format and
+    //! column, are merged and counted.
     //! @param field index of the column with the fault; 0 for whole rows
     template <class... Args>
     void add_row(std::size_t field, int line, int column,
-                 fmt::format_string<Args...> what, Args&&... args) {
-        const fmt::string_view format = what;
+                 fmt::format_string<Args...> message, Args&&... args) {
+        const fmt::string_view format = message;
         const Kind kind{{format.data(), format.size()}, field};
-        for (Listed& each : problems_)
-            if (each.kind == kind) {
-                each.lines.push_back(line);
+        for (Listed& listed : problems_)
+            if (listed.kind == kind) {
+                listed.lines.push_back(line);
                 return;
             }
-        add(line, column, what, std::forward<Args>(args)...);
+        add(line, column, message, std::forward<Args>(args)...);
         problems_.back().kind = kind;
     }
 
     //! @throws InputError if there are problems.
     void stop_if_any() const {
         if (problems_.empty()) return;
-        std::vector<Problem> all;
+        std::vector<Problem> merged;
         for (const auto& [problem, kind, lines] : problems_) {
-            all.push_back(problem);
+            merged.push_back(problem);
             constexpr std::size_t few = 5;
             if (lines.size() > few)
-                all.back().what +=
+                merged.back().what +=
                     fmt::format(" (this line and {} others)", lines.size());
             else if (!lines.empty())
-                all.back().what += fmt::format(" (line{} {} too)",
-                                               lines.size() == 1 ? "" : "s",
-                                               fmt::join(lines, ", "));
+                merged.back().what += fmt::format(" (line{} {} too)",
+                                                  lines.size() == 1 ? "" : "s",
+                                                  fmt::join(lines, ", "));
         }
-        throw InputError(std::move(all));
+        throw InputError(std::move(merged));
     }
 
     //! @throws InputError with one problem.
     template <class... Args>
     [[noreturn]] void stop(int line, int column,
-                           fmt::format_string<Args...> what,
+                           fmt::format_string<Args...> message,
                            Args&&... args) const {
         throw InputError({{{file_, line, column},
                            "",
                            ProblemCode::data,
-                           fmt::format(what, std::forward<Args>(args)...)}});
+                           fmt::format(message, std::forward<Args>(args)...)}});
     }
 
-    //! Adds a doubt; doubts with equal texts become one warning.
+    //! Adds a doubt; doubts with equal texts are merged into one warning.
     void doubt(int line, const std::string& text, bool is_counted = true) {
-        for (Doubt& each : doubts_)
-            if (is_counted && each.text == text) {
-                ++each.count;
+        for (Doubt& known : doubts_)
+            if (is_counted && known.text == text) {
+                ++known.count;
                 return;
             }
         doubts_.push_back({text, line, is_counted ? 1 : 0});
     }
 
-    //! Returns "text (N times)" for each kind of doubt, with its first place.
+    //! Returns "text (N times)" for each kind of doubt, with its first
+    //! location.
     std::vector<Problem> warnings() const {
-        std::vector<Problem> all;
+        std::vector<Problem> warnings;
         for (const auto& [text, line, count] : doubts_)
-            all.push_back({{file_, line, 1},
-                           "",
-                           ProblemCode::doubt,
-                           count == 0
-                               ? text
-                               : fmt::format("{} ({} time{})", text, count,
-                                             count == 1 ? "" : "s")});
-        return all;
+            warnings.push_back({{file_, line, 1},
+                                "",
+                                ProblemCode::doubt,
+                                count == 0
+                                    ? text
+                                    : fmt::format("{} ({} time{})", text, count,
+                                                  count == 1 ? "" : "s")});
+        return warnings;
     }
 
   private:
@@ -149,7 +153,7 @@ class Findings {
     std::vector<Doubt> doubts_;
 };
 
-//! The values of a row in the program's units; nothing for an unknown value.
+//! The values of a row in the program's units; empty if unknown.
 struct WeatherValues {
     std::optional<double> global;       //!< all solar radiation [W m-2]
     std::optional<double> beam_normal;  //!< on a plane facing the sun [W m-2]
@@ -162,11 +166,11 @@ struct WeatherValues {
     std::optional<double> pressure;     //!< air pressure [kPa]
     std::optional<double> longwave;     //!< radiation of the sky [W m-2]
 
-    //! Returns whether the light on the ground follows from the values.
+    //! Returns whether the light on the ground can be computed from the values.
     bool lit() const { return global || (beam_normal && diffuse); }
 };
 
-//! A time step, which has a row of the file or lies between rows.
+//! A time step, with a row of the file or between rows.
 struct WeatherStep {
     int line = 0;  //!< line of its row, or of the row before it
     ClockTime middle;
@@ -183,30 +187,29 @@ struct WeatherTable {
     std::vector<WeatherStep> rows{};
     double utc_offset = 0;  //!< offset from UTC of the clock [h]
     std::chrono::seconds step{3600};
-    //! True if the global light, or else the beam, is given in photons.
+    //! Whether the global light, or else the beam, is given in photons.
     bool counts_photons = false;
     //! First and last midnight of the period; by default those of the rows.
     ClockTime begin{}, end{};
 
-    //! Returns the part of a step that stamps name.
+    //! Returns the part of a step that stamps mark.
     Stamp stamp() const { return columns.stamp.value_or(Stamp::end); }
 
-    //! Returns the index of the column with a name; adds a problem unless there
-    //! is exactly one.
-    std::optional<std::size_t> index_of(const std::string& name,
-                                        Findings& findings) const;
+    //! Finds a column by name; adds a problem unless exactly one has it.
+    std::optional<std::size_t> find_column(const std::string& name,
+                                           Findings& findings) const;
 };
 
-//! Returns the order by which all stamps can be read, with none before its
-//! predecessor; nothing if there is no such order. Of several orders, that of
-//! the shortest period is meant: the others take days for months.
+//! Finds the order in which all stamps can be read without going back in time;
+//! returns nothing if there is none. Of several orders, the one with the
+//! shortest period is chosen: the others mistake days for months.
 //! @param stamps fields of one stamp, for each row
-std::optional<DateOrder> order_of_dates(
+std::optional<DateOrder> find_date_order(
     const std::vector<std::vector<CsvField>>& stamps);
 
 //! Reads the header and the rows of a period, without values.
-//! @throws InputError if the file is no weather table or lacks the period, if a
-//! stamp is unreadable, or if rows are not in order.
+//! @throws InputError if the file is not a weather table or lacks the period,
+//! if a stamp is unreadable, or if rows are out of order.
 WeatherTable read_table(const std::vector<std::string_view>& lines,
                         const WeatherRequest& request, Findings& findings);
 
@@ -216,22 +219,23 @@ void read_values(WeatherTable& table,
                  const std::vector<std::string_view>& lines,
                  double par_fraction, Findings& findings);
 
-//! Returns all solar radiation on the ground [W m-2], of each step. From
-//! photons, it is PAR over the fraction of the request.
+//! Splits the solar radiation of each step into beam and diffuse light on the
+//! ground [W m-2]. Photons are converted by way of PAR over the requested
+//! fraction.
 //! @throws InputError if light is unknown by day.
-std::vector<Irradiance> light_of(const std::vector<WeatherStep>& series,
-                                 Findings& findings);
+std::vector<Irradiance> split_light(const std::vector<WeatherStep>& series,
+                                    Findings& findings);
 
-//! Checks that the light matches the sun of a site, whose clock is that of the
-//! steps; warns of a doubtful match.
-//! @param table rows of the file, with the part of a step that stamps name
+//! Checks that the light matches the sun of a site on the clock of the steps;
+//! warns of a doubtful match.
+//! @param table rows of the file, with the part of a step that stamps mark
 //! @throws InputError if the light cannot be that of the site.
 void check_place(const WeatherTable& table,
                  const std::vector<WeatherStep>& series,
                  const std::vector<Irradiance>& light, const Site& site,
                  Findings& findings);
 
-//! Returns the entry of a row; an empty one if the row is too short.
+//! Returns an entry of a row; an empty one if the row is too short.
 inline CsvField entry(const std::vector<CsvField>& fields, std::size_t index) {
     return index < fields.size() ? fields[index]
                                  : CsvField{{}, fields.back().column};

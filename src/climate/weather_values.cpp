@@ -14,11 +14,11 @@ namespace {
 
 enum class Kind { light, fraction, temperature, speed, pressure };
 
-//! The part of an energy or of photons that a unit counts.
+//! The basis of a unit of light: power, energy of a time step, or photons.
 enum class Per { itself, second, photon };
 
-//! The conversion of a number of a file to the program's unit: factor times
-//! number plus offset.
+//! The linear conversion of a number in a file to the program's unit: factor
+//! times number plus offset.
 struct Scale {
     double factor = 1;
     double offset = 0;
@@ -54,28 +54,29 @@ constexpr std::array units{
     Unit{Kind::pressure, "Pa", {1e-3}},
 };
 
-//! Returns the one plain form of a unit that has several.
-std::string plain(std::string_view unit) {
+//! Normalises the spelling of a unit.
+std::string normalize(std::string_view unit) {
     std::string text(unit);
     constexpr std::array<std::pair<std::string_view, std::string_view>, 10>
-        ways{{{"\xC2\xB5", "u"},  // micro sign
-              {"\xCE\xBC", "u"},  // Greek mu
-              {"\xC2\xB2", "2"},  // superscript two
-              {"\xC2\xB0", ""},   // degree sign
-              {"^", ""},
-              {" m-2 s-1", "/m2/s"},
-              {" m-2", "/m2"},
-              {" ", ""},
-              {"W-hr", "Wh"},
-              {"MJ/hr",
-               "MJ/m2"}}};  // unit of NASA POWER for agriculture, per m2
-    for (const auto& [what, by] : ways)
-        for (std::size_t at; (at = text.find(what)) != text.npos;)
-            text.replace(at, what.size(), by);
+        replacements{
+            {{"\xC2\xB5", "u"},  // micro sign
+             {"\xCE\xBC", "u"},  // Greek mu
+             {"\xC2\xB2", "2"},  // superscript two
+             {"\xC2\xB0", ""},   // degree sign
+             {"^", ""},
+             {" m-2 s-1", "/m2/s"},
+             {" m-2", "/m2"},
+             {" ", ""},
+             {"W-hr", "Wh"},
+             {"MJ/hr",
+              "MJ/m2"}}};  // unit of NASA POWER for agriculture, per m2
+    for (const auto& [pattern, replacement] : replacements)
+        for (std::size_t at; (at = text.find(pattern)) != text.npos;)
+            text.replace(at, pattern.size(), replacement);
     return text;
 }
 
-//! The index of a column, and the conversion and credible range of its numbers.
+//! A column with the conversion and the plausible range of its numbers.
 struct Source {
     std::size_t index = 0;
     Scale scale;
@@ -84,20 +85,21 @@ struct Source {
     std::string_view unit;
 };
 
-//! Finds the columns that hold the values, the scales of their units, and
-//! whether light is given in photons.
-std::vector<Source> sources_of(WeatherTable& table, double par_fraction,
-                               Findings& findings) {
+//! Finds the columns with values, the scales of their units, and whether light
+//! is given in photons.
+std::vector<Source> find_sources(WeatherTable& table, double par_fraction,
+                                 Findings& findings) {
     using Values = WeatherValues;
     const ColumnMap& columns = table.columns;
     const auto decisive =
         columns.global ? &Values::global : &Values::beam_normal;
-    std::vector<Source> found;
+    std::vector<Source> sources;
     const auto add = [&](const std::optional<Column>& column, Kind kind,
                          Source source) {
         if (!column) return;
-        source.index = table.index_of(column->name, findings).value_or(0);
-        const std::string name = plain(column->unit);
+        source.index = table.find_column(column->name, findings).value_or(0);
+        const std::string name = normalize(column->unit);
+        // Find the unit among those of the kind.
         std::string names;
         for (const Unit& unit : units) {
             if (unit.kind != kind) continue;
@@ -112,11 +114,12 @@ std::vector<Source> sources_of(WeatherTable& table, double par_fraction,
                 source.scale.factor /= mol_per_mj_par * par_fraction;
                 if (source.target == decisive) table.counts_photons = true;
             }
-            return found.push_back(source);
+            return sources.push_back(source);
         }
-        findings.add(static_cast<int>(table.header_line), 1,
-                     "\"{}\" is no unit for the column \"{}\"; use one of {}",
-                     column->unit, column->name, names);
+        findings.add(
+            static_cast<int>(table.header_line), 1,
+            "\"{}\" is not a unit for the column \"{}\"; use one of {}",
+            column->unit, column->name, names);
     };
     Source light{0, {}, &Values::global, -20, 2000, "W m-2"};
     add(columns.global, Kind::light, light);
@@ -139,21 +142,22 @@ std::vector<Source> sources_of(WeatherTable& table, double par_fraction,
         {0, {}, &Values::longwave, 50, 700, "W m-2"});
     if (!columns.global && !(columns.beam_normal && columns.diffuse))
         findings.add(static_cast<int>(table.header_line), 1,
-                     "no column tells the light; name that of global light, or "
-                     "those of beam and diffuse light");
+                     "no column contains the light; name the column of global "
+                     "light, or those of beam and diffuse light");
     findings.stop_if_any();
-    return found;
+    return sources;
 }
 
-std::optional<double> value_of(const CsvField& field, const Source& source,
-                               std::optional<double> missing, int line,
-                               Findings& findings) {
+//! Reads a value in the program's unit; returns nothing if it is missing.
+std::optional<double> read_value(const CsvField& field, const Source& source,
+                                 std::optional<double> missing, int line,
+                                 Findings& findings) {
     constexpr std::array words{"", "NA", "NaN", "nan", "null", "-"};
     constexpr std::array codes{-99.0,   -999.0, -9900.0,
                                -9999.0, 9999.0, 99999.0};
     if (std::find(words.begin(), words.end(), field.text) != words.end())
         return std::nullopt;
-    const std::optional<double> number = number_of(field.text);
+    const std::optional<double> number = parse_number(field.text);
     if (!number || std::isinf(*number)) {
         findings.add_row(
             source.index, line, field.column,
@@ -165,11 +169,11 @@ std::optional<double> value_of(const CsvField& field, const Source& source,
         std::find(codes.begin(), codes.end(), *number) != codes.end())
         return std::nullopt;
     const double value = source.scale.factor * *number + source.scale.offset;
-    // Impossible values are most often due to a wrong unit.
+    // Impossible values usually mean a wrong unit.
     if (value < source.lowest || value > source.highest)
         findings.add_row(source.index, line, field.column,
                          "{} means {:.4g} {} (outside {:g} to {:g}); check the "
-                         "unit, or what stands for missing values",
+                         "unit, or the code of missing values",
                          field.text, value, source.unit, source.lowest,
                          source.highest);
     return value;
@@ -180,14 +184,14 @@ std::optional<double> value_of(const CsvField& field, const Source& source,
 void read_values(WeatherTable& table,
                  const std::vector<std::string_view>& lines,
                  double par_fraction, Findings& findings) {
-    const auto sources = sources_of(table, par_fraction, findings);
+    const auto sources = find_sources(table, par_fraction, findings);
     for (WeatherStep& row : table.rows) {
         const std::vector<CsvField> fields =
-            fields_of(lines[static_cast<std::size_t>(row.line) - 1]);
+            split_fields(lines[static_cast<std::size_t>(row.line) - 1]);
         for (const Source& source : sources)
             row.values.*source.target =
-                value_of(entry(fields, source.index), source,
-                         table.columns.missing, row.line, findings);
+                read_value(entry(fields, source.index), source,
+                           table.columns.missing, row.line, findings);
     }
     findings.stop_if_any();
 }

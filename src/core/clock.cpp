@@ -13,10 +13,10 @@ namespace ideotype {
 
 namespace {
 
-//! The most digits of a number, enough for the seconds of any job.
+//! Largest number of digits, enough for the seconds of any job.
 constexpr std::size_t most_digits = 9;
 
-std::optional<double> hours_minutes_seconds(Scanner text) {
+std::optional<double> parse_clock(Scanner text) {
     const auto hours = text.number(1, most_digits);
     if (!hours || !text.take(":")) return {};
     const auto minutes = text.number(2, 2);
@@ -29,7 +29,7 @@ std::optional<double> hours_minutes_seconds(Scanner text) {
 }  // namespace
 
 std::optional<double> parse_duration(const std::string& text) {
-    if (const auto clock = hours_minutes_seconds(Scanner(text))) return clock;
+    if (const auto clock = parse_clock(Scanner(text))) return clock;
     if (text.empty()) return {};
     Scanner rest(text);
     double sum = 0;

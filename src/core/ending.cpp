@@ -19,36 +19,36 @@ namespace {
 
 std::atomic<bool> is_in_order = false;
 
-void tell(const char* reason) {
+void report(const char* reason) {
     std::array<char, 1024> text{};
     const auto [last, size] = fmt::format_to_n(
         text.data(), text.size(),
-        "ideotype: a library ended the program ({}), as a rule for lack of "
-        "memory or threads (see ulimit -a); what a run has recorded is kept, "
-        "go on with --resume\n",
+        "ideotype: a library ended the program ({}), usually for lack of "
+        "memory or threads (see ulimit -a); recorded rows are kept, continue "
+        "with --resume\n",
         reason);
     static_cast<void>(!write(STDERR_FILENO, text.data(),
                              static_cast<std::size_t>(last - text.data())));
 }
 
 [[noreturn]] void end(const char* reason) {
-    tell(reason);
+    report(reason);
     std::_Exit(static_cast<int>(ExitCode::runtime));
 }
 
-// Tells the reason of a segmentation fault: OpenSSL and HDF5 use some null
-// pointers of failed allocations. The instruction is then executed again, and
-// the signal ends the process.
-void tell_of_segmentation_fault(int /*signal*/) {
-    tell("segmentation fault");
+// Reports a segmentation fault: OpenSSL and HDF5 use some null pointers of
+// failed allocations. The instruction is then executed again, and the signal
+// ends the process.
+void report_segmentation_fault(int /*signal*/) {
+    report("segmentation fault");
 }
 
-// Handles segmentation faults, unless a sanitizer does, which says more.
+// Handles segmentation faults, unless a sanitizer does, which reports more.
 void watch_for_segmentation_fault() {
     struct sigaction action {};
     sigaction(SIGSEGV, nullptr, &action);
     if (action.sa_handler != SIG_DFL) return;
-    action.sa_handler = tell_of_segmentation_fault;
+    action.sa_handler = report_segmentation_fault;
     action.sa_flags = SA_RESETHAND;
     sigaction(SIGSEGV, &action, nullptr);
 }

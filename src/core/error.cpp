@@ -13,7 +13,7 @@
 
 namespace ideotype {
 
-std::string reason_of(const std::exception& error) {
+std::string describe_exception(const std::exception& error) {
     return dynamic_cast<const std::bad_alloc*>(&error) != nullptr
                ? "not enough memory"
                : error.what();
@@ -29,7 +29,7 @@ std::string to_string(const Problem& problem) {
 
 namespace {
 
-std::string joined(const std::vector<Problem>& problems) {
+std::string join(const std::vector<Problem>& problems) {
     std::string text;
     for (const Problem& problem : problems) {
         if (!text.empty()) text += '\n';
@@ -38,6 +38,7 @@ std::string joined(const std::vector<Problem>& problems) {
     return text;
 }
 
+//! Returns the Levenshtein distance, by dynamic programming over one row.
 std::size_t edit_distance(const std::string& a, const std::string& b) {
     std::vector<std::size_t> row(b.size() + 1);
     std::iota(row.begin(), row.end(), std::size_t{0});
@@ -54,9 +55,9 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
     return row.back();
 }
 
-//! Returns a name such as "stalk.diameter_base" with the words of each part in
-//! alphabetic order: "stalk.base_diameter".
-std::string with_sorted_words(const std::string& name) {
+//! Sorts the words of each part of a name: "stalk.diameter_base" becomes
+//! "stalk.base_diameter".
+std::string sort_words(const std::string& name) {
     std::string result;
     std::vector<std::string> words(1);
     const auto end_part = [&] {
@@ -79,13 +80,13 @@ std::string with_sorted_words(const std::string& name) {
 
 }  // namespace
 
-std::string with_short_quotes(const std::string& message) {
-    constexpr std::size_t longest = 80, kept = 60;
+std::string shorten_quotes(const std::string& message) {
+    constexpr std::size_t longest = 80, cut = 60;
     if (message.size() <= longest) return message;
     std::string result;
     const auto add = [&](std::string_view part) {
         const std::string shown =
-            part.size() > longest ? first_bytes(std::string(part), kept) : "";
+            part.size() > longest ? first_bytes(std::string(part), cut) : "";
         if (shown.empty())
             result += part;
         else
@@ -110,16 +111,16 @@ std::string with_short_quotes(const std::string& message) {
 
 namespace {
 
-std::vector<Problem> shortened(std::vector<Problem> problems) {
+std::vector<Problem> shorten_all(std::vector<Problem> problems) {
     for (Problem& problem : problems)
-        problem.what = with_short_quotes(problem.what);
+        problem.what = shorten_quotes(problem.what);
     return problems;
 }
 
 }  // namespace
 
 InputError::InputError(std::vector<Problem> problems)
-    : Error(joined(problems = shortened(std::move(problems))),
+    : Error(join(problems = shorten_all(std::move(problems))),
             ExitCode::invalid_campaign),
       problems_(std::move(problems)) {
     IDEOTYPE_EXPECT(!problems_.empty());
@@ -128,19 +129,17 @@ InputError::InputError(std::vector<Problem> problems)
 std::string nearest_name(const std::string& word,
                          const std::vector<std::string>& candidates) {
     std::string nearest;
-    // A suggestion that shares less than half of the letters only confuses.
-    std::size_t least = word.size() / 2 + 1;
+    // A suggestion with less than half of the letters in common would confuse.
+    std::size_t shortest = word.size() / 2 + 1;
     for (const std::string& candidate : candidates) {
-        // A much longer word is too far away, and may have megabytes.
-        if (word.size() >= candidate.size() + least) continue;
-        // Words in another order are one mistake.
-        const std::size_t distance =
-            std::min(edit_distance(word, candidate),
-                     edit_distance(with_sorted_words(word),
-                                   with_sorted_words(candidate)) +
-                         1);
-        if (distance < least) {
-            least = distance;
+        // A much longer word is too distant, and may have megabytes.
+        if (word.size() >= candidate.size() + shortest) continue;
+        // Words in another order count as one mistake.
+        const std::size_t distance = std::min(
+            edit_distance(word, candidate),
+            edit_distance(sort_words(word), sort_words(candidate)) + 1);
+        if (distance < shortest) {
+            shortest = distance;
             nearest = candidate;
         }
     }
@@ -151,10 +150,10 @@ std::string did_you_mean(const std::string& word,
                          const std::vector<std::string>& candidates) {
     const std::string nearest = nearest_name(word, candidates);
     if (!nearest.empty()) return "did you mean '" + nearest + "'?";
-    std::string all;
-    for (const std::string& each : candidates)
-        all += (all.empty() ? "use one of " : ", ") + each;
-    return all;
+    std::string list;
+    for (const std::string& candidate : candidates)
+        list += (list.empty() ? "use one of " : ", ") + candidate;
+    return list;
 }
 
 }  // namespace ideotype

@@ -8,14 +8,14 @@
 
 namespace ideotype {
 
-double mean_of(std::span<const double> values) {
+double average(std::span<const double> values) {
     return std::accumulate(values.begin(), values.end(), 0.) /
            static_cast<double>(values.size());
 }
 
 Estimate estimate(std::span<const double> values) {
     const auto n = static_cast<double>(values.size());
-    const double mean = mean_of(values);
+    const double mean = average(values);
     if (values.size() < 2)
         return {mean, std::numeric_limits<double>::quiet_NaN()};
     double squares = 0;
@@ -25,9 +25,9 @@ Estimate estimate(std::span<const double> values) {
 
 namespace {
 
-//! Returns the standard error of b - factor * a.
-double error_of_difference(const Randomisations& a, const Randomisations& b,
-                           double factor) {
+//! Returns the standard error of b - factor * a, paired if possible.
+double estimate_error(const Randomisations& a, const Randomisations& b,
+                      double factor) {
     const std::size_t count = a.values.size();
     const bool is_paired = count > 1 && count == b.values.size() &&
                            !std::isnan(a.values.front()) &&
@@ -44,7 +44,7 @@ double error_of_difference(const Randomisations& a, const Randomisations& b,
 }  // namespace
 
 Estimate difference(const Randomisations& a, const Randomisations& b) {
-    return {b.figure.mean - a.figure.mean, error_of_difference(a, b, 1)};
+    return {b.figure.mean - a.figure.mean, estimate_error(a, b, 1)};
 }
 
 Estimate relative_gain(const Randomisations& a, const Randomisations& b) {
@@ -56,7 +56,7 @@ Estimate relative_gain(const Randomisations& a, const Randomisations& b) {
     // To first order, the ratio r = b / a has the error of (b - r a) / a.
     const double ratio = b.figure.mean / reference;
     return {100 * (ratio - 1),
-            100 * error_of_difference(a, b, ratio) / std::abs(reference)};
+            100 * estimate_error(a, b, ratio) / std::abs(reference)};
 }
 
 }  // namespace ideotype

@@ -13,12 +13,12 @@ namespace ideotype {
 
 namespace {
 
-//! Reads an open file to its end.
-FileText read_all(int file, std::uintmax_t most) {
+//! Reads an open file to its end, up to a size.
+FileText read_open(int file, std::uintmax_t limit) {
     FileText result;
     struct stat status {};
     if (fstat(file, &status) == 0 && !S_ISREG(status.st_mode)) {
-        result.why = kind_of(status) + ", no regular file";
+        result.why = describe_kind(status) + ", no regular file";
         return result;
     }
     std::array<char, 1U << 16U> buffer{};
@@ -34,9 +34,9 @@ FileText read_all(int file, std::uintmax_t most) {
             return result;
         }
         result.text.append(buffer.data(), static_cast<std::size_t>(count));
-        if (result.text.size() > most) {
+        if (result.text.size() > limit) {
             result.why =
-                fmt::format("larger than the limit of {} MiB", most >> 20U);
+                fmt::format("larger than the limit of {} MiB", limit >> 20U);
             return result;
         }
     }
@@ -44,7 +44,7 @@ FileText read_all(int file, std::uintmax_t most) {
 
 }  // namespace
 
-std::string kind_of(const struct stat& status) {
+std::string describe_kind(const struct stat& status) {
     if (S_ISDIR(status.st_mode)) return "a folder";
     if (S_ISFIFO(status.st_mode)) return "a named pipe";
     if (S_ISSOCK(status.st_mode)) return "a socket";
@@ -56,8 +56,8 @@ std::string FileText::refusal(const std::string& path) const {
                        : fmt::format("cannot read {} ({})", path, why);
 }
 
-FileText read_file(const std::string& path, std::uintmax_t most) {
-    // Without O_NONBLOCK, open() would wait for the writer of a pipe.
+FileText read_file(const std::string& path, std::uintmax_t limit) {
+    // Without O_NONBLOCK, open() would wait for a writer of a pipe.
     const int file = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
     if (file < 0) {
         FileText missing;
@@ -65,7 +65,7 @@ FileText read_file(const std::string& path, std::uintmax_t most) {
             missing.why = std::generic_category().message(errno);
         return missing;
     }
-    FileText result = read_all(file, most);
+    FileText result = read_open(file, limit);
     ::close(file);
     return result;
 }

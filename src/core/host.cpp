@@ -15,12 +15,12 @@ namespace ideotype {
 
 namespace {
 
-// The number of arguments, enough to distinguish variants of a function that
-// differ in one of a thousand results.
+// The number of arguments, large enough to distinguish variants of a function
+// that differ in one of a thousand results.
 constexpr int samples = 20000;
 
-//! Adds the results of all functions at one place of the unit interval, each
-//! for an argument that is typical of the program.
+//! Adds the results of all functions at a point of the unit interval, each for
+//! an argument typical of the program.
 void add_results(std::vector<double>& results, double u) {
     const double angle = 20 * u - 10;
     const double unit = 2 * u - 1;
@@ -54,7 +54,7 @@ int available_cores() {
     cpu_set_t set;
     int cores = 1;
     if (sched_getaffinity(0, sizeof set, &set) == 0) cores = CPU_COUNT(&set);
-    // Without a quota the file contains "max 100000".
+    // The file contains "max 100000" without a quota.
     std::ifstream file("/sys/fs/cgroup/cpu.max");
     double quota = 0, period = 0;
     if (file >> quota >> period && quota > 0 && period > 0)

@@ -27,7 +27,7 @@ std::vector<double> face_areas(const Mesh& mesh) {
         const glm::dvec3& b = mesh.vertices[face[1]];
         const glm::dvec3& c = mesh.vertices[face[2]];
         const glm::dvec3& d = mesh.vertices[face[3]];
-        // The ray tracer splits a quadrilateral along the same diagonal b-d.
+        // The ray tracer splits quadrilaterals along the same diagonal, b-d.
         areas.push_back(triangle_area(a, b, d) + triangle_area(c, d, b));
     }
     return areas;

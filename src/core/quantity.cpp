@@ -15,15 +15,15 @@ Axis counted(const std::string& name, const std::string& meaning,
 }
 
 const Axis& QuantitySet::axis(const std::string& name) const {
-    for (const Axis& each : axes)
-        if (each.name == name) return each;
+    for (const Axis& candidate : axes)
+        if (candidate.name == name) return candidate;
     throw std::out_of_range("there is no axis " + name);
 }
 
 bool QuantitySet::has(const std::string& quantity) const {
     return std::any_of(
         quantities.begin(), quantities.end(),
-        [&](const Quantity& each) { return each.name == quantity; });
+        [&](const Quantity& candidate) { return candidate.name == quantity; });
 }
 
 std::size_t QuantitySet::size(const Quantity& quantity) const {
@@ -34,15 +34,15 @@ std::size_t QuantitySet::size(const Quantity& quantity) const {
 
 std::size_t QuantitySet::size() const {
     std::size_t numbers = 0;
-    for (const Quantity& each : quantities) numbers += size(each);
+    for (const Quantity& quantity : quantities) numbers += size(quantity);
     return numbers;
 }
 
 std::size_t QuantitySet::offset(const std::string& name) const {
     std::size_t numbers = 0;
-    for (const Quantity& each : quantities) {
-        if (each.name == name) return numbers;
-        numbers += size(each);
+    for (const Quantity& quantity : quantities) {
+        if (quantity.name == name) return numbers;
+        numbers += size(quantity);
     }
     throw std::out_of_range("there is no quantity " + name);
 }

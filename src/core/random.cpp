@@ -45,7 +45,7 @@ std::array<double, 2> RandomStream::normal() {
 
 std::uint32_t RandomStream::below(std::uint32_t n) {
     IDEOTYPE_EXPECT(n > 0);
-    // Values of the last, incomplete run of n values are rejected.
+    // Reject values of the last, incomplete run of n values.
     const std::uint32_t rejected = (0u - n) % n;
     std::uint32_t x = bits();
     while (x < rejected) x = bits();

@@ -8,13 +8,14 @@ namespace ideotype {
 namespace {
 
 std::array<SobolDirections, sobol_dimensions> make_directions() {
-    // The table has the polynomial of each dimension from the second one on,
-    // and its first direction integers.
+    // The table has the polynomial of each dimension from the second on, and
+    // its first direction integers; the others follow from a recurrence.
     using Table = boost::random::default_sobol_table;
-    std::array<SobolDirections, sobol_dimensions> all{};
-    for (unsigned bit = 0; bit < 32; ++bit) all[0][bit] = 1u << (31 - bit);
+    std::array<SobolDirections, sobol_dimensions> directions{};
+    for (unsigned bit = 0; bit < 32; ++bit)
+        directions[0][bit] = 1u << (31 - bit);
     for (std::size_t d = 1; d < sobol_dimensions; ++d) {
-        SobolDirections& v = all[d];
+        SobolDirections& v = directions[d];
         const unsigned polynomial = Table::polynomial(d - 1);
         const auto degree =
             static_cast<unsigned>(std::bit_width(polynomial)) - 1;
@@ -26,7 +27,7 @@ std::array<SobolDirections, sobol_dimensions> make_directions() {
                 if (polynomial >> (degree - k) & 1) v[i] ^= v[i - k];
         }
     }
-    return all;
+    return directions;
 }
 
 }  // namespace

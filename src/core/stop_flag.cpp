@@ -12,8 +12,8 @@ namespace ideotype {
 
 namespace {
 
-// Storage for the signal handler, which can reach static variables only; its
-// owner is the single StopFlag.
+// State of the signal handler, which can access only static variables; it
+// belongs to the single StopFlag.
 std::atomic<int> first_signal{0};
 std::atomic<bool> interrupted{false};
 std::atomic<bool> stop_requested{false};
@@ -22,7 +22,7 @@ static_assert(std::atomic<int>::is_always_lock_free);
 
 constexpr std::array<int, 3> handled{SIGINT, SIGTERM, SIGUSR1};
 
-void on_signal(int signal) {
+void handle_signal(int signal) {
     if (signal == SIGINT && interrupted.exchange(true)) _exit(128 + SIGINT);
     int none = 0;
     first_signal.compare_exchange_strong(none, signal);
@@ -38,7 +38,7 @@ StopFlag::StopFlag() {
     interrupted = false;
     stop_requested = false;
     struct sigaction action {};
-    action.sa_handler = on_signal;
+    action.sa_handler = handle_signal;
     sigemptyset(&action.sa_mask);
     action.sa_flags = SA_RESTART;
     for (std::size_t i = 0; i < handled.size(); ++i)
@@ -65,7 +65,7 @@ void StopFlag::request_after(double seconds) {
     const steady_clock::time_point now = steady_clock::now();
     const std::chrono::duration<double> wait(seconds);
     constexpr auto never = steady_clock::time_point::max();
-    // The clock cannot represent times that are centuries away.
+    // The clock cannot represent times centuries ahead.
     end_ = wait < (never - now) / 2
                ? now + std::chrono::duration_cast<steady_clock::duration>(wait)
                : never;

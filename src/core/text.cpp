@@ -12,13 +12,13 @@ namespace ideotype {
 
 namespace {
 
-bool continues(char byte) {
+bool is_continuation(char byte) {
     return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U;
 }
 
-//! Returns the number of bytes of a text's first character; 0 if the character
-//! is a control character or no UTF-8.
-std::size_t size_of_character(std::string_view text) {
+//! Returns the number of bytes of the first character; 0 if it is a control
+//! character or not UTF-8.
+std::size_t measure_character(std::string_view text) {
     IDEOTYPE_EXPECT(!text.empty());
     const auto byte = [&](std::size_t i) {
         return static_cast<unsigned char>(text[i]);
@@ -28,16 +28,16 @@ std::size_t size_of_character(std::string_view text) {
     const std::size_t size = byte(0) < 0xE0 ? 2 : byte(0) < 0xF0 ? 3 : 4;
     if (text.size() < size) return 0;
     for (std::size_t i = 1; i < size; ++i)
-        if (!continues(text[i])) return 0;
-    // U+0080 to U+009F are control characters of terminals too.
+        if (!is_continuation(text[i])) return 0;
+    // Terminals also take U+0080 to U+009F for control characters.
     return byte(0) == 0xC2 && byte(1) < 0xA0 ? 0 : size;
 }
 
-std::string without_controls(std::string_view text, std::string_view kept) {
+std::string escape_controls(std::string_view text, std::string_view kept) {
     std::string shown;
     while (!text.empty()) {
         const bool is_kept = kept.find(text[0]) != kept.npos;
-        const std::size_t size = is_kept ? 1 : size_of_character(text);
+        const std::size_t size = is_kept ? 1 : measure_character(text);
         if (size == 0)
             shown +=
                 fmt::format("\\x{:02x}", static_cast<unsigned char>(text[0]));
@@ -48,7 +48,7 @@ std::string without_controls(std::string_view text, std::string_view kept) {
     return shown;
 }
 
-CsvField trimmed(std::string_view line, std::size_t begin, std::size_t end) {
+CsvField trim(std::string_view line, std::size_t begin, std::size_t end) {
     constexpr std::string_view around = " \t\"";
     std::string_view text = line.substr(begin, end - begin);
     const std::size_t first = text.find_first_not_of(around);
@@ -62,24 +62,24 @@ CsvField trimmed(std::string_view line, std::size_t begin, std::size_t end) {
 std::string first_bytes(const std::string& text, std::size_t size) {
     if (text.size() <= size) return text;
     std::size_t end = size;
-    while (end > 0 && continues(text[end])) --end;
+    while (end > 0 && is_continuation(text[end])) --end;
     return text.substr(0, end);
 }
 
-std::size_t columns_of(std::string_view text) {
+std::size_t count_columns(std::string_view text) {
     return static_cast<std::size_t>(std::ranges::count_if(
-        text, [](char byte) { return !continues(byte); }));
+        text, [](char byte) { return !is_continuation(byte); }));
 }
 
 std::string printable(const std::string& text) {
-    return without_controls(text, "");
+    return escape_controls(text, "");
 }
 
 std::string printable_lines(const std::string& text) {
-    return without_controls(text, "\n\t");
+    return escape_controls(text, "\n\t");
 }
 
-std::vector<std::string_view> lines_of(std::string_view text) {
+std::vector<std::string_view> split_lines(std::string_view text) {
     constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
     if (text.starts_with(byte_order_mark))
         text.remove_prefix(byte_order_mark.size());
@@ -94,21 +94,21 @@ std::vector<std::string_view> lines_of(std::string_view text) {
     return lines;
 }
 
-std::vector<CsvField> fields_of(std::string_view line) {
+std::vector<CsvField> split_fields(std::string_view line) {
     std::vector<CsvField> fields;
     std::size_t begin = 0;
     bool quoted = false;
     for (std::size_t i = 0; i < line.size(); ++i) {
         if (line[i] == '"') quoted = !quoted;
         if (line[i] != ',' || quoted) continue;
-        fields.push_back(trimmed(line, begin, i));
+        fields.push_back(trim(line, begin, i));
         begin = i + 1;
     }
-    fields.push_back(trimmed(line, begin, line.size()));
+    fields.push_back(trim(line, begin, line.size()));
     return fields;
 }
 
-std::optional<double> number_of(std::string_view text) {
+std::optional<double> parse_number(std::string_view text) {
     if (text.starts_with('+')) text.remove_prefix(1);
     double number = 0;
     const char* const end = text.data() + text.size();

@@ -13,6 +13,8 @@ namespace ideotype {
 
 namespace {
 
+//! Returns the harmonic mean of the slopes on both sides of a value, 0 at an
+//! extremum: it keeps the curve monotone.
 double inner_slope(double left, double right) {
     return left * right > 0 ? 2 * left * right / (left + right) : 0;
 }
@@ -27,14 +29,15 @@ double end_slope(double first, double second) {
     return slope;
 }
 
-MeasureInfo measure_of(Plant& plant, const std::string& name) {
-    const std::optional<MeasureInfo> found = find_measure(plant, name);
-    if (!found)
-        throw Error(
-            fmt::format("plants have no measure that is called {}", name));
-    return *found;
+MeasureInfo require_measure(Plant& plant, const std::string& name) {
+    const std::optional<MeasureInfo> measure = find_measure(plant, name);
+    if (!measure)
+        throw Error(fmt::format("plants have no measure named {}", name));
+    return *measure;
 }
 
+//! Applies a trait value to a value of a measure, within the limits of the
+//! measure.
 void act(TraitEffect effect, double number, const MeasureInfo& measure,
          double& value) {
     switch (effect) {
@@ -52,8 +55,9 @@ void act(TraitEffect effect, double number, const MeasureInfo& measure,
         value = std::clamp(value, measure.limits.lower, measure.limits.upper);
 }
 
-double number_at(const Trait& trait, const std::vector<double>& numbers,
-                 std::size_t leaf, std::size_t leaves) {
+//! Selects the value of a trait that applies to a leaf.
+double select_value(const Trait& trait, const std::vector<double>& numbers,
+                    std::size_t leaf, std::size_t leaves) {
     switch (trait.numbers) {
         case TraitNumbers::leaf:
             return numbers.at(leaf);
@@ -83,27 +87,28 @@ double profile(const std::vector<double>& values, double x) {
         if (k == n - 1) return end_slope(rise(n - 2), rise(n - 3));
         return inner_slope(rise(k - 1), rise(k));
     };
+    // The cubic Hermite polynomial between the values a and b.
     const double a = values[i], b = values[i + 1];
-    const double from = slope(i), to = slope(i + 1);
+    const double slope_before = slope(i), slope_after = slope(i + 1);
     return a + t * t * (3 - 2 * t) * (b - a) +
-           t * (1 - t) * ((1 - t) * from - t * to);
+           t * (1 - t) * ((1 - t) * slope_before - t * slope_after);
 }
 
 std::vector<TraitNumber> trait_numbers(const Crop& crop) {
-    std::vector<TraitNumber> all;
+    std::vector<TraitNumber> numbers;
     const auto leaves = static_cast<int>(crop.baseline.leaves.size());
     for (int leaf = 1; leaf <= leaves; ++leaf)
         for (std::size_t t = 0; t < crop.traits.size(); ++t)
             if (crop.traits[t].numbers == TraitNumbers::leaf)
-                all.push_back({t, leaf, 0});
+                numbers.push_back({t, leaf, 0});
     for (std::size_t t = 0; t < crop.traits.size(); ++t) {
         const Trait& trait = crop.traits[t];
-        if (trait.numbers == TraitNumbers::plant) all.push_back({t, 0, 0});
+        if (trait.numbers == TraitNumbers::plant) numbers.push_back({t, 0, 0});
         if (trait.numbers != TraitNumbers::profile) continue;
         for (int point = 1; point <= trait.points; ++point)
-            all.push_back({t, 0, point});
+            numbers.push_back({t, 0, point});
     }
-    return all;
+    return numbers;
 }
 
 std::vector<double> baseline_numbers(const Crop& crop) {
@@ -115,7 +120,8 @@ std::vector<double> baseline_numbers(const Crop& crop) {
             numbers.push_back(trait.effect == TraitEffect::scales ? 1 : 0);
             continue;
         }
-        const MeasureInfo measure = measure_of(plant, trait.measures.at(0));
+        const MeasureInfo measure =
+            require_measure(plant, trait.measures.at(0));
         numbers.push_back(*measure.values.at(
             static_cast<std::size_t>(std::max(number.leaf, 1) - 1)));
     }
@@ -129,18 +135,18 @@ Plant grow(const Crop& crop, const std::vector<double>& numbers) {
             fmt::format("a genome of {} genes is not a plant (its "
                         "traits have {} numbers)",
                         numbers.size(), order.size()));
-    std::vector<std::vector<double>> of_trait(crop.traits.size());
+    std::vector<std::vector<double>> values(crop.traits.size());
     for (std::size_t i = 0; i < order.size(); ++i)
-        of_trait[order[i].trait].push_back(numbers[i]);
+        values[order[i].trait].push_back(numbers[i]);
 
     Plant plant = crop.baseline;
     for (std::size_t t = 0; t < crop.traits.size(); ++t) {
         const Trait& trait = crop.traits[t];
         for (const std::string& name : trait.measures) {
-            const MeasureInfo measure = measure_of(plant, name);
+            const MeasureInfo measure = require_measure(plant, name);
             const std::size_t count = measure.values.size();
             for (std::size_t i = 0; i < count; ++i)
-                act(trait.effect, number_at(trait, of_trait[t], i, count),
+                act(trait.effect, select_value(trait, values[t], i, count),
                     measure, *measure.values[i]);
         }
     }

@@ -16,16 +16,16 @@ namespace ideotype {
 
 namespace {
 
-//! Returns the place of a number between two others, from 0 at the first or
-//! below to 1 at the second or above.
-double ramp(double value, double from, double to) {
-    if (value <= from) return 0;
-    return value >= to ? 1 : (value - from) / (to - from);
+//! Returns the relative position of a value between two limits, 0 at the first
+//! or below and 1 at the second or above.
+double ramp(double value, double first, double last) {
+    if (value <= first) return 0;
+    return value >= last ? 1 : (value - first) / (last - first);
 }
 
 //! Returns the thermal time from tip to collar, piecewise linear in rank.
 double extension(const Growth& growth, double rank) {
-    constexpr double slowest_rank = 0.45;  // over the number of leaves
+    constexpr double slowest_rank = 0.45;  // relative to number of leaves
     const double slowest = slowest_rank * growth.leaves;
     if (rank <= slowest)
         return growth.first_extension +
@@ -36,6 +36,7 @@ double extension(const Growth& growth, double rank) {
                (rank - slowest) / (growth.leaves - slowest);
 }
 
+//! Returns the area of a full-grown blade, see leaf_dates().
 double final_area(const Growth& growth, double rank) {
     const double largest = growth.largest * growth.leaves;
     const double x = (rank - largest) / (largest - 1);
@@ -43,8 +44,9 @@ double final_area(const Growth& growth, double rank) {
            std::exp(-growth.narrowing * x * x + growth.skewness * x * x * x);
 }
 
+//! Returns the thermal time at which a blade begins to fade.
 double death(const Growth& growth, int rank) {
-    constexpr double lower_leaves = 0.4;  // highest rank over all leaves
+    constexpr double lower_leaves = 0.4;  // relative to number of leaves
     const int lower = static_cast<int>(lower_leaves * growth.leaves);
     if (rank <= lower)
         return growth.lower_death + growth.lower_interval * (rank - 1);
@@ -52,8 +54,8 @@ double death(const Growth& growth, int rank) {
            growth.upper_interval * (rank - lower - 1);
 }
 
-//! Returns the value at a thermal time between points at equal steps from
-//! silking to maturity; before silking it is that of the first point.
+//! Interpolates points at equal steps from silking to maturity; before silking
+//! the first point applies.
 double after_silking(const Growth& growth, std::span<const double> points,
                      double thermal_time) {
     IDEOTYPE_EXPECT(!points.empty());
@@ -63,17 +65,17 @@ double after_silking(const Growth& growth, std::span<const double> points,
                          share * static_cast<double>(points.size() - 1));
 }
 
-//! Returns the number of leaves below those that a plant has.
-//! @throws Error if the plant has more leaves than grow.
+//! Returns the number of leaves below those of the plant.
+//! @throws Error if the plant has more leaves than `growth`.
 std::size_t leaves_below(const Growth& growth, const Plant& plant) {
-    const auto all = static_cast<std::size_t>(growth.leaves);
-    if (plant.leaves.size() > all)
+    const auto leaves = static_cast<std::size_t>(growth.leaves);
+    if (plant.leaves.size() > leaves)
         throw Error(fmt::format(
             "{} has {} leaves, more than the {} that grow ([growth] leaves of "
-            "its crop); give it fewer, or the crop more",
+            "its crop); give the plant fewer, or the crop more",
             plant.name.empty() ? "the plant" : plant.name, plant.leaves.size(),
-            all));
-    return all - plant.leaves.size();
+            leaves));
+    return leaves - plant.leaves.size();
 }
 
 }  // namespace
@@ -92,7 +94,7 @@ double development_stage(const Growth& growth, double thermal_time) {
            ramp(thermal_time, silking, maturity_time(growth));
 }
 
-double thermal_time_of(const Growth& growth, double stage) {
+double find_thermal_time(const Growth& growth, double stage) {
     return stage <= 1 ? stage * silking_time(growth)
                       : silking_time(growth) + (stage - 1) * growth.maturity;
 }
@@ -106,7 +108,7 @@ double maintenance_factor(const Growth& growth, double thermal_time) {
 }
 
 std::vector<LeafDates> leaf_dates(const Growth& growth) {
-    // The first leaf is partly out when the plant emerges.
+    // The first leaf is partly visible when the plant emerges.
     constexpr double ahead = 10;
     std::vector<LeafDates> leaves;
     for (int rank = 1; rank <= growth.leaves; ++rank) {
@@ -154,19 +156,20 @@ std::vector<double> collar_heights(const Growth& growth,
     double stem = 0, final_stem = 0;
     bool is_full = true;
     for (std::size_t i = 0; i < leaves.size(); ++i) {
-        const double own_sheath = std::min(sheath, final_heights[i]);
+        const double sheath_length = std::min(sheath, final_heights[i]);
         const double internode =
-            std::max(0., final_heights[i] - own_sheath - final_stem);
+            std::max(0., final_heights[i] - sheath_length - final_stem);
         final_stem += internode;
         const double grown =
             growth.internode_rate * (thermal_time - leaves[i].collar);
         is_full = is_full && grown >= internode;
         stem += std::clamp(grown, 0., internode);
-        // A full-grown part keeps its height to the last bit.
+        // Full-grown parts get the final height itself, without rounding errors
+        // of the sum.
         heights.push_back(
-            is_full
-                ? final_heights[i]
-                : stem + own_sheath * visible_share(leaves[i], thermal_time));
+            is_full ? final_heights[i]
+                    : stem + sheath_length *
+                                 visible_share(leaves[i], thermal_time));
     }
     return heights;
 }
@@ -183,6 +186,7 @@ Plant complete_plant(const Growth& growth, const Plant& plant) {
         leaf.length *= size;
         leaf.width *= size;
         leaf.insertion_height = heights[i - 1];
+        // Azimuths alternate between those of the two lowest leaves.
         leaf.azimuth =
             plant.leaves
                 .at((below - i) % 2 == 0
@@ -198,7 +202,7 @@ Plant complete_plant(const Growth& growth, const Plant& plant) {
 
 namespace {
 
-//! Turns a full-grown blade into the blade at a thermal time.
+//! Turns a full-grown blade into the blade at a thermal time, see age_plant().
 void unfold(Leaf& leaf, const Blade& blade, double visible, double faded) {
     constexpr double least_angle = 0.3, hanging = 40;
     if (visible < 1) {
@@ -229,7 +233,7 @@ void age_organs(const Growth& growth, double thermal_time, Plant& plant) {
     }
 }
 
-Plant plant_at(const Growth& growth, const Plant& plant, double thermal_time) {
+Plant age_plant(const Growth& growth, const Plant& plant, double thermal_time) {
     constexpr double last = 100, least_height = 0.001;
     const std::vector<LeafDates> dates = leaf_dates(growth);
     const std::vector<double> heights =
@@ -243,7 +247,7 @@ Plant plant_at(const Growth& growth, const Plant& plant, double thermal_time) {
         const double visible = visible_share(dates[i], thermal_time);
         is_full =
             is_full && visible == 1 && heights[i] == leaf.insertion_height;
-        // A blade comes out where the whorl ends.
+        // A blade emerges from the top of the whorl.
         leaf.insertion_height =
             visible < 1 ? std::max(top, heights[i]) : heights[i];
         top = std::max(top, leaf.insertion_height);
@@ -251,6 +255,7 @@ Plant plant_at(const Growth& growth, const Plant& plant, double thermal_time) {
                faded_share(growth, dates[i], thermal_time));
     }
     if (!is_full) grown.stalk.height = std::min(grown.stalk.height, top);
+    // Other organs grow shortly before silking.
     const double silking = silking_time(growth);
     const double size = ramp(thermal_time, silking - last, silking);
     for (Organ& organ : grown.organs) {
@@ -265,8 +270,8 @@ Plant plant_at(const Growth& growth, const Plant& plant, double thermal_time) {
 double daily_thermal_time(const Growth& growth,
                           std::span<const double> temperatures) {
     double sum = 0;
-    for (const double each : temperatures)
-        sum += std::clamp(each, growth.base, growth.cap) - growth.base;
+    for (const double temperature : temperatures)
+        sum += std::clamp(temperature, growth.base, growth.cap) - growth.base;
     return temperatures.empty()
                ? 0
                : sum / static_cast<double>(temperatures.size());

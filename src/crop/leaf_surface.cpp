@@ -69,9 +69,10 @@ std::array<glm::dvec2, controls_along> interpolate(
 }
 
 //! Returns the relative arc length at the middle of each segment of a digitised
-//! midrib, and the segment's angle from the vertical [deg], which exceeds 180
-//! where the midrib curls, and never jumps by more than 180.
-std::vector<glm::dvec2> angles_of(const std::vector<glm::dvec2>& points) {
+//! midrib, and the angle of the segment from the vertical [deg]. Angles are
+//! unwrapped: they exceed 180 where the midrib curls, and never jump by more
+//! than 180.
+std::vector<glm::dvec2> measure_angles(const std::vector<glm::dvec2>& points) {
     std::vector<glm::dvec2> angles;
     double length = 0;
     for (std::size_t i = 1; i < points.size(); ++i) {
@@ -84,7 +85,7 @@ std::vector<glm::dvec2> angles_of(const std::vector<glm::dvec2>& points) {
         angles.emplace_back(length + size / 2, angle);
         length += size;
     }
-    for (glm::dvec2& each : angles) each.x /= length;
+    for (glm::dvec2& segment : angles) segment.x /= length;
     return angles;
 }
 
@@ -98,7 +99,7 @@ glm::dvec3 turned(const glm::dvec3& v, const glm::dvec3& axis, double angle) {
 }  // namespace
 
 bool measure_midrib(Leaf& leaf) {
-    const std::vector<glm::dvec2> angles = angles_of(leaf.midrib);
+    const std::vector<glm::dvec2> angles = measure_angles(leaf.midrib);
     if (angles.empty()) return false;
     leaf.insertion_angle = angles.front().y;
     leaf.curvature = angles.back().y - angles.front().y;
@@ -109,10 +110,11 @@ double LeafSurface::angle(double s) const {
     const double bend = std::pow(s, blade_.curvature_exponent);
     if (digitised_.empty())
         return degree * (leaf_.insertion_angle + leaf_.curvature * bend);
+    // Interpolate the angles of segments, and add the changes by traits.
     const glm::dvec2 first = digitised_.front(), last = digitised_.back();
     const auto next =
         std::find_if(digitised_.begin(), digitised_.end(),
-                     [&](const auto& each) { return each.x > s; });
+                     [&](const auto& segment) { return segment.x > s; });
     double angle = next == digitised_.begin() ? first.y : last.y;
     if (next != digitised_.begin() && next != digitised_.end())
         angle = glm::mix(next[-1].y, next->y,
@@ -121,18 +123,18 @@ double LeafSurface::angle(double s) const {
                      (leaf_.curvature - (last.y - first.y)) * bend);
 }
 
-void LeafSurface::advance(glm::dvec2& end, double from, double to,
+void LeafSurface::advance(glm::dvec2& point, double begin, double stop,
                           int steps) const {
-    const double h = (to - from) / steps;
+    const double h = (stop - begin) / steps;
     const auto along = [&](double s) {
         const double a = angle(s);
         return glm::dvec2(std::sin(a), std::cos(a));
     };
-    double s = from;
+    double s = begin;
     glm::dvec2 last = along(s);
     for (int step = 0; step < steps; ++step, s += h) {
         const glm::dvec2 middle = along(s + h / 2), next = along(s + h);
-        end += leaf_.length * h / 6 * (last + 4. * middle + next);
+        point += leaf_.length * h / 6 * (last + 4. * middle + next);
         last = next;
     }
 }
@@ -142,8 +144,9 @@ LeafSurface::LeafSurface(const Leaf& leaf, const Blade& blade, double distance)
     if (blade.width_controls.size() != controls_along)
         throw Error("a blade has other than six width controls; give six");
     glm::dvec2 end{distance, leaf.insertion_height};
+    // A digitised midrib is tabulated in equal steps of arc length.
     if (!leaf.midrib.empty()) {
-        digitised_ = angles_of(leaf.midrib);
+        digitised_ = measure_angles(leaf.midrib);
         if (digitised_.empty())
             throw Error(
                 "a midrib has no two points that differ; give points from the "
@@ -156,6 +159,7 @@ LeafSurface::LeafSurface(const Leaf& leaf, const Blade& blade, double distance)
         }
         return;
     }
+    // Otherwise six control points follow the curve of the angles.
     std::array<glm::dvec2, controls_along> midrib;
     midrib[0] = end;
     for (std::size_t i = 1; i < controls_along; ++i) {
@@ -192,13 +196,14 @@ BladeRow LeafSurface::row(double t) const {
         double width = 0;
         for (std::size_t i = 0; i < controls_along; ++i)
             width += n[i] * blade_.width_controls[i];
-        const double place = t * static_cast<double>(midrib_.size() - 1);
+        const double position = t * static_cast<double>(midrib_.size() - 1);
         const auto i =
-            std::min(static_cast<std::size_t>(place), midrib_.size() - 2);
+            std::min(static_cast<std::size_t>(position), midrib_.size() - 2);
         row = across(glm::mix(midrib_[i], midrib_[i + 1],
-                              place - static_cast<double>(i)),
+                              position - static_cast<double>(i)),
                      angle(t), width);
     }
+    // Roll and twist turn both edges about the direction of the midrib.
     if (const double turn = leaf_.roll + leaf_.twist * (t - 0.5); turn != 0) {
         const glm::dvec3 along(0, std::sin(angle(t)), std::cos(angle(t)));
         for (glm::dvec3* edge : {&row.left, &row.right})
@@ -208,8 +213,9 @@ BladeRow LeafSurface::row(double t) const {
     return row;
 }
 
-std::vector<BladeRow> LeafSurface::tessellate(int cells, double from,
-                                              double to) const {
+std::vector<BladeRow> LeafSurface::tessellate(int cells, double begin,
+                                              double end) const {
+    // Measure the polyline of the whole blade, which is to be stretched.
     std::vector<BladeRow> rows;
     double length = 0;
     double width = 0;
@@ -220,17 +226,18 @@ std::vector<BladeRow> LeafSurface::tessellate(int cells, double from,
         width = std::max(width, glm::distance(midrib, rows.back().left) +
                                     glm::distance(midrib, rows.back().right));
     }
-    glm::dvec3 begin = base_;
-    if (leaf_.hidden > 0) begin = row(leaf_.hidden).midrib;
-    if (from > 0 || to < 1)
+    // The visible part begins at the stalk.
+    glm::dvec3 start = base_;
+    if (leaf_.hidden > 0) start = row(leaf_.hidden).midrib;
+    if (begin > 0 || end < 1)
         for (int i = 0; i <= cells; ++i)
             rows[static_cast<std::size_t>(i)] =
-                row(std::lerp(from, to, static_cast<double>(i) / cells));
+                row(std::lerp(begin, end, static_cast<double>(i) / cells));
     const double along = leaf_.length / length;
     const double across = leaf_.width / width;
     for (BladeRow& r : rows) {
         const glm::dvec3 midrib = r.midrib;
-        const glm::dvec3 moved = base_ + along * (midrib - begin);
+        const glm::dvec3 moved = base_ + along * (midrib - start);
         r.left = moved + across * (r.left - midrib);
         r.right = moved + across * (r.right - midrib);
         r.midrib = moved;
@@ -239,6 +246,8 @@ std::vector<BladeRow> LeafSurface::tessellate(int cells, double from,
 }
 
 double length_from_tip(const Blade& blade, double area) {
+    // Cumulative area from the tip by the trapezoidal rule, then its inverse by
+    // linear interpolation.
     constexpr std::size_t steps = 64;
     std::array<double, steps + 1> width{}, sum{};
     for (std::size_t i = 0; i <= steps; ++i) {

@@ -13,25 +13,26 @@ namespace ideotype {
 
 namespace {
 
+//! Turns a vector about the z axis.
 glm::dvec3 turned(const glm::dvec3& v, double sine, double cosine) {
     return {v.x * cosine + v.y * sine, v.y * cosine - v.x * sine, v.z};
 }
 
-//! Numbers of faces along a blade and on each side of its midrib.
+//! Numbers of faces along a blade and on one side of its midrib.
 struct BladeCells {
-    int along, beside;
+    int along, across;
 };
 
-//! Returns the numbers of faces of a blade. Faces of a leaflet are nearly
-//! square, so that the light on each face is as even as their number allows.
-BladeCells cells_of(const Blade& blade, int along) {
+//! Returns the numbers of faces of a blade. The faces of a leaflet are nearly
+//! square, so that the light on each is as even as their number permits.
+BladeCells choose_cells(const Blade& blade, int along) {
     return blade.leaflets == 1 ? BladeCells{along, 1}
                                : BladeCells{std::max(4, 2 * along / 3), 2};
 }
 
-//! A part of the length of a blade.
+//! A part of the length of a blade, in relative arc lengths.
 struct BladePart {
-    double from = 0, to = 1;
+    double begin = 0, end = 1;
 };
 
 //! Returns the number of faces along the green part of a blade.
@@ -49,8 +50,8 @@ int green_cells(const Leaf& leaf, int along) {
 void add_leaflet(Mesh& mesh, std::uint32_t group, const Leaf& leaf,
                  const Blade& blade, double base, double aside,
                  BladeCells cells, BladePart part) {
-    constexpr double least = 1e-6;  // shortest part, far above rounding
-    if (!(part.to - part.from > least)) return;
+    constexpr double shortest = 1e-6;  // far above rounding errors
+    if (!(part.end - part.begin > shortest)) return;
     const LeafSurface surface(leaf, blade, base);
     const double sine = std::sin(leaf.azimuth * degree);
     const double cosine = std::cos(leaf.azimuth * degree);
@@ -63,15 +64,15 @@ void add_leaflet(Mesh& mesh, std::uint32_t group, const Leaf& leaf,
     };
     auto first = static_cast<std::uint32_t>(mesh.vertices.size());
     for (const BladeRow& row :
-         surface.tessellate(cells.along, part.from, part.to))
-        for (int k = -cells.beside; k <= cells.beside; ++k)
+         surface.tessellate(cells.along, part.begin, part.end))
+        for (int k = -cells.across; k <= cells.across; ++k)
             mesh.vertices.push_back(placed(
                 glm::mix(row.midrib, k < 0 ? row.left : row.right,
-                         std::abs(k) / static_cast<double>(cells.beside))));
-    const auto across = static_cast<std::uint32_t>(2 * cells.beside);
-    for (int cell = 0; cell < cells.along; ++cell, first += across + 1)
-        for (std::uint32_t i = first; i < first + across; ++i) {
-            mesh.faces.push_back({i, i + 1, i + across + 2, i + across + 1});
+                         std::abs(k) / static_cast<double>(cells.across))));
+    const auto columns = static_cast<std::uint32_t>(2 * cells.across);
+    for (int cell = 0; cell < cells.along; ++cell, first += columns + 1)
+        for (std::uint32_t i = first; i < first + columns; ++i) {
+            mesh.faces.push_back({i, i + 1, i + columns + 2, i + columns + 1});
             mesh.face_group.push_back(group);
         }
 }
@@ -108,7 +109,7 @@ void add_leaf(Mesh& mesh, std::uint32_t group, const Plant& plant,
         leaflet.insertion_height = base.y;
         add_leaflet(mesh, group, leaflet, blade, base.x,
                     steps * blade.leaflet_divergence,
-                    cells_of(blade, green_cells(leaf, cells_along)),
+                    choose_cells(blade, green_cells(leaf, cells_along)),
                     {leaf.hidden, 1 - leaf.dead});
     }
 }

@@ -8,7 +8,7 @@ namespace ideotype {
 namespace {
 
 //! Calls visit(owner, is_of_leaves, declared measures, parts) for each kind of
-//! part that a plant has.
+//! part of a plant.
 template <class Visit>
 void for_each_kind(Plant& plant, const Visit& visit) {
     std::vector<Leaf*> leaves;
@@ -28,8 +28,8 @@ void for_each_kind(Plant& plant, const Visit& visit) {
 }
 
 template <class Part, class Parts>
-MeasureInfo info_of(const std::string& name, const Measure<Part>& measure,
-                    bool is_of_leaves, const Parts& parts) {
+MeasureInfo describe(const std::string& name, const Measure<Part>& measure,
+                     bool is_of_leaves, const Parts& parts) {
     MeasureInfo info{name,
                      measure.unit,
                      measure.limits,
@@ -44,30 +44,30 @@ MeasureInfo info_of(const std::string& name, const Measure<Part>& measure,
 }  // namespace
 
 std::optional<MeasureInfo> find_measure(Plant& plant, const std::string& name) {
-    std::optional<MeasureInfo> found;
+    std::optional<MeasureInfo> info;
     const std::size_t dot = name.find('.');
-    if (dot == name.npos) return found;
-    const std::string_view own = std::string_view(name).substr(0, dot);
+    if (dot == name.npos) return info;
+    const std::string_view part = std::string_view(name).substr(0, dot);
     const std::string_view key = std::string_view(name).substr(dot + 1);
     for_each_kind(plant, [&](std::string_view owner, bool is_of_leaves,
                              const auto& declared, const auto& parts) {
-        if (owner != own) return;
-        for (const auto& each : declared)
-            if (each.name == key)
-                found = info_of(name, each, is_of_leaves, parts);
+        if (owner != part) return;
+        for (const auto& measure : declared)
+            if (measure.name == key)
+                info = describe(name, measure, is_of_leaves, parts);
     });
-    return found;
+    return info;
 }
 
 std::vector<MeasureInfo> measures(Plant& plant) {
-    std::vector<MeasureInfo> all;
+    std::vector<MeasureInfo> infos;
     for_each_kind(plant, [&](const std::string& owner, bool is_of_leaves,
                              const auto& declared, const auto& parts) {
-        for (const auto& each : declared)
-            all.push_back(
-                info_of(owner + '.' + each.name, each, is_of_leaves, parts));
+        for (const auto& measure : declared)
+            infos.push_back(describe(owner + '.' + measure.name, measure,
+                                     is_of_leaves, parts));
     });
-    return all;
+    return infos;
 }
 
 }  // namespace ideotype

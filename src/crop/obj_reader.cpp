@@ -34,7 +34,7 @@ std::uint32_t leaf_rank(std::string_view name) {
 
 namespace {
 
-PlantMaterial material_of(std::string_view name) {
+PlantMaterial parse_material(std::string_view name) {
     constexpr std::string_view plant = "plant";
     if (name.starts_with(plant)) {
         const std::size_t end =
@@ -50,14 +50,14 @@ PlantMaterial material_of(std::string_view name) {
 
 }  // namespace
 
-Group group_of_name(const std::string& name) {
-    const auto material = static_cast<std::uint32_t>(material_of(name));
+Group parse_group_name(const std::string& name) {
+    const auto material = static_cast<std::uint32_t>(parse_material(name));
     return {name, {0, material, leaf_rank(name)}, material};
 }
 
 namespace {
 
-//! Collects the statements that the library finds.
+//! Builds a mesh from the statements that the library reports.
 class ObjBuilder {
   public:
     ObjBuilder(const std::string& file, const ObjStatements& statements)
@@ -70,17 +70,17 @@ class ObjBuilder {
     static tinyobj::callback_t callbacks() {
         tinyobj::callback_t calls;
         calls.vertex_cb = [](void* self, double x, double y, double z, double) {
-            of(self).add_vertex({x, y, z});
+            cast(self).add_vertex({x, y, z});
         };
         calls.index_cb = [](void* self, tinyobj::index_t* corners, int count) {
-            of(self).add_polygon(corners, count);
+            cast(self).add_polygon(corners, count);
         };
         calls.group_cb = [](void* self, const char** names, int count) {
-            of(self).begin_group(
+            cast(self).begin_group(
                 fmt::format("{}", fmt::join(names, names + count, " ")));
         };
         calls.object_cb = [](void* self, const char* name) {
-            of(self).begin_group(name);
+            cast(self).begin_group(name);
         };
         return calls;
     }
@@ -106,15 +106,16 @@ class ObjBuilder {
     }
 
   private:
-    //! A polygon; files may have millions, so all corners are in one list.
+    //! A polygon. Files may have millions of them, so all corners are in one
+    //! list.
     struct Polygon {
-        std::size_t first;  //!< place of the first corner in corners_
+        std::size_t first;  //!< index of the first corner in corners_
         std::uint32_t count;
         std::uint32_t group;
         int line;
     };
 
-    static ObjBuilder& of(void* self) {
+    static ObjBuilder& cast(void* self) {
         return *static_cast<ObjBuilder*>(self);
     }
 
@@ -140,7 +141,7 @@ class ObjBuilder {
                 fail(polygon.line,
                      "a corner is vertex 0 (vertices are counted from 1); "
                      "correct it");
-            // A number below 0 counts backwards from the last vertex so far.
+            // A negative index counts back from the last vertex so far.
             const auto vertices =
                 static_cast<long long>(result_.mesh.vertices.size());
             corners_.push_back(
@@ -153,13 +154,14 @@ class ObjBuilder {
         name_ = name.empty() ? "unnamed" : std::move(name);
     }
 
-    //! Returns the index of the current group, made for its first face.
+    //! Returns the index of the current group, which is created for its first
+    //! face.
     std::uint32_t group() {
         std::vector<Group>& groups = result_.mesh.groups;
-        const auto [found, is_new] = index_of_.try_emplace(
+        const auto [entry, is_new] = group_index_.try_emplace(
             name_, static_cast<std::uint32_t>(groups.size()));
-        if (is_new) groups.push_back(group_of_name(name_));
-        return found->second;
+        if (is_new) groups.push_back(parse_group_name(name_));
+        return entry->second;
     }
 
     void add_faces(const Polygon& polygon) {
@@ -193,16 +195,16 @@ class ObjBuilder {
                                polygon.group);
     }
 
-    void warn(const Occurrences& occurrences, const char* what) {
+    void warn(const Occurrences& occurrences, const char* text) {
         if (occurrences.count > 0)
             result_.warnings.push_back(
                 fmt::format("{} {} (the first in line {})", occurrences.count,
-                            what, occurrences.first_line));
+                            text, occurrences.first_line));
     }
 
-    [[noreturn]] void fail(int line, std::string what) const {
+    [[noreturn]] void fail(int line, std::string text) const {
         throw InputError(
-            {{{file_, line, 1}, "", ProblemCode::data, std::move(what)}});
+            {{{file_, line, 1}, "", ProblemCode::data, std::move(text)}});
     }
 
     const std::string& file_;
@@ -211,7 +213,7 @@ class ObjBuilder {
     std::vector<int> corners_;  //!< vertices from 0, not yet checked
     std::vector<Polygon> polygons_;
     std::string name_ = "unnamed";
-    std::map<std::string, std::uint32_t> index_of_;
+    std::map<std::string, std::uint32_t> group_index_;
     Occurrences without_area_;
     Occurrences crossing_;
 };
@@ -220,7 +222,7 @@ class ObjBuilder {
 
 ObjMesh parse_obj(std::string text, const std::string& file) {
     ObjStatements statements = pick_statements(text, file);
-    // The text of a large mesh is released as soon as it is not needed.
+    // Release the text of a large mesh as soon as possible.
     text = {};
     ObjBuilder builder(file, statements);
     {

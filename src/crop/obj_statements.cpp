@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::string_view blanks = " \t";
 
-//! Keywords of statements without surfaces, which any OBJ file may contain.
+//! Keywords that any OBJ file may contain and that describe no surface.
 constexpr std::string_view harmless[] = {
     "vt",       "vn",       "vp",         "p",         "l",      "s",
     "mg",       "cstype",   "deg",        "bmat",      "step",   "curv",
@@ -28,8 +28,8 @@ constexpr std::string_view harmless[] = {
     "lod",      "call",     "csh",        "usemap",    "maplib", "res",
     "cdc",      "cdp",      "bzp",        "bsp"};
 
-//! Takes logical lines off a text: lines end with LF, CR LF or CR, and a line
-//! that ends with a backslash continues in the next.
+//! Splits a text into logical lines. Lines end with LF, CR LF or CR; a line
+//! that ends with a backslash continues on the next.
 class Lines {
   public:
     explicit Lines(std::string_view text) : rest_(text) {
@@ -43,17 +43,17 @@ class Lines {
         line.clear();
         if (rest_.empty()) return false;
         number_ = next_number_;
-        for (bool goes_on = true; goes_on && !rest_.empty();) {
+        for (bool continues = true; continues && !rest_.empty();) {
             std::string_view part = take_line();
-            goes_on = part.ends_with('\\');
-            if (goes_on) part.remove_suffix(1);
+            continues = part.ends_with('\\');
+            if (continues) part.remove_suffix(1);
             line += part;
-            if (goes_on) line += ' ';
+            if (continues) line += ' ';
         }
         return true;
     }
 
-    //! Returns the number of the line where the last statement begins.
+    //! Returns the number of the line where the last statement began.
     int number() const { return number_; }
 
   private:
@@ -90,14 +90,15 @@ std::vector<Word> split(std::string_view line) {
     return words;
 }
 
-//! Returns a word for a message: short, with ? for bytes that do not print.
-std::string quoted(std::string_view word) {
+//! Quotes a word for a message: shortened, with ? for bytes that do not print.
+std::string quote(std::string_view word) {
     std::string text(word.substr(0, 20));
     for (char& c : text)
         if (c < ' ' || c > '~') c = '?';
     return fmt::format("'{}{}'", text, word.size() > 20 ? "..." : "");
 }
 
+//! Checks the numbers of statements before the library reads them.
 class Checker {
   public:
     explicit Checker(const std::string& file) : file_(file) {}
@@ -127,11 +128,11 @@ class Checker {
     }
 
   private:
-    [[noreturn]] void fail(int line, const Word& word, std::string what) const {
+    [[noreturn]] void fail(int line, const Word& word, std::string text) const {
         throw InputError({{{file_, line, word.column},
                            "",
                            ProblemCode::data,
-                           std::move(what)}});
+                           std::move(text)}});
     }
 
     void check_number(int line, const Word& word) const {
@@ -145,11 +146,11 @@ class Checker {
             end != text.data() + text.size())
             fail(
                 line, word,
-                quoted(word.text) +
+                quote(word.text) +
                     " is not a number; write coordinates with a decimal point");
         if (error != std::errc{} || !std::isfinite(value))
             fail(line, word,
-                 quoted(word.text) + " is not a finite coordinate; correct it");
+                 quote(word.text) + " is not a finite coordinate; correct it");
     }
 
     //! Checks "vertex", "vertex/texture", "vertex//normal" ...
@@ -160,7 +161,7 @@ class Checker {
             std::from_chars(text.data(), text.data() + text.size(), index);
         if (error != std::errc{} || end != text.data() + text.size())
             fail(line, word,
-                 quoted(word.text) +
+                 quote(word.text) +
                      " is not the number of a vertex; write a whole number");
     }
 

@@ -6,7 +6,7 @@
 
 namespace ideotype {
 
-//! The number of occurrences of something in a file, and the first place.
+//! The number of occurrences of a finding in a file, with the first line.
 struct Occurrences {
     int count = 0;
     int first_line = 0;
@@ -24,9 +24,9 @@ struct ObjStatements {
     Occurrences unknown;  //!< statements not in the OBJ standard, left out
 };
 
-//! Picks the statements out of an OBJ text and checks for words that are no
-//! numbers, which the library would read as zero.
-//! @throws InputError with the place of the first such word.
+//! Extracts the statements that define surfaces, and checks their numbers: the
+//! library would read other words as zero.
+//! @throws InputError with the location of the first word that is not a number.
 ObjStatements pick_statements(const std::string& text, const std::string& file);
 
 }  // namespace ideotype

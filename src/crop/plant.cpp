@@ -15,19 +15,21 @@ namespace ideotype {
 
 namespace {
 
+//! A truncated cone.
 struct Frustum {
     glm::dvec3 base, top;                     //!< ends of the axis [m]
     double base_radius, top_radius;           //!< radii of both ends [m]
     glm::dvec3 right{1, 0, 0}, far{0, 1, 0};  //!< unit vectors across the axis
 };
 
-//! Adds a prism with the perimeter of the circle, closed by a flat top unless a
-//! part at least as thick continues there.
+//! Adds a prism with the perimeter of the circle. A flat top closes it, unless
+//! a part at least as thick follows.
 void add_frustum(Mesh& mesh, std::uint32_t group, const Frustum& shape,
                  int sides, bool has_top = true) {
     const auto n = static_cast<std::uint32_t>(sides);
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
     const double half_angle = std::numbers::pi / sides;
+    // A prism with `sides` faces needs a larger radius for the same perimeter.
     const auto stretched = [&](double radius) {
         return radius * half_angle / std::sin(half_angle);
     };
@@ -52,65 +54,67 @@ void add_frustum(Mesh& mesh, std::uint32_t group, const Frustum& shape,
     }
 }
 
-//! A part of the stalk's length that shows a single surface [m].
+//! A part of the stalk's length with one visible surface [m].
 struct Section {
     double lower, upper;
     bool is_sheath;
 };
 
-//! Returns the parts of the stalk that show, from the soil up.
-std::vector<Section> sections(const Plant& plant) {
+//! Returns the visible parts of the stalk, from the soil up.
+std::vector<Section> list_sections(const Plant& plant) {
     const Sheath& sheath = plant.sheath;
     if (!sheath.is_present) return {{0, plant.stalk.height, false}};
-    // Light is even over a surface that assimilates, so each has one sheath.
+    // Light is averaged over a surface that assimilates, so green sheaths are
+    // kept apart.
     const bool joins = !(sheath.capacity > 0);
-    std::vector<Section> all;
+    std::vector<Section> parts;
     const auto add = [&](double upper, bool is_sheath) {
-        const double lower = all.empty() ? 0 : all.back().upper;
-        constexpr double least = 1e-6;  // shortest part, far above rounding
-        if (upper <= lower + least) return;
-        if (joins && !all.empty() && all.back().is_sheath == is_sheath)
-            all.back().upper = upper;
+        const double lower = parts.empty() ? 0 : parts.back().upper;
+        constexpr double shortest = 1e-6;  // far above rounding errors
+        if (upper <= lower + shortest) return;
+        if (joins && !parts.empty() && parts.back().is_sheath == is_sheath)
+            parts.back().upper = upper;
         else
-            all.push_back({lower, upper, is_sheath});
+            parts.push_back({lower, upper, is_sheath});
     };
     for (const Leaf& leaf : plant.leaves) {
         add(leaf.insertion_height - sheath.length, false);
         add(leaf.insertion_height, true);
     }
     add(plant.stalk.height, false);
-    return all;
+    return parts;
 }
 
 void add_sections(Mesh& mesh, const Plant& plant, bool is_sheath, int sides) {
     const auto group = static_cast<std::uint32_t>(mesh.groups.size() - 1);
     const double around = is_sheath ? plant.sheath.thickness : 0;
-    const std::vector<Section> all = sections(plant);
-    for (const Section& each : all) {
-        if (each.is_sheath != is_sheath) continue;
-        const bool is_last = &each == &all.back();
-        const bool is_below_sheath = !is_last && (&each + 1)->is_sheath;
+    const std::vector<Section> parts = list_sections(plant);
+    for (const Section& section : parts) {
+        if (section.is_sheath != is_sheath) continue;
+        const bool is_last = &section == &parts.back();
+        const bool is_below_sheath = !is_last && (&section + 1)->is_sheath;
         add_frustum(mesh, group,
-                    {{0, 0, each.lower},
-                     {0, 0, each.upper},
-                     plant.stalk.radius(each.lower) + around,
-                     plant.stalk.radius(each.upper) + around},
+                    {{0, 0, section.lower},
+                     {0, 0, section.upper},
+                     plant.stalk.radius(section.lower) + around,
+                     plant.stalk.radius(section.upper) + around},
                     sides, is_last || (is_sheath && !is_below_sheath));
     }
 }
 
-//! Adds petioles and rachises, each between two points of the leaf's plane.
+//! Adds petioles and rachises, each between two points in the plane of the
+//! leaf.
 void add_petioles(Mesh& mesh, const Plant& plant) {
     constexpr int sides = 4;
     const auto group = static_cast<std::uint32_t>(mesh.groups.size() - 1);
     for (const Leaf& leaf : plant.leaves) {
-        const auto add = [&](const glm::dvec2& from, const glm::dvec2& to) {
-            const glm::dvec2 along = glm::normalize(to - from);
+        const auto add = [&](const glm::dvec2& base, const glm::dvec2& tip) {
+            const glm::dvec2 along = glm::normalize(tip - base);
             const auto placed = [&](const glm::dvec2& v) {
                 return about_stalk(glm::dvec3(0, v.x, v.y), leaf.azimuth);
             };
             add_frustum(mesh, group,
-                        {placed(from), placed(to), plant.petiole.diameter / 2,
+                        {placed(base), placed(tip), plant.petiole.diameter / 2,
                          plant.petiole.diameter / 2,
                          about_stalk(glm::dvec3(1, 0, 0), leaf.azimuth),
                          placed({along.y, -along.x})},
@@ -124,6 +128,7 @@ void add_petioles(Mesh& mesh, const Plant& plant) {
     }
 }
 
+//! Adds the cones of an organ, evenly about the stalk and over its spread.
 void add_organ(Mesh& mesh, const Plant& plant, const Organ& organ) {
     const auto group = static_cast<std::uint32_t>(mesh.groups.size() - 1);
     const Leaf* leaf =
@@ -153,8 +158,8 @@ void add_organ(Mesh& mesh, const Plant& plant, const Organ& organ) {
     }
 }
 
-//! Names an organ so that a mesh file tells its material, see group_of_name().
-std::string group_name(const Organ& organ) {
+//! Names the group of an organ so that parse_group_name() finds its material.
+std::string make_group_name(const Organ& organ) {
     return (organ.material == PlantMaterial::sheath ? "sheath_" : "stalk_") +
            organ.name;
 }
@@ -167,7 +172,7 @@ double Stalk::radius(double z) const {
     return (base_diameter + part * (at_top - base_diameter)) / 2;
 }
 
-std::vector<PlantOrgan> organs_of(const Plant& plant) {
+std::vector<PlantOrgan> list_organs(const Plant& plant) {
     const auto cone = [](double length, double base, double top) {
         return std::numbers::pi / 12 * length *
                (base * base + base * top + top * top);
@@ -175,6 +180,7 @@ std::vector<PlantOrgan> organs_of(const Plant& plant) {
     const Stalk& stalk = plant.stalk;
     const Sheath& sheath = plant.sheath;
     double sheaths = 0;
+    // Volumes of sheaths, as shells around the stalk.
     for (const Leaf& leaf : plant.leaves)
         sheaths += 2 * std::numbers::pi * stalk.radius(leaf.insertion_height) *
                    std::min(sheath.length, leaf.insertion_height) *
@@ -197,7 +203,7 @@ std::vector<PlantOrgan> organs_of(const Plant& plant) {
 
 std::vector<std::string> organ_names(const Plant& plant) {
     std::vector<std::string> names;
-    for (PlantOrgan& organ : organs_of(plant))
+    for (PlantOrgan& organ : list_organs(plant))
         if (organ.is_present) names.push_back(std::move(organ.name));
     return names;
 }
@@ -236,8 +242,8 @@ void set_present(Plant& plant, const std::string& organ, bool is_present) {
     if (organ == "stalk") plant.stalk.is_present = is_present;
     if (organ == "sheath") plant.sheath.is_present = is_present;
     if (organ == "petiole") plant.petiole.is_present = is_present;
-    for (Organ& each : plant.organs)
-        if (each.name == organ) each.is_present = is_present;
+    for (Organ& candidate : plant.organs)
+        if (candidate.name == organ) candidate.is_present = is_present;
 }
 
 Mesh build_plant(const Plant& plant, const Tessellation& tessellation) {
@@ -252,12 +258,14 @@ Mesh build_plant(const Plant& plant, const Tessellation& tessellation) {
                                capacity > 0});
         return static_cast<std::uint32_t>(mesh.groups.size() - 1);
     };
+    // One group per leaf.
     for (const Leaf& leaf : plant.leaves) {
         const auto rank = static_cast<std::uint32_t>(mesh.groups.size() + 1);
         const std::uint32_t group =
             begin(fmt::format("leaf{:02}", rank), PlantMaterial::leaf, rank);
         add_leaf(mesh, group, plant, leaf, tessellation.cells_along);
     }
+    // One group per organ that is present, in the order of list_organs().
     const int sides = tessellation.stalk_sides;
     if (plant.stalk.is_present) {
         begin("stalk", PlantMaterial::stalk, 0, plant.stalk.capacity);
@@ -278,7 +286,7 @@ Mesh build_plant(const Plant& plant, const Tessellation& tessellation) {
     }
     for (const Organ& organ : plant.organs) {
         if (!organ.is_present) continue;
-        begin(group_name(organ), organ.material, 0, organ.capacity);
+        begin(make_group_name(organ), organ.material, 0, organ.capacity);
         add_organ(mesh, plant, organ);
     }
     return mesh;

@@ -8,14 +8,15 @@ namespace ideotype {
 
 namespace {
 
-//! Draws a number of a Laplace distribution whose standard deviation is 1.
+//! Draws from a Laplace distribution with a standard deviation of 1.
 double laplace(RandomStream& random) {
     const double x = random.uniform(-1, 1);
     return std::copysign(std::log1p(-std::abs(x)) / std::sqrt(2.0), x);
 }
 
-//! Returns the standard deviation for a leaf, given the number of leaves.
-double of_leaf(const LeafSpread& spread, std::size_t leaf, std::size_t leaves) {
+//! Selects the standard deviation that applies to a leaf.
+double select_deviation(const LeafSpread& spread, std::size_t leaf,
+                        std::size_t leaves) {
     return spread[leaf * spread.size() / leaves];
 }
 
@@ -24,7 +25,7 @@ double of_leaf(const LeafSpread& spread, std::size_t leaf, std::size_t leaves) {
 bool PlantVariation::is_any() const {
     const auto is_wide = [](const LeafSpread& spread) {
         return std::any_of(spread.begin(), spread.end(),
-                           [](double each) { return each > 0; });
+                           [](double deviation) { return deviation > 0; });
     };
     return position > 0 || position_across > 0 || length > 0 || width > 0 ||
            height > 0 || missing > 0 || late > 0 || is_wide(insertion_angle) ||
@@ -48,24 +49,25 @@ Plant deviating(Plant plant, const PlantVariation& variation,
     for (std::size_t i = 0; i < leaves; ++i) {
         Leaf& leaf = plant.leaves[i];
         leaf.insertion_height *= higher;
-        const auto [of_length, of_width] = random.normal();
-        const auto [of_angle, of_azimuth] = random.normal();
-        const auto [of_curvature, of_roll] = random.normal();
-        const double of_twist = laplace(random);
-        const auto deviation = [&](const LeafSpread& spread, double of_spread) {
-            return of_leaf(spread, i, leaves) * cut(of_spread);
+        const auto [length, width] = random.normal();
+        const auto [angle, azimuth] = random.normal();
+        const auto [curvature, roll] = random.normal();
+        const double twist = laplace(random);
+        const auto deviation = [&](const LeafSpread& spread, double deviate) {
+            return select_deviation(spread, i, leaves) * cut(deviate);
         };
-        leaf.length *= 1 + variation.length * cut(of_length);
-        leaf.width *= 1 + variation.width * cut(of_width);
-        leaf.insertion_angle += deviation(variation.insertion_angle, of_angle);
-        leaf.azimuth += deviation(variation.azimuth, of_azimuth);
-        leaf.curvature += deviation(variation.curvature, of_curvature);
+        leaf.length *= 1 + variation.length * cut(length);
+        leaf.width *= 1 + variation.width * cut(width);
+        leaf.insertion_angle += deviation(variation.insertion_angle, angle);
+        leaf.azimuth += deviation(variation.azimuth, azimuth);
+        leaf.curvature += deviation(variation.curvature, curvature);
+        // The formula of the midrib is meant for leaves that lean outwards.
         if (leaf.midrib.empty()) {
             leaf.insertion_angle = std::abs(leaf.insertion_angle);
             leaf.curvature = std::max(0.0, leaf.curvature);
         }
-        leaf.roll += deviation(variation.roll, of_roll);
-        leaf.twist += deviation(variation.twist, of_twist);
+        leaf.roll += deviation(variation.roll, roll);
+        leaf.twist += deviation(variation.twist, twist);
     }
     return plant;
 }

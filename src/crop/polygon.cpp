@@ -10,17 +10,19 @@ namespace ideotype {
 
 namespace {
 
-//! Areas below this fraction of the squared diameter are rounding errors.
+//! Areas below this fraction of the squared diameter are taken for rounding
+//! errors.
 constexpr double negligible = 1e-12;
 
-//! Corners that may be visited to split a polygon: a second of work.
-constexpr std::size_t most_looks = 300'000'000;
+//! Largest number of corners visited to split a polygon: about a second of
+//! work.
+constexpr std::size_t most_visits = 300'000'000;
 
 double cross(const glm::dvec2& u, const glm::dvec2& v) {
     return u.x * v.y - u.y * v.x;
 }
 
-//! A polygon in its mean plane, counter-clockwise.
+//! A polygon projected onto its mean plane, counter-clockwise.
 class Outline {
   public:
     Outline(const std::vector<glm::dvec3>& vertices, const Corners& corners) {
@@ -28,6 +30,7 @@ class Outline {
         std::vector<glm::dvec3> points;
         for (const std::uint32_t corner : corners)
             points.push_back(vertices[corner] - origin);
+        // The sum of cross products of a fan is twice the area vector (Newell).
         glm::dvec3 normal(0);
         for (std::size_t i = 0; i + 1 < points.size(); ++i) {
             const glm::dvec3 twice_area = glm::cross(points[i], points[i + 1]);
@@ -47,8 +50,8 @@ class Outline {
 
     bool has_area() const { return fan_area_ > negligible * size_; }
 
-    //! Returns whether the polygon has a plane: parts that turn in opposite
-    //! directions may cancel.
+    //! Returns whether the polygon has a mean plane; parts that turn in
+    //! opposite directions may cancel.
     bool has_plane() const { return area_ > negligible * size_; }
 
     //! Returns twice the area of a triangle, negative if it turns clockwise.
@@ -61,16 +64,16 @@ class Outline {
         return turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0;
     }
 
-    bool is_same_place(std::size_t a, std::size_t b) const {
+    bool coincide(std::size_t a, std::size_t b) const {
         return points_[a] == points_[b];
     }
 
-    //! Returns whether one corner sees all other corners in turn, so that the
-    //! triangles between this corner and the edges do not overlap.
-    bool is_fan(std::size_t from) const {
+    //! Returns whether the triangles between one corner and the edges do not
+    //! overlap.
+    bool is_fan(std::size_t hub) const {
         const std::size_t n = points_.size();
         for (std::size_t i = 1; i + 1 < n; ++i)
-            if (turn(from, (from + i) % n, (from + i + 1) % n) <
+            if (turn(hub, (hub + i) % n, (hub + i + 1) % n) <
                 -negligible * size_)
                 return false;
         return true;
@@ -83,8 +86,9 @@ class Outline {
     double size_ = 0;      //!< squared diameter
 };
 
-//! Repeatedly cuts off a corner whose triangle holds no other corner (Meisters
-//! 1975, doi:10.1080/00029890.1975.11993898).
+//! Splits a polygon by ear clipping: repeatedly cuts off a corner with a
+//! triangle that contains no other corner (Meisters 1975,
+//! doi:10.1080/00029890.1975.11993898).
 class EarClipping {
   public:
     EarClipping(const Outline& outline, const Corners& corners)
@@ -97,7 +101,7 @@ class EarClipping {
         std::size_t at = 0;
         std::size_t tried = 0;
         while (left_.size() > 3 && tried < left_.size()) {
-            if (looked_at_ > most_looks) return {PolygonKind::intricate, {}};
+            if (visits_ > most_visits) return {PolygonKind::intricate, {}};
             at %= left_.size();
             if (is_ear(at)) {
                 result.faces.push_back(triangle(before(at), at, after(at)));
@@ -108,6 +112,7 @@ class EarClipping {
                 ++tried;
             }
         }
+        // No ear is left if the outline crosses itself.
         if (left_.size() > 3) result.kind = PolygonKind::crossing;
         for (std::size_t i = 1; i + 1 < left_.size(); ++i)
             result.faces.push_back(triangle(0, i, i + 1));
@@ -132,20 +137,19 @@ class EarClipping {
         const std::size_t b = left_[at];
         const std::size_t c = left_[after(at)];
         if (!(outline_.turn(a, b, c) >= 0)) return false;
-        looked_at_ += left_.size();
-        // Outlines with holes pass some points twice; repeats do not count.
+        visits_ += left_.size();
+        // Outlines with holes pass some points twice; repeated points are
+        // ignored.
         return std::none_of(left_.begin(), left_.end(), [&](std::size_t p) {
-            return !outline_.is_same_place(p, a) &&
-                   !outline_.is_same_place(p, b) &&
-                   !outline_.is_same_place(p, c) &&
-                   outline_.is_inside(p, a, b, c);
+            return !outline_.coincide(p, a) && !outline_.coincide(p, b) &&
+                   !outline_.coincide(p, c) && outline_.is_inside(p, a, b, c);
         });
     }
 
     const Outline& outline_;
     const Corners& corners_;
     std::vector<std::size_t> left_;
-    std::size_t looked_at_ = 0;  //!< corners visited in all tried ears
+    std::size_t visits_ = 0;  //!< corners visited in all tried ears
 };
 
 void remove_repeated(Corners& corners) {
@@ -154,8 +158,8 @@ void remove_repeated(Corners& corners) {
         corners.pop_back();
 }
 
-//! Returns the triangles between a polygon's first corner and its edges.
-SplitPolygon fan(const Corners& corners, PolygonKind kind) {
+//! Returns the triangles between the first corner of a polygon and its edges.
+SplitPolygon split_as_fan(const Corners& corners, PolygonKind kind) {
     SplitPolygon result{kind, {}};
     for (std::size_t i = 1; i + 1 < corners.size(); ++i)
         result.faces.push_back(
@@ -171,8 +175,9 @@ SplitPolygon split_polygon(const std::vector<glm::dvec3>& vertices,
     if (corners.size() < 3) return {PolygonKind::without_area, {}};
     const Outline outline(vertices, corners);
     if (!outline.has_area()) return {PolygonKind::without_area, {}};
-    if (corners.size() == 3) return fan(corners, PolygonKind::simple);
-    if (!outline.has_plane()) return fan(corners, PolygonKind::crossing);
+    if (corners.size() == 3) return split_as_fan(corners, PolygonKind::simple);
+    if (!outline.has_plane())
+        return split_as_fan(corners, PolygonKind::crossing);
     if (corners.size() == 4) {
         // A quadrilateral is two triangles that share its second and last
         // corner; the usual diagonal joins the first and third corner.
@@ -180,7 +185,7 @@ SplitPolygon split_polygon(const std::vector<glm::dvec3>& vertices,
         if (outline.is_fan(0)) return {{}, {{c[1], c[2], c[3], c[0]}}};
         if (outline.is_fan(1)) return {{}, {{c[0], c[1], c[2], c[3]}}};
     }
-    if (outline.is_fan(0)) return fan(corners, PolygonKind::simple);
+    if (outline.is_fan(0)) return split_as_fan(corners, PolygonKind::simple);
     return EarClipping(outline, corners).run();
 }
 

@@ -13,7 +13,7 @@ namespace ideotype {
 namespace {
 
 template <class Value>
-Handle enumeration(
+Handle make_enumeration(
     hid_t base, std::initializer_list<std::pair<const char*, Value>> members) {
     Handle type(H5Tenum_create(base), H5Tclose, "create an enumeration");
     for (const auto& [name, value] : members)
@@ -21,7 +21,7 @@ Handle enumeration(
     return type;
 }
 
-// Adds a dataset to a list. No exception may pass through C, but only a lack of
+// Adds a dataset to a list. No exception may pass through C; only a lack of
 // memory could throw here.
 herr_t keep_dataset(hid_t, const char* name, const H5O_info_t* info,
                     void* target) {
@@ -39,7 +39,7 @@ herr_t keep_name(hid_t, const char* name, const H5A_info_t*, void* target) {
 
 Handle string_type(std::size_t size) {
     Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "create a string type");
-    // HDF5 has no strings of zero bytes.
+    // HDF5 has no strings of length zero.
     checked(H5Tset_size(type, size == 0 ? 1 : size), "size a string type");
     checked(H5Tset_cset(type, H5T_CSET_UTF8), "encode a string type");
     checked(H5Tset_strpad(type, H5T_STR_NULLPAD), "pad a string type");
@@ -47,23 +47,25 @@ Handle string_type(std::size_t size) {
 }
 
 Handle status_type() {
-    return enumeration<Status>(H5T_STD_U8LE, {{"empty", Status::empty},
-                                              {"proposed", Status::proposed},
-                                              {"done", Status::done},
-                                              {"failed", Status::failed}});
+    return make_enumeration<Status>(H5T_STD_U8LE,
+                                    {{"empty", Status::empty},
+                                     {"proposed", Status::proposed},
+                                     {"done", Status::done},
+                                     {"failed", Status::failed}});
 }
 
 Handle origin_type() {
-    return enumeration<Origin>(H5T_STD_U8LE, {{"none", Origin::none},
-                                              {"baseline", Origin::baseline},
-                                              {"random", Origin::random},
-                                              {"elite", Origin::elite},
-                                              {"child", Origin::child},
-                                              {"sample", Origin::sample}});
+    return make_enumeration<Origin>(H5T_STD_U8LE,
+                                    {{"none", Origin::none},
+                                     {"baseline", Origin::baseline},
+                                     {"random", Origin::random},
+                                     {"elite", Origin::elite},
+                                     {"child", Origin::child},
+                                     {"sample", Origin::sample}});
 }
 
 Handle bool_type() {
-    return enumeration<std::int8_t>(
+    return make_enumeration<std::int8_t>(
         H5T_STD_I8LE, {{"FALSE", std::int8_t{0}}, {"TRUE", std::int8_t{1}}});
 }
 
@@ -82,7 +84,7 @@ void create_attribute(hid_t object, const std::string& name, hid_t type,
     checked(H5Awrite(attribute, type, value), "write " + name);
 }
 
-std::vector<std::string> attributes_of(hid_t object) {
+std::vector<std::string> list_attributes(hid_t object) {
     std::vector<std::string> names;
     checked(H5Aiterate2(object, H5_INDEX_NAME, H5_ITER_INC, nullptr, keep_name,
                         &names),
@@ -111,7 +113,7 @@ std::string text_attribute(hid_t object, const std::string& name) {
     return {bytes.begin(), std::find(bytes.begin(), bytes.end(), '\0')};
 }
 
-std::vector<std::string> datasets_of(hid_t location) {
+std::vector<std::string> list_datasets(hid_t location) {
     std::vector<std::string> paths;
     checked(H5Ovisit2(location, H5_INDEX_NAME, H5_ITER_INC, keep_dataset,
                       &paths, H5O_INFO_BASIC),

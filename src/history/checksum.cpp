@@ -31,20 +31,21 @@ void add(Sha256& sum, const std::string& name, const std::vector<char>& bytes) {
 
 }  // namespace
 
-//! The datasets of a table, in the order of their names, without its scales.
+//! The datasets of a table in the order of their names, without dimension
+//! scales.
 class HashedTable {
   public:
     HashedTable(hid_t file, const std::string& name,
-                const std::vector<std::string>& left_out,
+                const std::vector<std::string>& excluded,
                 const Mapping* mapping = nullptr) {
         const Handle group(H5Gopen2(file, name.c_str(), H5P_DEFAULT), H5Gclose,
                            "open " + name);
-        for (const std::string& each : datasets_of(group)) {
-            if (contains(left_out, each)) continue;
-            Dataset column(group, each);
+        for (const std::string& dataset : list_datasets(group)) {
+            if (contains(excluded, dataset)) continue;
+            Dataset column(group, dataset);
             if (column.is_scale()) continue;
             if (mapping) column.use(*mapping);
-            columns_.emplace_back(each, std::move(column));
+            columns_.emplace_back(dataset, std::move(column));
         }
     }
 
@@ -65,8 +66,8 @@ class HashedTable {
 
 namespace {
 
-[[noreturn]] void refuse(const std::string& path, const std::string& what) {
-    throw Error(path + ": damaged: " + what +
+[[noreturn]] void refuse(const std::string& path, const std::string& part) {
+    throw Error(path + ": damaged: " + part +
                     " does not have its checksum; copy the file again, or "
                     "take a backup",
                 ExitCode::refused);
@@ -76,9 +77,9 @@ namespace {
 
 std::string header_checksum(hid_t file) {
     Sha256 sum;
-    for (const std::string& name : attributes_of(file))
+    for (const std::string& name : list_attributes(file))
         if (name != "checksum") add(sum, name, Attribute(file, name).bytes);
-    for (const std::string& path : datasets_of(file)) {
+    for (const std::string& path : list_datasets(file)) {
         const Dataset data(file, path);
         const std::string group = path.substr(0, path.find('/'));
         const bool is_description =
@@ -101,8 +102,8 @@ GenerationChecksums::GenerationChecksums(hid_t file, const Mapping* mapping)
     : file_(file), mapping_(mapping) {}
 GenerationChecksums::~GenerationChecksums() = default;
 
-std::string GenerationChecksums::of(std::uint32_t generation,
-                                    const Span& rows) {
+std::string GenerationChecksums::compute(std::uint32_t generation,
+                                         const Span& rows) {
     IDEOTYPE_EXPECT(rows.count > 0);
     if (!tables_)
         tables_ = std::make_unique<Tables>(Tables{
@@ -126,30 +127,31 @@ void require_header_intact(hid_t file, const std::string& path) {
         refuse(path, "the header");
 }
 
-void require_intact(GenerationChecksums& found, const Generations& generations,
-                    std::uint32_t generation, const std::string& path) {
+void require_intact(GenerationChecksums& checksums,
+                    const Generations& generations, std::uint32_t generation,
+                    const std::string& path) {
     if (generations.checksum(generation) !=
-        found.of(generation, generations.span(generation)))
+        checksums.compute(generation, generations.span(generation)))
         refuse(path, fmt::format("generation {}", generation));
 }
 
 void require_intact(hid_t file, const std::string& path) {
     require_header_intact(file, path);
-    // The end of the case is read first, because a running case may end before
-    // the last read.
+    // Read the end of the case first, because a running case may end before the
+    // last read.
     const bool is_finished = Journal(file).finished().has_value();
     const Generations generations(file);
-    GenerationChecksums found(file, nullptr);
+    GenerationChecksums checksums(file, nullptr);
     const std::uint32_t committed = generations.committed();
     for (std::uint32_t g = 0; g < committed; ++g)
-        require_intact(found, generations, g, path);
+        require_intact(checksums, generations, g, path);
     const Dataset status(file, "final/status"),
         checksum(file, "final/checksum");
     const auto statuses = status.read<Status>(0, status.rows());
     const auto expected = checksum.read_text(0, status.rows());
     IDEOTYPE_ENSURE(expected.size() == statuses.size());
-    // A finished case has no checksums beyond its recorded rows.
-    if (is_finished && committed < generations.most() &&
+    // A finished case has no checksums except of recorded rows.
+    if (is_finished && committed < generations.capacity() &&
         !generations.checksum(committed).empty())
         refuse(path, fmt::format("the mark of generation {}", committed));
     for (std::size_t row = 0; row < statuses.size(); ++row)

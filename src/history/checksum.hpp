@@ -11,16 +11,16 @@
 
 namespace ideotype {
 
-// analysis/FORMAT.md lists the parts of each checksum.
+// The parts of each checksum are listed in analysis/FORMAT.md.
 
-//! The number of characters of a checksum.
+//! Length of a checksum in characters.
 inline constexpr std::size_t checksum_size = 64;
 
-//! Returns the SHA-256 of all data that are known before the first evaluation.
+//! Computes the SHA-256 of all data known before the first evaluation.
 std::string header_checksum(hid_t file);
 
 //! Computes the SHA-256 of the rows and the summary of generations. The first
-//! generation takes longest, because all datasets are opened for it.
+//! generation takes longest, because it opens all datasets.
 class GenerationChecksums {
   public:
     //! Opens the datasets; file and mapping must outlive this object.
@@ -28,7 +28,7 @@ class GenerationChecksums {
     GenerationChecksums(hid_t file, const Mapping* mapping);
     ~GenerationChecksums();
 
-    std::string of(std::uint32_t generation, const Span& rows);
+    std::string compute(std::uint32_t generation, const Span& rows);
 
   private:
     struct Tables;
@@ -37,7 +37,7 @@ class GenerationChecksums {
     std::unique_ptr<Tables> tables_;
 };
 
-//! Returns the SHA-256 of a row of /final. Its status is given, because it is
+//! Computes the SHA-256 of a row of /final. The status is passed, because it is
 //! written after the checksum.
 std::string finalist_checksum(hid_t file, hsize_t row, Status status);
 
@@ -47,8 +47,9 @@ void require_header_intact(hid_t file, const std::string& path);
 
 //! Compares a complete generation with its checksum.
 //! @throws Error (refused) if they differ.
-void require_intact(GenerationChecksums& found, const Generations& generations,
-                    std::uint32_t generation, const std::string& path);
+void require_intact(GenerationChecksums& checksums,
+                    const Generations& generations, std::uint32_t generation,
+                    const std::string& path);
 
 //! Compares the header, all complete generations and all recorded finalists
 //! with their checksums. @throws Error (refused) at the first that differs.

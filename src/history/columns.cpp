@@ -25,7 +25,7 @@ Axis gene_axis(const GeneSpace& genes) {
 }
 
 Axis objective_axis(const std::vector<Objective>& objectives) {
-    return {"objective", "", "quantity that is searched for",
+    return {"objective", "", "objective of the search",
             mapped(objectives, &Objective::name)};
 }
 
@@ -34,6 +34,7 @@ void Columns::create(hid_t file, const GeneSpace& genes,
     IDEOTYPE_EXPECT(!genes.empty() && !schema.objectives.empty());
     IDEOTYPE_EXPECT(schema.randomisations > 0);
     const Handle group = create_group(file, form.group);
+    // Axes of the table.
     create_axis(group, form.rows);
     create_axis(group, gene_axis(genes));
     create_axis(group, counted("parent", "first or second", 2));
@@ -46,46 +47,49 @@ void Columns::create(hid_t file, const GeneSpace& genes,
         [&](const std::string& name, hid_t type, const std::string& meaning,
             const void* empty = nullptr, const std::string& unit = "1",
             const std::vector<std::string>& axes = {}) {
-            DatasetForm its{.name = name,
-                            .type = type,
-                            .axes = {rows},
-                            .unit = unit,
-                            .meaning = meaning,
-                            .empty = empty,
-                            .room = form.room};
-            its.axes.insert(its.axes.end(), axes.begin(), axes.end());
-            create_dataset(group, its);
+            DatasetForm dataset_form{.name = name,
+                                     .type = type,
+                                     .axes = {rows},
+                                     .unit = unit,
+                                     .meaning = meaning,
+                                     .empty = empty,
+                                     .room = form.room};
+            dataset_form.axes.insert(dataset_form.axes.end(), axes.begin(),
+                                     axes.end());
+            create_dataset(group, dataset_form);
         };
-    // The status tells which columns have a meaning.
+    // The status determines which columns of a row are valid.
     create_dataset(group, {.name = "status",
                            .type = status_type(),
                            .axes = {rows},
-                           .meaning = "how far the evaluation has come"});
+                           .meaning = "status of the evaluation"});
     add("genome", H5T_IEEE_F64LE, "values of the genes", &nan, "/genes/unit",
         {"gene"});
-    add("origin", origin_type(), "where the genome came from");
+    add("origin", origin_type(), "origin of the genome");
     const std::int64_t none = no_parent;
     add("parents", H5T_STD_I64LE,
         "rows of both parents in /evaluations, -1 for none", &none, "1",
         {"parent"});
+    // Numbers of outcomes, and how they were obtained.
     std::size_t count = 0;
-    const auto add_book = [&] {
+    const auto add_accounts = [&] {
         add("attempt", H5T_STD_U32LE,
             "number of the attempt from 1, or 0 for the copy of a row");
         add("seconds", H5T_IEEE_F64LE, "wall time of the evaluation", &nan,
             "s");
         add("worker", H5T_STD_I32LE, "rank that evaluated", &no_worker);
-        add("message", string_type(failure_size), "why the evaluation failed",
-            nullptr, "");
+        add("message", string_type(failure_size),
+            "reason of a failed evaluation", nullptr, "");
         if (form.has_checksums)
             add("checksum", string_type(checksum_size), "SHA-256 of the row",
                 nullptr, "");
     };
-    for (DatasetForm& each : number_forms(schema, rows)) {
-        each.room = form.room;
-        create_dataset(group, each);
-        // A truncated file keeps the first columns, which selection needs.
-        if (++count == essential_numbers) add_book();
+    for (DatasetForm& number_form : number_forms(schema, rows)) {
+        number_form.room = form.room;
+        create_dataset(group, number_form);
+        // The first columns, which selection needs, survive longest in a
+        // truncated file.
+        if (++count == essential_numbers) add_accounts();
     }
 }
 
@@ -160,19 +164,19 @@ std::vector<Outcome> Columns::outcomes(hsize_t first, hsize_t count) const {
     std::vector<std::vector<double>> columns;
     for (std::size_t c = 0; c < numbers_.size(); ++c) {
         columns.push_back(numbers_[c].read<double>(first, count));
-        const hsize_t there =
+        const hsize_t intact =
             std::clamp<hsize_t>(intact_[c], first, first + count) - first;
         std::fill(columns[c].begin() +
-                      static_cast<std::ptrdiff_t>(there * numbers_[c].width()),
+                      static_cast<std::ptrdiff_t>(intact * numbers_[c].width()),
                   columns[c].end(), nan);
     }
     std::vector<Outcome> outcomes(count, unknown_outcome(schema_));
     for (std::size_t i = 0; i < count; ++i) {
-        const auto own = columns_of(schema_, outcomes[i]);
-        IDEOTYPE_ENSURE(own.size() == columns.size());
-        for (std::size_t c = 0; c < own.size(); ++c)
-            for (std::size_t k = 0; k < own[c].size(); ++k)
-                *own[c][k] = columns[c][i * own[c].size() + k];
+        const auto numbers = collect_numbers(schema_, outcomes[i]);
+        IDEOTYPE_ENSURE(numbers.size() == columns.size());
+        for (std::size_t c = 0; c < numbers.size(); ++c)
+            for (std::size_t k = 0; k < numbers[c].size(); ++k)
+                *numbers[c][k] = columns[c][i * numbers[c].size() + k];
     }
     return outcomes;
 }
@@ -222,10 +226,10 @@ Population Columns::population(hsize_t first, hsize_t count) const {
         for (std::size_t o = i * width; o < (i + 1) * width; ++o)
             individual.objectives.push_back({means[o], errors[o]});
         individual.violation = violations[i];
-        const auto from =
+        const auto begin =
             randomisations.begin() + static_cast<std::ptrdiff_t>(i * draws);
         individual.randomisations.assign(
-            from, from + static_cast<std::ptrdiff_t>(draws));
+            begin, begin + static_cast<std::ptrdiff_t>(draws));
     }
     return population;
 }
@@ -245,8 +249,8 @@ void Columns::write(hsize_t first, const std::vector<Candidate>& candidates) {
     genome_.write(first, genes);
     origin_.write(first, origins);
     parents_.write(first, parents);
-    // New rows are zeros, which a reader of a single column must not take for
-    // outcomes.
+    // New rows are zeros; NaN keeps readers of a single column from taking them
+    // for outcomes.
     const auto clear = [&](Dataset& column) {
         column.write(first, std::vector<double>(
                                 candidates.size() * column.width(), nan));
@@ -267,9 +271,9 @@ void Columns::write_outcomes(hsize_t first, const std::vector<Row>& rows) {
         IDEOTYPE_EXPECT(is_recorded(outcome.status));
         Outcome known =
             outcome.status == Status::done ? outcome : unknown_outcome(schema_);
-        const auto own = columns_of(schema_, known);
+        const auto numbers = collect_numbers(schema_, known);
         for (std::size_t c = 0; c < columns.size(); ++c)
-            for (const double* x : own[c]) columns[c].push_back(*x);
+            for (const double* x : numbers[c]) columns[c].push_back(*x);
         attempts.push_back(rows[i].attempt);
         seconds.push_back(outcome.seconds);
         workers.push_back(static_cast<std::int32_t>(outcome.worker));
@@ -288,8 +292,7 @@ void Columns::set_checksum(hsize_t row, const std::string& checksum) {
 }
 
 void Columns::set_statuses(hsize_t first, const std::vector<Status>& statuses) {
-    // All numbers of a row must be visible to other processors before its
-    // status.
+    // Other processors must see all numbers of a row before its status.
     std::atomic_thread_fence(std::memory_order_release);
     status_.write(first, statuses);
 }

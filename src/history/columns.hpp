@@ -14,7 +14,7 @@ namespace ideotype {
 Axis gene_axis(const GeneSpace& genes);
 Axis objective_axis(const std::vector<Objective>& objectives);
 
-//! The end of the name of a column of standard errors.
+//! Suffix of the names of columns of standard errors.
 inline constexpr const char* error_suffix = "_standard_error";
 
 //! The number of leading columns that selection needs.
@@ -26,27 +26,27 @@ std::vector<DatasetForm> number_forms(const OutcomeSchema& schema,
                                       const std::string& rows);
 
 //! Returns pointers to the numbers of an outcome for each of number_forms(),
-//! row-major. Standard errors without a column become 0.
-std::vector<std::vector<double*>> columns_of(const OutcomeSchema& schema,
-                                             Outcome& outcome);
+//! row-major. Standard errors without a column are set to 0.
+std::vector<std::vector<double*>> collect_numbers(const OutcomeSchema& schema,
+                                                  Outcome& outcome);
 
 //! Writes the names and axes of quantities as an attribute of a group, and the
 //! axes themselves.
 void write_measured(hid_t group, const QuantitySet& measured);
 
-//! Reads what write_measured() wrote, also from a truncated file.
+//! Reads the quantities from write_measured(), also from a truncated file.
 QuantitySet read_measured(hid_t group);
 
 //! The shape of a table of rows.
 struct TableForm {
     std::string group;  //!< name, "evaluations" or "final"
     Axis rows;
-    Room room = Room::at_once;  //!< room of all columns except the status
+    Room room = Room::at_once;  //!< allocation of all columns but the status
     bool has_checksums = false;
 };
 
-//! Candidates and their outcomes, one dataset per quantity. Only the status,
-//! written last and read first, tells the contents of a row.
+//! Candidates and their outcomes, one dataset per quantity. The status of a
+//! row, written last and read first, determines which of its columns are valid.
 class Columns {
   public:
     //! Creates the group of a table with its axes and columns.
@@ -66,24 +66,25 @@ class Columns {
 
     hsize_t rows() const { return status_.rows(); }
 
-    //! Lets all later reads see numbers beyond a position in the file as NaN.
+    //! Makes later reads return NaN for numbers beyond a position in the file.
     void cut(haddr_t end);
 
     //! Returns the number of leading rows with intact candidate, objectives and
     //! violation.
     hsize_t intact_rows() const { return intact_rows_; }
 
-    //! Returns the number of leading rows whose columns are all intact.
+    //! Returns the number of leading rows with all columns intact.
     hsize_t whole_rows() const { return whole_rows_; }
 
     std::vector<Status> statuses(hsize_t first, hsize_t count) const {
         return status_.read<Status>(first, count);
     }
 
-    //! Returns the candidates of rows that are not empty.
+    //! Returns the candidates of rows, none of which may be empty.
     std::vector<Candidate> candidates(hsize_t first, hsize_t count) const;
 
-    //! Returns rows, with NaN for all numbers that the status does not confirm.
+    //! Returns rows, with NaN for all numbers that are not valid by their
+    //! status.
     std::vector<Row> read(hsize_t first, hsize_t count) const;
 
     //! Returns the columns that selection needs; all rows must have an outcome.

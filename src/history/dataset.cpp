@@ -22,7 +22,7 @@ namespace ideotype {
 
 namespace {
 
-std::vector<hsize_t> extents(hid_t space) {
+std::vector<hsize_t> read_extents(hid_t space) {
     const int rank = checked(H5Sget_simple_extent_ndims(space), "read a rank");
     std::vector<hsize_t> sizes(static_cast<std::size_t>(rank));
     checked(H5Sget_simple_extent_dims(space, sizes.data(), nullptr),
@@ -30,30 +30,30 @@ std::vector<hsize_t> extents(hid_t space) {
     return sizes;
 }
 
-std::size_t size_of(int descriptor) {
+std::size_t read_size(int descriptor) {
     struct stat status {};
     return fstat(descriptor, &status) == 0
                ? static_cast<std::size_t>(status.st_size)
                : 0;
 }
 
-//! Reports that the file was truncated during an access, or that its disk
-//! fails, and ends the program.
+//! Reports that the file was truncated during an access or that its disk fails,
+//! and ends the program.
 extern "C" void end_without_file(int) {
     constexpr std::string_view text =
         "ideotype: a history was cut short while it was written, or its disk "
-        "fails (nothing more can be saved in it); look at it with ideotype "
-        "status, and begin again in another folder with --out\n";
+        "fails (nothing more can be saved in it); inspect it with ideotype "
+        "status, and start again in another folder with --out\n";
     static_cast<void>(!write(STDERR_FILENO, text.data(), text.size()));
     _exit(static_cast<int>(ExitCode::refused));
 }
 
 }  // namespace
 
-std::unique_ptr<Mapping> Mapping::of(hid_t file) {
+std::unique_ptr<Mapping> Mapping::create(hid_t file) {
     if (!has_all_room(file)) return nullptr;
-    const int descriptor = descriptor_of(file);
-    // HDF5 1.14 cuts off all bytes after the last block when it flushes.
+    const int descriptor = get_descriptor(file);
+    // HDF5 1.14 truncates all bytes after the last block when it flushes.
     haddr_t size = 0;
     checked(H5Fget_eoa(file, &size), "map the file");
     void* begin =
@@ -72,7 +72,7 @@ char* Mapping::find(hid_t dataset) const {
 }
 
 bool Mapping::is_whole() const {
-    return size_of(descriptor_) >= size_;
+    return read_size(descriptor_) >= size_;
 }
 
 Mapping::~Mapping() {
@@ -87,13 +87,13 @@ Dataset::Dataset(hid_t location, const std::string& name) : name_(name) {
                           "open " + name);
     value_size_ = H5Tget_size(memory_type_);
     const Handle space(H5Dget_space(id_), H5Sclose, "open " + name);
-    const std::vector<hsize_t> sizes = extents(space);
+    const std::vector<hsize_t> sizes = read_extents(space);
     for (std::size_t i = 1; i < sizes.size(); ++i) width_ *= sizes[i];
 }
 
 hsize_t Dataset::rows() const {
     const Handle space(H5Dget_space(id_), H5Sclose, "read " + name_);
-    const std::vector<hsize_t> sizes = extents(space);
+    const std::vector<hsize_t> sizes = read_extents(space);
     return sizes.empty() ? 1 : sizes[0];
 }
 
@@ -120,13 +120,13 @@ void Dataset::use(const Mapping& mapping) {
     mapped_values_ = H5Dget_storage_size(id_) / value_size_;
 }
 
-char* Dataset::at(hsize_t first, std::size_t values) const {
+char* Dataset::locate(hsize_t first, std::size_t values) const {
     IDEOTYPE_EXPECT(mapped_ != nullptr);
-    const hsize_t from = first * width_;
-    if (from + values > mapped_values_)
+    const hsize_t begin = first * width_;
+    if (begin + values > mapped_values_)
         throw Hdf5Error(fmt::format("{} has no row {}", name_,
-                                    (from + values) / width_ - 1));
-    return mapped_ + from * value_size_;
+                                    (begin + values) / width_ - 1));
+    return mapped_ + begin * value_size_;
 }
 
 void Dataset::write_text(hsize_t row, const std::string& text) {
@@ -142,10 +142,10 @@ std::vector<std::string> Dataset::read_text(hsize_t first,
     get(first, bytes.data(), count, value_size_);
     std::vector<std::string> texts;
     texts.reserve(count);
-    for (auto from = bytes.begin(); from != bytes.end();) {
-        const auto to = from + static_cast<std::ptrdiff_t>(value_size_);
-        texts.emplace_back(from, std::find(from, to, '\0'));
-        from = to;
+    for (auto begin = bytes.begin(); begin != bytes.end();) {
+        const auto end = begin + static_cast<std::ptrdiff_t>(value_size_);
+        texts.emplace_back(begin, std::find(begin, end, '\0'));
+        begin = end;
     }
     return texts;
 }
@@ -161,7 +161,7 @@ Dataset::Selection Dataset::select(hsize_t first, std::size_t values) const {
     const hsize_t size = values;
     Handle memory(H5Screate_simple(1, &size, nullptr), H5Sclose, action);
     Handle file(H5Dget_space(id_), H5Sclose, action);
-    std::vector<hsize_t> count = extents(file);
+    std::vector<hsize_t> count = read_extents(file);
     if (!count.empty()) {
         count[0] = values / width_;
         std::vector<hsize_t> start(count.size(), 0);
@@ -179,7 +179,7 @@ void Dataset::put(hsize_t first, const void* values, std::size_t count,
     IDEOTYPE_EXPECT(count % width_ == 0);
     if (count == 0) return;
     if (mapped_) {
-        std::memcpy(at(first, count), values, count * value_size);
+        std::memcpy(locate(first, count), values, count * value_size);
         return;
     }
     const Selection selection = select(first, count);
@@ -201,14 +201,14 @@ std::vector<char> Dataset::bytes(hsize_t first, hsize_t count) const {
     return bytes;
 }
 
-//! Reads values of a type, which must be that of the file if the dataset is
+//! Reads values of a type, which must be the one in the file if the dataset is
 //! mapped.
 void Dataset::fetch(hid_t type, hsize_t first, void* values,
                     std::size_t count) const {
     IDEOTYPE_EXPECT(count % width_ == 0);
     if (count == 0) return;
     if (mapped_) {
-        std::memcpy(values, at(first, count), count * value_size_);
+        std::memcpy(values, locate(first, count), count * value_size_);
         return;
     }
     const Selection selection = select(first, count);

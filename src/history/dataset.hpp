@@ -11,23 +11,23 @@
 
 namespace ideotype {
 
-//! An open file that is mapped to memory. The system has stored values at once,
-//! as after a write but at a hundredth of the cost: they outlive a kill of this
-//! process, and other processes can read them.
+//! An open file that is mapped to memory. Stored values reach the operating
+//! system at once, as after a write, but at a hundredth of the cost: they
+//! survive a kill of this process, and other processes can read them.
 class Mapping {
   public:
-    //! Maps a file. Returns null if the system has not reserved room for the
-    //! whole file, since a full disk would then end the process instead of
-    //! failing a write. SIGBUS, the signal of a truncated file, then ends the
-    //! process with a message.
-    static std::unique_ptr<Mapping> of(hid_t file);
+    //! Maps a file. Returns null if space for the whole file is not reserved,
+    //! since a full disk would then end the process instead of failing a write.
+    //! SIGBUS, the signal for a truncated file, then ends the process with a
+    //! message.
+    static std::unique_ptr<Mapping> create(hid_t file);
 
     ~Mapping();
     Mapping(const Mapping&) = delete;
     Mapping& operator=(const Mapping&) = delete;
 
-    //! Returns the address of the first value of a dataset as in the file; null
-    //! unless the dataset is one block.
+    //! Returns the address of the first value of a dataset, laid out as in the
+    //! file; null unless the dataset is one block.
     char* find(hid_t dataset) const;
 
     //! Returns false if the file has been truncated; lost parts must not be
@@ -67,8 +67,8 @@ class Dataset {
     //! Returns the number of values in one row.
     std::size_t width() const { return width_; }
 
-    //! Returns the number of whole rows before a position in the file. No row
-    //! of a compressed dataset has a position.
+    //! Returns the number of whole rows before a position in the file; 0 for a
+    //! compressed dataset, whose rows have no position.
     hsize_t rows_before(haddr_t end) const;
 
     //! Makes all later reads and writes use the mapped file, unless values have
@@ -76,7 +76,7 @@ class Dataset {
     //! this object.
     void use(const Mapping& mapping);
 
-    //! Writes rows of values, which have the dataset's type in memory.
+    //! Writes rows of values of the dataset's type in memory.
     template <class Values>
     void write(hsize_t first, const Values& values) {
         put(first, std::data(values), std::size(values),
@@ -100,7 +100,7 @@ class Dataset {
     //! Reads rows as bytes of the file.
     std::vector<char> bytes(hsize_t first, hsize_t count) const;
 
-    //! Writes and reads fixed-length strings; too long strings are cut.
+    //! Write and read fixed-length strings; longer strings are truncated.
     void write_text(hsize_t row, const std::string& text);
     std::vector<std::string> read_text(hsize_t first, hsize_t count) const;
 
@@ -120,14 +120,14 @@ class Dataset {
                std::size_t count) const;
 
     //! @throws Hdf5Error if the row does not exist.
-    char* at(hsize_t first, std::size_t values) const;
+    char* locate(hsize_t first, std::size_t values) const;
 
     std::string name_;
     Handle id_;
     Handle memory_type_;
     std::size_t value_size_ = 0;
     std::size_t width_ = 1;
-    char* mapped_ = nullptr;  //!< address of all rows; null if HDF5 moves them
+    char* mapped_ = nullptr;  //!< address of the rows; null if not mapped
     std::size_t mapped_values_ = 0;
 };
 

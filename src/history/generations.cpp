@@ -28,11 +28,10 @@ struct SummaryColumn {
     Value GenerationSummary::*member;
 };
 
-//! The unit that stands for the product of the units of all objectives.
+//! Represents the product of the units of all objectives.
 constexpr auto product = "product";
 
-//! The number of columns at the end that only cases with several objectives
-//! have.
+//! The number of columns at the end that exist only with several objectives.
 constexpr std::size_t front_columns = 2;
 
 using Summary = GenerationSummary;
@@ -43,36 +42,34 @@ constexpr auto number_columns = std::to_array<SummaryColumn<double>>(
       "standard error of the first objective of the best row",
       &Summary::best_standard_error},
      {"mean", nullptr,
-      "mean of the first objective over rows that keep the constraints, or "
-      "over all rows while none does",
+      "mean of the first objective over rows that meet the constraints, or "
+      "over all rows if none does",
       &Summary::mean},
      {"spread", nullptr,
-      "standard deviation of the first objective over the rows that mean "
-      "counts",
+      "standard deviation of the first objective over the same rows as mean",
       &Summary::spread},
      {"diversity", "1", "mean over free genes of standard deviation over range",
       &Summary::diversity},
      {"wall_time", "s", "time since the case began, summed over sessions",
       &Summary::wall_time},
      {"hypervolume", product,
-      "volume of objectives that is better than the reference and that a row "
-      "of the front reaches",
+      "hypervolume of the Pareto front of all rows so far",
       &Summary::hypervolume},
      {"hypervolume_standard_error", product,
       "standard error of hypervolume, by a jackknife over randomisations",
       &Summary::hypervolume_standard_error}});
 
-constexpr auto count_columns = std::to_array<SummaryColumn<std::uint32_t>>(
+constexpr auto integer_columns = std::to_array<SummaryColumn<std::uint32_t>>(
     {{"failures", "1", "number of rows that failed", &Summary::failures},
      {"evaluations", "1", "number of rows that were evaluated and not copied",
       &Summary::evaluations}});
 
-std::string path(const std::string& name) {
+std::string make_table_path(const std::string& name) {
     return group_name + "/" + name;
 }
 
-std::string unit_of(const SummaryColumn<double>& column,
-                    const std::vector<Objective>& objectives) {
+std::string choose_unit(const SummaryColumn<double>& column,
+                        const std::vector<Objective>& objectives) {
     if (!column.unit) return objectives[0].unit;
     if (column.unit != product) return column.unit;
     return fmt::format("{}",
@@ -108,26 +105,26 @@ void Generations::create(hid_t file, const HistoryHeader& header) {
     const auto& objectives = header.schema.objectives;
     const std::size_t count =
         number_columns.size() - (objectives.size() > 1 ? 0 : front_columns);
-    for (const auto& each : std::span(number_columns).first(count))
-        add(each.name, H5T_IEEE_F64LE, unit_of(each, objectives), each.meaning,
-            &missing);
-    for (const auto& each : count_columns)
-        add(each.name, H5T_STD_U32LE, each.unit, each.meaning);
+    for (const auto& column : std::span(number_columns).first(count))
+        add(column.name, H5T_IEEE_F64LE, choose_unit(column, objectives),
+            column.meaning, &missing);
+    for (const auto& column : integer_columns)
+        add(column.name, H5T_STD_U32LE, column.unit, column.meaning);
     add("checksum", string_type(checksum_size), "",
         "SHA-256 of the rows and this summary");
 }
 
 Generations::Generations(hid_t file)
-    : committed_(file, path("committed")),
-      first_row_(file, path("first_row")),
-      count_(file, path("count")),
-      best_row_(file, path("best_row")),
-      checksum_(file, path("checksum")) {
-    for (const auto& each : number_columns)
-        if (exists(file, path(each.name)))
-            numbers_.emplace_back(file, path(each.name));
-    for (const auto& each : count_columns)
-        counts_.emplace_back(file, path(each.name));
+    : committed_(file, make_table_path("committed")),
+      first_row_(file, make_table_path("first_row")),
+      count_(file, make_table_path("count")),
+      best_row_(file, make_table_path("best_row")),
+      checksum_(file, make_table_path("checksum")) {
+    for (const auto& column : number_columns)
+        if (exists(file, make_table_path(column.name)))
+            numbers_.emplace_back(file, make_table_path(column.name));
+    for (const auto& column : integer_columns)
+        counts_.emplace_back(file, make_table_path(column.name));
 }
 
 std::uint32_t Generations::committed() const {
@@ -138,14 +135,14 @@ std::uint32_t Generations::committed() const {
 }
 
 Span Generations::span(std::uint32_t generation) const {
-    IDEOTYPE_EXPECT(generation < most());
+    IDEOTYPE_EXPECT(generation < capacity());
     return {
         static_cast<hsize_t>(first_row_.read<std::int64_t>(generation, 1)[0]),
         count_.read<std::uint32_t>(generation, 1)[0]};
 }
 
 void Generations::set_span(std::uint32_t generation, const Span& span) {
-    IDEOTYPE_EXPECT(generation < most() && span.count > 0);
+    IDEOTYPE_EXPECT(generation < capacity() && span.count > 0);
     IDEOTYPE_EXPECT(span.first ==
                     (generation == 0 ? 0 : this->span(generation - 1).end()));
     first_row_.write_one(generation, static_cast<std::int64_t>(span.first));
@@ -153,7 +150,7 @@ void Generations::set_span(std::uint32_t generation, const Span& span) {
 }
 
 std::vector<GenerationSummary> Generations::read(std::uint32_t count) const {
-    IDEOTYPE_EXPECT(count <= most());
+    IDEOTYPE_EXPECT(count <= capacity());
     std::vector<GenerationSummary> summaries(count);
     const auto first = first_row_.read<std::int64_t>(0, count);
     const auto best = best_row_.read<std::int64_t>(0, count);
@@ -168,7 +165,7 @@ std::vector<GenerationSummary> Generations::read(std::uint32_t count) const {
     for (std::size_t i = 0; i < numbers_.size(); ++i)
         fill(numbers_[i], number_columns[i].member);
     for (std::size_t i = 0; i < counts_.size(); ++i)
-        fill(counts_[i], count_columns[i].member);
+        fill(counts_[i], integer_columns[i].member);
     return summaries;
 }
 
@@ -194,7 +191,7 @@ void Generations::write(std::uint32_t generation,
     for (std::size_t i = 0; i < numbers_.size(); ++i)
         numbers_[i].write_one(generation, summary.*number_columns[i].member);
     for (std::size_t i = 0; i < counts_.size(); ++i)
-        counts_[i].write_one(generation, summary.*count_columns[i].member);
+        counts_[i].write_one(generation, summary.*integer_columns[i].member);
 }
 
 }  // namespace ideotype

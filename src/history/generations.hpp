@@ -10,7 +10,7 @@
 
 namespace ideotype {
 
-//! Consecutive rows of /evaluations that belong together.
+//! Consecutive rows of /evaluations, such as those of a generation.
 struct Span {
     hsize_t first = 0;
     hsize_t count = 0;
@@ -25,12 +25,12 @@ class Generations {
 
     explicit Generations(hid_t file);
 
-    //! Returns the number of generations for which the file has room.
-    std::uint32_t most() const {
+    //! Returns the number of generations that fit in the file.
+    std::uint32_t capacity() const {
         return static_cast<std::uint32_t>(committed_.rows());
     }
 
-    //! Returns the number of complete generations, whose flags come first.
+    //! Returns the number of complete generations, which precede all others.
     std::uint32_t committed() const;
 
     //! Returns the rows of a generation; none before it is proposed.
@@ -55,7 +55,7 @@ class Generations {
     Dataset count_;
     Dataset best_row_;
     std::vector<Dataset> numbers_;  //!< datasets of number_columns, in order
-    std::vector<Dataset> counts_;   //!< datasets of count_columns, in order
+    std::vector<Dataset> counts_;   //!< datasets of integer_columns, in order
     Dataset checksum_;
 };
 

@@ -13,9 +13,9 @@ herr_t keep_first(unsigned, const H5E_error2_t* entry, void* text) {
     return 0;
 }
 
-// Returns the system's message from a description of a failed system call that
-// also has addresses and offsets.
-std::string system_message(const std::string& description) {
+// Extracts the system's message from HDF5's description of a failed system
+// call, which also contains addresses and offsets.
+std::string extract_system_message(const std::string& description) {
     const std::string opening = "error message = '";
     const std::size_t begin = description.find(opening);
     if (begin == std::string::npos) return description;
@@ -33,9 +33,10 @@ void initialize_hdf5() {
 void throw_hdf5_error(const std::string& action) {
     std::string reason;
     H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, keep_first, &reason);
-    throw Hdf5Error(fmt::format(
-        "cannot {}: {}", action,
-        reason.empty() ? "HDF5 gives no reason" : system_message(reason)));
+    throw Hdf5Error(fmt::format("cannot {}: {}", action,
+                                reason.empty()
+                                    ? "HDF5 gives no reason"
+                                    : extract_system_message(reason)));
 }
 
 }  // namespace ideotype

@@ -11,13 +11,14 @@
 
 namespace ideotype {
 
-//! A failure of HDF5. History turns it into an Error with the file's name.
+//! A failure of HDF5. History converts it to an Error with the name of the
+//! file.
 class Hdf5Error : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
 };
 
-//! Silences HDF5's own messages and its clean-up at exit, which crashes after a
+//! Disables HDF5's messages and its clean-up at exit, which crashes after a
 //! full disk. This cheap call must precede opening or creating a file.
 void initialize_hdf5();
 
@@ -39,7 +40,7 @@ class Handle {
 
     Handle() = default;
 
-    //! Takes over an identifier. @throws Hdf5Error if it is negative.
+    //! Takes ownership of an identifier. @throws Hdf5Error if it is negative.
     Handle(hid_t id, Close closer, const std::string& action)
         : id_(checked(id, action)), close_(closer) {}
 

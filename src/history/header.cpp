@@ -17,14 +17,15 @@ void write_genes(hid_t file, const GeneSpace& genes) {
     for (const Gene& gene : genes) IDEOTYPE_EXPECT(gene.lower <= gene.upper);
     const Handle group = create_group(file, "genes");
     create_axis(group, gene_axis(genes));
-    create_texts(group,
-                 {.name = "trait", .axes = {"gene"}, .meaning = "what is bred"},
-                 mapped(genes, &Gene::trait));
     create_texts(
         group,
-        {.name = "unit", .axes = {"gene"}, .meaning = "of the gene's values"},
+        {.name = "trait", .axes = {"gene"}, .meaning = "trait of the gene"},
+        mapped(genes, &Gene::trait));
+    create_texts(
+        group,
+        {.name = "unit", .axes = {"gene"}, .meaning = "unit of the gene"},
         mapped(genes, &Gene::unit));
-    // Adds a number of each gene; the last argument tells the type in the file.
+    // Adds a number of each gene; the type of `stored` is the type in the file.
     const auto add = [&](const std::string& name, const std::string& meaning,
                          const std::string& unit, hid_t type, auto member,
                          auto stored) {
@@ -38,11 +39,13 @@ void write_genes(hid_t file, const GeneSpace& genes) {
                                            gene.*member);
                                    }));
     };
-    const std::string own = "/genes/unit";
+    const std::string gene_unit = "/genes/unit";
     add("leaf", "leaf rank, 1 is the lowest, 0 the whole plant", "1",
         H5T_STD_I32LE, &Gene::leaf, std::int32_t{});
-    add("lower", "lower bound", own, H5T_IEEE_F64LE, &Gene::lower, double{});
-    add("upper", "upper bound", own, H5T_IEEE_F64LE, &Gene::upper, double{});
+    add("lower", "lower bound", gene_unit, H5T_IEEE_F64LE, &Gene::lower,
+        double{});
+    add("upper", "upper bound", gene_unit, H5T_IEEE_F64LE, &Gene::upper,
+        double{});
     add("is_circular", "whether the lower and upper bound are the same point",
         "1", bool_type(), &Gene::is_circular, std::int8_t{});
     add("is_free",
@@ -75,22 +78,24 @@ GeneSpace read_genes(hid_t file) {
     return genes;
 }
 
-std::string name_of(Sense sense) {
+std::string get_name(Sense sense) {
     return sense == Sense::maximise ? "maximise" : "minimise";
 }
 
 void write_objectives(hid_t file, const std::vector<Objective>& objectives) {
     const Handle group = create_group(file, "objectives");
     create_axis(group, objective_axis(objectives));
-    create_texts(
-        group, {.name = "unit", .axes = {"objective"}, .meaning = "of values"},
-        mapped(objectives, &Objective::unit));
+    create_texts(group,
+                 {.name = "unit",
+                  .axes = {"objective"},
+                  .meaning = "unit of the objective"},
+                 mapped(objectives, &Objective::unit));
     create_texts(group,
                  {.name = "sense",
                   .axes = {"objective"},
                   .meaning = "whether larger or smaller is better"},
-                 mapped(objectives, [](const Objective& each) {
-                     return name_of(each.sense);
+                 mapped(objectives, [](const Objective& objective) {
+                     return get_name(objective.sense);
                  }));
 }
 
@@ -101,7 +106,7 @@ std::vector<Objective> read_objectives(hid_t file) {
     std::vector<Objective> objectives;
     for (std::size_t i = 0; i < names.size(); ++i)
         objectives.push_back({names[i], units[i],
-                              senses[i] == name_of(Sense::minimise)
+                              senses[i] == get_name(Sense::minimise)
                                   ? Sense::minimise
                                   : Sense::maximise});
     return objectives;
@@ -115,7 +120,7 @@ void create_campaign_text(hid_t group, const std::string& name,
 }
 
 void read_attributes(hid_t file, HistoryHeader& header) {
-    for (const std::string& name : attributes_of(file)) {
+    for (const std::string& name : list_attributes(file)) {
         const H5T_class_t kind = H5Tget_class(Attribute(file, name).type);
         if (kind == H5T_STRING) header.text[name] = text_attribute(file, name);
         if (kind == H5T_FLOAT)

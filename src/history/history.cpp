@@ -34,11 +34,11 @@ const HistoryHeader& History::header() const {
 }
 
 std::uint32_t History::whole_generations() const {
-    std::uint32_t whole = 0;
-    while (whole < next_generation() &&
-           file_->span(whole).end() <= file_->evaluations.whole_rows())
-        ++whole;
-    return whole;
+    std::uint32_t count = 0;
+    while (count < next_generation() &&
+           file_->span(count).end() <= file_->evaluations.whole_rows())
+        ++count;
+    return count;
 }
 
 std::uint64_t History::missing_bytes() const {
@@ -71,7 +71,7 @@ std::uint64_t History::evaluated() const {
 }
 
 std::uint32_t History::next_generation() const {
-    // A writer knows the number, but a reader's file may have grown.
+    // A writer knows the number; the file of a reader may have grown.
     if (file_->lock) return file_->next_generation;
     std::uint32_t count =
         file_->read([&] { return file_->generations.committed(); });
@@ -88,6 +88,7 @@ std::size_t History::propose(std::uint32_t generation, std::size_t size,
     IDEOTYPE_EXPECT(!candidates.empty());
     IDEOTYPE_EXPECT(slot + candidates.size() <= size);
     file_->require_genes(candidates);
+    // The rows of a generation follow those of the generation before.
     const Span before = generation == 0 ? Span{} : file_->span(generation - 1);
     if (generation > 0 && before.count == 0)
         file_->fail_incomplete(generation - 1);
@@ -101,7 +102,7 @@ std::size_t History::propose(std::uint32_t generation, std::size_t size,
     if (known.count != 0 && known.count != rows.count)
         file_->fail(fmt::format("generation {} had {} candidates before, not "
                                 "{}; resume with the program and campaign that "
-                                "began the case",
+                                "started the case",
                                 generation, known.count, rows.count),
                     ExitCode::refused);
     if (known.count == 0) {
@@ -127,8 +128,8 @@ void History::record(std::uint32_t generation, std::uint32_t slot,
 }
 
 Row History::row(std::uint32_t generation, std::uint32_t slot) const {
-    const hsize_t at = file_->row(generation, slot);
-    return file_->read([&] { return file_->evaluations.read(at, 1)[0]; });
+    const hsize_t position = file_->row(generation, slot);
+    return file_->read([&] { return file_->evaluations.read(position, 1)[0]; });
 }
 
 std::vector<Row> History::rows(std::uint32_t generation) const {
@@ -154,8 +155,8 @@ Population History::generation(std::uint32_t generation) const {
     const Span span = file_->span(generation);
     Population population = file_->read(
         [&] { return file_->evaluations.population(span.first, span.count); });
-    for (const Individual& each : population)
-        if (!is_recorded(each.status)) file_->fail_incomplete(generation);
+    for (const Individual& individual : population)
+        if (!is_recorded(individual.status)) file_->fail_incomplete(generation);
     return population;
 }
 
@@ -175,7 +176,7 @@ void History::commit(std::uint32_t generation,
         Generations& generations = file_->generations;
         generations.write(generation, summary);
         generations.set_checksum(generation,
-                                 file_->checksums.of(generation, rows));
+                                 file_->checksums.compute(generation, rows));
         flush(file_->id);
         generations.set_committed(generation);
         flush(file_->id);
@@ -202,7 +203,7 @@ void History::propose_final(const std::vector<Candidate>& candidates) {
         file_->fail(
             fmt::format(
                 "there are {} finalists, but there were {} before; resume with "
-                "the program and campaign that began the case",
+                "the program and campaign that started the case",
                 candidates.size(), known),
             ExitCode::refused);
     file_->propose(file_->finals, "finalist", 0, 0, candidates);

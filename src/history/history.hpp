@@ -18,20 +18,20 @@ namespace ideotype {
 
 //! The part of a history that is known before its first evaluation.
 struct HistoryHeader {
-    //! The root attributes by name: program, provenance, case, site...; see
-    //! analysis/FORMAT.md. The format, its version and the checksum are added
-    //! when they are written.
+    //! The root attributes by name: program, provenance, case, site and others,
+    //! see analysis/FORMAT.md. Format, version and checksum are added on
+    //! writing.
     std::map<std::string, std::string> text;
     std::map<std::string, double> numbers;
     std::string campaign_source;
     std::string campaign_resolved;
     GeneSpace genes;
     OutcomeSchema schema;  //!< form of outcomes in /evaluations
-    //! The number of randomisations whose means are finalists' objectives; the
-    //! rest is as in schema.
+    //! The number of randomisations of finalists; otherwise their schema is the
+    //! same.
     std::size_t final_randomisations = 2;
     std::uint64_t seed = 0;  //!< seed of the case
-    int population = 0;      //!< mean number of rows of a generation, at most
+    int population = 0;      //!< largest mean number of rows of a generation
     int generations = 0;     //!< largest number of generations
     int finalists = 0;       //!< number of rows of /final
 
@@ -47,7 +47,7 @@ struct Row {
     std::uint32_t attempt = 0;
 };
 
-//! The most characters of a command that a history keeps.
+//! Longest command, in characters, that a history stores.
 inline constexpr std::size_t longest_command = 512;
 
 //! A start of the program on a history.
@@ -68,51 +68,51 @@ enum class Writer {
     killed,  //!< was killed, or its machine stopped
 };
 
-//! Returns the state of a history's writer by the lock, without changing the
-//! file. Without locks of the file system, a living writer on another host
-//! seems killed.
-Writer writer_of(const std::string& path);
+//! Finds the state of a history's writer by its lock, without changing the
+//! file. Where the file system has no locks, a living writer on another host
+//! appears as killed.
+Writer find_writer(const std::string& path);
 
 //! Returns whether a file exists at a path, without opening it. @throws Error
-//! if the path is no regular file or cannot be examined.
+//! if the path is not a regular file or cannot be examined.
 bool history_exists(const std::string& path);
 
-//! Returns the bytes that a history with this header reserves on the disk.
+//! Returns the disk space that a history with this header reserves [bytes].
 std::uint64_t history_bytes(const HistoryHeader& header);
 
-//! The error that another program is writing the history.
+//! Thrown if another program is writing the history.
 class InUseError : public Error {
   public:
     explicit InUseError(const std::string& message)
         : Error(message, ExitCode::refused) {}
 };
 
-//! The file of one case: rank 0 writes it during the evolution, in SWMR mode,
-//! and it is the only checkpoint. Every function throws Error with the file's
-//! name if HDF5 fails.
+//! The file of one case, which is also its only checkpoint. Rank 0 writes it
+//! during the evolution, in SWMR mode of HDF5. Every function throws Error with
+//! the name of the file if HDF5 fails.
 class History {
   public:
-    //! Creates the file with all datasets, which are empty. @throws Error
-    //! (refused) if it exists.
+    //! Creates the file with all datasets, still empty. @throws Error (refused)
+    //! if it exists.
     static History create(const std::string& path, const HistoryHeader& header);
 
-    //! Opens the file of a killed, drained or finished run to continue the run.
+    //! Opens the file of a killed, drained or finished run to continue it.
     //! @throws InUseError if another process writes it, Error (refused) if the
-    //! file is no history, has another format version, or any part differs from
-    //! its checksum.
+    //! file is not a history, has another format version, or differs from its
+    //! checksums.
     static History resume(const std::string& path);
 
-    //! Opens a file to read only, also while another process writes.
-    //! @throws Error (refused) if any part differs from its checksum. Rows of
-    //! an incomplete generation have no checksum.
+    //! Opens a file for reading, also while another process writes it. @throws
+    //! Error (refused) if any part differs from its checksum. Rows of an
+    //! incomplete generation have no checksum.
     static History read(const std::string& path);
 
-    //! Reads the header alone and compares its checksum.
+    //! Reads only the header and compares its checksum.
     static HistoryHeader header_of(const std::string& path);
 
-    //! Opens a file as read() does, even if it was truncated. Then only
+    //! Opens a file like read(), even if it was truncated. In this case only
     //! header(), next_generation(), rows(), generation() and summaries() are
-    //! valid: a generation counts if candidates, objectives and violations of
+    //! valid; a generation counts if candidates, objectives and violations of
     //! its rows are left. @throws Error (refused) if the header or an intact
     //! generation differs from its checksum.
     static History salvage(const std::string& path);
@@ -129,7 +129,7 @@ class History {
     //! Returns the bytes lost at the end of the file; 0 unless salvaged.
     std::uint64_t missing_bytes() const;
 
-    //! Returns the number of complete generations that are intact, and so have
+    //! Returns the number of complete generations that are intact; these have
     //! been compared with their checksums.
     std::uint32_t whole_generations() const;
 
@@ -139,23 +139,24 @@ class History {
     //! Returns the last start of the program, or nothing for a new file.
     std::optional<SessionRecord> last_session() const;
 
-    //! Counts stored evaluations, also of finalists and incomplete generations.
+    //! Counts stored evaluations, including those of finalists and incomplete
+    //! generations.
     std::uint64_t evaluated() const;
 
-    //! Returns the next generation to breed or complete: 0 for a new file.
+    //! Returns the next generation to propose or complete: 0 for a new file.
     std::uint32_t next_generation() const;
 
     //! Writes candidates of a generation of `size` rows, from a slot on, before
-    //! any is evaluated. Candidates that are stored already are verified
-    //! instead; returns their number. Generations may differ in size, and the
-    //! next may be proposed before one is complete.
-    //! @throws Error (refused) if a genome, origin or parent differs in any
-    //! bit, naming the slot, or if there is no room for the candidates.
+    //! any is evaluated. Candidates already stored are verified instead;
+    //! returns their number. Generations may differ in size, and the next may
+    //! be proposed before one is complete. @throws Error (refused) if a genome,
+    //! origin or parent differs in any bit, naming the slot, or if there is no
+    //! room for the candidates.
     std::size_t propose(std::uint32_t generation, std::size_t size,
                         std::uint32_t slot,
                         const std::vector<Candidate>& candidates);
 
-    //! Returns whether the rows of one more generation can be written.
+    //! Returns whether the rows of another generation fit in the file.
     bool has_room(std::uint32_t generation, std::size_t size) const;
 
     //! Stores an outcome, status last, and makes it durable.
@@ -174,40 +175,42 @@ class History {
     //! Returns the number of rows of all complete generations.
     std::uint64_t plants() const;
 
-    //! Returns the columns of a complete generation that selection needs.
+    //! Returns a complete generation, with only the columns that selection
+    //! needs.
     Population generation(std::uint32_t generation) const;
 
-    //! Marks a generation complete. The mark is in the file at once, and on the
-    //! disk at the first commit after a second.
+    //! Marks a generation complete. The mark is in the file at once; it reaches
+    //! the disk with the first commit after a second.
     void commit(std::uint32_t generation, const GenerationSummary& summary);
 
     //! Returns the summaries of all committed generations.
     std::vector<GenerationSummary> summaries() const;
 
     //! The following functions propose, record and return finalists, in /final,
-    //! as their namesakes do for generations. pending_final() returns proposed
+    //! like their namesakes for generations. pending_final() returns proposed
     //! slots that are neither done nor failed. Slot 0 is the baseline.
     void propose_final(const std::vector<Candidate>& candidates);
     std::vector<std::uint32_t> pending_final() const;
     void record_final(std::uint32_t slot, const Outcome& outcome);
     std::vector<Row> finalists() const;
 
-    //! Refuses a file that was deleted or replaced, whose new rows nobody could
-    //! read. Every write checks this too. @throws Error (refused)
+    //! Refuses a file that was deleted or replaced, since its new rows would be
+    //! lost. Every write checks this too. @throws Error (refused)
     void require_in_place() const;
 
     //! Returns the sum of the wall times of all sessions [s].
     double wall_time() const;
     void set_wall_time(double seconds);
 
-    //! Adds a line to /messages, which keeps the oldest lines when full.
+    //! Adds a line to /messages, which keeps its oldest lines when full.
     void message(const std::string& text);
 
     //! Marks the case finished with a reason such as "generations".
     void finish(const std::string& reason);
 
-    //! Closes a writer's file, after which no other function may be called.
-    //! @throws Error if the last data cannot be written; rows are safe then.
+    //! Closes the file of a writer; no other function may be called afterwards.
+    //! @throws Error if the last data cannot be written; all rows are safe in
+    //! that case.
     void close();
 
     //! Returns the reason why the case finished, if it did.
@@ -219,15 +222,15 @@ class History {
     std::unique_ptr<File> file_;
 };
 
-//! The numbers of parts of a history that were compared with their checksums.
+//! The numbers of parts of a history that agree with their checksums.
 struct Verified {
     std::uint32_t generations = 0;
     std::uint32_t finalists = 0;
 };
 
 //! Compares header, complete generations and finalists of a history, which may
-//! be live, with their checksums.
-//! @throws Error (refused) that names the damaged part.
+//! be live, with their checksums. @throws Error (refused) that names the
+//! damaged part.
 Verified verify_file(const std::string& path);
 
 }  // namespace ideotype

@@ -15,20 +15,20 @@ namespace ideotype {
 
 namespace {
 
-// Returns whether two numbers have the same bits, since two zeros compare equal
-// and two NaN do not.
-bool is_same(double a, double b) {
+// Compares bits: two zeros may compare equal but differ, and NaN never compares
+// equal.
+bool has_same_bits(double a, double b) {
     return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
 }
 
 //! Describes the first gene, origin or parent in which two candidates differ in
-//! any bit, with both values; "" if there is no difference.
-std::string first_difference(const GeneSpace& genes, const Candidate& was,
-                             const Candidate& is) {
+//! any bit, with both values; returns "" if there is no difference.
+std::string find_difference(const GeneSpace& genes, const Candidate& was,
+                            const Candidate& is) {
     IDEOTYPE_EXPECT(was.genome.size() == genes.size() &&
                     is.genome.size() == genes.size());
     for (std::size_t i = 0; i < genes.size(); ++i)
-        if (!is_same(was.genome[i], is.genome[i]))
+        if (!has_same_bits(was.genome[i], is.genome[i]))
             return fmt::format("gene {} was {}, is {} [{}]", genes[i].name,
                                was.genome[i], is.genome[i], genes[i].unit);
     if (was.origin != is.origin)
@@ -48,7 +48,7 @@ History::File::File(std::string name, std::optional<FileLock> held,
     : path(std::move(name)),
       lock(std::move(held)),
       id(std::move(opened)),
-      mapping(lock ? Mapping::of(id) : nullptr),
+      mapping(lock ? Mapping::create(id) : nullptr),
       header(read_header(id)),
       evaluations(id, "evaluations", header.schema),
       finals(id, "final", header.final_schema()),
@@ -58,7 +58,7 @@ History::File::File(std::string name, std::optional<FileLock> held,
       next_generation(generations.committed()) {
     if (mapping)
         for (Columns* columns : {&evaluations, &finals}) columns->use(*mapping);
-    for (std::uint32_t g = 0; lock && g < generations.most(); ++g) {
+    for (std::uint32_t g = 0; lock && g < generations.capacity(); ++g) {
         const Span next = generations.span(g);
         if (next.count == 0) break;
         spans.push_back(next);
@@ -67,7 +67,7 @@ History::File::File(std::string name, std::optional<FileLock> held,
 }
 
 Span History::File::span(std::uint32_t generation) const {
-    if (generation >= generations.most())
+    if (generation >= generations.capacity())
         fail(fmt::format("this history has no generation {}", generation));
     if (!lock) return read([&] { return generations.span(generation); });
     return generation < spans.size() ? spans[generation] : Span{};
@@ -107,10 +107,10 @@ std::size_t History::File::propose(Columns& columns, const std::string& label,
     const auto stored = read([&] { return columns.candidates(first, known); });
     for (std::size_t i = 0; i < known; ++i) {
         const std::string difference =
-            first_difference(header.genes, stored[i], candidates[i]);
+            find_difference(header.genes, stored[i], candidates[i]);
         if (difference.empty()) continue;
-        fail(fmt::format("{} {} was bred otherwise before: {}; resume with "
-                         "the program and campaign that began the case",
+        fail(fmt::format("{} {} differs from the stored candidate: {}; resume "
+                         "with the program and campaign that started the case",
                          label, first_slot + i, difference),
              ExitCode::refused);
     }
@@ -140,44 +140,44 @@ void History::File::record(Columns& columns, const std::string& label,
         if (&columns == &finals)
             columns.set_checksum(row,
                                  finalist_checksum(id, row, outcome.status));
-        // Rows are never buffered, so the system has each write at its return;
-        // a flush would search all datasets for nothing.
+        // Rows are never buffered: each write has reached the operating system
+        // when it returns. A flush would search all datasets in vain.
         columns.set_statuses(row, {outcome.status});
     });
 }
 
-//! Refuses a truncated file that is mapped: its lost pages must not be
+//! Refuses a truncated file that is mapped, since its lost pages must not be
 //! accessed.
 void History::File::require_whole() const {
     if (mapping && !mapping->is_whole())
         fail(
             "this file was cut short while it was written (and nothing more "
-            "can be saved in it); begin again in another folder with --out",
+            "can be saved in it); start again in another folder with --out",
             ExitCode::refused);
 }
 
 void History::File::require_in_place() const {
     require_whole();
-    if (!is_at(path, descriptor_of(id)))
+    if (!is_at(path, get_descriptor(id)))
         fail(
             "this file was deleted, moved or replaced while it was written "
             "(and nothing more can be saved in it); put it back if it was "
-            "moved, then go on with --resume",
+            "moved, then continue with --resume",
             ExitCode::refused);
 }
 
 void History::File::fail_to_write(const Hdf5Error& error) const {
     const std::string lacking = lacking_space(path);
     fail(
-        fmt::format("{}{}; all that was recorded before is safe; make room, "
-                    "then go on with --resume",
+        fmt::format("{}{}; all rows recorded before are safe; free disk space, "
+                    "then continue with --resume",
                     error.what(), lacking.empty() ? "" : "; " + lacking));
 }
 
 void History::File::check(const std::string& label, const OutcomeSchema& schema,
                           const Outcome& outcome) const {
     if (!is_recorded(outcome.status))
-        fail(label + ": an outcome has to be done or failed");
+        fail(label + ": the status of an outcome must be done or failed");
     // The numbers of a failed outcome are not stored.
     if (outcome.status == Status::done && !has_form(schema, outcome))
         fail(label + ": an outcome does not have the history's columns");

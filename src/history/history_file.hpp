@@ -22,9 +22,10 @@
 
 namespace ideotype {
 
-//! Runs an action, and names the file in an Error if HDF5 fails.
+//! Runs an action, and converts a failure of HDF5 to an Error with the file's
+//! name.
 template <class Action>
-auto with_name_of(const std::string& path, Action action) {
+auto add_path_to_errors(const std::string& path, Action action) {
     try {
         return action();
     } catch (const Hdf5Error& error) {
@@ -32,51 +33,53 @@ auto with_name_of(const std::string& path, Action action) {
     }
 }
 
-//! The open file, with the work that History does for generations and finalists
-//! alike.
+//! The open file, with the operations that History applies to generations and
+//! finalists alike.
 struct History::File {
-    //! Takes over an open file. A reader holds no lock.
+    //! Takes ownership of an open file. A reader holds no lock.
     File(std::string name, std::optional<FileLock> held, Handle opened);
 
     //! Returns the rows of a generation; none before it is proposed. @throws
-    //! Error if there can be no such generation.
+    //! Error if the generation does not fit in the file.
     Span span(std::uint32_t generation) const;
 
     //! Returns a row of /evaluations. @throws Error if the slot does not exist.
     hsize_t row(std::uint32_t generation, std::uint32_t slot) const;
 
-    [[noreturn]] void fail(const std::string& what,
+    [[noreturn]] void fail(const std::string& reason,
                            ExitCode exit_code = ExitCode::runtime) const {
-        throw Error(path + ": " + what, exit_code);
+        throw Error(path + ": " + reason, exit_code);
     }
 
     [[noreturn]] void fail_incomplete(std::uint32_t generation) const {
         fail(fmt::format("generation {} is not complete", generation));
     }
 
-    //! Reads, and refuses what a file that is truncated meanwhile gives.
+    //! Reads; discards the result if the file is truncated meanwhile.
     template <class Action>
     auto read(Action action) const {
         require_whole();
-        auto found = with_name_of(path, std::move(action));
+        auto result = add_path_to_errors(path, std::move(action));
         require_whole();
-        return found;
+        return result;
     }
 
     template <class Action>
     void write(Action action) {
-        if (!lock) fail("this history was opened to be read only");
+        if (!lock) fail("this history was opened for reading only");
         if (is_broken)
-            fail("this history cannot go on, since an earlier write failed");
+            fail(
+                "this history cannot be continued, since an earlier write "
+                "failed");
         require_in_place();
-        // After a failed write HDF5 takes more data and stores zeros.
+        // After a failed write HDF5 would accept more data and store zeros.
         is_broken = true;
         try {
             action();
         } catch (const Hdf5Error& error) {
             fail_to_write(error);
         } catch (const ContractError&) {
-            require_whole();  // a truncated file gives zeros, which break it
+            require_whole();  // zeros of a truncated file break it
             throw;
         }
         is_broken = false;
@@ -85,18 +88,19 @@ struct History::File {
     //! @throws Error if genomes do not have the genes of this history.
     void require_genes(const std::vector<Candidate>& candidates) const;
 
-    //! Stores candidates, or verifies those of an interrupted session and
-    //! returns their number. label names a row together with its slot.
+    //! Stores candidates; verifies those stored by an interrupted session and
+    //! returns their number.
+    //! @param label name of the rows; messages append the slot
     std::size_t propose(Columns& columns, const std::string& label,
                         std::uint32_t first_slot, hsize_t first,
                         const std::vector<Candidate>& candidates);
 
-    //! Stores an outcome of a proposed row; label names the row.
+    //! Stores an outcome of a proposed row; label is the name of the row.
     void record(Columns& columns, const std::string& label, hsize_t row,
                 const Outcome& outcome, std::uint32_t attempt);
 
-    //! Forces the file to the disk at most once a second, since this takes
-    //! milliseconds, as long as a small generation.
+    //! Synchronises the file with the disk at most once a second, since this
+    //! takes milliseconds, as long as a small generation.
     void synchronize_each_second();
 
     std::string path;
@@ -111,7 +115,7 @@ struct History::File {
     GenerationChecksums checksums;
     std::uint32_t next_generation = 0;
     std::vector<Span> spans;  //!< rows of generations, for a writer
-    //! The time at which the file was last forced to the disk.
+    //! Time of the last synchronisation with the disk.
     std::chrono::steady_clock::time_point synchronized{};
     bool is_broken = false;
     std::uint64_t missing_bytes = 0;

@@ -37,11 +37,11 @@ constexpr std::array session_columns{
     SessionColumn{"libraries", 256, "name and version of each library",
                   &SessionRecord::libraries}};
 
-// Returns the number of used rows, which end before the first empty one.
-hsize_t used_rows(const Dataset& texts) {
-    const auto all = texts.read_text(0, texts.rows());
-    return static_cast<hsize_t>(std::find(all.begin(), all.end(), "") -
-                                all.begin());
+// Counts the used rows, which end before the first empty one.
+hsize_t count_used(const Dataset& texts) {
+    const auto entries = texts.read_text(0, texts.rows());
+    return static_cast<hsize_t>(std::find(entries.begin(), entries.end(), "") -
+                                entries.begin());
 }
 
 }  // namespace
@@ -50,15 +50,15 @@ void Journal::create(hid_t file) {
     const Handle state = create_group(file, "state");
     create_dataset(state, {.name = "finished",
                            .type = bool_type(),
-                           .meaning = "whether the case is over"});
+                           .meaning = "whether the case is finished"});
     create_dataset(state, {.name = "reason",
                            .type = string_type(reason_size),
                            .unit = "",
-                           .meaning = "why the case is over"});
+                           .meaning = "reason why the case finished"});
     create_dataset(state, {.name = "wall_time",
                            .type = H5T_IEEE_F64LE,
                            .unit = "s",
-                           .meaning = "time that all sessions took"});
+                           .meaning = "total wall time of all sessions"});
     const auto add = [&](hid_t group, const std::string& axis,
                          const std::string& name, hid_t type,
                          const std::string& unit, const std::string& meaning) {
@@ -72,15 +72,15 @@ void Journal::create(hid_t file) {
     const Handle sessions = create_group(file, "sessions");
     create_axis(sessions,
                 counted("session", "starts of the program", most_sessions));
-    for (const SessionColumn& each : session_columns)
-        add(sessions, "session", each.name, string_type(each.size), "",
-            each.meaning);
+    for (const SessionColumn& column : session_columns)
+        add(sessions, "session", column.name, string_type(column.size), "",
+            column.meaning);
     add(sessions, "session", "ranks", H5T_STD_I32LE, "1",
         "number of ranks of MPI");
     const Handle messages = create_group(file, "messages");
     create_axis(messages, counted("message", "oldest first", most_messages));
     add(messages, "message", "text", string_type(message_size), "",
-        "a message that the user should know");
+        "message for the user");
 }
 
 Journal::Journal(hid_t file)
@@ -89,10 +89,10 @@ Journal::Journal(hid_t file)
       wall_time_(file, "state/wall_time"),
       ranks_(file, "sessions/ranks"),
       messages_(file, "messages/text") {
-    for (const SessionColumn& each : session_columns)
-        sessions_.emplace_back(file, std::string("sessions/") + each.name);
-    sessions_used_ = used_rows(sessions_[0]);
-    messages_used_ = used_rows(messages_);
+    for (const SessionColumn& column : session_columns)
+        sessions_.emplace_back(file, std::string("sessions/") + column.name);
+    sessions_used_ = count_used(sessions_[0]);
+    messages_used_ = count_used(messages_);
     IDEOTYPE_ENSURE(sessions_used_ <= ranks_.rows());
 }
 

@@ -11,7 +11,7 @@
 
 namespace ideotype {
 
-//! The tables /state, /sessions and /messages: events of the case besides its
+//! The tables /state, /sessions and /messages: events of a case apart from its
 //! evolution.
 class Journal {
   public:
@@ -19,7 +19,7 @@ class Journal {
 
     explicit Journal(hid_t file);
 
-    //! Both functions drop entries for which there is no room.
+    //! Both functions drop entries that no longer fit.
     void add(const SessionRecord& session);
     void add(const std::string& message);
 
@@ -29,7 +29,7 @@ class Journal {
     double wall_time() const { return wall_time_.read<double>(0, 1)[0]; }
     void set_wall_time(double seconds) { wall_time_.write_one(0, seconds); }
 
-    //! Writes the reason of the end of the case. Call it before set_finished().
+    //! Writes why the case ended. Call it before set_finished().
     void set_reason(const std::string& reason);
     void set_finished() { finished_.write_one(0, std::int8_t{1}); }
     std::optional<std::string> finished() const;

@@ -27,7 +27,7 @@ Handle create_space(const Sizes& sizes) {
 Handle create_properties(const DatasetForm& form) {
     const std::string action = "create " + form.name;
     Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, action);
-    // Times of creation would make the files of equal runs differ.
+    // Creation times would make files of equal runs differ.
     checked(H5Pset_obj_track_times(properties, false), action);
     checked(H5Pset_layout(properties, H5D_CONTIGUOUS), action);
     checked(H5Pset_alloc_time(properties, H5D_ALLOC_TIME_EARLY), action);
@@ -47,7 +47,7 @@ Handle create_block(hid_t group, const DatasetForm& form, const Sizes& sizes) {
         H5Dcreate2(group, form.name.c_str(), form.type, create_space(sizes),
                    H5P_DEFAULT, create_properties(form), H5P_DEFAULT),
         H5Dclose, "create " + form.name);
-    // Attributes have names of the CF conventions, which xarray shows at axes.
+    // Attribute names follow the CF conventions; xarray shows them on axes.
     create_attribute(dataset, "units", form.unit);
     create_attribute(dataset, "long_name", form.meaning);
     return dataset;
@@ -58,7 +58,7 @@ Handle open_scale(hid_t group, const std::string& name) {
             "open the axis " + name};
 }
 
-std::size_t longest(const std::vector<std::string>& texts) {
+std::size_t find_longest(const std::vector<std::string>& texts) {
     std::size_t size = 1;
     for (const std::string& text : texts) size = std::max(size, text.size());
     return size;
@@ -78,12 +78,12 @@ void fill(hid_t group, const std::string& name,
     Dataset(group, name).write(0, numbers);
 }
 
-Handle type_of(const std::vector<std::string>& texts) {
-    return string_type(longest(texts));
+Handle make_type(const std::vector<std::string>& texts) {
+    return string_type(find_longest(texts));
 }
 
 template <class Number>
-Handle type_of(const std::vector<Number>&) {
+Handle make_type(const std::vector<Number>&) {
     const bool is_double = std::is_same_v<Number, double>;
     return {H5Tcopy(is_double ? H5T_IEEE_F64LE : H5T_STD_I64LE), H5Tclose,
             "create a type"};
@@ -108,7 +108,7 @@ Handle create_dataset(hid_t group, const DatasetForm& form) {
 void create_axis(hid_t group, const Axis& axis) {
     std::visit(
         [&](const auto& values) {
-            const Handle type = type_of(values);
+            const Handle type = make_type(values);
             const Handle scale = create_block(group,
                                               {.name = axis.name,
                                                .type = type,
@@ -123,7 +123,7 @@ void create_axis(hid_t group, const Axis& axis) {
 
 void create_texts(hid_t group, DatasetForm form,
                   const std::vector<std::string>& texts) {
-    const Handle type = string_type(longest(texts));
+    const Handle type = string_type(find_longest(texts));
     form.type = type;
     form.unit = "";
     create_dataset(group, form);

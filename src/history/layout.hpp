@@ -9,11 +9,11 @@
 
 namespace ideotype {
 
-//! Returns the type of UTF-8 texts of this many bytes, padded with NUL.
+//! Returns the type of UTF-8 texts of a number of bytes, padded with NUL.
 Handle string_type(std::size_t size);
 
-//! The following functions return the types of Status, Origin and yes/no, which
-//! are enumerations of 8 bits. h5py reads yes/no as bool.
+//! The following functions return the types of Status, Origin and bool, which
+//! are enumerations of 8 bits; h5py reads the last as bool.
 Handle status_type();
 Handle origin_type();
 Handle bool_type();
@@ -23,9 +23,9 @@ void create_attribute(hid_t object, const std::string& name,
 void create_attribute(hid_t object, const std::string& name, hid_t type,
                       const void* value);
 
-//! Returns the names of the attributes of an object except those of HDF5's
-//! dimension scales, which hold addresses in the file.
-std::vector<std::string> attributes_of(hid_t object);
+//! Lists the names of the attributes of an object, except those of dimension
+//! scales, which contain addresses in the file.
+std::vector<std::string> list_attributes(hid_t object);
 
 //! An attribute: its type in the file and its bytes.
 struct Attribute {
@@ -49,12 +49,12 @@ Value number_attribute(hid_t object, const std::string& name,
     return value;
 }
 
-//! Returns the paths of all datasets of a file or group, by name.
-std::vector<std::string> datasets_of(hid_t location);
+//! Lists the paths of all datasets of a file or group by name.
+std::vector<std::string> list_datasets(hid_t location);
 
-//! The time at which the values of a dataset take room on the disk.
+//! The time at which disk space is allocated to a dataset.
 enum class Room {
-    at_once,    //!< room is taken by writing the empty value
+    at_once,    //!< allocated by writing the empty value
     as_needed,  //!< rows are holes of zeros until they are written
 };
 
@@ -65,22 +65,22 @@ struct DatasetForm {
     std::vector<std::string> axes{};  //!< names in the group; none: a scalar
     std::string unit = "1";           //!< unit; "" for texts
     std::string meaning{};
-    //! The value of unwritten numbers in the type's native form; null: zeros.
+    //! Value of unwritten numbers in the native form of the type; null: zeros.
     const void* empty = nullptr;
     Room room = Room::at_once;
 };
 
-//! Creates a dataset as one block at a fixed place, with a dimension scale on
-//! each axis. One block needs no index of chunks, which HDF5 could not read
-//! after a kill that cuts a write in two at the end of a memory page.
-//! @param group group that has a scale for each axis
+//! Creates a dataset as one block at a fixed position, with a dimension scale
+//! on each axis. A single block needs no chunk index, which HDF5 could not read
+//! after a kill that splits a write at the end of a memory page.
+//! @param group group with a scale for each axis
 Handle create_dataset(hid_t group, const DatasetForm& form);
 
 //! Creates the dimension scale of an axis.
 void create_axis(hid_t group, const Axis& axis);
 
-//! Creates and fills a dataset of strings, one for each entry of its axis, as
-//! long as the longest. The type in the form is ignored.
+//! Creates and fills a dataset of strings, one for each entry of its axis, with
+//! the length of the longest. The type in the form is ignored.
 void create_texts(hid_t group, DatasetForm form,
                   const std::vector<std::string>& texts);
 

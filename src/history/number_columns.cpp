@@ -17,24 +17,25 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-// Returns names and axes in the order of a schema: "lai
-// absorbed_by_leaf[leaf]". A truncated file may have this text but lack
+// Formats names and axes in the order of a schema: "lai
+// absorbed_by_leaf[leaf]". A truncated file may have this text but lack the
 // references to scales.
-std::string text_of(const std::vector<Quantity>& quantities) {
-    const auto text = [](const Quantity& each) {
-        return each.axes.empty() ? each.name
-                                 : fmt::format("{}[{}]", each.name,
-                                               fmt::join(each.axes, ","));
+std::string format_quantities(const std::vector<Quantity>& quantities) {
+    const auto text = [](const Quantity& quantity) {
+        return quantity.axes.empty()
+                   ? quantity.name
+                   : fmt::format("{}[{}]", quantity.name,
+                                 fmt::join(quantity.axes, ","));
     };
     return fmt::format("{}", fmt::join(mapped(quantities, text), " "));
 }
 
-std::vector<std::string> parts(const std::string& text, char separator) {
-    std::istringstream from(text);
-    std::vector<std::string> found;
-    for (std::string part; std::getline(from, part, separator);)
-        found.push_back(part);
-    return found;
+std::vector<std::string> split(const std::string& text, char separator) {
+    std::istringstream stream(text);
+    std::vector<std::string> parts;
+    for (std::string part; std::getline(stream, part, separator);)
+        parts.push_back(part);
+    return parts;
 }
 
 Quantity read_quantity(hid_t group, const std::string& text) {
@@ -44,7 +45,7 @@ Quantity read_quantity(hid_t group, const std::string& text) {
     Quantity quantity{name, dataset.text("units"), dataset.text("long_name")};
     if (bracket < text.size())
         quantity.axes =
-            parts(text.substr(bracket + 1, text.size() - bracket - 2), ',');
+            split(text.substr(bracket + 1, text.size() - bracket - 2), ',');
     if (!exists(group, name + error_suffix))
         quantity.certainty = Certainty::exact;
     return quantity;
@@ -71,22 +72,21 @@ std::vector<DatasetForm> number_forms(const OutcomeSchema& schema,
     add("objectives_standard_error", {"objective"}, unit,
         "standard error of the mean over randomisations");
     add("objectives_by_randomisation", {"objective", "randomisation"}, unit,
-        "objectives in independent randomisations, which rows that are "
-        "compared share");
+        "objectives in independent randomisations, shared by the rows of a "
+        "generation");
     add("violation", {}, "1",
-        "sum of the amounts by which constraints are not met, relative to "
-        "their limits");
-    for (const Quantity& each : schema.measured.quantities) {
-        add(each.name, each.axes, each.unit, each.meaning);
-        if (each.certainty == Certainty::estimated)
-            add(each.name + error_suffix, each.axes, each.unit,
-                "standard error of: " + each.meaning);
+        "sum of the violations of constraints, relative to their limits");
+    for (const Quantity& quantity : schema.measured.quantities) {
+        add(quantity.name, quantity.axes, quantity.unit, quantity.meaning);
+        if (quantity.certainty == Certainty::estimated)
+            add(quantity.name + error_suffix, quantity.axes, quantity.unit,
+                "standard error of: " + quantity.meaning);
     }
     return forms;
 }
 
-std::vector<std::vector<double*>> columns_of(const OutcomeSchema& schema,
-                                             Outcome& outcome) {
+std::vector<std::vector<double*>> collect_numbers(const OutcomeSchema& schema,
+                                                  Outcome& outcome) {
     IDEOTYPE_EXPECT(has_form(schema, outcome));
     std::vector<std::vector<double*>> columns;
     const auto add = [&](std::span<Estimate> estimates,
@@ -99,31 +99,32 @@ std::vector<std::vector<double*>> columns_of(const OutcomeSchema& schema,
     columns.emplace_back();
     for (double& x : outcome.randomisations) columns.back().push_back(&x);
     columns.push_back({&outcome.violation});
-    std::span<Estimate> left(outcome.quantities);
-    for (const Quantity& each : schema.measured.quantities) {
-        const auto own = left.first(schema.measured.size(each));
-        left = left.subspan(own.size());
-        add(own, &Estimate::mean);
-        if (each.certainty == Certainty::estimated)
-            add(own, &Estimate::standard_error);
+    std::span<Estimate> rest(outcome.quantities);
+    for (const Quantity& quantity : schema.measured.quantities) {
+        const auto estimates = rest.first(schema.measured.size(quantity));
+        rest = rest.subspan(estimates.size());
+        add(estimates, &Estimate::mean);
+        if (quantity.certainty == Certainty::estimated)
+            add(estimates, &Estimate::standard_error);
         else
-            for (Estimate& x : own) x.standard_error = 0;
+            for (Estimate& x : estimates) x.standard_error = 0;
     }
-    IDEOTYPE_ENSURE(left.empty());
+    IDEOTYPE_ENSURE(rest.empty());
     return columns;
 }
 
 void write_measured(hid_t group, const QuantitySet& measured) {
-    create_attribute(group, "quantities", text_of(measured.quantities));
+    create_attribute(group, "quantities",
+                     format_quantities(measured.quantities));
     for (const Axis& axis : measured.axes) create_axis(group, axis);
 }
 
 QuantitySet read_measured(hid_t group) {
     QuantitySet measured;
     auto& [axes, quantities] = measured;
-    for (const std::string& each :
-         parts(text_attribute(group, "quantities"), ' '))
-        quantities.push_back(read_quantity(group, each));
+    for (const std::string& quantity_text :
+         split(text_attribute(group, "quantities"), ' '))
+        quantities.push_back(read_quantity(group, quantity_text));
     for (const Quantity& quantity : quantities)
         for (const std::string& axis : quantity.axes)
             if (std::none_of(axes.begin(), axes.end(), [&](const Axis& known) {

@@ -13,15 +13,14 @@
 namespace ideotype {
 
 History History::create(const std::string& path, const HistoryHeader& header) {
-    FileLock lock = FileLock::of_new(path);
+    FileLock lock = FileLock::create_new(path);
     if (history_exists(path)) {
-        const FileLock held(path);  // fails if another program has begun it
+        const FileLock other(path);  // throws if another program is creating it
         throw Error(
-            path +
-                ": this history exists already; add --resume to go on with it",
+            path + ": this history exists already; add --resume to continue it",
             ExitCode::refused);
     }
-    return with_name_of(path, [&] {
+    return add_path_to_errors(path, [&] {
         create_file(path, header, lock);
         return History(
             std::make_unique<File>(path, std::move(lock), open_to_write(path)));
@@ -31,7 +30,7 @@ History History::create(const std::string& path, const HistoryHeader& header) {
 History History::resume(const std::string& path) {
     if (!history_exists(path)) throw Error(path + ": there is no such file");
     FileLock lock(path);
-    return with_name_of(path, [&] {
+    return add_path_to_errors(path, [&] {
         Handle file = open_to_write(path);
         require_intact(file, path);
         return History(
@@ -40,7 +39,7 @@ History History::resume(const std::string& path) {
 }
 
 History History::read(const std::string& path) {
-    return with_name_of(path, [&] {
+    return add_path_to_errors(path, [&] {
         Handle file = open_as_it_is(path);
         require_intact(file, path);
         return History(
@@ -49,7 +48,7 @@ History History::read(const std::string& path) {
 }
 
 HistoryHeader History::header_of(const std::string& path) {
-    return with_name_of(path, [&] {
+    return add_path_to_errors(path, [&] {
         const Handle file = open_as_it_is(path);
         require_header_intact(file, path);
         return read_header(file);
@@ -58,16 +57,15 @@ HistoryHeader History::header_of(const std::string& path) {
 
 Verified verify_file(const std::string& path) {
     const History history = History::read(path);
-    // Compressed blocks have checksums of their own, which are checked at
-    // reading.
-    with_name_of(path, [&] {
-        constexpr hsize_t most = 1000;
+    // Reading compressed blocks verifies their own checksums.
+    add_path_to_errors(path, [&] {
+        constexpr hsize_t chunk = 1000;
         const Handle file = open_as_it_is(path);
-        for (const std::string& each : datasets_of(file)) {
-            const Dataset data(file, each);
+        for (const std::string& path_of_dataset : list_datasets(file)) {
+            const Dataset data(file, path_of_dataset);
             const hsize_t rows = data.rows();
-            for (hsize_t first = 0; first < rows; first += most)
-                data.bytes(first, std::min(most, rows - first));
+            for (hsize_t first = 0; first < rows; first += chunk)
+                data.bytes(first, std::min(chunk, rows - first));
         }
     });
     Verified verified{history.next_generation()};
@@ -77,7 +75,7 @@ Verified verify_file(const std::string& path) {
 }
 
 History History::salvage(const std::string& path) {
-    return with_name_of(path, [&] {
+    return add_path_to_errors(path, [&] {
         Remains remains = open_remains(path);
         auto file =
             std::make_unique<File>(path, std::nullopt, std::move(remains.file));
@@ -85,7 +83,7 @@ History History::salvage(const std::string& path) {
         if (remains.missing == 0) return History(std::move(file));
         file->evaluations.cut(remains.bytes);
         History history(std::move(file));
-        // The header need not be whole if no generation is left.
+        // If no generation is left, the header may be incomplete.
         if (history.next_generation() > 0)
             require_header_intact(history.file_->id, path);
         for (std::uint32_t g = 0; g < history.whole_generations(); ++g)
@@ -105,8 +103,8 @@ void History::close() {
         id.close("close it");
     } catch (const Hdf5Error& error) {
         throw Error(
-            fmt::format("{}: {}; all that was recorded is safe; go on with "
-                        "--resume when the disk takes it",
+            fmt::format("{}: {}; all recorded rows are safe; continue with "
+                        "--resume when the disk accepts writes",
                         path, error.what()));
     }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Batches of a dispatcher: the work of routines that await it.
+// Batches of a dispatcher: work of routines that await it.
 #include <limits>
 #include <optional>
 #include <utility>
@@ -28,7 +28,7 @@ void Dispatcher::add(Batch& batch) {
     IDEOTYPE_ENSURE(open_.size() == by_number_.size());
 }
 
-//! Notes that the routine of a batch is to go on soon.
+//! Closes a batch: queues its coroutine for resumption.
 void Dispatcher::close(Batch& batch) {
     IDEOTYPE_EXPECT(by_number_.contains(batch.number_));
     open_.erase(batch.precedence_);
@@ -42,7 +42,7 @@ void Dispatcher::remove(Batch& batch) {
 }
 
 //! Adds the next work of a batch's source to the waiting work; returns false if
-//! there is none, or if the source failed.
+//! there is none or the source failed.
 bool Dispatcher::fetch(Batch& batch) {
     std::optional<Work> work;
     try {
@@ -51,11 +51,11 @@ bool Dispatcher::fetch(Batch& batch) {
         batch.failure_ = std::current_exception();
     }
     if (!work) return false;
-    constexpr auto after_all = std::numeric_limits<std::uint32_t>::max();
+    constexpr auto after_search = std::numeric_limits<std::uint32_t>::max();
     const Task& task = work->task;
     const bool is_open = by_number_.contains(batch.number_);
     if (is_open) open_.erase(batch.precedence_);
-    batch.precedence_ = {task.is_final ? after_all : task.generation,
+    batch.precedence_ = {task.is_final ? after_search : task.generation,
                          task.case_index, batch.number_};
     if (is_open) open_.emplace(batch.precedence_, &batch);
     batch.waiting_.push_back(batch.fetched_);
@@ -72,7 +72,7 @@ void Dispatcher::resume_complete() {
     }
 }
 
-//! Lets all routines go on with the outcomes so far.
+//! Closes all batches, so that their routines resume with the outcomes so far.
 void Dispatcher::release_all() {
     while (!open_.empty()) close(*open_.begin()->second);
 }

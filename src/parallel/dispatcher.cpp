@@ -15,11 +15,11 @@ namespace ideotype {
 
 namespace {
 
-//! An evaluation is late if it takes longer than the longest one by this
-//! factor.
+//! An evaluation is late if it takes this many times as long as the longest one
+//! so far.
 constexpr double longest_factor = 20;
 
-std::string name_of(const Task& task) {
+std::string describe(const Task& task) {
     return task.is_final ? fmt::format("finalist {}", task.slot)
                          : fmt::format("generation {} slot {}", task.generation,
                                        task.slot);
@@ -28,7 +28,7 @@ std::string name_of(const Task& task) {
 }  // namespace
 
 struct Dispatcher::Assignment {
-    std::uint64_t batch = 0;  //!< number of the batch, which may be gone
+    std::uint64_t batch = 0;  //!< number of the batch, which may have ended
     std::uint64_t item = 0;
     Task task;
     double began = 0;     //!< time of now() [s]
@@ -41,8 +41,8 @@ Dispatcher::Dispatcher(std::unique_ptr<Workers> workers, const StopFlag& stop,
       stop_(stop),
       rules_(rules),
       clock_(clock),
-      given_(static_cast<std::size_t>(workers_->width())),
-      looked_(clock.now()) {
+      assignments_(static_cast<std::size_t>(workers_->width())),
+      last_time_(clock.now()) {
     IDEOTYPE_EXPECT(workers_->width() > 0);
     IDEOTYPE_EXPECT(rules.deadline > 0);
     IDEOTYPE_EXPECT(rules.final_effort > 0 && rules.attention > 0);
@@ -51,7 +51,7 @@ Dispatcher::Dispatcher(std::unique_ptr<Workers> workers, const StopFlag& stop,
 }
 
 Dispatcher::~Dispatcher() {
-    // A busy worker could not send its reply if nobody received it.
+    // A busy worker could not send its reply without a receiver.
     if (dismiss()) return;
     while (has_late()) drop_next();
 }
@@ -64,11 +64,11 @@ void Dispatcher::run(Director& director) {
     IDEOTYPE_EXPECT(!is_dismissed_);
     bool has_next = true;
     for (;;) {
-        if (stop_.requested() && !open_.empty() && !has_told_of_stop_) {
-            has_told_of_stop_ = true;
+        if (stop_.requested() && !open_.empty() && !has_reported_stop_) {
+            has_reported_stop_ = true;
             director.on_stop(busy_in_time());
         }
-        // Work is handed out before routines go on, since breeding takes time.
+        // Hand out work before routines resume, since breeding takes time.
         while (hand_out()) continue;
         resume_complete();
         while (!idle_.empty() && !is_ending())
@@ -83,7 +83,7 @@ void Dispatcher::run(Director& director) {
             break;
         else if (idle_.empty())
             throw Error(fmt::format(
-                "no worker answers any more; if evaluations take longer than "
+                "no worker responds any more; if evaluations take longer than "
                 "{:.4g} s, raise parallel.deadline",
                 rules_.deadline));
     }
@@ -97,40 +97,42 @@ bool Dispatcher::dismiss() {
 }
 
 bool Dispatcher::has_late() const {
-    return idle_.size() + deadlines_.size() < given_.size();
+    return idle_.size() + deadlines_.size() < assignments_.size();
 }
 
-//! Returns the running time of this process [s]. It stands still while a job is
-//! paused, as after Ctrl-Z, so that no worker becomes late.
+//! Returns the running time of this process [s]. It excludes pauses of the job,
+//! such as after Ctrl-Z, so that no worker becomes late by them.
 double Dispatcher::now() {
     constexpr double longest_step = 0.5;
-    const double looked = clock_.now();
-    IDEOTYPE_EXPECT(looked >= looked_);
-    running_ += std::min(looked - looked_, longest_step);
-    looked_ = looked;
+    const double time = clock_.now();
+    IDEOTYPE_EXPECT(time >= last_time_);
+    running_ += std::min(time - last_time_, longest_step);
+    last_time_ = time;
     return running_;
 }
 
-void Dispatcher::give(int worker, const Assignment& given, const Work& work) {
+void Dispatcher::give(int worker, const Assignment& assignment,
+                      const Work& work) {
     IDEOTYPE_EXPECT(idle_.contains(worker));
     idle_.erase(worker);
-    deadlines_.emplace(given.deadline, worker);
-    given_[static_cast<std::size_t>(worker)] = given;
+    deadlines_.emplace(assignment.deadline, worker);
+    assignments_[static_cast<std::size_t>(worker)] = assignment;
     workers_->give(worker, work);
 }
 
-//! Takes the answer of a worker, which is idle again.
+//! Accepts the answer of a worker, which becomes idle.
 Dispatcher::Assignment Dispatcher::take(int worker, const Outcome& outcome) {
     IDEOTYPE_EXPECT(worker >= 0 && worker < width());
-    IDEOTYPE_EXPECT(given_[static_cast<std::size_t>(worker)].has_value());
-    const Assignment given =
-        *std::exchange(given_[static_cast<std::size_t>(worker)], std::nullopt);
-    const bool was_in_time = deadlines_.erase({given.deadline, worker}) > 0;
+    IDEOTYPE_EXPECT(assignments_[static_cast<std::size_t>(worker)].has_value());
+    const Assignment assignment = *std::exchange(
+        assignments_[static_cast<std::size_t>(worker)], std::nullopt);
+    const bool was_in_time =
+        deadlines_.erase({assignment.deadline, worker}) > 0;
     if (was_in_time)
-        longest_ =
-            std::max(longest_, outcome.seconds / rules_.effort(given.task));
+        longest_ = std::max(longest_,
+                            outcome.seconds / rules_.effort(assignment.task));
     idle_.insert(worker);
-    return given;
+    return assignment;
 }
 
 std::optional<int> Dispatcher::next_late() {
@@ -154,10 +156,10 @@ bool Dispatcher::hand_out() {
         }
         const std::uint64_t item = batch.waiting_.back();
         batch.waiting_.pop_back();
-        const auto found = batch.unanswered_.find(item);
-        // A late worker may have answered after all.
-        if (found == batch.unanswered_.end()) return true;
-        const Work& work = found->second;
+        const auto entry = batch.unanswered_.find(item);
+        // A late worker may have answered in the meantime.
+        if (entry == batch.unanswered_.end()) return true;
+        const Work& work = entry->second;
         const double began = now();
         const double patience =
             std::max(rules_.deadline,
@@ -169,86 +171,90 @@ bool Dispatcher::hand_out() {
     return false;
 }
 
-//! Waits until an answer arrives or a worker is late, but not for long.
+//! Waits until an answer arrives or a worker is late, for a limited time.
 void Dispatcher::receive(Director& director) {
     if (const auto answer = workers_->wait(seconds_to_wait())) {
         const auto& [worker, outcome] = *answer;
-        const Assignment given = take(worker, outcome);
+        const Assignment assignment = take(worker, outcome);
         if (outcome.status == Status::proposed)
-            note_obstacle(workers_->number(worker), given.task,
+            note_obstacle(workers_->number(worker), assignment.task,
                           outcome.message);
         else
-            settle(given, outcome);
+            settle(assignment, outcome);
     }
     while (const auto worker = next_late()) give_up(*worker, director);
 }
 
-//! Notes that a machine could not evaluate, whatever the plant.
+//! Records that a machine failed to evaluate, independent of the plant.
 void Dispatcher::note_obstacle(int worker, const Task& task,
                                const std::string& reason) {
     if (!obstacle_.empty()) return;
     obstacle_ = fmt::format(
-        "worker {} could not evaluate {} {}; that is not the plant's fault, so "
-        "nothing is said of it: give each worker more memory, or have fewer",
-        worker, name_of(task), reason);
+        "worker {} could not evaluate {} {}; the machine failed, not the "
+        "plant, which remains to be evaluated: give each worker more memory, "
+        "or use fewer workers",
+        worker, describe(task), reason);
 }
 
 //! Records an outcome, unless its batch has ended or another attempt answered
 //! first.
-void Dispatcher::settle(const Assignment& given, const Outcome& outcome) {
+void Dispatcher::settle(const Assignment& assignment, const Outcome& outcome) {
     IDEOTYPE_EXPECT(outcome.status == Status::done ||
                     outcome.status == Status::failed);
-    const auto open = by_number_.find(given.batch);
+    const auto open = by_number_.find(assignment.batch);
     if (open == by_number_.end()) return;
     Batch& batch = *open->second;
-    const auto found = batch.unanswered_.find(given.item);
-    if (found == batch.unanswered_.end()) return;
-    Work work = std::move(found->second);
-    batch.unanswered_.erase(found);
-    work.task = given.task;
+    const auto entry = batch.unanswered_.find(assignment.item);
+    if (entry == batch.unanswered_.end()) return;
+    Work work = std::move(entry->second);
+    batch.unanswered_.erase(entry);
+    work.task = assignment.task;
     try {
         batch.record_(work, outcome);
     } catch (...) {
         batch.failure_ = std::current_exception();
     }
-    const bool goes_on = !batch.failure_ && (!batch.unanswered_.empty() ||
-                                             is_ending() || fetch(batch));
-    if (!goes_on) close(batch);
+    const bool continues = !batch.failure_ && (!batch.unanswered_.empty() ||
+                                               is_ending() || fetch(batch));
+    if (!continues) close(batch);
 }
 
-//! Decides what happens to the task of a worker that has become late.
+//! Decides about the task of a worker that has become late.
 void Dispatcher::give_up(int worker, Director& director) {
-    const Assignment given = *given_[static_cast<std::size_t>(worker)];
-    std::string what = fmt::format(
+    const Assignment assignment =
+        *assignments_[static_cast<std::size_t>(worker)];
+    std::string message = fmt::format(
         "no answer from worker {} within {:.3g} s for {}, attempt {}",
-        workers_->number(worker), given.deadline - given.began,
-        name_of(given.task), given.task.attempt);
-    const auto found = by_number_.find(given.batch);
-    const bool is_needed = found != by_number_.end() &&
-                           found->second->unanswered_.contains(given.item);
-    // If no worker is left, the fault is hardly the candidate's, which stays
-    // pending.
+        workers_->number(worker), assignment.deadline - assignment.began,
+        describe(assignment.task), assignment.task.attempt);
+    const auto batch_entry = by_number_.find(assignment.batch);
+    const bool is_needed =
+        batch_entry != by_number_.end() &&
+        batch_entry->second->unanswered_.contains(assignment.item);
+    // If no worker is left, the machines are more likely at fault than the
+    // candidate, which stays pending.
     const bool is_alone = idle_.empty() && busy_in_time() == 0;
-    const bool is_last = given.task.attempt >= most_attempts;
+    const bool is_last = assignment.task.attempt >= most_attempts;
     const bool ends = is_ending();
     if (is_needed && ends)
-        what += "; left for the next start";
+        message += "; left for the next start";
     else if (is_needed && !is_alone)
-        what += is_last ? "; it has failed" : "; trying again";
-    director.on_silence(given.task, what);
+        message += is_last ? "; it has failed" : "; trying again";
+    director.on_silence(assignment.task, message);
     if (!is_needed || ends || is_alone) return;
     if (is_last) {
-        const std::string reason =
-            fmt::format("no answer within {:.3g} s in {} attempts",
-                        given.deadline - given.began, given.task.attempt);
-        Outcome outcome = failed_outcome(workers_->schema(given.task), reason);
-        outcome.seconds = given.deadline - given.began;
+        const std::string reason = fmt::format(
+            "no answer within {:.3g} s in {} attempts",
+            assignment.deadline - assignment.began, assignment.task.attempt);
+        Outcome outcome =
+            failed_outcome(workers_->schema(assignment.task), reason);
+        outcome.seconds = assignment.deadline - assignment.began;
         outcome.worker = static_cast<std::uint32_t>(workers_->number(worker));
-        settle(given, outcome);
+        settle(assignment, outcome);
     } else {
-        Batch& batch = *found->second;
-        ++batch.unanswered_.at(given.item).task.attempt;
-        batch.waiting_.push_back(given.item);
+        Batch& batch = *batch_entry->second;
+        ++batch.unanswered_.at(assignment.item).task.attempt;
+        batch.waiting_.push_back(assignment.item);
     }
 }
 
@@ -258,7 +264,7 @@ double Dispatcher::seconds_to_wait() const {
                       rules_.attention);
 }
 
-//! Takes and drops an answer, or notices a late worker.
+//! Receives and discards an answer, or detects a late worker.
 void Dispatcher::drop_next() {
     if (const auto answer = workers_->wait(seconds_to_wait()))
         take(answer->worker, answer->outcome);

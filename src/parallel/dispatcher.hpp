@@ -29,25 +29,25 @@ struct Work {
     bool operator==(const Work&) const = default;
 };
 
-//! A function that returns the next work of a batch, if any is ready; it is
-//! called again after each outcome. Work of later generations comes later.
+//! Returns the next work of a batch, if any is ready; called again after each
+//! outcome. Work of later generations must come later.
 using NextWork = std::function<std::optional<Work>()>;
 
-//! A function that records an outcome. It is called on rank 0 for each arriving
-//! outcome, and must make it durable. The task tells the answered attempt.
+//! Records an outcome. Called on rank 0 for each arriving outcome, which it
+//! must make durable. The task contains the attempt that was answered.
 using Record = std::function<void(const Work&, const Outcome&)>;
 
-//! The number of late attempts after which an evaluation has failed, unless no
-//! worker is left.
+//! The number of late attempts after which an evaluation counts as failed,
+//! unless no worker is left.
 inline constexpr std::uint32_t most_attempts = 3;
 
-//! The rules for the time to wait for an answer.
+//! Rules for the time to wait for an answer.
 struct AnswerRules {
-    //! The time after which an evaluation is late [s], or 20 times the longest
-    //! so far if that is longer.
+    //! Time after which an evaluation is late [s]; at least 20 times the
+    //! longest so far.
     double deadline = 60;
-    double final_effort = 1;  //!< time of a final over a usual evaluation
-    //! The time within which a stop request, a passed deadline or new work of a
+    double final_effort = 1;  //!< relative duration of final evaluations
+    //! Time within which a stop request, a passed deadline or new work of a
     //! source is noticed while evaluations are in flight [s].
     double attention = 0.25;
 
@@ -56,7 +56,7 @@ struct AnswerRules {
     }
 };
 
-//! Starts routines, and is told all events except outcomes.
+//! Starts routines, and is notified of all events except outcomes.
 class Director {
   public:
     virtual ~Director() = default;
@@ -65,52 +65,55 @@ class Director {
     //! idle; returns false if there is none.
     virtual bool start_next() = 0;
 
-    //! Is told that a worker did not answer in time; `what` is for the user.
-    virtual void on_silence(const Task& task, const std::string& what) = 0;
+    //! Called when a worker did not answer in time, with a message for the
+    //! user.
+    virtual void on_silence(const Task& task, const std::string& message) = 0;
 
-    //! Is told once of a stop request, and how many evaluations are in flight.
+    //! Called once after a stop request, with the number of evaluations in
+    //! flight.
     virtual void on_stop(int in_flight) = 0;
 };
 
 class Batch;
 class Workers;
 
-//! Hands the work of several routines to evaluators on demand. Work of the case
-//! that is furthest behind comes first: cases fill gaps at the ends of each
-//! other's generations, and cases that begin together end together.
+//! Distributes the work of several routines to evaluators on demand. Work of
+//! the case with the lowest generation comes first: cases fill the gaps at the
+//! ends of each other's generations, and cases that start together end
+//! together.
 class Dispatcher {
   public:
     Dispatcher(std::unique_ptr<Workers> workers, const StopFlag& stop,
                const AnswerRules& rules = {},
                const RankClock& clock = machine_clock);
-    //! Dismisses the workers, and waits for late workers without limit.
+    //! Dismisses the workers, and waits for late workers without a time limit.
     ~Dispatcher();
     Dispatcher(const Dispatcher&) = delete;
     Dispatcher& operator=(const Dispatcher&) = delete;
 
     //! Evaluates work of one case in any order, until nothing is in flight and
     //! the source is empty; routines within run() co_await the batch. After a
-    //! stop request, no work is handed out, and the routine goes on when all
+    //! stop request no work is handed out, and the routine resumes when all
     //! work in flight has arrived or is late. Rethrows an exception of source
-    //! or record; work in flight is then lost.
+    //! or record; work in flight is lost in that case.
     Batch evaluate(NextWork source, Record record);
 
-    //! Evaluates a list of work, as if a source gave it piece by piece.
+    //! Evaluates a list of work, as from a source that returns its items.
     Batch evaluate(std::vector<Work> work, Record record);
 
     //! Runs routines until all have ended. A late evaluation is given to
     //! another worker, and the first answer counts. A late worker gets no work
-    //! until it answers. @throws Error if no worker answers any more, or if a
-    //! machine could not evaluate, after routines have gone on as after a stop.
-    //! Routines that still pause must be destroyed before the dispatcher.
+    //! until it answers. @throws Error if no worker responds any more, or if a
+    //! machine failed to evaluate, after routines have resumed as after a stop.
+    //! Routines that are still paused must be destroyed before the dispatcher.
     void run(Director& director);
 
-    //! Returns the number of evaluations that can run at one time.
+    //! Returns the number of evaluations that can run concurrently.
     int width() const;
 
-    //! Waits for work in flight until its deadline, drops it and dismisses the
-    //! workers. Returns false if a worker does not answer; then only
-    //! Session::abort() can end the job.
+    //! Waits for work in flight until its deadline, discards it and dismisses
+    //! the workers. Returns false if a worker does not answer; in that case
+    //! only Session::abort() can end the job.
     [[nodiscard]] bool dismiss();
 
   private:
@@ -126,7 +129,7 @@ class Dispatcher {
     int busy_in_time() const { return static_cast<int>(deadlines_.size()); }
     bool has_late() const;
     double now();
-    void give(int worker, const Assignment& given, const Work& work);
+    void give(int worker, const Assignment& assignment, const Work& work);
     Assignment take(int worker, const Outcome& outcome);
     std::optional<int> next_late();
     bool hand_out();
@@ -135,7 +138,7 @@ class Dispatcher {
     void note_obstacle(int worker, const Task& task, const std::string& reason);
     void release_all();
     void receive(Director& director);
-    void settle(const Assignment& given, const Outcome& outcome);
+    void settle(const Assignment& assignment, const Outcome& outcome);
     void give_up(int worker, Director& director);
     double seconds_to_wait() const;
     void drop_next();
@@ -144,21 +147,22 @@ class Dispatcher {
     const StopFlag& stop_;
     AnswerRules rules_;
     const RankClock& clock_;
-    std::vector<std::optional<Assignment>> given_;  //!< assignments by worker
-    // The idle workers; no loop runs over all workers, which may be thousands.
+    std::vector<std::optional<Assignment>> assignments_;  //!< by worker
+    // Idle workers. No loop runs over all workers, of which there may be
+    // thousands.
     std::set<int> idle_;
-    //! The times of now() at which workers that are in time become late [s].
+    //! Times of now() at which workers that are not late become late [s].
     std::set<std::pair<double, int>> deadlines_;
     std::map<Precedence, Batch*> open_;
     std::map<std::uint64_t, Batch*> by_number_;  //!< open batches by number
     std::vector<Batch*> complete_;  //!< batches to be resumed, in this order
     std::uint64_t batches_ = 0;     //!< number of batches so far
-    //! The longest time of an evaluation of usual effort, late ones apart [s].
+    //! Longest evaluation in units of usual effort, without late ones [s].
     double longest_ = 0;
-    double looked_;         //!< clock time at which now() was called last [s]
+    double last_time_;      //!< clock time of the last call of now() [s]
     double running_ = 0;    //!< result of now() at that time [s]
-    std::string obstacle_;  //!< reason why a machine could not evaluate
-    bool has_told_of_stop_ = false;
+    std::string obstacle_;  //!< why a machine failed to evaluate
+    bool has_reported_stop_ = false;
     bool is_dismissed_ = false;
 };
 
@@ -202,8 +206,8 @@ class [[nodiscard]] Batch {
 };
 
 //! Makes the dispatcher of a job. Without other ranks, threads of this process
-//! evaluate. With them, rank 0 sends work to idle workers and sleeps in
-//! between. Its own evaluators only tell their schema, unless each rank has
+//! evaluate. With other ranks, rank 0 sends work to idle workers and sleeps in
+//! between; its own evaluators provide only their schema, unless each rank has
 //! several threads, which then take part. All references must outlive the
 //! dispatcher.
 //! @param evaluators one for each thread, equally many on all ranks
@@ -212,10 +216,10 @@ std::unique_ptr<Dispatcher> make_dispatcher(const Session& session,
                                             const StopFlag& stop,
                                             const AnswerRules& rules = {});
 
-//! Runs a worker rank: receives work, evaluates, replies, until rank 0
+//! Runs a worker rank: receives work, evaluates it and replies, until rank 0
 //! dismisses it. An Error in an evaluation becomes a failed outcome with its
 //! message, cut to 160 bytes.
-//! @throws Error if a message is neither work nor dismissal.
+//! @throws Error if a message is neither work nor dismissal
 void serve(const Session& session, const Evaluators& evaluators);
 
 }  // namespace ideotype

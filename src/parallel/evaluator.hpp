@@ -8,7 +8,7 @@
 
 namespace ideotype {
 
-//! Computes outcomes, on a worker.
+//! Computes outcomes on a worker.
 class Evaluator {
   public:
     virtual ~Evaluator() = default;
@@ -17,9 +17,9 @@ class Evaluator {
     virtual const OutcomeSchema& schema(const Task& task) const = 0;
 
     //! Evaluates a genome. Except for seconds, the outcome is a pure function
-    //! of task and genome. @throws Error if the plant can't be evaluated, which
-    //! the worker turns into a failed outcome. Any other exception, such as one
-    //! for lack of memory, is the machine's fault: it ends the job.
+    //! of task and genome. @throws Error if the plant cannot be evaluated; the
+    //! worker converts it to a failed outcome. Any other exception, such as
+    //! lack of memory, is a failure of the machine and ends the job.
     virtual Outcome evaluate(const Task& task, const Genome& genome) = 0;
 };
 

@@ -16,7 +16,7 @@ namespace ideotype {
 
 namespace {
 
-//! The bytes at the beginning of each kind of message.
+//! The first bytes of each kind of message.
 enum class Mark : std::uint64_t {
     work = 0x4b524f574f454449,   // "IDEOWORK"
     reply = 0x594c50524f454449,  // "IDEORPLY"
@@ -41,7 +41,7 @@ struct ReplyHeader {
 static_assert(std::is_trivially_copyable_v<ReplyHeader>);
 
 template <class Header>
-Bytes encoded(const Header& header, std::span<const double> numbers) {
+Bytes encode(const Header& header, std::span<const double> numbers) {
     Bytes bytes(sizeof(Header) + numbers.size_bytes());
     std::memcpy(bytes.data(), &header, sizeof(Header));
     std::ranges::copy(std::as_bytes(numbers), bytes.begin() + sizeof(Header));
@@ -63,8 +63,8 @@ Header read_header(std::span<const std::byte> bytes, Mark mark,
 }
 
 template <class Header>
-std::vector<double> numbers_after(std::span<const std::byte> bytes,
-                                  std::size_t count, const char* kind) {
+std::vector<double> read_numbers(std::span<const std::byte> bytes,
+                                 std::size_t count, const char* kind) {
     const std::size_t expected = sizeof(Header) + count * sizeof(double);
     if (bytes.size() != expected)
         throw Error(
@@ -80,15 +80,15 @@ std::vector<double> numbers_after(std::span<const std::byte> bytes,
 }  // namespace
 
 Bytes encode_work(const Work& work) {
-    return encoded(WorkHeader{Mark::work, work.task,
-                              static_cast<std::uint32_t>(work.genome.size())},
-                   work.genome);
+    return encode(WorkHeader{Mark::work, work.task,
+                             static_cast<std::uint32_t>(work.genome.size())},
+                  work.genome);
 }
 
 Work decode_work(std::span<const std::byte> bytes) {
     const auto header = read_header<WorkHeader>(bytes, Mark::work, "work");
     return {header.task,
-            numbers_after<WorkHeader>(bytes, header.gene_count, "work")};
+            read_numbers<WorkHeader>(bytes, header.gene_count, "work")};
 }
 
 Bytes encode_reply(const Reply& reply) {
@@ -107,10 +107,10 @@ Bytes encode_reply(const Reply& reply) {
 
     std::vector<double> numbers;
     outcome.for_each_number([&](double& x) { numbers.push_back(x); });
-    return encoded(header, numbers);
+    return encode(header, numbers);
 }
 
-Task task_of_reply(std::span<const std::byte> bytes) {
+Task decode_task(std::span<const std::byte> bytes) {
     return read_header<ReplyHeader>(bytes, Mark::reply, "a reply").task;
 }
 
@@ -122,7 +122,7 @@ Reply decode_reply(std::span<const std::byte> bytes,
         status == Status::proposed ? Outcome{} : unknown_outcome(schema);
     std::size_t count = 0;
     outcome.for_each_number([&](double&) { ++count; });
-    const auto numbers = numbers_after<ReplyHeader>(bytes, count, "a reply");
+    const auto numbers = read_numbers<ReplyHeader>(bytes, count, "a reply");
     outcome.status = status;
     outcome.seconds = header.seconds;
     outcome.worker = header.worker;

@@ -13,33 +13,34 @@
 
 namespace ideotype {
 
-//! The bytes of a message between the ranks of one job. All ranks run the same
-//! program on the same kind of machine, so messages hold numbers as in memory.
+//! The bytes of a message between the ranks of a job. All ranks run the same
+//! program on the same kind of machine, so numbers are sent as they are in
+//! memory.
 using Bytes = std::vector<std::byte>;
 
-//! The outcome of a task, on the way to rank 0.
+//! The outcome of a task on its way to rank 0.
 struct Reply {
     Task task;
     Outcome outcome;
 };
 
-//! The largest number of bytes of a failure's reason; longer ones are cut.
+//! Largest number of bytes of a failure's reason; longer reasons are cut.
 inline constexpr std::size_t reply_message_capacity = 160;
 
 //! Encodes work as a header of fixed size and the genome.
 Bytes encode_work(const Work& work);
 
-//! Decodes work. @throws Error if the bytes are no work.
+//! Decodes work. @throws Error if the bytes are not work.
 Work decode_work(std::span<const std::byte> bytes);
 
-//! Encodes a reply as a header of fixed size, then all numbers of the outcome
-//! in their order.
+//! Encodes a reply as a header of fixed size, followed by all numbers of the
+//! outcome in their order.
 Bytes encode_reply(const Reply& reply);
 
-//! Returns the task of a reply. @throws Error if the bytes are no reply.
-Task task_of_reply(std::span<const std::byte> bytes);
+//! Decodes the task of a reply. @throws Error if the bytes are not a reply.
+Task decode_task(std::span<const std::byte> bytes);
 
-//! Decodes a reply. @throws Error if the bytes are no reply of this schema.
+//! Decodes a reply. @throws Error if the bytes are not a reply of this schema.
 Reply decode_reply(std::span<const std::byte> bytes,
                    const OutcomeSchema& schema);
 
@@ -53,17 +54,17 @@ struct Envelope {
     Bytes bytes;
 };
 
-//! Messages between ranks. Posting never blocks, waiting sleeps.
+//! Exchanges messages between ranks. Posting never blocks; waiting sleeps.
 class Mailbox {
   public:
     explicit Mailbox(const Session& session);
-    //! Waits until all posted messages have left.
+    //! Waits until all posted messages have been sent.
     ~Mailbox();
 
     void post(int rank, Tag tag, Bytes bytes);
 
-    //! Returns the next message of any rank; sleeps until it arrives. @throws
-    //! Error for an unknown tag.
+    //! Sleeps until a message of any rank arrives and returns it. @throws Error
+    //! for an unknown tag.
     Envelope wait();
 
     //! Returns the next message of any rank, or nothing if none arrives within
@@ -71,7 +72,7 @@ class Mailbox {
     std::optional<Envelope> wait(double seconds);
 
   private:
-    //! The messages under way, whose bytes MPI reads until they have left.
+    //! Messages being sent; MPI reads their bytes until they have been sent.
     struct Posted;
     const Session& session_;
     std::unique_ptr<Posted> posted_;

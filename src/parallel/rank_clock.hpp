@@ -8,12 +8,12 @@
 
 namespace ideotype {
 
-//! The clock of the ranks of a job. A simulated machine has its own.
+//! The clock of the ranks of a job; simulated machines replace it.
 class RankClock {
   public:
     virtual ~RankClock() = default;
 
-    //! Returns the time since a fixed moment [s], which never decreases.
+    //! Returns the time since a fixed moment [s]; it never decreases.
     virtual double now() const = 0;
 
     //! Sleeps for about a time [s].
@@ -37,18 +37,18 @@ class MachineClock : public RankClock {
 inline const MachineClock machine_clock;
 
 //! The pauses between checks while waiting for MPI, whose blocking calls would
-//! occupy a core. Pauses grow with the time waited, so that the end of the wait
-//! is noticed within a few percent of its duration.
+//! occupy a core. Pauses grow with the time waited, so that the end is noticed
+//! within a few percent of the duration of the wait.
 class Backoff {
   public:
     //! Returns the next pause [s].
     double next() {
-        return std::exchange(rest_, std::min(rest_ + rest_ / 32, longest));
+        return std::exchange(pause_, std::min(pause_ + pause_ / 32, longest));
     }
 
   private:
     static constexpr double longest = 1e-3;
-    double rest_ = 50e-6;
+    double pause_ = 50e-6;
 };
 
 }  // namespace ideotype

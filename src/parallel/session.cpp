@@ -39,22 +39,22 @@ void wait_for(MPI_Request request, const RankClock& clock) {
     }
 }
 
-//! Reports that MPI has failed and ends the job, since MPI's own message may
-//! get lost.
+//! Reports that MPI has failed and ends the job, since MPI's own message may be
+//! lost.
 void end_job(MPI_Comm* /*ranks*/, int* failure, ...) {
     std::array<char, MPI_MAX_ERROR_STRING> reason{};
     int length = 0;
     MPI_Error_string(*failure, reason.data(), &length);
     fmt::print(stderr,
-               "ideotype: MPI failed on {}: {}; what a run has recorded is "
-               "kept, go on with --resume\n",
+               "ideotype: MPI failed on {}: {}; recorded rows are kept, "
+               "continue with --resume\n",
                host_name(), reason.data());
     std::fflush(nullptr);
     end_in_order();
     MPI_Abort(MPI_COMM_WORLD, static_cast<int>(ExitCode::runtime));
 }
 
-void tell_failures_of(MPI_Comm ranks) {
+void report_failures(MPI_Comm ranks) {
     MPI_Errhandler handler = MPI_ERRHANDLER_NULL;
     MPI_Comm_create_errhandler(end_job, &handler);
     MPI_Comm_set_errhandler(ranks, handler);
@@ -65,10 +65,10 @@ void tell_failures_of(MPI_Comm ranks) {
 
 Session::Session(const RankClock& clock)
     : Session(clock, {MPI_COMM_WORLD, Ranks::End::finalize}) {
-    // Only this thread calls MPI; the ray tracer may have threads of its own.
+    // Only this thread calls MPI; the ray tracer may use other threads.
     int provided = 0;
     MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided);
-    tell_failures_of(MPI_COMM_WORLD);
+    report_failures(MPI_COMM_WORLD);
 }
 
 Session::Session(const RankClock& clock, const Ranks& ranks)
@@ -97,7 +97,7 @@ Session Session::split(int part) const {
     if (!ranks_) return alone();
     MPI_Comm communicator = MPI_COMM_NULL;
     MPI_Comm_split(ranks_->communicator, part, rank(), &communicator);
-    tell_failures_of(communicator);
+    report_failures(communicator);
     return {clock_, {communicator, Ranks::End::free}};
 }
 
@@ -111,14 +111,14 @@ int Session::rank() const {
 int Session::rank_in_job(int rank) const {
     IDEOTYPE_EXPECT(rank >= 0 && rank < size());
     if (!ranks_) return rank;
-    MPI_Group own = MPI_GROUP_NULL;
-    MPI_Group all = MPI_GROUP_NULL;
-    MPI_Comm_group(ranks_->communicator, &own);
-    MPI_Comm_group(MPI_COMM_WORLD, &all);
+    MPI_Group session_group = MPI_GROUP_NULL;
+    MPI_Group job_group = MPI_GROUP_NULL;
+    MPI_Comm_group(ranks_->communicator, &session_group);
+    MPI_Comm_group(MPI_COMM_WORLD, &job_group);
     int result = 0;
-    MPI_Group_translate_ranks(own, 1, &rank, all, &result);
-    MPI_Group_free(&own);
-    MPI_Group_free(&all);
+    MPI_Group_translate_ranks(session_group, 1, &rank, job_group, &result);
+    MPI_Group_free(&session_group);
+    MPI_Group_free(&job_group);
     return result;
 }
 
@@ -155,15 +155,15 @@ std::vector<std::string> Session::gather(const std::string& text) const {
                 ranks_->communicator, &request);
     wait_for(request, clock_);
     std::exclusive_scan(lengths.begin(), lengths.end(), starts.begin(), 0);
-    std::string all(static_cast<std::size_t>(starts.back() + lengths.back()),
-                    '\0');
-    MPI_Igatherv(text.data(), length, MPI_CHAR, all.data(), lengths.data(),
+    std::string joined(static_cast<std::size_t>(starts.back() + lengths.back()),
+                       '\0');
+    MPI_Igatherv(text.data(), length, MPI_CHAR, joined.data(), lengths.data(),
                  starts.data(), MPI_CHAR, 0, ranks_->communicator, &request);
     wait_for(request, clock_);
     std::vector<std::string> texts;
     for (std::size_t i = 0; rank() == 0 && i < ranks; ++i)
-        texts.push_back(all.substr(static_cast<std::size_t>(starts[i]),
-                                   static_cast<std::size_t>(lengths[i])));
+        texts.push_back(joined.substr(static_cast<std::size_t>(starts[i]),
+                                      static_cast<std::size_t>(lengths[i])));
     return texts;
 }
 
@@ -190,8 +190,8 @@ std::string Session::library_version() {
     std::array<char, MPI_MAX_LIBRARY_VERSION_STRING> text{};
     int length = 0;
     MPI_Get_library_version(text.data(), &length);
-    // The version of the library is a text like "Open MPI v4.1.4, package: ...,
-    // ident: ..." or "MPICH Version:\t4.0.2 ...".
+    // The version is a text such as "Open MPI v4.1.4, package: ..., ident: ..."
+    // or "MPICH Version:\t4.0.2 ...".
     std::string version(text.data());
     version.resize(std::min(version.find_first_of(",\n"), version.size()));
     const std::string label = "Version:";
@@ -206,10 +206,10 @@ struct Mailbox::Posted {
         Bytes bytes;
         MPI_Request request = MPI_REQUEST_NULL;
     };
-    // A list keeps the addresses of requests' bytes, which MPI uses, constant.
+    // A list keeps the addresses of the bytes, which MPI uses, constant.
     std::list<Sending> sendings;
 
-    void forget_finished() {
+    void remove_sent() {
         sendings.remove_if([](Sending& sending) {
             int finished = 0;
             MPI_Test(&sending.request, &finished, MPI_STATUS_IGNORE);
@@ -225,8 +225,8 @@ Mailbox::Mailbox(const Session& session)
 
 Mailbox::~Mailbox() {
     Backoff backoff;
-    for (posted_->forget_finished(); !posted_->sendings.empty();
-         posted_->forget_finished())
+    for (posted_->remove_sent(); !posted_->sendings.empty();
+         posted_->remove_sent())
         session_.clock().nap(backoff.next());
 }
 
@@ -252,7 +252,7 @@ std::optional<Envelope> Mailbox::wait(double seconds) {
     Backoff backoff;
     MPI_Status status;
     for (;;) {
-        posted_->forget_finished();
+        posted_->remove_sent();
         int arrived = 0;
         MPI_Iprobe(MPI_ANY_SOURCE, MPI_ANY_TAG, session_.ranks_->communicator,
                    &arrived, &status);

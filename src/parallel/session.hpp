@@ -12,21 +12,21 @@ namespace ideotype {
 
 class Mailbox;
 
-//! The use of MPI, with or without mpirun, during the life of this object.
-//! Create it after the StopFlag, whose handlers MPI then does not replace.
+//! Uses MPI, with or without mpirun, during the life of this object. Create it
+//! after the StopFlag: MPI then does not replace its handlers.
 class Session {
   public:
-    //! Returns a session of one rank without MPI.
+    //! Makes a session of one rank without MPI.
     static Session alone();
 
     //! Starts MPI.
-    //! @param clock clock by which ranks wait
+    //! @param clock clock for the waits of ranks
     explicit Session(const RankClock& clock = machine_clock);
     ~Session();
     Session(Session&& other) noexcept;
     Session& operator=(Session&&) = delete;
 
-    //! Returns a session of the ranks that name one part, numbered from 0 in
+    //! Makes a session of the ranks with the same part, numbered from 0 in
     //! their present order. Collective. This session must outlive the new one.
     Session split(int part) const;
 

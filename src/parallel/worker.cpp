@@ -14,31 +14,33 @@ namespace ideotype {
 
 namespace {
 
-//! Returns an outcome that leaves the row proposed, for another machine to
-//! evaluate.
-Outcome not_evaluated(const std::string& reason) {
+//! Makes an outcome that leaves the row proposed, so that another machine can
+//! evaluate it.
+Outcome make_unevaluated(const std::string& reason) {
     Outcome outcome;
     outcome.status = Status::proposed;
     outcome.message = fmt::format("on {}: {}", host_name(), reason);
     return outcome;
 }
 
-Outcome caught_outcome(Evaluator& evaluator, const Work& work,
-                       const OutcomeSchema& schema) {
+//! Evaluates, and converts errors: those of the plant to a failed outcome, all
+//! others to an unevaluated one.
+Outcome evaluate_caught(Evaluator& evaluator, const Work& work,
+                        const OutcomeSchema& schema) {
     try {
         return checked_outcome(schema,
                                evaluator.evaluate(work.task, work.genome));
     } catch (const Error& error) {
         return failed_outcome(schema, error.what());
     } catch (const std::exception& error) {
-        return not_evaluated(reason_of(error));
+        return make_unevaluated(describe_exception(error));
     } catch (...) {
-        return not_evaluated("an exception of unknown type");
+        return make_unevaluated("an exception of unknown type");
     }
 }
 
-//! Reads a message of rank 0: returns work, or nothing at dismissal.
-std::optional<Work> work_in(const Envelope& letter, const Session& session) {
+//! Reads a message of rank 0: returns work, or nothing on dismissal.
+std::optional<Work> read_work(const Envelope& letter, const Session& session) {
     if (letter.tag == Tag::stop) return std::nullopt;
     if (letter.tag != Tag::work)
         throw Error(fmt::format(
@@ -52,35 +54,35 @@ std::optional<Work> work_in(const Envelope& letter, const Session& session) {
 void serve_alone(const Session& session, Evaluator& evaluator) {
     Mailbox mailbox(session);
     const int rank = session.rank_in_job(session.rank());
-    while (const auto work = work_in(mailbox.wait(), session))
+    while (const auto work = read_work(mailbox.wait(), session))
         mailbox.post(
             0, Tag::reply,
             encode_reply({work->task, evaluate_guarded(evaluator, *work, rank,
                                                        session.clock())}));
 }
 
-//! Serves with threads, while the calling thread handles messages.
+//! Serves with several threads, while the calling thread handles messages.
 void serve_by_threads(const Session& session, const Evaluators& evaluators) {
     Mailbox mailbox(session);
     const auto threads = make_thread_workers(session, evaluators);
-    std::vector<Task> given(evaluators.size());
+    std::vector<Task> tasks(evaluators.size());
     std::vector<int> idle(evaluators.size());
     std::iota(idle.begin(), idle.end(), 0);
-    const auto patience = [&] { return idle.size() < given.size() ? 0. : 1.; };
+    const auto patience = [&] { return idle.size() < tasks.size() ? 0. : 1.; };
     Backoff backoff;
     for (;;) {
         while (const auto letter = mailbox.wait(patience())) {
-            const auto work = work_in(*letter, session);
+            const auto work = read_work(*letter, session);
             if (!work) return;
             IDEOTYPE_EXPECT(!idle.empty());
-            given[static_cast<std::size_t>(idle.back())] = work->task;
+            tasks[static_cast<std::size_t>(idle.back())] = work->task;
             threads->give(idle.back(), *work);
             idle.pop_back();
         }
         if (auto answer = threads->wait(backoff.next())) {
             const auto worker = static_cast<std::size_t>(answer->worker);
             mailbox.post(0, Tag::reply,
-                         encode_reply({given[worker], answer->outcome}));
+                         encode_reply({tasks[worker], answer->outcome}));
             idle.push_back(answer->worker);
             backoff = {};
         }
@@ -93,7 +95,7 @@ Outcome evaluate_guarded(Evaluator& evaluator, const Work& work, int rank,
                          const RankClock& clock) {
     const OutcomeSchema& schema = evaluator.schema(work.task);
     const double start = clock.now();
-    Outcome outcome = caught_outcome(evaluator, work, schema);
+    Outcome outcome = evaluate_caught(evaluator, work, schema);
     outcome.seconds = clock.now() - start;
     outcome.worker = static_cast<std::uint32_t>(rank);
     return outcome;

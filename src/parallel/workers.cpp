@@ -21,6 +21,7 @@ namespace ideotype {
 
 namespace {
 
+//! The threads of this process as workers.
 class ThreadWorkers : public Workers {
   public:
     ThreadWorkers(const Session& session, const Evaluators& evaluators)
@@ -37,7 +38,7 @@ class ThreadWorkers : public Workers {
             throw std::runtime_error(fmt::format(
                 "{} threads cannot be started ({}); give the program more "
                 "memory, or start fewer by --threads",
-                width(), reason_of(error)));
+                width(), describe_exception(error)));
         }
     }
     ~ThreadWorkers() override { end(); }
@@ -75,7 +76,7 @@ class ThreadWorkers : public Workers {
     }
 
   private:
-    //! The place at which a thread waits for work.
+    //! The slot in which a thread waits for work.
     struct Seat {
         std::optional<Work> work;
         std::condition_variable called;
@@ -83,7 +84,7 @@ class ThreadWorkers : public Workers {
 
     void end() {
         dismiss();
-        for (std::thread& each : threads_) each.join();
+        for (std::thread& thread : threads_) thread.join();
     }
 
     //! Runs a thread: waits for work and evaluates it until it is dismissed.
@@ -115,28 +116,29 @@ class ThreadWorkers : public Workers {
     std::vector<std::thread> threads_;
 };
 
-//! The workers of all ranks. Workers of this rank come first, then those of
-//! other ranks. Each rank assigns work to its threads by itself.
+//! The workers of all ranks: those of this rank come first, then those of other
+//! ranks. Each rank assigns work to its threads independently.
 class RankWorkers : public Workers {
   public:
     RankWorkers(const Session& session, const Evaluators& evaluators)
         : session_(session),
           evaluators_(evaluators),
-          own_(evaluators.size() > 1 ? make_thread_workers(session, evaluators)
-                                     : nullptr),
+          local_(evaluators.size() > 1
+                     ? make_thread_workers(session, evaluators)
+                     : nullptr),
           mailbox_(session),
-          given_(per_rank() * static_cast<std::size_t>(session.size() - 1)) {
+          tasks_(per_rank() * static_cast<std::size_t>(session.size() - 1)) {
         IDEOTYPE_EXPECT(session.rank() == 0 && session.size() > 1);
     }
 
     int width() const override {
-        return own_width() + static_cast<int>(given_.size());
+        return local_width() + static_cast<int>(tasks_.size());
     }
     int number(int worker) const override {
-        if (worker < own_width()) return own_->number(worker);
+        if (worker < local_width()) return local_->number(worker);
         const auto threads = static_cast<int>(per_rank());
-        return session_.rank_in_job(rank_of(worker)) * threads +
-               (worker - own_width()) % threads;
+        return session_.rank_in_job(find_rank(worker)) * threads +
+               (worker - local_width()) % threads;
     }
     const OutcomeSchema& schema(const Task& task) const override {
         return evaluators_.front()->schema(task);
@@ -144,11 +146,12 @@ class RankWorkers : public Workers {
 
     void give(int worker, const Work& work) override {
         IDEOTYPE_EXPECT(worker >= 0 && worker < width());
-        if (worker < own_width()) return own_->give(worker, work);
-        auto& given = given_[static_cast<std::size_t>(worker - own_width())];
-        IDEOTYPE_EXPECT(!given);
-        given = work.task;
-        mailbox_.post(rank_of(worker), Tag::work, encode_work(work));
+        if (worker < local_width()) return local_->give(worker, work);
+        auto& task_slot =
+            tasks_[static_cast<std::size_t>(worker - local_width())];
+        IDEOTYPE_EXPECT(!task_slot);
+        task_slot = work.task;
+        mailbox_.post(find_rank(worker), Tag::work, encode_work(work));
     }
 
     std::optional<Answer> wait(double seconds) override {
@@ -156,39 +159,39 @@ class RankWorkers : public Workers {
         const double end = clock.now() + seconds;
         Backoff backoff;
         for (;;) {
-            if (const auto letter = mailbox_.wait(own_ ? 0 : seconds))
-                return answer_in(*letter);
-            if (!own_) return std::nullopt;
-            if (auto answer = own_->wait(backoff.next())) return answer;
+            if (const auto letter = mailbox_.wait(local_ ? 0 : seconds))
+                return read_answer(*letter);
+            if (!local_) return std::nullopt;
+            if (auto answer = local_->wait(backoff.next())) return answer;
             if (clock.now() >= end) return std::nullopt;
         }
     }
 
     void dismiss() override {
-        if (own_) own_->dismiss();
+        if (local_) local_->dismiss();
         for (int rank = 1; rank < session_.size(); ++rank)
             mailbox_.post(rank, Tag::stop, {});
     }
 
   private:
     std::size_t per_rank() const { return evaluators_.size(); }
-    int own_width() const { return own_ ? own_->width() : 0; }
-    int rank_of(int worker) const {
-        return 1 + (worker - own_width()) / static_cast<int>(per_rank());
+    int local_width() const { return local_ ? local_->width() : 0; }
+    int find_rank(int worker) const {
+        return 1 + (worker - local_width()) / static_cast<int>(per_rank());
     }
 
-    Answer answer_in(const Envelope& letter) {
+    Answer read_answer(const Envelope& letter) {
         const int rank = session_.rank_in_job(letter.source);
         if (letter.tag != Tag::reply) refuse(rank);
-        const Task task = task_of_reply(letter.bytes);
+        const Task task = decode_task(letter.bytes);
         const auto first =
-            given_.begin() +
+            tasks_.begin() +
             static_cast<std::ptrdiff_t>(per_rank()) * (letter.source - 1);
         const auto last = first + static_cast<std::ptrdiff_t>(per_rank());
-        const auto found = std::find(first, last, std::optional(task));
-        if (found == last) refuse(rank);
-        found->reset();
-        return {own_width() + static_cast<int>(found - given_.begin()),
+        const auto assigned = std::find(first, last, std::optional(task));
+        if (assigned == last) refuse(rank);
+        assigned->reset();
+        return {local_width() + static_cast<int>(assigned - tasks_.begin()),
                 decode_reply(letter.bytes, schema(task)).outcome};
     }
 
@@ -201,9 +204,9 @@ class RankWorkers : public Workers {
 
     const Session& session_;
     const Evaluators evaluators_;
-    std::unique_ptr<Workers> own_;  //!< threads of this rank, if any
+    std::unique_ptr<Workers> local_;  //!< threads of this rank, if any
     Mailbox mailbox_;
-    std::vector<std::optional<Task>> given_;  //!< tasks of other ranks' workers
+    std::vector<std::optional<Task>> tasks_;  //!< tasks of other ranks' workers
 };
 
 }  // namespace

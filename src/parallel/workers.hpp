@@ -9,22 +9,22 @@
 
 namespace ideotype {
 
-//! The outcome that a worker sent back.
+//! The outcome sent back by a worker.
 struct Answer {
     int worker = 0;
     Outcome outcome;
 };
 
-//! Workers, counted from 0, each of which evaluates one task at a time.
+//! Workers, numbered from 0, each of which evaluates one task at a time.
 class Workers {
   public:
     virtual ~Workers() = default;
 
     virtual int width() const = 0;
 
-    //! Returns the number of a worker in the whole job: the thread; with one
-    //! thread per rank the MPI rank; with several threads the rank times their
-    //! number, plus the thread.
+    //! Returns the number of a worker in the whole job: its thread; with one
+    //! thread per rank its MPI rank; with several threads the rank times the
+    //! number of threads, plus the thread.
     virtual int number(int worker) const = 0;
 
     //! Returns the form of the outcome of a task.
@@ -36,22 +36,22 @@ class Workers {
     //! Returns the next answer, or nothing after a time [s].
     virtual std::optional<Answer> wait(double seconds) = 0;
 
-    //! Tells all workers that no more work will come.
+    //! Informs all workers that no more work will come.
     virtual void dismiss() = 0;
 };
 
-//! Evaluates a genome; any error becomes a failed outcome. Sets wall time and
-//! worker.
+//! Evaluates a genome and sets wall time and worker; any error becomes a failed
+//! outcome.
 Outcome evaluate_guarded(Evaluator& evaluator, const Work& work, int rank,
                          const RankClock& clock);
 
-//! Makes workers of threads of this process. The destructor waits for all
-//! threads: if one may not answer, the caller must end the process instead.
+//! Makes workers from threads of this process. The destructor waits for all
+//! threads: if one may never answer, the caller must end the process instead.
 std::unique_ptr<Workers> make_thread_workers(const Session& session,
                                              const Evaluators& evaluators);
 
-//! Makes workers of all ranks except rank 0; if ranks have several threads,
-//! also of rank 0's threads.
+//! Makes workers on all ranks except rank 0; if ranks have several threads,
+//! also on those of rank 0.
 std::unique_ptr<Workers> make_rank_workers(const Session& session,
                                            const Evaluators& evaluators);
 

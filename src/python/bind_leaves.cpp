@@ -25,7 +25,7 @@ struct GrowingCrop {
     std::vector<LeafDates> leaves;
 };
 
-//! Returns the numbers of each leaf by name.
+//! Returns the parameters of each leaf by name.
 nb::dict at(const GrowingCrop& crop, double thermal_time) {
     std::vector<double> green, dead, tip, collar, death;
     for (const LeafDates& leaf : crop.leaves) {
@@ -40,9 +40,9 @@ nb::dict at(const GrowingCrop& crop, double thermal_time) {
     const std::vector<double> heights = collar_heights(
         crop.growth(), final_collar_heights(crop.growth(), plant),
         plant.sheath.length, thermal_time);
-    nb::dict found;
+    nb::dict balance;
     const auto add = [&](const char* name, const std::vector<double>& numbers) {
-        found[name] = to_array(numbers, {numbers.size()});
+        balance[name] = to_array(numbers, {numbers.size()});
     };
     add("green_area", green);
     add("dead_area", dead);
@@ -50,10 +50,10 @@ nb::dict at(const GrowingCrop& crop, double thermal_time) {
     add("collar", collar);
     add("death", death);
     add("collar_height", heights);
-    return found;
+    return balance;
 }
 
-//! Returns thermal time and the green and dead area of one plant at the end of
+//! Returns thermal time and green and dead leaf area of one plant at the end of
 //! each day.
 nb::tuple season(const GrowingCrop& crop, const Input<double, 1>& hourly) {
     constexpr std::size_t hours = 24;
@@ -77,7 +77,7 @@ nb::tuple season(const GrowingCrop& crop, const Input<double, 1>& hourly) {
                           to_array(dead, {days}));
 }
 
-//! Reads the leaf of a point, whose columns ideotype.stand.energy lists.
+//! Reads the leaf of a point, with the columns listed in ideotype.stand.energy.
 ThermalLeaf leaf_of(const double* x, bool is_c3) {
     ThermalLeaf leaf{
         .stomata = {static_cast<Stomata::Model>(x[9]), x[10], x[11]},
@@ -100,18 +100,18 @@ ThermalLeaf leaf_of(const double* x, bool is_c3) {
 Output<double> energy_balances(const Input<double, 2>& points, bool is_c3) {
     constexpr std::size_t quantities = 10;
     const std::size_t columns = points.shape(1);
-    std::vector<double> all;
+    std::vector<double> values;
     for (std::size_t i = 0; i < points.shape(0); ++i) {
         const double* x = points.data() + i * columns;
         const EnergyBalance b = energy_balance(
             leaf_of(x, is_c3),
             {x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8]});
-        all.insert(all.end(),
-                   {b.temperature, b.net, b.conductance, b.ci, b.transpiration,
-                    b.latent, b.sensible, b.net_radiation, b.boundary_heat,
-                    static_cast<double>(b.roots)});
+        values.insert(values.end(),
+                      {b.temperature, b.net, b.conductance, b.ci,
+                       b.transpiration, b.latent, b.sensible, b.net_radiation,
+                       b.boundary_heat, static_cast<double>(b.roots)});
     }
-    return to_array(all, {points.shape(0), quantities});
+    return to_array(values, {points.shape(0), quantities});
 }
 
 }  // namespace
@@ -131,7 +131,7 @@ void bind_growth(nb::module_& module) {
         .def("mesh",
              [](const GrowingCrop& x, double thermal_time) {
                  return mesh_tuple(build_plant(
-                     plant_at(x.growth(), x.crop.baseline, thermal_time), {}));
+                     age_plant(x.growth(), x.crop.baseline, thermal_time), {}));
              })
         .def("season", &season);
 }

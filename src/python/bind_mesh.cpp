@@ -14,7 +14,7 @@ namespace ideotype::python {
 
 namespace {
 
-//! A mesh made of polygons.
+//! A mesh of faces made from polygons.
 struct Divided {
     Mesh mesh;
     std::vector<std::size_t> polygon;  //!< polygon of each face
@@ -22,7 +22,8 @@ struct Divided {
 };
 
 //! Divides polygons into faces as in OBJ files.
-//! @param corners vertices of all polygons, with a number of corners for each
+//! @param corners vertices of all polygons, in order
+//! @param counts number of corners of each polygon
 Divided divide(const Input<double, 2>& vertices,
                const Input<std::uint32_t, 1>& corners,
                const Input<std::uint32_t, 1>& counts,
@@ -35,9 +36,9 @@ Divided divide(const Input<double, 2>& vertices,
             {vertices(i, 0), vertices(i, 1), vertices(i, 2)});
     const std::uint32_t* next = corners.data();
     for (std::size_t p = 0; p < counts.size(); ++p) {
-        const std::vector<std::uint32_t> own(next, next + counts(p));
+        const std::vector<std::uint32_t> polygon(next, next + counts(p));
         next += counts(p);
-        for (const auto& face : split_polygon(mesh.vertices, own).faces) {
+        for (const auto& face : split_polygon(mesh.vertices, polygon).faces) {
             mesh.faces.push_back(face);
             mesh.face_group.push_back(group(p));
             result.polygon.push_back(p);
@@ -45,32 +46,32 @@ Divided divide(const Input<double, 2>& vertices,
     }
     result.polygons = counts.size();
     for (const std::string& name : names)
-        mesh.groups.push_back(group_of_name(name));
+        mesh.groups.push_back(parse_group_name(name));
     if (mesh.faces.empty()) throw Error("no face has an area");
     return result;
 }
 
-//! Returns the light of each polygon per one-sided area: 0 if it has none.
+//! Returns the absorbed light of each polygon per one-sided area; 0 without
+//! area.
 std::vector<Estimate> by_polygon(const Divided& divided,
                                  const std::vector<double>& areas,
                                  const std::vector<Estimate>& faces) {
     if (faces.empty()) return {};
-    std::vector<Estimate> all(divided.polygons);
+    std::vector<Estimate> estimates(divided.polygons);
     std::vector<double> area(divided.polygons);
     for (std::size_t f = 0; f < faces.size(); ++f) {
-        Estimate& polygon = all[divided.polygon[f]];
+        Estimate& polygon = estimates[divided.polygon[f]];
         polygon.mean += faces[f].mean * areas[f];
-        // Errors are added as if fully correlated, which can only overestimate
-        // them.
+        // Standard errors are added as if fully correlated, an upper bound.
         polygon.standard_error += faces[f].standard_error * areas[f];
         area[divided.polygon[f]] += areas[f];
     }
-    for (std::size_t p = 0; p < all.size(); ++p)
-        if (area[p] > 0) all[p] = scaled(all[p], 1 / area[p]);
-    return all;
+    for (std::size_t p = 0; p < estimates.size(); ++p)
+        if (area[p] > 0) estimates[p] = scaled(estimates[p], 1 / area[p]);
+    return estimates;
 }
 
-//! A unit of results, and the factor that brings them into it.
+//! A unit of results, and the factor that converts to it.
 struct Unit {
     const char* name;
     double scale = 1;
@@ -81,9 +82,8 @@ Unit unit_of_light(const MeshSpec& spec) {
     return {spec.has_ppfd() ? "umol m-2 s-1" : "1"};
 }
 
-//! The parts of a Dataset of xarray: its coordinates, and its arrays, each with
-//! name, dimensions, unit, meaning and numbers; numbers with standard errors
-//! are pairs.
+//! The parts of an xarray Dataset: coordinates, and arrays with name,
+//! dimensions, unit, meaning and values; values with standard errors are pairs.
 struct Dataset {
     nb::list arrays;
     nb::dict coordinates;
@@ -100,10 +100,10 @@ struct Dataset {
             name, names, unit, meaning.empty() ? name : meaning, numbers));
     }
     void add(const std::vector<LightResult>& results, const Unit& unit) {
-        for (const LightResult& each : results)
-            if (each.array)
-                add(each.array, each.along, unit.name,
-                    to_array(mapped(each.values, [&](const Estimate& x) {
+        for (const LightResult& result : results)
+            if (result.array)
+                add(result.array, result.along, unit.name,
+                    to_array(mapped(result.values, [&](const Estimate& x) {
                         return scaled(x, unit.scale);
                     })));
     }
@@ -114,8 +114,8 @@ struct Dataset {
     }
 };
 
-//! Returns the parts of a Dataset: arrays, coordinates and attributes. That of
-//! a scene file is by band and component.
+//! Returns the parts of a Dataset: arrays, coordinates and attributes. With a
+//! scene file, arrays are by band and component.
 nb::tuple parts_of(const MeshReport& report, const MeshSpec& spec,
                    const std::vector<Estimate>& faces) {
     const CanopyReport& canopy = report.canopy;
@@ -123,47 +123,48 @@ nb::tuple parts_of(const MeshReport& report, const MeshSpec& spec,
     const Unit unit = unit_of_light(spec);
     const Span span = span_of(spec);
     const bool is_scene = !spec.scene.empty();
-    Dataset all;
+    Dataset dataset;
     nb::dict about;
     about["paths"] = canopy.paths;
     about["ground_area"] = canopy.ground_area;
     about["is_tolerance_met"] = !canopy.is_capped;
     about["warnings"] = report.warnings;
     if (is_scene) {
-        all.add(band_results(canopy), unit);
-        all.add_exact("incident", {{"band"}}, unit.name,
-                      mapped(canopy.bands, [&](const BandReport& band) {
-                          return unit.scale * band.light.day.incident;
-                      }));
-        all.add_exact("lai", {{"component"}}, "m2 m-2",
-                      mapped(canopy.components, &ComponentReport::lai));
+        dataset.add(band_results(canopy), unit);
+        dataset.add_exact("incident", {{"band"}}, unit.name,
+                          mapped(canopy.bands, [&](const BandReport& band) {
+                              return unit.scale * band.light.day.incident;
+                          }));
+        dataset.add_exact("lai", {{"component"}}, "m2 m-2",
+                          mapped(canopy.components, &ComponentReport::lai));
     } else {
-        all.add(budget_results(light.day, canopy), unit);
-        all.add(part_results(canopy), unit);
+        dataset.add(budget_results(light.day, canopy), unit);
+        dataset.add(part_results(canopy), unit);
         // Light by face is per one-sided area of the face.
         if (!faces.empty())
-            all.add({{"", "absorbed_by_face", {{"face"}}, faces}}, unit);
+            dataset.add({{"", "absorbed_by_face", {{"face"}}, faces}}, unit);
         for (const auto& [quantity, estimate] : numbers_of(canopy, span))
-            all.add(quantity.name, {}, quantity.unit,
-                    to_array(std::vector{estimate}), quantity.meaning);
-        all.add_exact("incident", {}, unit.name,
-                      {unit.scale * light.day.incident});
+            dataset.add(quantity.name, {}, quantity.unit,
+                        to_array(std::vector{estimate}), quantity.meaning);
+        dataset.add_exact("incident", {}, unit.name,
+                          {unit.scale * light.day.incident});
         std::vector<double> middles;
         for (std::size_t i = 0; i < light.layers.size(); ++i)
             middles.push_back(canopy.layers.thickness *
                               (static_cast<double>(i) + 0.5));
-        all.coordinates["layer"] = middles;
+        dataset.coordinates["layer"] = middles;
         about["balance_error"] = light.balance_error;
     }
     if (canopy.assimilation)
-        all.add(
+        dataset.add(
             carbon_results(
                 canopy, is_scene ? CarbonOf::components : CarbonOf::all, span),
             {carbon_unit(span)});
-    return nb::make_tuple(all.arrays, all.coordinates, about);
+    return nb::make_tuple(dataset.arrays, dataset.coordinates, about);
 }
 
-//! Returns the argument of a key: a surface has a pair of both fractions.
+//! Returns the Python argument of a key: the two fractions of a surface are one
+//! argument, a pair.
 std::string argument_of_key(const std::string& key) {
     for (const std::string surface : {"leaf", "stalk", "sheath"})
         if (key.starts_with(surface + '_'))

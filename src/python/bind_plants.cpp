@@ -11,7 +11,7 @@ namespace ideotype::python {
 
 namespace {
 
-//! The plant of the campaign's crop, and plants of components that are bred.
+//! The plant of the main crop, and plants of optimised components.
 struct AnyPlants {
     Plants plants;
 };
@@ -20,40 +20,40 @@ AnyPlants read_plant(const std::string& path) {
     return {{read_crop(path).baseline}};
 }
 
-//! Returns the text of each crop that the program knows by its name.
+//! Returns the crop files of built-in crops by name.
 nb::dict known_crops() {
-    nb::dict all;
+    nb::dict fields;
     for (const std::string& name : known_crop_names())
-        all[name.c_str()] = known_crop(name).value();
-    return all;
+        fields[name.c_str()] = known_crop(name).value();
+    return fields;
 }
 
 //! Returns name, unit and limits of each measure of a leaf.
 nb::list measures_of_leaves() {
-    nb::list all;
+    nb::list leaves;
     for (const Measure<Leaf>& each : leaf_measures)
-        all.append(nb::make_tuple(each.name, each.unit, each.limits.lower,
-                                  each.limits.upper));
-    return all;
+        leaves.append(nb::make_tuple(each.name, each.unit, each.limits.lower,
+                                     each.limits.upper));
+    return leaves;
 }
 
 AnyPlants grown_plants(const CaseStand& stand, const Input<double, 1>& genome) {
     return {stand.grown(to_vector(genome))};
 }
 
-//! Returns the height that no leaf of the plants exceeds [m].
-double reach_of(const AnyPlants& each) {
+//! Returns the largest height that any leaf of the plants can reach [m].
+double reach_of(const AnyPlants& grown) {
     double top = 0;
-    for (const Plant& plant : each.plants)
+    for (const Plant& plant : grown.plants)
         for (const Leaf& leaf : plant.leaves)
             top = std::max(top, furthest(plant, leaf));
     return top;
 }
 
-//! Returns name, unit and numbers of each measure of a plant's leaves, the
-//! lowest leaf first, without optional measures that are all 0.
-nb::list leaves_of(const AnyPlants& each, std::size_t component) {
-    const std::vector<Leaf>& leaves = each.plants.at(component).leaves;
+//! Returns name, unit and values of each measure of leaves, the lowest leaf
+//! first, without optional measures that are all 0.
+nb::list leaves_of(const AnyPlants& grown, std::size_t component) {
+    const std::vector<Leaf>& leaves = grown.plants.at(component).leaves;
     nb::list list;
     for (std::size_t m = 0; m < leaf_measures.size(); ++m) {
         std::vector<double> values;
@@ -68,22 +68,23 @@ nb::list leaves_of(const AnyPlants& each, std::size_t component) {
     return list;
 }
 
-nb::tuple mesh_of(const AnyPlants& each, const CaseStand& under,
+nb::tuple mesh_of(const AnyPlants& grown, const CaseStand& under,
                   std::size_t component) {
     if (component > 0)
         if (const auto& mesh =
                 under.campaign().components.at(component - 1).mesh)
             return mesh_tuple(*mesh);
-    return mesh_tuple(build_plant(each.plants.at(component),
+    return mesh_tuple(build_plant(grown.plants.at(component),
                                   under.campaign().spec.plant.tessellation));
 }
 
-//! Plants of any shape in one case of a campaign, or in one of its scenarios.
-//! Several threads may evaluate.
+//! Evaluates plants of any shape in one case of a campaign, or in one of its
+//! scenarios. Several threads may evaluate.
 class PlantStand : public CaseStand {
   public:
-    //! @param reach height that no leaf of compared plants exceeds [m]
-    //! @param scenario index of the scenario, or nothing for all together
+    //! @param reach largest height of any leaf of the compared plants [m]
+    //! @param scenario index of the scenario, or nothing for all scenarios
+    //! combined
     PlantStand(const CaseStand& under, const AnyPlants& any, double reach,
                std::optional<std::size_t> scenario)
         : CaseStand(with(under.campaign(), any.plants, reach),
@@ -92,14 +93,14 @@ class PlantStand : public CaseStand {
                     under.isa()),
           plants_(any.plants) {}
 
-    //! Returns the objectives as estimates and by randomisation [objective,
-    //! randomisation], and estimates and randomisations of all numbers of
-    //! quantities [randomisation, number], with NaN for unknown values.
+    //! Returns objectives as estimates and by randomisation [objective,
+    //! randomisation], and all values of quantities as estimates and by
+    //! randomisation [randomisation, value], with NaN where unknown.
     //! @throws Error if the evaluation fails.
     nb::tuple evaluate(std::uint32_t generation, bool is_final,
                        std::optional<std::uint64_t> seed,
                        std::optional<double> tolerance) {
-        RandomisedOutcome found;
+        RandomisedOutcome result;
         {
             const nb::gil_scoped_release released;
             const Sampling sampling = sampling_of({.generation = generation,
@@ -107,12 +108,12 @@ class PlantStand : public CaseStand {
                                                    .seed = seed,
                                                    .tolerance = tolerance},
                                                   campaign_, chosen_);
-            found = devices_.with([&](const Device& device) {
+            result = devices_.with([&](const Device& device) {
                 return stand_.evaluate_by_randomisation(plants_, sampling,
                                                         device);
             });
         }
-        const auto& [outcome, by_randomisation] = found;
+        const auto& [outcome, by_randomisation] = result;
         std::vector<double> numbers;
         for (const std::vector<double>& each : by_randomisation)
             numbers.insert(numbers.end(), each.begin(), each.end());

@@ -16,7 +16,8 @@ namespace {
 
 using Matrix = std::vector<std::vector<double>>;
 
-//! A search whose caller evaluates rows, a generation at a time.
+//! An ask-and-tell search: the caller evaluates the rows of one generation at a
+//! time.
 class Search {
   public:
     Search(const SearchSettings& settings, const SearchSpace& space,
@@ -75,15 +76,15 @@ std::unique_ptr<Search> make_search(
     const std::vector<std::tuple<double, double, int>>& axes) {
     SearchSettings settings;
     const auto& known = enum_names<OptimizerKind>;
-    const auto found = std::ranges::find(known, std::string_view(optimizer),
-                                         &EnumName<OptimizerKind>::name);
-    if (found == known.end()) {
+    const auto kind = std::ranges::find(known, std::string_view(optimizer),
+                                        &EnumName<OptimizerKind>::name);
+    if (kind == known.end()) {
         std::vector<std::string> names;
         for (const auto& each : known) names.emplace_back(each.name);
         throw Error(fmt::format("there is no optimizer \"{}\"; use one of {}",
                                 optimizer, fmt::join(names, ", ")));
     }
-    settings.optimizer = found->value;
+    settings.optimizer = kind->value;
     settings.population =
         population > 0 ? population
                        : usual_population(settings.optimizer, start.size());

@@ -33,19 +33,20 @@ std::unique_ptr<CaseStand> from_text(const std::string& text,
     return of_case(read_campaign_text(text, path, settings), index, path, isa);
 }
 
-//! Makes the stand of the case of this name with the keys at the end of a
-//! genome, if it has any, which are then cut off; none: there is no such case.
+//! Makes the stand of the case with this name and with the varied keys at the
+//! end of a genome, if any, which are then removed. Null if there is no such
+//! case.
 std::unique_ptr<CaseStand> stand_at(const Campaign& campaign,
                                     const std::string& name, Genome& genome,
                                     const std::string& isa) {
     Campaign varied = at_keys(campaign, genome);
-    const std::optional<Case> found = cases(varied).find(name);
-    if (!found) return nullptr;
-    return std::make_unique<CaseStand>(std::move(varied), *found, isa);
+    const std::optional<Case> matching = cases(varied).find(name);
+    if (!matching) return nullptr;
+    return std::make_unique<CaseStand>(std::move(varied), *matching, isa);
 }
 
-//! Makes the stand of a history from its resolved campaign, in which settings
-//! replace values.
+//! Makes the stand of a history from its resolved campaign, after applying
+//! settings.
 std::unique_ptr<CaseStand> from_history(const std::string& text,
                                         const std::string& path,
                                         const std::string& name, Genome genome,
@@ -56,16 +57,16 @@ std::unique_ptr<CaseStand> from_history(const std::string& text,
     throw Error(path + ": the campaign in this history has no case " + name);
 }
 
-//! Returns the name of the entry of each axis; of a mean over several entries
+//! Returns the name of the entry on each axis; for a mean over several entries,
 //! that of the first.
 nb::dict entries(const CaseStand& stand) {
     const Case chosen = scenarios(stand.chosen()).front();
-    nb::dict found;
-    found["site"] = chosen.site_name;
-    found["day"] = found["climate"] = chosen.day_name;
-    found["spacing"] = chosen.spacing_name;
-    found["traits"] = chosen.trait_set_name;
-    return found;
+    nb::dict result;
+    result["site"] = chosen.site_name;
+    result["day"] = result["climate"] = chosen.day_name;
+    result["spacing"] = chosen.spacing_name;
+    result["traits"] = chosen.trait_set_name;
+    return result;
 }
 
 nb::list genes(const CaseStand& stand) {
@@ -116,7 +117,7 @@ nb::list case_names(const std::string& path, const Settings& settings) {
 }
 
 //! Returns the clock hour of each instant [h], the light above the canopy [W
-//! m-2], and on each sensor over that above the canopy with a standard error
+//! m-2], and the light on each sensor relative to it, with standard error
 //! [sensor, instant].
 nb::tuple light_on_sensors(CaseStand& stand, const Input<double, 1>& genome,
                            const std::vector<double>& heights,
@@ -135,9 +136,9 @@ nb::tuple light_on_sensors(CaseStand& stand, const Input<double, 1>& genome,
             sensors.push_back({heights[i], positions.at(i)});
         for (const auto& sensor :
              stand.light_on_sensors(numbers, sensors, fields, points))
-            for (const Estimate& each : sensor) {
-                means.push_back(each.mean);
-                errors.push_back(each.standard_error);
+            for (const Estimate& estimate : sensor) {
+                means.push_back(estimate.mean);
+                errors.push_back(estimate.standard_error);
             }
     }
     return nb::make_tuple(to_array(hours, {hours.size()}),
@@ -154,8 +155,7 @@ std::vector<std::string> warnings(const CaseStand& stand) {
     return texts;
 }
 
-//! Returns key, value and values to try, for each key that trades accuracy for
-//! speed.
+//! Returns key, value and values to try for each accuracy key.
 nb::list accuracy(const CaseStand& stand) {
     nb::list list;
     for (const AccuracyKey& each : accuracy_keys(stand.campaign().spec))
@@ -183,14 +183,14 @@ nb::list axes(const CaseStand& stand) {
     return list;
 }
 
-//! Returns name, unit, meaning, axes, exactness and, if the number counts
-//! names, the names of each quantity.
+//! Returns name, unit, meaning, axes, exactness and, for categorical
+//! quantities, the category names of each quantity.
 nb::list quantities(const CaseStand& stand) {
     nb::list list;
-    for (const Quantity& each : stand.schema().measured.quantities)
-        list.append(
-            nb::make_tuple(each.name, each.unit, each.meaning, each.axes,
-                           each.certainty == Certainty::exact, each.names));
+    for (const Quantity& quantity : stand.schema().measured.quantities)
+        list.append(nb::make_tuple(
+            quantity.name, quantity.unit, quantity.meaning, quantity.axes,
+            quantity.certainty == Certainty::exact, quantity.names));
     return list;
 }
 
@@ -301,7 +301,7 @@ Mesh CaseStand::mesh(const Genome& genome, std::size_t component,
             throw Error(
                 "plants of this stand do not grow: their crop has no "
                 "[growth]; leave thermal_time out");
-        plant = plant_at(*growth, plant, *thermal_time);
+        plant = age_plant(*growth, plant, *thermal_time);
     }
     return build_plant(plant, campaign_.spec.plant.tessellation);
 }

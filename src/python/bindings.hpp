@@ -28,7 +28,7 @@ using Input = nb::ndarray<const Number, nb::ndim<dimensions>, nb::c_contig,
 template <class Number>
 using Output = nb::ndarray<nb::numpy, Number>;
 
-//! Returns an array of numpy that owns a copy of numbers.
+//! Returns a numpy array with a copy of numbers.
 template <class Number>
 Output<Number> to_array(const std::vector<Number>& numbers,
                         std::initializer_list<std::size_t> shape) {
@@ -54,14 +54,14 @@ inline std::vector<double> to_vector(const Input<double, 1>& array) {
     return {array.data(), array.data() + array.size()};
 }
 
-inline std::vector<std::string> names_of(const auto& all) {
+inline std::vector<std::string> names_of(const auto& entries) {
     std::vector<std::string> names;
-    for (const auto& each : all) names.push_back(each.name);
+    for (const auto& each : entries) names.push_back(each.name);
     return names;
 }
 
-//! Returns vertices [n, 3] in m, faces [m, 4], the group of each face, names of
-//! groups, and the rank of each group's leaf, from 1; 0: the group is no leaf.
+//! Returns vertices [n, 3] in m, faces [m, 4], the group of each face, group
+//! names, and the leaf rank of each group, from 1 (0: not a leaf).
 inline nb::tuple mesh_tuple(const Mesh& mesh) {
     std::vector<double> vertices;
     for (const glm::dvec3& x : mesh.vertices)

@@ -10,14 +10,14 @@ namespace {
 //! Returns a list of (file, line, column, what, key, code).
 nb::list to_list(const std::vector<Problem>& problems) {
     nb::list list;
-    for (const Problem& each : problems)
-        list.append(nb::make_tuple(each.where.file, each.where.line,
-                                   each.where.column, each.what, each.key,
-                                   name_of(each.code)));
+    for (const Problem& problem : problems)
+        list.append(nb::make_tuple(problem.where.file, problem.where.line,
+                                   problem.where.column, problem.what,
+                                   problem.key, name_of(problem.code)));
     return list;
 }
 
-//! Turns errors into exceptions of ideotype.errors.
+//! Translates errors to exceptions of ideotype.errors.
 void translate_errors() {
     nb::register_exception_translator(
         [](const std::exception_ptr& thrown, void*) {

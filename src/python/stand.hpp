@@ -13,14 +13,14 @@
 
 namespace ideotype::python {
 
-//! Devices, of which each thread that evaluates borrows one.
+//! A pool of devices; each evaluating thread borrows one.
 class Devices {
   public:
     explicit Devices(std::string isa) : isa_(std::move(isa)) {}
 
     const std::string& isa() const { return isa_; }
 
-    //! Calls an action with a device that no other thread uses.
+    //! Calls an action with a device that no other thread is using.
     template <class Action>
     auto with(Action action) {
         std::unique_ptr<Device> device = take();
@@ -49,9 +49,9 @@ class Devices {
     std::vector<std::unique_ptr<Device>> idle_;
 };
 
-//! The plants of one case of a campaign. Several threads may evaluate. Genomes
-//! are as in rows of histories: after the traits they may have the numbers of
-//! the keys that the campaign varies.
+//! The stand of one case of a campaign. Several threads may evaluate. Genomes
+//! are as in rows of histories: the values of varied campaign keys may follow
+//! the traits.
 class CaseStand {
   public:
     //! @param isa instruction set; "" for the widest of this processor
@@ -65,11 +65,12 @@ class CaseStand {
     const std::string& isa() const { return devices_.isa(); }
     const OutcomeSchema& schema() const { return stand_.schema(false); }
 
-    //! Returns the plants of a genome, which may end with the keys of a row.
+    //! Returns the plants of a genome, which may end with values of varied
+    //! keys.
     Plants grown(const Genome& genome) const;
 
-    //! Evaluates a plant, with keys of its own if its genome ends with them.
-    //! The outcome tells a failure.
+    //! Evaluates a plant, with the varied keys at the end of its genome, if
+    //! any. A failure is reported in the outcome.
     //! @throws Error if the task is impossible.
     Outcome evaluate(const Genome& genome, const Task& task);
 
@@ -80,22 +81,22 @@ class CaseStand {
     Mesh mesh(const Genome& genome, std::size_t component,
               std::optional<double> thermal_time) const;
 
-    //! Returns the mesh of the first field that evaluations of this seed draw:
-    //! plants that differ, over one cell of the field.
+    //! Returns the mesh of the first field drawn in evaluations with this seed:
+    //! one periodic cell, with within-line variation.
     Mesh field_mesh(const Genome& genome) const;
 
     //! Returns the light on sensors among plants of a genome at each instant,
-    //! as light_on_sensors() does, from a number of fields.
+    //! by light_on_sensors(), averaged over a number of fields.
     std::vector<std::vector<Estimate>> light_on_sensors(
         const Genome& genome, const std::vector<Sensor>& sensors, int fields,
         int points);
 
-    //! Returns the instants of the light of the case, or of its first scenario.
+    //! Returns the light series of the case, or of its first scenario.
     LightSeries light() const;
 
   protected:
-    //! Returns the stand with the keys at the end of a genome, which are then
-    //! cut off; none: the genome has no keys.
+    //! Returns the stand with the varied keys at the end of a genome, which are
+    //! then removed; null: the genome has no keys.
     std::unique_ptr<CaseStand> at_own_keys(Genome& genome) const;
 
     Campaign campaign_;

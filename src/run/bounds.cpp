@@ -11,16 +11,15 @@ namespace ideotype {
 
 namespace {
 
-//! The part of a trait's values at a bound from which on it is reported. A
-//! value that selection does not move is at one of two bounds in a tenth of
-//! searches.
+//! The fraction of values at a bound from which a trait is reported. Without
+//! selection, a value is at one of its two bounds in a tenth of searches.
 constexpr double least_part = 0.2;
 
 BoundCount::Trait& trait_of(std::vector<BoundCount::Trait>& traits,
                             const std::string& name) {
-    const auto found =
+    const auto trait =
         std::ranges::find(traits, name, &BoundCount::Trait::name);
-    if (found != traits.end()) return *found;
+    if (trait != traits.end()) return *trait;
     traits.push_back({name});
     return traits.back();
 }
@@ -29,13 +28,13 @@ BoundCount::Trait& trait_of(std::vector<BoundCount::Trait>& traits,
 
 std::vector<GeneAtBound> genes_at_bounds(const GeneSpace& genes,
                                          const Genome& plant) {
-    std::vector<GeneAtBound> found;
+    std::vector<GeneAtBound> at_bounds;
     for (std::size_t i = 0; i < genes.size(); ++i)
-        if (const auto bound = bound_at(genes[i], plant[i]))
-            found.push_back(
+        if (const auto bound = find_bound(genes[i], plant[i]))
+            at_bounds.push_back(
                 {genes[i].name, *bound, plant[i],
                  *bound == Bound::lower ? genes[i].lower : genes[i].upper});
-    return found;
+    return at_bounds;
 }
 
 void BoundCount::add(const GeneSpace& genes, const Genome& best) {
@@ -44,7 +43,7 @@ void BoundCount::add(const GeneSpace& genes, const Genome& best) {
         if (!genes[i].is_free || genes[i].is_circular) continue;
         Trait& trait = trait_of(traits, genes[i].trait);
         ++trait.values;
-        if (const auto bound = bound_at(genes[i], best[i]))
+        if (const auto bound = find_bound(genes[i], best[i]))
             ++(*bound == Bound::lower ? trait.at_lower : trait.at_upper);
     }
 }

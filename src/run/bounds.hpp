@@ -8,7 +8,7 @@
 
 namespace ideotype {
 
-//! A gene of a plant at one of its bounds.
+//! A gene with a value at one of its bounds.
 struct GeneAtBound {
     std::string gene;
     Bound bound;
@@ -20,8 +20,7 @@ struct GeneAtBound {
 std::vector<GeneAtBound> genes_at_bounds(const GeneSpace& genes,
                                          const Genome& plant);
 
-//! The best plants of searches, counted by the bounds at which their traits
-//! are.
+//! Counts how often traits of the best plants of searches are at their bounds.
 struct BoundCount {
     struct Trait {
         std::string name;
@@ -31,12 +30,12 @@ struct BoundCount {
     int searches = 0;
     std::vector<Trait> traits;  //!< traits with bounds, in the order of genes
 
-    //! Adds the best plant of a search.
+    //! Adds the best plant of one search.
     void add(const GeneSpace& genes, const Genome& best);
     void add(const BoundCount& others);
 
-    //! Returns a clause about the traits that are at a bound in at least a
-    //! fifth of their values, in all searches together; "" if there is none.
+    //! Returns a clause about the traits with at least a fifth of their values,
+    //! over all searches, at a bound; "" if there are none.
     std::string in_words() const;
 };
 

@@ -10,14 +10,14 @@
 
 namespace ideotype {
 
-//! The fastest of a few evaluations counts, since the first warms up and other
-//! processes may use the core.
+//! Takes the fastest of a few evaluations, since the first one warms up caches
+//! and other processes may use the core.
 CampaignCost::CampaignCost(const Campaign& campaign, const Case& chosen)
     : population(campaign.search.population),
       generations(campaign.stop.generations),
       finalists(1 + campaign.final_rule.candidates) {
     CanopyEvaluator evaluator(campaign, Device::supported_isas().back());
-    // Time that needs no second measurement [s].
+    // Time above which one measurement is enough [s].
     constexpr double long_time = 1;
     const auto measure = [&](int times, Task task) {
         task.case_index = static_cast<std::uint32_t>(chosen.index);

@@ -12,7 +12,8 @@ namespace ideotype {
 
 namespace {
 
-//! The share of a generation that ends a case with an error when it fails.
+//! The fraction of failed evaluations in a generation that ends a case with an
+//! error.
 constexpr double most_failures = 0.5;
 
 void require_few_failures(History& history, std::uint32_t generation,
@@ -69,7 +70,7 @@ std::optional<Work> CaseSearch::next() {
 }
 
 void CaseSearch::record(const Work& work, const Outcome& outcome) {
-    // Workers are busy by now.
+    // Commits here, since workers have been given new work by now.
     commit();
     const Task& task = work.task;
     history_.record(task.generation, task.slot, outcome, task.attempt);
@@ -82,42 +83,43 @@ std::optional<std::string> CaseSearch::ending() const {
     return reason_.value_or("room");
 }
 
-//! Returns whether the search ends before a generation. It is called when all
-//! rows that the generation needs are known.
+//! Returns whether the search ends before a generation. Call it when all rows
+//! that the generation depends on are known.
 bool CaseSearch::is_over(std::uint32_t generation) const {
     const Optimizer& optimizer = evolution_.optimizer;
-    const auto most =
+    const auto limit =
         static_cast<std::uint32_t>(evolution_.campaign.stop.generations);
-    return generation >= most ||
+    return generation >= limit ||
            (reason_ && optimizer.needs(generation) >= reason_row_) ||
            !history_.has_room(generation, optimizer.size(generation));
 }
 
-//! Proposes rows until one waits, as far as possible now.
+//! Proposes rows until one waits for evaluation, if possible.
 void CaseSearch::extend() {
     while (waiting_.empty() && (is_proposing() || begin_generation())) {
         propose();
-        // Rows that an earlier session evaluated may allow more proposals.
+        // Rows evaluated in an earlier session may allow more proposals.
         learn();
     }
 }
 
-//! Proposes some rows of the last open generation, which workers evaluate while
-//! further rows are made.
+//! Proposes a batch of rows of the last open generation; workers evaluate them
+//! while further rows are proposed.
 void CaseSearch::propose() {
-    constexpr std::size_t most = 64;
+    constexpr std::size_t batch = 64;
     const Open& last = open_.back();
     const auto generation =
         first_open() + static_cast<std::uint32_t>(open_.size()) - 1;
     std::vector<Candidate> candidates;
     for (std::size_t i = last.rows.size();
-         i < last.size && candidates.size() < most; ++i)
+         i < last.size && candidates.size() < batch; ++i)
         candidates.push_back(evolution_.optimizer.propose(
             generation, static_cast<std::uint32_t>(i)));
     add(candidates);
 }
 
-//! Begins the next generation; returns false if there is none, or not yet.
+//! Begins the next generation; returns false if there is none, or if it needs
+//! rows that are not known yet.
 bool CaseSearch::begin_generation() {
     Optimizer& optimizer = evolution_.optimizer;
     const auto generation =
@@ -128,8 +130,8 @@ bool CaseSearch::begin_generation() {
     return true;
 }
 
-//! Stores candidates of the last open generation before any of them is handed
-//! out.
+//! Stores candidates of the last open generation in the history before they are
+//! handed out.
 void CaseSearch::add(const std::vector<Candidate>& candidates) {
     Open& open = open_.back();
     const auto generation =
@@ -178,15 +180,15 @@ void CaseSearch::keep(std::uint32_t generation, std::uint32_t slot,
 std::vector<double> CaseSearch::features_of(const Outcome& outcome) const {
     std::vector<double> features;
     if (outcome.status == Status::done)
-        for (const AtlasAxis& each : evolution_.campaign.search.axes)
+        for (const AtlasAxis& axis : evolution_.campaign.search.axes)
             features.push_back(
-                find(history_.header().schema, outcome, each.quantity)
+                find(history_.header().schema, outcome, axis.quantity)
                     .value()
                     .mean);
     return features;
 }
 
-//! Stores the outcome of a row, if known, for copies of the row's plant.
+//! Stores the outcome of a row, if known, for later rows with the same genome.
 void CaseSearch::copy(std::uint32_t generation, std::uint32_t original) {
     Open& open = open_[generation - first_open()];
     const auto [begin, end] = open.copies.equal_range(original);
@@ -201,7 +203,7 @@ void CaseSearch::copy(std::uint32_t generation, std::uint32_t original) {
     }
 }
 
-//! Teaches known rows to the optimizer, in their order.
+//! Passes known rows to the optimizer, in their order.
 //! @throws CaseError if too many evaluations of a generation fail.
 void CaseSearch::learn() {
     while (!open_.empty()) {
@@ -216,7 +218,7 @@ void CaseSearch::learn() {
     }
 }
 
-//! Moves the first open generation, which is complete, to complete ones.
+//! Moves the first open generation to the complete ones.
 void CaseSearch::complete() {
     const std::uint32_t generation = first_open();
     const Population rows = std::move(open_.front().rows);

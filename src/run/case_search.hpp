@@ -14,44 +14,46 @@
 
 namespace ideotype {
 
-//! The search of one case row by row, between optimizer and history: proposes
-//! rows, keeps outcomes, teaches the optimizer in the order of rows, and
-//! commits generations. Both references must outlive the search.
+//! The asynchronous search of one case, between optimizer and history: proposes
+//! rows, stores outcomes, passes them to the optimizer in the order of rows,
+//! and commits generations. Outcomes may arrive in any order, but the optimizer
+//! learns them by row number. So results do not depend on the number of
+//! workers. Both references must outlive the search.
 class CaseSearch {
   public:
-    //! Learns the complete generations of the history.
+    //! Passes the complete generations of the history to the optimizer.
     CaseSearch(const Evolution& evolution, History& history);
 
-    //! Learns, then returns the next row to evaluate if one can be proposed.
+    //! Returns the next row to evaluate, if one can be proposed now.
     std::optional<Work> next();
 
-    //! Commits complete generations, then keeps an outcome.
+    //! Commits complete generations, then stores an outcome.
     void record(const Work& work, const Outcome& outcome);
 
-    //! Teaches known rows to the optimizer, in their order, and commits
-    //! complete generations.
+    //! Passes known rows to the optimizer, in their order, and commits complete
+    //! generations.
     //! @throws CaseError if too many evaluations of a generation fail.
     void commit();
 
-    //! Returns the reason of the end: the stop rule, or "room" if the history
-    //! has no room for another generation. Nothing before all generations are
-    //! complete.
+    //! Returns the reason for the end: the stop rule, or "room" if the history
+    //! has no room for another generation. Returns nothing before all
+    //! generations are complete.
     std::optional<std::string> ending() const;
 
   private:
-    //! A proposed generation that is not complete.
+    //! A proposed generation that is incomplete.
     struct Open {
         std::size_t size = 0;
-        std::size_t learnt = 0;  //!< number of learnt rows
+        std::size_t learnt = 0;  //!< number of rows passed to the optimizer
         Population rows;         //!< proposed rows
-        //! Under common random numbers equal genomes have equal outcomes: the
-        //! first slot of each genome, and later slots that wait for its
-        //! outcome.
+        //! Under common random numbers, equal genomes have equal outcomes and
+        //! are evaluated once. These are the first slot of each genome, and
+        //! later slots that wait for its outcome.
         std::map<Genome, std::uint32_t> first_slots;
         std::multimap<std::uint32_t, std::uint32_t> copies;
     };
 
-    //! A generation that the optimizer has learnt.
+    //! A complete generation, not yet committed.
     struct Complete {
         std::uint32_t generation = 0;
         GenerationSummary summary;
@@ -75,7 +77,7 @@ class CaseSearch {
     std::uint32_t first_open() const {
         return static_cast<std::uint32_t>(progress_.generations.size());
     }
-    //! Returns the wall time of all sessions on the case [s].
+    //! Returns the wall time of all sessions of the case [s].
     double wall_time() const { return spent_before_ + evolution_.elapsed(); }
 
     const Evolution& evolution_;
@@ -84,12 +86,14 @@ class CaseSearch {
     Summarizer summarized_;
     double spent_before_;
     Progress progress_;               //!< complete generations
-    std::vector<Complete> complete_;  //!< generations that are not committed
-    std::deque<Open> open_;  //!< open generations; the first is learnt now
-    std::uint64_t known_rows_ = 0;  //!< rows that the optimizer has learnt
-    std::deque<Work> waiting_;  //!< work that is proposed but not handed out
+    std::vector<Complete> complete_;  //!< complete generations to commit
+    std::deque<Open>
+        open_;  //!< open generations; rows of the first one are learnt now
+    std::uint64_t known_rows_ = 0;  //!< rows passed to the optimizer
+    std::deque<Work> waiting_;      //!< proposed work, not yet handed out
     std::optional<std::string> reason_;
-    std::uint64_t reason_row_ = 0;  //!< row after those that gave the reason
+    std::uint64_t reason_row_ =
+        0;  //!< number of rows known when the stop rule held
 };
 
 }  // namespace ideotype

@@ -20,20 +20,21 @@ const OutcomeSchema& CanopyEvaluator::schema(const Task& task) const {
 }
 
 Outcome CanopyEvaluator::evaluate(const Task& task, const Genome& genome) {
-    const auto in = [&](const Campaign& campaign, const Case& chosen,
-                        Stand& stand, const Genome& plant) {
+    const auto evaluate_in = [&](const Campaign& campaign, const Case& chosen,
+                                 Stand& stand, const Genome& plant) {
         return stand.evaluate(grow(campaign, plant),
                               sampling_of(task, campaign, chosen), device_);
     };
     if (campaign_.varied.keys.empty()) {
-        Place& own = place(task.case_index);
-        return in(campaign_, own.chosen, own.stand, genome);
+        Place& case_place = place(task.case_index);
+        return evaluate_in(campaign_, case_place.chosen, case_place.stand,
+                           genome);
     }
     Genome plain = genome;
     const Campaign varied = at_keys(campaign_, plain);
     const Case chosen = cases(varied).at(task.case_index);
     Stand stand(varied, chosen);
-    return in(varied, chosen, stand, plain);
+    return evaluate_in(varied, chosen, stand, plain);
 }
 
 }  // namespace ideotype

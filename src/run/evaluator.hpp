@@ -15,7 +15,7 @@ namespace ideotype {
 //! Evaluates candidates of all cases of a campaign.
 class CanopyEvaluator : public Evaluator {
   public:
-    //! Makes the evaluator, which the campaign must outlive.
+    //! Makes an evaluator; the campaign must outlive it.
     //! @throws Error if the processor lacks the instruction set.
     CanopyEvaluator(const Campaign& campaign, const std::string& isa);
 
@@ -23,7 +23,7 @@ class CanopyEvaluator : public Evaluator {
     Outcome evaluate(const Task& task, const Genome& genome) override;
 
   private:
-    //! A case of the campaign, set up once for all its candidates.
+    //! A case of the campaign with its stand, set up once for all candidates.
     struct Place {
         Place(const Campaign& campaign, const Case& one)
             : chosen(one), stand(campaign, one) {}
@@ -32,12 +32,12 @@ class CanopyEvaluator : public Evaluator {
         Stand stand;
     };
 
-    //! Returns a place by the index of its case, made when first asked for.
-    //! Several threads may ask, since masters ask for schemas.
+    //! Returns the entry of a case, made on first use. It is thread-safe, since
+    //! masters read schemas while workers evaluate.
     Place& place(std::uint32_t index) const;
 
     const Campaign& campaign_;
-    mutable std::mutex mutex_;  //!< guards places
+    mutable std::mutex mutex_;  //!< guards places_
     mutable std::map<std::uint32_t, Place> places_;
     Device device_;
 };

@@ -10,8 +10,8 @@ namespace ideotype {
 
 namespace {
 
-//! Evaluates the baseline and the best distinct genomes of the last generation
-//! again; returns false if a stop came first.
+//! Re-evaluates the baseline and the best distinct genomes of the last
+//! generation; returns false if a stop came first.
 Routine<bool> evaluate_finalists(const Evolution& evolution, History& history) {
     const SearchSpace space =
         search_space(evolution.campaign, evolution.chosen);

@@ -15,45 +15,45 @@ namespace ideotype {
 
 enum class Ending { finished, drained };
 
-//! The error that one case cannot go on, while other cases can.
+//! An error that ends one case, while other cases continue.
 class CaseError : public Error {
   public:
     using Error::Error;
 };
 
-//! An observer of the evolution of a case, for progress lines.
+//! Observes the evolution of a case, for progress lines.
 class Watcher {
   public:
     virtual ~Watcher() = default;
 
-    //! Is told that an evaluation of a row or a finalist is durable.
+    //! Called when the evaluation of a row or a finalist is stored durably.
     virtual void on_evaluation(const Task& task, const Outcome& outcome) = 0;
 
-    //! Learns that a generation of so many plants is complete.
+    //! Called when a generation is complete.
     virtual void on_generation(std::uint32_t generation, std::uint32_t plants,
                                const GenerationSummary& summary) = 0;
 
-    //! Is told that the finalists are about to be evaluated.
+    //! Called before finalists are evaluated.
     virtual void on_final(const std::string& reason) = 0;
 };
 
-//! Returns the genes, baseline and senses of objectives of a case.
+//! Returns the genes, the baseline and the senses of objectives of a case.
 SearchSpace search_space(const Campaign& campaign, const Case& chosen);
 
-//! The parts of an evolution, all of which must outlive the evolution.
+//! The parts of an evolution; all must outlive it.
 struct Evolution {
     const Campaign& campaign;
     const Case& chosen;
-    Optimizer& optimizer;  //!< optimizer that has learnt nothing yet
+    Optimizer& optimizer;  //!< fresh optimizer
     Dispatcher& dispatcher;
     Watcher& watcher;
     std::function<double()> elapsed;  //!< time of the case in this session [s]
 };
 
-//! Evolves a case, as the loop of a master, from the state of its history until
-//! a stop rule holds and the finalists are evaluated, or the dispatcher is
-//! asked to stop. Pauses while evaluations are under way. The history must
-//! outlive the routine.
+//! Evolves a case from the state of its history until a stop rule holds and the
+//! finalists are evaluated, or until a stop is requested. It is the main loop
+//! of a master, a coroutine that suspends while evaluations are in flight. The
+//! history must outlive it.
 //! @throws CaseError if too many evaluations of a generation fail.
 Routine<Ending> evolve_case(Evolution evolution, History& history);
 

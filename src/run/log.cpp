@@ -24,8 +24,8 @@ int columns_of(int file) {
         return is_known ? static_cast<int>(size.ws_col) : 80;
     };
     if (std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr) return width_of(file);
-    // Open MPI gives its ranks terminals and pipes of its own, so mpirun's
-    // streams count there.
+    // Open MPI gives its ranks other terminals and pipes, so the streams of
+    // mpirun are examined.
     const int starter =
         open(fmt::format("/proc/{}/fd/{}", getppid(), file).c_str(),
              O_WRONLY | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
@@ -37,14 +37,15 @@ int columns_of(int file) {
 
 namespace {
 
-//! Returns a text with the time (UTC, ISO 8601) before each line.
+//! Prefixes each line of a text with the time (UTC, ISO 8601).
 std::string with_time(const std::string& text) {
     const std::string time = utc_now() + "  ";
     std::istringstream lines(text);
-    std::string all;
+    std::string stamped;
     for (std::string line; std::getline(lines, line);)
-        all += fmt::format("{}{}{}", all.empty() ? "" : "\n", time, line);
-    return all;
+        stamped +=
+            fmt::format("{}{}{}", stamped.empty() ? "" : "\n", time, line);
+    return stamped;
 }
 
 }  // namespace
@@ -54,10 +55,10 @@ Log::Log(LogLevel least)
 
 void Log::write(LogLevel level, const std::string& text) const {
     if (!tells(level)) return;
-    const std::string all =
+    const std::string message =
         (level == LogLevel::warning ? "ideotype: warning: " : "ideotype: ") +
         printable_lines(text);
-    fmt::print(stderr, "{}\n", is_on_terminal_ ? all : with_time(all));
+    fmt::print(stderr, "{}\n", is_on_terminal_ ? message : with_time(message));
 }
 
 }  // namespace ideotype

@@ -30,7 +30,8 @@ std::string format(Estimate x) {
     const double error = normal_95 * std::abs(x.standard_error);
     const double mean = std::abs(x.mean);
     if (!std::isfinite(error)) return fmt::format("{:.6g}", x.mean);
-    // Limits below which numbers are rounded zeros, and errors none.
+    // Limits for numbers that are zero up to rounding, and for negligible
+    // relative errors.
     constexpr double nothing = 1e-12, exact = 1e-9, small = 1e-4;
     if (mean < nothing && error < nothing) return "0";
     if (error <= exact * mean)
@@ -57,9 +58,9 @@ std::string line_with_bar(double done, const std::vector<std::string>& parts,
     std::string words;
     for (const std::string& part : parts)
         if (words.empty() ||
-            columns_of(words) + columns_of(part) + least + 2 <= width)
+            count_columns(words) + count_columns(part) + least + 2 <= width)
             words += (words.empty() ? "" : ", ") + part;
-    const std::size_t columns = columns_of(words);
+    const std::size_t columns = count_columns(words);
     if (columns + least > width) return fmt::format("{:.{}}", words, width);
     const std::size_t bar = std::min(width - columns, most) - 3;
     const auto full = static_cast<std::size_t>(std::clamp(done, 0., 1.) *
@@ -101,7 +102,7 @@ class ProgressLog::CaseWatcher : public Watcher {
                        const GenerationSummary& summary) override {
         entry_.generation = generation;
         entry_.plants += plants;
-        // The largest number of a study is no result of it.
+        // The largest objective in a sensitivity study is not a result.
         const bool is_study = log_.campaign_.search.design.has_value();
         if (!is_study) entry_.best = summary.expected_best;
         if (!std::isnan(summary.hypervolume))
@@ -109,8 +110,8 @@ class ProgressLog::CaseWatcher : public Watcher {
                                   summary.hypervolume_standard_error};
         to_evaluate_ = log_.most_plants() - entry_.plants;
         std::string line = fmt::format(
-            "{}  generation {}, {} of {} plants, {} left, {:.1f} "
-            "evaluations/s",
+            "{}  generation {}, {} of {} plants, time left {}, {:.1f} "
+            "evaluations per second",
             entry_.name, generation, entry_.plants, log_.most_plants(),
             log_.time_left(), log_.evaluations_per_second());
         if (!is_study)
@@ -124,16 +125,15 @@ class ProgressLog::CaseWatcher : public Watcher {
 
     void on_final(const std::string& reason) override {
         to_evaluate_ = 0;
-        // The bar that several cases share is updated.
+        // The live line of several cases shows this already.
         if (log_.columns_ > 0 && log_.cases_ > 1) return;
-        log_.print(
-            log_.campaign_.search.design
-                ? fmt::format("{}  all rows are evaluated; evaluating the "
-                              "baseline",
-                              entry_.name)
-                : fmt::format("{}  ended by {}; evaluating finalists with "
-                              "fresh random numbers",
-                              entry_.name, in_words(reason)));
+        log_.print(log_.campaign_.search.design
+                       ? fmt::format("{}  all rows of the design are "
+                                     "evaluated; evaluating the baseline",
+                                     entry_.name)
+                       : fmt::format("{}  reached {}; re-evaluating finalists "
+                                     "with independent random numbers",
+                                     entry_.name, in_words(reason)));
     }
 
   private:
@@ -144,9 +144,9 @@ class ProgressLog::CaseWatcher : public Watcher {
 
 std::string certainty(bool is_evaluated_again, double violation) {
     return fmt::format(
-        "({}evaluated again{})", is_evaluated_again ? "" : "not ",
+        "({}re-evaluated{})", is_evaluated_again ? "" : "not ",
         violation > 0
-            ? fmt::format("; fails its constraints by {:.3g}", violation)
+            ? fmt::format("; violates its constraints by {:.3g}", violation)
             : "");
 }
 
@@ -202,9 +202,10 @@ long long ProgressLog::left() const {
     return left;
 }
 
-//! Returns the most time left, or nothing at first, when starting dominates.
+//! Returns an upper limit of the remaining time, or "?" shortly after the
+//! start.
 std::string ProgressLog::time_left() const {
-    constexpr double first = 2;  // time of the start [s]
+    constexpr double first = 2;  // time before rates are meaningful [s]
     return evaluations_ > 0 && now() - started_ > first
                ? format_duration(static_cast<double>(left()) /
                                  evaluations_per_second())
@@ -220,11 +221,11 @@ std::string ProgressLog::best_of(const Entry& entry) const {
         entry.hypervolume ? ", hypervolume " + format(*entry.hypervolume) : "");
 }
 
-//! Shows the live line, with the first case for all in flight. On a narrow
-//! terminal less important parts are left out, and a bar fills the rest: a line
-//! that wraps could not be overwritten.
+//! Shows the live line, with data of the first case in flight. On a narrow
+//! terminal less important parts are left out, since a line that wraps could
+//! not be overwritten.
 void ProgressLog::show_live() {
-    constexpr double calm = 0.1;  // time between two lines [s]
+    constexpr double calm = 0.1;  // shortest time between updates [s]
     if (columns_ == 0 || level_ < LogLevel::info || in_flight_.empty() ||
         now() - shown_ < calm)
         return;
@@ -232,12 +233,12 @@ void ProgressLog::show_live() {
     std::vector<std::string> parts;
     if (cases_ > 1)
         parts.push_back(fmt::format("{} of {} cases done", ended_, cases_));
-    parts.push_back(time_left() + " left");
+    parts.push_back("time left " + time_left());
     if (entry.best) parts.push_back(best_of(entry));
     parts.push_back(
         fmt::format("{} of {} plants", entry.plants, most_plants()));
     parts.push_back(
-        fmt::format("{:.1f} evaluations/s", evaluations_per_second()));
+        fmt::format("{:.1f} evaluations per second", evaluations_per_second()));
     parts.push_back(entry.name);
     const double done = evaluations_;
     fmt::print(

@@ -15,8 +15,8 @@
 
 namespace ideotype {
 
-//! Reports the evolution of a job's cases: one live line for all cases in
-//! flight on a terminal, one line per generation and case in a log file.
+//! Reports the progress of the cases of a job: on a terminal one live line for
+//! all cases in flight, in a log file one line per generation and case.
 class ProgressLog {
   public:
     //! Makes a log; all arguments must outlive it.
@@ -28,21 +28,22 @@ class ProgressLog {
     ProgressLog& operator=(const ProgressLog&) = delete;
 
     //! Begins or resumes a case. The log must outlive the watcher.
-    //! @param generation first generation that is not complete
+    //! @param generation first incomplete generation
     //! @param plants number of plants of complete generations
     std::unique_ptr<Watcher> watch(const Case& chosen, std::uint32_t generation,
                                    long long plants);
 
-    //! Notes that a case has ended, even without a watcher.
+    //! Records the end of a case, also of one without a watcher.
     void end(const Case& chosen);
 
     bool is_on_terminal() const { return columns_ > 0; }
 
-    //! Prints permanent lines above the live line, with the time in a log file.
-    //! Warnings and errors go to the standard error if nothing else is printed.
+    //! Prints permanent lines above the live line, with a time stamp in a log
+    //! file. If only warnings and errors are printed, they go to the standard
+    //! error.
     void print(const std::string& text, LogLevel level = LogLevel::info);
 
-    //! Prints a result, which is printed at any level.
+    //! Prints a result, at any log level.
     void print_result(const std::string& text);
 
   private:
@@ -56,13 +57,13 @@ class ProgressLog {
         std::optional<Estimate> best, hypervolume;
     };
 
-    //! Returns the number of plants of a case that no other rule ends.
+    //! Returns the number of plants of a case that reaches stop.generations.
     long long most_plants() const {
         return static_cast<long long>(campaign_.stop.generations) *
                campaign_.search.population;
     }
     double evaluations_per_second() const;
-    //! Returns the largest number of evaluations that are left.
+    //! Returns the largest number of remaining evaluations.
     long long left() const;
     std::string time_left() const;
     std::string best_of(const Entry& entry) const;
@@ -71,40 +72,43 @@ class ProgressLog {
     const Campaign& campaign_;
     LogLevel level_;
     int columns_;           //!< columns of the terminal; 0 for a log file
-    bool is_live_ = false;  //!< tells whether the live line is shown
+    bool is_live_ = false;  //!< whether the live line is shown
     double started_;
     double shown_ = 0;
-    int evaluations_ = 0;                   //!< evaluations of this session
-    int cases_;                             //!< cases of this session
-    int ended_ = 0;                         //!< number of ended cases
-    std::map<int, Entry> in_flight_;        //!< cases by index
-    std::map<int, long long> to_evaluate_;  //!< most evaluations left, by case
+    int evaluations_ = 0;             //!< evaluations of this session
+    int cases_;                       //!< cases of this session
+    int ended_ = 0;                   //!< number of ended cases
+    std::map<int, Entry> in_flight_;  //!< cases by index
+    std::map<int, long long>
+        to_evaluate_;  //!< largest number of remaining evaluations by case
 };
 
-//! Returns words on the certainty of a best plant's figure: without another
-//! evaluation, the figure by which a plant was chosen is too high on average.
+//! Returns a note on the objective of the best plant. Unless it is
+//! re-evaluated, the value by which a plant was selected is too high on average
+//! (selection bias).
 //! @param violation violation of the constraints by the plant
 std::string certainty(bool is_evaluated_again, double violation);
 
-//! Returns "12.345 ± 0.012", a number and half of its 95 % confidence interval,
-//! which decides the digits; "0" for zero but for rounding.
+//! Returns "12.345 ± 0.012": a number and half of its 95 % confidence interval,
+//! which sets the number of digits. Returns "0" for zero up to rounding.
 std::string format(Estimate x);
 
-//! Returns a number followed by its unit, which is left out if it is "1".
+//! Returns a number followed by its unit unless that is "1".
 std::string with_unit(const std::string& number, const std::string& unit);
 
 //! Returns "1:02:03" or "2:03".
 std::string format_duration(double seconds);
 
-//! Returns a line of a largest width: a bar for the done share (0 to 1), and
-//! words. Parts without room are left out, the last ones first.
+//! Returns a progress bar and parts of text within a given width. Parts that do
+//! not fit are left out, the last ones first.
+//! @param done completed fraction, 0 to 1
 std::string line_with_bar(double done, const std::vector<std::string>& parts,
                           std::size_t width);
 
-//! Returns the time, such as "2025-08-07T12:00:00Z".
+//! Returns the current time, such as "2025-08-07T12:00:00Z".
 std::string utc_now();
 
-//! Returns the seconds of a steady clock.
+//! Returns the time of a steady clock [s].
 double now();
 
 }  // namespace ideotype

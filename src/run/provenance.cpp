@@ -65,10 +65,10 @@ void require_same_campaign(const HistoryHeader& header,
                                      campaign.spec, chosen);
     if (!changed.empty())
         throw Error(
-            fmt::format("{}: the campaign has changed since this history was "
-                        "begun:\n  {}\nUndo the change, or write to another "
-                        "folder with --out",
-                        path, fmt::join(changed, "\n  ")),
+            fmt::format(
+                "{}: the campaign has changed since this history was begun:\n  "
+                "{}\nUndo the changes, or write to another folder with --out",
+                path, fmt::join(changed, "\n  ")),
             ExitCode::refused);
     if (header.text.at("case") != chosen.name || header.seed != chosen.seed)
         throw Error(fmt::format("{}: this is the history of case {}, not {}",
@@ -78,7 +78,7 @@ void require_same_campaign(const HistoryHeader& header,
 
 namespace {
 
-// Refuses a history of another program; facts that an older history lacks are
+// Refuses a history of another program. Facts missing from an older history are
 // not compared.
 void require_same_program(const HistoryHeader& header,
                           const std::string& path) {
@@ -91,11 +91,11 @@ void require_same_program(const HistoryHeader& header,
     }
     if (!changed.empty())
         throw Error(
-            fmt::format("{}: this program would not go on with the same bits "
-                        "as the one that began this history:\n  {}\nResume it "
-                        "with what began it, or write to another folder with "
-                        "--out",
-                        path, fmt::join(changed, "\n  ")),
+            fmt::format(
+                "{}: this program would not continue this history with the "
+                "same bits as the one that began it:\n  {}\nResume it with the "
+                "original program, or write to another folder with --out",
+                path, fmt::join(changed, "\n  ")),
             ExitCode::refused);
 }
 

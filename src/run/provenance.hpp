@@ -8,19 +8,19 @@
 
 namespace ideotype {
 
-//! Returns the header of a case's history, with its provenance.
+//! Returns the header of the history of a case, with its provenance.
 HistoryHeader header_of(const Campaign& campaign, const Case& chosen,
                         const std::string& isa);
 
-//! Refuses a history of another case, and one of a campaign that differs in
-//! anything that affects the case; cases may have been added.
+//! Refuses a history of another case, or of a campaign with any difference that
+//! affects the case. Added cases are allowed.
 //! @throws Error (refused) that names each difference.
 void require_same_campaign(const HistoryHeader& header,
                            const Campaign& campaign, const Case& chosen,
                            const std::string& path);
 
-//! Refuses to resume a history that another campaign, case, program, compiler,
-//! ray tracer or C library wrote.
+//! Refuses to resume a history written for another campaign or case, or by
+//! another program, compiler, ray tracer or C library.
 //! @throws Error (refused) that names each difference.
 void require_resumable(const HistoryHeader& header, const Campaign& campaign,
                        const Case& chosen, const std::string& path);
@@ -28,7 +28,7 @@ void require_resumable(const HistoryHeader& header, const Campaign& campaign,
 //! Returns the record of this start of the program.
 SessionRecord session_record(const std::string& command, int ranks);
 
-//! Returns a line for each fact about the program and its libraries.
+//! Returns the text of --version.
 std::string version_text();
 
 }  // namespace ideotype

@@ -24,14 +24,15 @@ namespace fs = std::filesystem;
 namespace {
 
 Cases chosen_cases(const RunOptions& options, const Campaign& campaign) {
-    const Cases all = cases(campaign);
+    const Cases campaign_cases = cases(campaign);
     return options.case_index
-               ? all.only(*options.case_index, options.campaign_path)
-               : all;
+               ? campaign_cases.only(*options.case_index, options.campaign_path)
+               : campaign_cases;
 }
 
-//! Returns the instruction set of the histories to resume, which keeps the bits
-//! of results, or nothing without histories. Refuses to overwrite a history.
+//! Returns the instruction set of the histories to resume, or nothing without
+//! histories. Using it again keeps results bit-identical. Refuses to overwrite
+//! a history.
 std::optional<std::string> isa_of_histories(const RunOptions& options,
                                             const Campaign& campaign,
                                             const Cases& chosen) {
@@ -40,12 +41,11 @@ std::optional<std::string> isa_of_histories(const RunOptions& options,
         const std::string path = path_of(options.out, campaign, chosen.name(i));
         if (!history_exists(path)) continue;
         if (!options.is_resumed)
-            throw Error(
-                fmt::format("{}: this history exists already, and a run never "
-                            "overwrites; add --resume to go on with it, or "
-                            "choose another folder with --out",
-                            path),
-                ExitCode::refused);
+            throw Error(fmt::format("{}: this history exists already and is "
+                                    "not overwritten; add --resume to continue "
+                                    "it, or choose another folder with --out",
+                                    path),
+                        ExitCode::refused);
         const HistoryHeader header = History::header_of(path);
         require_resumable(header, campaign, chosen[i], path);
         const std::string& isa = header.text.at("isa");
@@ -59,7 +59,7 @@ std::optional<std::string> isa_of_histories(const RunOptions& options,
             throw Error(
                 fmt::format(
                     "{}: this history was begun with instruction set {}, other "
-                    "cases with {}; resume them one by one with --case",
+                    "cases with {}; resume them one at a time with --case",
                     path, isa, *common),
                 ExitCode::refused);
         common = isa;
@@ -67,7 +67,7 @@ std::optional<std::string> isa_of_histories(const RunOptions& options,
     return common;
 }
 
-//! Checks all that could prevent the job, before any work.
+//! Makes all checks that could refuse the job, before any work.
 Start prepare(const RunOptions& options, const Campaign& campaign,
               const std::vector<Machine>& machines) {
     const Cases chosen = chosen_cases(options, campaign);
@@ -75,16 +75,15 @@ Start prepare(const RunOptions& options, const Campaign& campaign,
     require_same_program(machines);
     const auto begun_with = isa_of_histories(options, campaign, chosen);
     const std::string isa =
-        begun_with
-            ? choose_isa(machines, begun_with,
-                         "this history was begun with it, resume it where all "
-                         "ranks have it")
-            : choose_isa(machines, options.isa,
-                         "name one that all ranks have with --isa");
+        begun_with ? choose_isa(machines, begun_with,
+                                "this history was begun with it; resume it "
+                                "where all ranks support it")
+                   : choose_isa(machines, options.isa,
+                                "choose with --isa one that all ranks support");
     return {isa, campaign.resolved};
 }
 
-//! The ranks and cases of one master.
+//! The ranks and the cases of one master.
 struct Crew {
     const Session& job;
     const Session& own;      //!< session of the master and its workers
@@ -111,8 +110,8 @@ ExitCode direct(const RunOptions& options, const Campaign& campaign,
         }
         bounds = sweep.bounds();
     }
-    // A hanging worker would keep MPI from ending, but other masters may still
-    // be at work.
+    // A hanging worker would block the end of MPI, but other masters may still
+    // be at work. So the job is aborted only after all masters are done.
     const bool all_answer = dispatcher->dismiss();
     crew.masters.largest(0);
     const auto counts = crew.masters.gather(to_text(bounds));
@@ -121,6 +120,7 @@ ExitCode direct(const RunOptions& options, const Campaign& campaign,
         crew.job.abort(static_cast<int>(code));
     }
     if (failure) throw Error(*failure);
+    // Rank 0 prints the notes on all searches, and the next command.
     if (code == ExitCode::ok && crew.job.rank() == 0 &&
         options.level >= LogLevel::info) {
         const std::string path =
@@ -136,8 +136,8 @@ ExitCode direct(const RunOptions& options, const Campaign& campaign,
                 "{}\n",
                 campaign.spec.replicates == 1
                     ? one_seed
-                    : fmt::format("± is half of a 95 % interval of the "
-                                  "light's noise; {} adds the differences "
+                    : fmt::format("± is half of a 95 % confidence interval of "
+                                  "light noise only; {} adds the differences "
                                   "between searches",
                                   quoted({"ideotype", "summary", folder})));
         fmt::print("next: {}\n", is_study
@@ -156,17 +156,18 @@ Genome best_of_history(const GeneSpace& genes, Genome start,
     const std::size_t best = best_finalist(history, finalists);
     if (best == 0)
         throw Error(path +
-                    ": this history has no plant that was evaluated again; let "
-                    "its run end, or begin with a plant file");
-    const Genome& found = finalists[best].candidate.genome;
+                    ": this history has no re-evaluated plant; let its run "
+                    "finish, or start from a plant file");
+    const Genome& best_genome = finalists[best].candidate.genome;
     for (std::size_t i = 0; i < genes.size(); ++i)
         for (std::size_t j = 0; j < header.genes.size(); ++j)
-            if (header.genes[j].name == genes[i].name) start[i] = found[j];
+            if (header.genes[j].name == genes[i].name)
+                start[i] = best_genome[j];
     return start;
 }
 
-//! Returns the setting "search.start=[...]" for a plant: by the measures of a
-//! crop file, or the genes of a history's best finalist. Unknown genes are
+//! Returns the setting "search.start=[...]" for a plant: from the measures of a
+//! crop file, or the genes of the best finalist of a history. Missing genes are
 //! those of the baseline.
 //! @throws Error if the file cannot be read or has no finalist.
 //! @throws InputError with all problems of a crop file.
@@ -181,7 +182,7 @@ std::string start_setting(const Campaign& campaign, const std::string& path) {
         if (crop.baseline.leaves.size() != campaign.crop.baseline.leaves.size())
             throw Error(
                 fmt::format("{}: this plant has {} leaves (the campaign's "
-                            "baseline has {}); begin with another plant",
+                            "baseline has {}); start from another plant",
                             path, crop.baseline.leaves.size(),
                             campaign.crop.baseline.leaves.size()));
         std::ranges::copy(baseline_numbers(crop), start.begin());
@@ -215,7 +216,7 @@ Start agree(const Session& session, const std::function<Start()>& make) {
         } catch (...) {
             failure = std::current_exception();
         }
-    // An empty text tells other ranks to leave.
+    // On an empty text other ranks leave.
     start.isa = session.broadcast(start.isa);
     if (failure) std::rethrow_exception(failure);
     if (!start.isa.empty()) start.resolved = session.broadcast(start.resolved);
@@ -227,12 +228,14 @@ AnswerRules answer_rules(const Campaign& campaign) {
 }
 
 ExitCode run(const RunOptions& options, const Session& session, StopFlag& stop,
-             const Machine& own) {
+             const Machine& machine) {
+    // Collect the machines of all ranks, and agree on campaign and instruction
+    // set.
     if (options.wall_time) stop.request_after(*options.wall_time);
-    const std::vector<Machine> machines = gather_machines(session, own);
+    const std::vector<Machine> machines = gather_machines(session, machine);
     const int threads = threads_per_rank(session, options.threads);
     std::optional<Campaign> campaign;
-    // Only rank 0 accesses files.
+    // Only rank 0 reads files.
     const auto [isa, resolved] = agree(session, [&] {
         campaign = read_with_start(options);
         print_warnings(*campaign, Log(options.level));
@@ -241,6 +244,7 @@ ExitCode run(const RunOptions& options, const Session& session, StopFlag& stop,
     if (isa.empty()) return ExitCode::ok;
     if (!campaign) campaign = parse_campaign(resolved, options.campaign_path);
 
+    // Divide ranks and cases among masters.
     std::deque<CanopyEvaluator> own_evaluators;
     Evaluators evaluators;
     for (int i = 0; i < threads; ++i)

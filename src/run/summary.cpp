@@ -30,11 +30,13 @@ std::size_t best_finalist(const History& history,
 
 namespace {
 
-//! Returns words on the reason for an end; the end of the design of a study
-//! needs no reason.
+//! Returns a note on the stop rule that ended a case; none for a study with a
+//! complete design.
 std::string ended_by(const CaseResult& result) {
     const bool is_whole = result.is_study && result.reason == all_generations;
-    return result.reason && !is_whole ? " by " + in_words(*result.reason) : "";
+    return result.reason && !is_whole
+               ? fmt::format(" (reached {})", in_words(*result.reason))
+               : "";
 }
 
 Estimate quantity(const History& history, const Row& row,
@@ -48,34 +50,35 @@ double lai_of(const History& history, const Row& row) {
     return quantity(history, row, "lai").mean;
 }
 
-//! Returns the mean of b - a over randomisations that both plants share, with
-//! units and relative to a.
+//! Returns the mean of b - a over common randomisations (a paired difference),
+//! with unit, and relative to a.
 std::string gain(const Outcome& a, const Outcome& b, const std::string& unit) {
-    const std::string found = with_unit(format(difference(a, b)), unit);
-    if (!(a.objectives.front().mean > 0)) return found;
-    return fmt::format(
-        "{} = {} %", found,
-        format(relative_gain(randomisations_of(a), randomisations_of(b))));
+    const std::string gain_text = with_unit(format(difference(a, b)), unit);
+    if (!(a.objectives.front().mean > 0)) return gain_text;
+    return fmt::format("{} = {} %", gain_text,
+                       format(relative_gain(select_randomisations(a),
+                                            select_randomisations(b))));
 }
 
-//! Returns a gain beside that of leaf area, which may explain much of it.
+//! Returns the gain over the baseline and the leaf area indices of both plants,
+//! since leaf area may explain much of a gain.
 std::string gain_with_lai(const History& history, const Row& baseline,
                           const Row& best) {
     const Objective& objective = history.header().schema.objectives.front();
-    return fmt::format("gain {}, with LAI {:.2f} instead of {:.2f}",
+    return fmt::format("gain {}, LAI {:.2f} (baseline {:.2f})",
                        gain(baseline.outcome, best.outcome, objective.unit),
                        lai_of(history, best), lai_of(history, baseline));
 }
 
-//! Returns a warning of a leaf area that no field has, or "".
-std::string doubt_of(const std::string& what, double lai) {
+//! Returns a warning about an unrealistic leaf area, or "".
+std::string doubt_of(const std::string& subject, double lai) {
     const std::string doubt = doubt_of_lai(lai);
-    return doubt.empty()
-               ? ""
-               : fmt::format(
-                     "{} {}; limit [constraints] lai, or breed for "
-                     "carbon_balance, in which leaf area has its price",
-                     what, doubt);
+    return doubt.empty() ? ""
+                         : fmt::format(
+                               "{} {}; limit [constraints] lai, or maximise "
+                               "carbon_balance, which includes the leaf "
+                               "construction cost",
+                               subject, doubt);
 }
 
 //! Returns the origin of a row of /evaluations.
@@ -87,8 +90,8 @@ Origin origin_of(const History& history, std::int64_t row) {
         .candidate.origin;
 }
 
-//! Returns a text with the number of leaders of an atlas and of those that were
-//! evaluated again before the final; "" for other searches.
+//! Returns a text with the number of leaders of an atlas (MAP-Elites archive)
+//! and of those re-evaluated during the search; "" for other searches.
 //! @param leaders rows of the baseline, then of finalists
 std::string atlas_of(const History& history, const Spec& spec,
                      const std::vector<Row>& leaders) {
@@ -99,8 +102,8 @@ std::string atlas_of(const History& history, const Spec& spec,
                    Origin::elite;
         });
     return fmt::format(
-        ", the best of {} kinds of plants, {} of them confirmed by evaluating "
-        "again in the search",
+        ", the best of {} kinds of plants, {} of them confirmed by "
+        "re-evaluation during the search",
         leaders.size() - 1, confirmed);
 }
 
@@ -123,7 +126,8 @@ void add_finalists(const History& history, const Spec& spec,
     if (has_front) {
         for (std::size_t i = 1; i < finalists.size(); ++i)
             lai = std::max(lai, lai_of(history, finalists[i]));
-        result.gain = fmt::format("front of {}", finalists.size() - 1);
+        result.gain =
+            fmt::format("Pareto front of {} plants", finalists.size() - 1);
     } else if (finalists[0].outcome.status == Status::done) {
         result.gain = gain_with_lai(history, finalists[0], finalists[best]) +
                       atlas_of(history, spec, finalists);
@@ -134,7 +138,7 @@ void add_finalists(const History& history, const Spec& spec,
         result.bounds.add(history.header().genes, plant);
     }
     result.doubt =
-        doubt_of(has_front ? "a plant of the front" : "this plant", lai);
+        doubt_of(has_front ? "a plant of the Pareto front" : "this plant", lai);
 }
 
 }  // namespace
@@ -154,9 +158,9 @@ CaseResult result_of(const History& history) {
     const auto summaries = history.summaries();
     result.complete = static_cast<double>(summaries.size());
     result.plants = static_cast<double>(history.plants());
-    for (const GenerationSummary& each : summaries) {
-        result.failures += each.failures;
-        result.evaluations += each.evaluations;
+    for (const GenerationSummary& generation : summaries) {
+        result.failures += generation.failures;
+        result.evaluations += generation.evaluations;
     }
     add_finalists(history, spec, result);
     if (summaries.empty()) return result;
@@ -169,7 +173,7 @@ CaseResult result_of(const History& history) {
     const auto generation = static_cast<std::uint32_t>(summaries.size() - 1);
     const Row best = history.row(generation, last.best_slot);
     if (best.outcome.status == Status::done)
-        result.best = shrunken(history.generation(generation), last.best_slot);
+        result.best = shrink(history.generation(generation), last.best_slot);
     result.violation = best.outcome.violation;
     result.doubt = doubt_of("this plant", lai_of(history, best));
     return result;
@@ -229,11 +233,12 @@ std::string left_to_gain(const History& history, const Campaign& campaign) {
     const bool is_saturated =
         left.mean <= normal_95 * part("absorbed_fraction").standard_error;
     return fmt::format(
-        "\nat most {} of the incident light is left to gain{}", format(left),
-        is_saturated ? ", within the error: leaves cannot take more, "
-                       "and what evolved beyond is luck; see [objective] and "
-                       "[constraints]"
-                     : ", which other organs and soil take");
+        "\nat most {} of the incident light remains to be gained{}",
+        format(left),
+        is_saturated
+            ? ", which is within the error: leaves cannot absorb more, and "
+              "further gains are noise; see [objective] and [constraints]"
+            : ": other organs and the soil absorb it");
 }
 
 }  // namespace ideotype

@@ -43,7 +43,7 @@ bool Sweep::evolve(Dispatcher& dispatcher) {
         dispatcher.run(*this);
     } catch (const Error& error) {
         throw Error(
-            fmt::format("{}\ngo on with\n  {}", error.what(),
+            fmt::format("{}\nresume with\n  {}", error.what(),
                         way_on(options_.command, ranks_, options_.launcher)),
             error.exit_code());
     }
@@ -67,9 +67,10 @@ bool Sweep::start_next() {
     return true;
 }
 
-void Sweep::on_silence(const Task& task, const std::string& what) {
-    progress_.print(cases(campaign_).name(task.case_index).name + "  " + what,
-                    LogLevel::warning);
+void Sweep::on_silence(const Task& task, const std::string& message) {
+    progress_.print(
+        cases(campaign_).name(task.case_index).name + "  " + message,
+        LogLevel::warning);
 }
 
 void Sweep::on_stop(int in_flight) {
@@ -83,11 +84,12 @@ void Sweep::on_stop(int in_flight) {
                               : "")
             : "";
     progress_.print(
-        fmt::format("{}go on with\n  {}", pending,
+        fmt::format("{}resume with\n  {}", pending,
                     way_on(options_.command, ranks_, options_.launcher)));
 }
 
-//! Keeps the case, which nothing else keeps, while it evolves.
+//! Evolves a case and records its failure. The parameter is a copy, since it
+//! must live as long as this coroutine.
 Routine<Ending> Sweep::evolve_guarded(Case chosen) {
     try {
         const Ending ending = co_await evolve_one(chosen);
@@ -116,7 +118,7 @@ Routine<Ending> Sweep::evolve_one(const Case& chosen) {
             *dispatcher_, *watcher, [began] { return now() - began; }};
         const Ending ending = co_await evolve_case(evolution, history);
         if (ending == Ending::drained) {
-            // The file may have been deleted since its last write.
+            // Reports a file that was deleted since its last write.
             history.require_in_place();
             history.close();
             co_return ending;
@@ -141,8 +143,8 @@ Routine<Ending> Sweep::evolve_one(const Case& chosen) {
     co_return Ending::finished;
 }
 
-//! Prints a line about one of several cases that has ended. Cases that were
-//! finished before, or are too many for a terminal, are only counted.
+//! Prints a line about an ended case. Cases finished before, or too many for a
+//! terminal, are only counted.
 void Sweep::tell(const CaseResult& result, const std::string& name,
                  bool was_finished) {
     before_ += was_finished ? 1 : 0;
@@ -157,11 +159,11 @@ void Sweep::tell(const CaseResult& result, const std::string& name,
 void Sweep::tell_together() {
     if (doubts_ > 0)
         progress_.print(
-            doubt_ +
-                (doubts_ == 1
-                     ? std::string()
-                     : fmt::format("; so have best plants of {} other cases",
-                                   doubts_ - 1)),
+            doubt_ + (doubts_ == 1
+                          ? std::string()
+                          : fmt::format(
+                                "; likewise the best plants of {} other cases",
+                                doubts_ - 1)),
             LogLevel::warning);
     if (before_ > 0)
         progress_.print(fmt::format("{} of {} cases were finished before",
@@ -181,8 +183,8 @@ History Sweep::open_history(const Case& chosen) const {
     return History::create(path, header_of(campaign_, chosen, isa_));
 }
 
-//! Opens the history of a case to resume it. Another job may have begun the
-//! case after the check of this job.
+//! Opens the history of a case to resume it. It is checked again, since another
+//! job may have begun the case after the first check.
 History Sweep::resume_history(const Case& chosen,
                               const std::string& path) const {
     History history = History::resume(path);
@@ -190,43 +192,41 @@ History Sweep::resume_history(const Case& chosen,
     const std::string& isa = history.header().text.at("isa");
     if (isa != isa_)
         throw Error(
-            fmt::format(
-                "{}: this history was begun with instruction set {}, but this "
-                "job works with {}; resume it by itself with --case {}",
-                path, isa, isa_, chosen.index),
+            fmt::format("{}: this history was begun with instruction set {}, "
+                        "but this job uses {}; resume it alone with --case {}",
+                        path, isa, isa_, chosen.index),
             ExitCode::refused);
     return history;
 }
 
-//! Notes a case on which another job works, which is no failure unless it is
+//! Records a case on which another job works. This is a failure only if it is
 //! the only case.
 void Sweep::note_in_use(const Case& chosen, const InUseError& error) {
     if (chosen_.size() == 1) return note_failure(chosen, error);
     in_use_.push_back(chosen.name);
     progress_.end(chosen);
-    progress_.print(
-        fmt::format("{}  passed over: {}", chosen.name, error.what()),
-        LogLevel::warning);
+    progress_.print(fmt::format("{}  skipped: {}", chosen.name, error.what()),
+                    LogLevel::warning);
 }
 
-//! Keeps the handled exception. A reason outside the case, such as a full disk,
-//! stops all other cases too.
+//! Stores the handled exception. A cause outside the case, such as a full disk,
+//! also stops all other cases.
 void Sweep::note_failure(const Case& chosen, const std::exception& error) {
     failures_.push_back(
-        {chosen.name, reason_of(error), std::current_exception()});
+        {chosen.name, describe_exception(error), std::current_exception()});
     progress_.end(chosen);
     if (chosen_.size() > 1)
-        progress_.print(
-            fmt::format("{}  failed: {}", chosen.name, reason_of(error)),
-            LogLevel::error);
-    const auto* own = dynamic_cast<const Error*>(&error);
+        progress_.print(fmt::format("{}  failed: {}", chosen.name,
+                                    describe_exception(error)),
+                        LogLevel::error);
+    const auto* known = dynamic_cast<const Error*>(&error);
     const bool is_of_case =
         dynamic_cast<const CaseError*>(&error) != nullptr ||
-        (own != nullptr && own->exit_code() == ExitCode::refused);
+        (known != nullptr && known->exit_code() == ExitCode::refused);
     if (!is_of_case) stop_.request();
 }
 
-//! Prints the cases on which other jobs work.
+//! Prints the cases on which other programs work.
 //! @throws Error (refused) if they work on all cases.
 void Sweep::report_in_use() {
     if (in_use_.empty()) return;
@@ -248,7 +248,7 @@ void Sweep::report_failures() const {
     for (const Failure& each : failures_)
         message += fmt::format("\n{}: {}", each.name, each.reason);
     throw Error(
-        fmt::format("{}\nwhen the causes are gone, go on with\n  {}", message,
+        fmt::format("{}\nwhen the causes are fixed, resume with\n  {}", message,
                     way_on(options_.command, ranks_, options_.launcher)));
 }
 

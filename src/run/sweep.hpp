@@ -13,8 +13,8 @@
 
 namespace ideotype {
 
-//! The cases of one start of the program, evolved in one job. Other cases go on
-//! if one fails by itself, and are drained if the disk fails. All references
+//! Evolves the cases of one start of the program in one job. If one case fails,
+//! the others continue; if the disk fails, they are drained. All references
 //! must outlive the sweep.
 class Sweep : public Director {
   public:
@@ -22,12 +22,12 @@ class Sweep : public Director {
           const Cases& chosen, const std::string& isa, int ranks,
           StopFlag& stop);
 
-    //! Evolves all cases until they have ended or a stop is requested; returns
-    //! false if some have not ended. @throws Error that names each failed case,
-    //! or (refused) if other jobs work on all cases.
+    //! Evolves all cases until they end or a stop is requested; returns false
+    //! if some are unfinished. @throws Error that names each failed case, or
+    //! (refused) if other jobs work on all cases.
     bool evolve(Dispatcher& dispatcher);
 
-    //! Returns the count of the best plants of searches that have ended.
+    //! Returns the bound count over the best plants of ended searches.
     const BoundCount& bounds() const { return bounds_; }
 
     bool start_next() override;

@@ -23,22 +23,24 @@ struct Leader {
     double mean() const { return sum / evaluations; }
 };
 
-//! A part of the atlas: the best known plant of one kind and a plant that seems
-//! better, until both have been evaluated in one generation.
+//! A cell of the atlas that is occupied: its best known plant, and a challenger
+//! that seems better until both have been evaluated in one generation.
 struct Niche {
     Leader leader;
     std::optional<Leader> challenger;
 };
 
-//! Finds the best plant of each kind: MAP-Elites (Mouret and Clune 2015,
-//! arXiv:1504.04909) for objectives with noise. Kinds are the cells of a grid
-//! over features such as leaf area and height; plants outside the grid are left
-//! out. Generation 0 is that of GeneticAlgorithm. Later generations are
-//! children of leaders that are drawn evenly. One evaluation cannot tell a
-//! better plant from a lucky one: a plant above the mean of a leader challenges
-//! the leader, and replaces it if it also wins in the next generation, in which
-//! both share random numbers. Leaders with the fewest evaluations are evaluated
-//! again, so that none stays by luck (adaptive sampling: Justesen et al. 2019,
+//! Finds the best plant of each kind by MAP-Elites (Mouret and Clune 2015,
+//! arXiv:1504.04909), adapted to noisy objectives. Kinds are the cells of a
+//! grid over features such as leaf area and height; plants outside the grid are
+//! ignored. Generation 0 is that of GeneticAlgorithm; later generations are
+//! children of leaders that are drawn with equal probability.
+//!
+//! A single evaluation does not distinguish a better plant from a lucky one. A
+//! plant above the mean of a leader therefore becomes its challenger, and
+//! replaces it only if it also wins in the next generation, where both share
+//! random numbers. Leaders with the fewest evaluations are re-evaluated, so
+//! that none stays by luck (adaptive sampling: Justesen et al. 2019,
 //! doi:10.1145/3319619.3321904).
 class Atlas : public GenerationalOptimizer {
   public:
@@ -54,17 +56,18 @@ class Atlas : public GenerationalOptimizer {
 
     Candidate candidate(std::uint32_t slot) override {
         IDEOTYPE_EXPECT(slot < next_size());
-        if (slot < again_.size()) return again_[slot];
-        if (leaders_.empty()) return founder(space_, seed_, generation(), slot);
+        if (slot < repeats_.size()) return repeats_[slot];
+        if (leaders_.empty())
+            return make_founder(space_, seed_, generation(), slot);
         RandomStream stream(seed_, Purpose::selection, generation(), slot);
-        const auto any = [&]() -> const Leader& {
+        const auto draw_leader = [&]() -> const Leader& {
             return *leaders_[stream.below(
                 static_cast<std::uint32_t>(leaders_.size()))];
         };
-        const Leader& mother = any();
-        const Leader& father = any();
-        return {child(mother.individual.candidate.genome,
-                      father.individual.candidate.genome, slot),
+        const Leader& mother = draw_leader();
+        const Leader& father = draw_leader();
+        return {make_child(mother.individual.candidate.genome,
+                           father.individual.candidate.genome, slot),
                 Origin::child,
                 {mother.row, father.row}};
     }
@@ -76,58 +79,60 @@ class Atlas : public GenerationalOptimizer {
                              return exceeds(a->mean(), b->mean());
                          });
         std::vector<Candidate> best;
-        for (const Leader* each : sorted)
-            if (best.size() < count) best.push_back(again(*each));
+        for (const Leader* leader : sorted)
+            if (best.size() < count) best.push_back(make_repeat(*leader));
         return best;
     }
 
   private:
-    //! Moves a plant along the line to another, and a little in any direction
-    //! (Vassiliades and Mouret 2018, doi:10.1145/3205455.3205602). The line
-    //! preserves features that both leaders share.
-    Genome child(const Genome& from, const Genome& to, std::uint32_t slot) {
-        // Step relative to the range of a gene.
+    //! Moves a plant along the line to another, and slightly in random
+    //! directions (Vassiliades and Mouret 2018, doi:10.1145/3205455.3205602).
+    //! The line preserves features that both leaders share.
+    Genome make_child(const Genome& mother, const Genome& father,
+                      std::uint32_t slot) {
+        // Standard deviation of isotropic steps, relative to the range of a
+        // gene.
         constexpr double everywhere = 0.01;
-        // Step relative to the way to the other plant.
+        // Standard deviation of steps along the line, relative to its length.
         constexpr double along_line = 0.2;
         RandomStream stream(seed_, Purpose::mutation, generation(), slot);
-        const double way = along_line * stream.normal()[0];
-        Genome genome = from;
+        const double share = along_line * stream.normal()[0];
+        Genome genome = mother;
         for (std::size_t i = 0; i < genome.size(); ++i) {
             const Gene& gene = space_.genes[i];
             const double step =
                 everywhere * (gene.upper - gene.lower) * stream.normal()[0];
             if (gene.is_free)
-                genome[i] =
-                    within(gene, from[i] + step +
-                                     way * difference(gene, from[i], to[i]));
+                genome[i] = within(
+                    gene, mother[i] + step +
+                              share * difference(gene, mother[i], father[i]));
         }
         return genome;
     }
 
     void take(Population evaluated) override {
         judge(evaluated);
-        for (std::size_t i = again_.size(); i < evaluated.size(); ++i)
-            place(evaluated[i], row_of(i));
+        for (std::size_t i = repeats_.size(); i < evaluated.size(); ++i)
+            place(evaluated[i], find_row(i));
         leaders_.clear();
         for (const auto& [cell, niche] : niches_)
             leaders_.push_back(&niche.leader);
         plan();
     }
 
-    //! Compares challengers with their leaders, and updates the figures of
-    //! other leaders. A failure is a loss.
+    //! Compares challengers with their leaders, and updates the means of other
+    //! leaders. A failed evaluation loses.
     void judge(const Population& evaluated) {
         for (std::size_t i = 0; i < cells_.size(); ++i) {
             Niche& niche = niches_.at(cells_[i]);
             const bool is_duel =
                 i + 1 < cells_.size() && cells_[i + 1] == cells_[i];
-            add(niche.leader, evaluated[i], row_of(i));
+            add(niche.leader, evaluated[i], find_row(i));
             if (!is_duel) continue;
-            const Individual& own = evaluated[i];
+            const Individual& incumbent = evaluated[i];
             const Individual& rival = evaluated[++i];
-            if (is_better(rival, own, space_.senses.front()))
-                niche.leader = first_seen(rival, row_of(i));
+            if (is_better(rival, incumbent, space_.senses.front()))
+                niche.leader = make_leader(rival, find_row(i));
             niche.challenger.reset();
         }
     }
@@ -135,23 +140,23 @@ class Atlas : public GenerationalOptimizer {
     //! Makes a feasible plant the leader of an empty niche, or a challenger of
     //! its leader.
     void place(const Individual& plant, std::int64_t row) {
-        const auto cell = cell_of(plant);
+        const auto cell = find_cell(plant);
         if (!cell) return;
-        const auto [at, is_new] =
-            niches_.try_emplace(*cell, Niche{first_seen(plant, row), {}});
+        const auto [entry, is_new] =
+            niches_.try_emplace(*cell, Niche{make_leader(plant, row), {}});
         if (is_new) return;
-        std::optional<Leader>& challenger = at->second.challenger;
+        std::optional<Leader>& challenger = entry->second.challenger;
         const double bar =
-            challenger ? challenger->mean() : at->second.leader.mean();
+            challenger ? challenger->mean() : entry->second.leader.mean();
         if (exceeds(plant.objectives.front().mean, bar))
-            challenger = first_seen(plant, row);
+            challenger = make_leader(plant, row);
     }
 
-    //! Chooses the plants to evaluate again: up to half of a generation are
-    //! leaders with challengers, up to an eighth other leaders, those with the
-    //! fewest evaluations first.
+    //! Chooses the plants to re-evaluate: up to half of a generation for
+    //! leaders with challengers, the closest pairs last, and up to an eighth
+    //! for other leaders, those with the fewest evaluations first.
     void plan() {
-        again_.clear();
+        repeats_.clear();
         cells_.clear();
         std::vector<std::pair<double, std::size_t>> duels, others;
         for (const auto& [cell, niche] : niches_)
@@ -164,49 +169,50 @@ class Atlas : public GenerationalOptimizer {
         std::sort(duels.begin(), duels.end());
         std::sort(others.begin(), others.end());
         for (const auto& [advantage, cell] : duels) {
-            if (again_.size() + 2 > next_size() / 2) break;
+            if (repeats_.size() + 2 > next_size() / 2) break;
             const Niche& niche = niches_.at(cell);
             cells_.insert(cells_.end(), 2, cell);
-            again_.push_back(again(niche.leader));
-            again_.push_back(again(*niche.challenger));
+            repeats_.push_back(make_repeat(niche.leader));
+            repeats_.push_back(make_repeat(*niche.challenger));
         }
-        const std::size_t most = again_.size() + next_size() / 8;
+        const std::size_t limit = repeats_.size() + next_size() / 8;
         for (const auto& [evaluations, cell] : others) {
-            if (again_.size() >= most) break;
+            if (repeats_.size() >= limit) break;
             cells_.push_back(cell);
-            again_.push_back(again(niches_.at(cell).leader));
+            repeats_.push_back(make_repeat(niches_.at(cell).leader));
         }
     }
 
-    //! Returns the cell of a plant that meets all constraints.
-    std::optional<std::size_t> cell_of(const Individual& plant) const {
+    //! Finds the cell of a plant that meets all constraints.
+    std::optional<std::size_t> find_cell(const Individual& plant) const {
         if (plant.status != Status::done || plant.violation > 0) return {};
         IDEOTYPE_EXPECT(plant.features.size() == settings_.axes.size());
         std::size_t cell = 0;
         for (std::size_t i = 0; i < settings_.axes.size(); ++i) {
             const AtlasAxis& axis = settings_.axes[i];
-            const double place = (plant.features[i] - axis.range.lower) /
-                                 (axis.range.upper - axis.range.lower) *
-                                 axis.cells;
-            if (!(place >= 0 && place < axis.cells)) return {};
+            const double position = (plant.features[i] - axis.range.lower) /
+                                    (axis.range.upper - axis.range.lower) *
+                                    axis.cells;
+            if (!(position >= 0 && position < axis.cells)) return {};
             cell = cell * static_cast<std::size_t>(axis.cells) +
-                   static_cast<std::size_t>(place);
+                   static_cast<std::size_t>(position);
         }
         return cell;
     }
 
-    static Leader first_seen(const Individual& plant, std::int64_t row) {
+    static Leader make_leader(const Individual& plant, std::int64_t row) {
         return {plant, row, plant.objectives.front().mean, 1};
     }
 
-    static void add(Leader& leader, const Individual& again, std::int64_t row) {
-        if (again.status != Status::done) return;
-        leader.sum += again.objectives.front().mean;
+    static void add(Leader& leader, const Individual& repeat,
+                    std::int64_t row) {
+        if (repeat.status != Status::done) return;
+        leader.sum += repeat.objectives.front().mean;
         ++leader.evaluations;
         leader.row = row;
     }
 
-    static Candidate again(const Leader& leader) {
+    static Candidate make_repeat(const Leader& leader) {
         return {leader.individual.candidate.genome,
                 Origin::elite,
                 {leader.row, no_parent}};
@@ -216,7 +222,7 @@ class Atlas : public GenerationalOptimizer {
         return is_better(a, b, space_.senses.front());
     }
 
-    std::int64_t row_of(std::size_t slot) const {
+    std::int64_t find_row(std::size_t slot) const {
         return parents_row() + static_cast<std::int64_t>(slot);
     }
 
@@ -225,9 +231,9 @@ class Atlas : public GenerationalOptimizer {
     std::uint64_t seed_;
     std::map<std::size_t, Niche> niches_;  //!< niches by cell
     std::vector<const Leader*> leaders_;   //!< leaders of all niches, by cell
-    //! The plants that the next generation evaluates again, with their cells, a
-    //! leader before its challenger.
-    std::vector<Candidate> again_;
+    //! The plants to be re-evaluated in the next generation, with their cells;
+    //! a leader precedes its challenger.
+    std::vector<Candidate> repeats_;
     std::vector<std::size_t> cells_;
 };
 
@@ -235,8 +241,8 @@ class Atlas : public GenerationalOptimizer {
 
 std::size_t count_cells(const std::vector<AtlasAxis>& axes) {
     std::size_t cells = 1;
-    for (const AtlasAxis& each : axes)
-        cells *= static_cast<std::size_t>(each.cells);
+    for (const AtlasAxis& axis : axes)
+        cells *= static_cast<std::size_t>(axis.cells);
     return cells;
 }
 

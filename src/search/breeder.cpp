@@ -13,9 +13,9 @@ namespace ideotype {
 namespace {
 
 //! Returns the spread factor of simulated binary crossover, bounded so that a
-//! child stays within `room` of the couple's mean, in units of half the
-//! parents' distance (Deb and Agrawal 1995, eq. 9 with bounds as in NSGA-II).
-double spread_factor(double u, double index, double room) {
+//! child stays within `room` of the mean of its parents, in units of half their
+//! distance (Deb and Agrawal 1995, eq. 9, with bounds as in NSGA-II).
+double compute_spread(double u, double index, double room) {
     const double power = index + 1;
     const double alpha = std::isfinite(room) ? 2 - std::pow(room, -power) : 2.0;
     return u <= 1 / alpha ? std::pow(u * alpha, 1 / power)
@@ -36,30 +36,31 @@ std::pair<double, double> cross(const Gene& gene, double a, double b, double u,
         return gene.is_circular ? endless
                                 : std::max(1.0, std::abs(bound - mean) / half);
     };
-    const double low = mean - half * spread_factor(u, index, room(gene.lower));
-    const double high = mean + half * spread_factor(u, index, room(gene.upper));
+    const double low = mean - half * compute_spread(u, index, room(gene.lower));
+    const double high =
+        mean + half * compute_spread(u, index, room(gene.upper));
     const double first = within(gene, distance > 0 ? low : high);
     const double second = within(gene, distance > 0 ? high : low);
     return {first, second};
 }
 
-//! Varies one gene by a step whose density falls off as a polynomial (Deb and
-//! Goyal 1996; steps bounded as in NSGA-II).
+//! Varies one gene by a step with a polynomial density (Deb and Goyal 1996;
+//! steps bounded as in NSGA-II).
 //! @param u random number in [0, 1)
 double mutate(const Gene& gene, double value, double u, double index) {
     const double range = gene.upper - gene.lower;
     if (range == 0) return value;
     const double power = index + 1;
-    const auto missing = [&](double room) {
-        // A circle has no bound, so no step is cut off.
+    const auto cut_off = [&](double room) {
+        // Circular genes have no bound, so no step is cut off.
         return gene.is_circular ? 0.0 : std::pow(1 - room / range, power);
     };
     double step = 0;
     if (u < 0.5) {
-        const double rest = missing(value - gene.lower);
+        const double rest = cut_off(value - gene.lower);
         step = std::pow(2 * u + (1 - 2 * u) * rest, 1 / power) - 1;
     } else {
-        const double rest = missing(gene.upper - value);
+        const double rest = cut_off(gene.upper - value);
         step = 1 - std::pow(2 * (1 - u) + (2 * u - 1) * rest, 1 / power);
     }
     return within(gene, value + step * range);
@@ -75,9 +76,10 @@ Breeder::Breeder(const GaSettings& settings, SearchSpace space,
                     settings.crossover_probability <= 1);
 }
 
-std::pair<Candidate, Candidate> Breeder::children(const Contest& contest,
-                                                  std::uint32_t generation,
-                                                  std::uint32_t slot) const {
+std::pair<Candidate, Candidate> Breeder::make_children(
+    const Contest& contest, std::uint32_t generation,
+    std::uint32_t slot) const {
+    // Tournaments select both parents.
     RandomStream selection(seed_, Purpose::selection, generation, slot);
     const Parent mother = contest(selection);
     const Parent father = contest(selection);
@@ -91,6 +93,8 @@ std::pair<Candidate, Candidate> Breeder::children(const Contest& contest,
     Candidate second{father.individual.candidate.genome,
                      Origin::child,
                      {father.row, mother.row}};
+    // Draw all random numbers of each gene, used or not, to keep the streams
+    // aligned.
     RandomStream crossover(seed_, Purpose::crossover, generation, slot);
     if (crossover.uniform() < settings_.crossover_probability)
         for (std::size_t i = 0; i < space_.genes.size(); ++i) {

@@ -14,9 +14,10 @@ namespace ideotype {
 
 namespace {
 
+//! Returns the winner of a tournament among randomly drawn contestants.
 template <class Beats>
-std::uint32_t tournament(RandomStream& stream, std::size_t size,
-                         const GaSettings& settings, Beats beats) {
+std::uint32_t hold_tournament(RandomStream& stream, std::size_t size,
+                              const GaSettings& settings, Beats beats) {
     IDEOTYPE_EXPECT(size > 0);
     const auto below = static_cast<std::uint32_t>(size);
     std::uint32_t winner = stream.below(below);
@@ -28,15 +29,16 @@ std::uint32_t tournament(RandomStream& stream, std::size_t size,
 }
 
 //! A genetic algorithm with real-valued genes. Generation 0 is the baseline in
-//! slot 0 and genomes uniform within their bounds in all others. Every later
-//! generation begins with the elites, the best distinct genomes of the parents,
-//! which are evaluated again; the rest are children of couples chosen by
-//! tournament (see Breeder). As NSGA-II (Deb et al. 2002,
-//! doi:10.1109/4235.996017) all of a generation are children. The best distinct
-//! individuals among children and parents, by front and crowding, are the next
-//! parents. Parents keep their outcomes, which may be luck: evaluating them
-//! again under their children's random numbers costs more than it gains
-//! (docs/results/searches.md).
+//! slot 0 and random genomes, uniform within their bounds, in all other slots.
+//! Every later generation begins with the elites, the best distinct genomes of
+//! the parents, which are re-evaluated; the rest are children of couples
+//! selected by tournament (see Breeder).
+//!
+//! As NSGA-II (Deb et al. 2002, doi:10.1109/4235.996017), all of a generation
+//! are children. The best distinct individuals among children and parents, by
+//! front and crowding, are the next parents. Parents keep their outcomes,
+//! although these may be lucky: re-evaluating them with the random numbers of
+//! their children costs more than it gains (docs/results/searches.md).
 class GeneticAlgorithm : public GenerationalOptimizer {
   public:
     GeneticAlgorithm(const SearchSettings& settings, SearchSpace space,
@@ -54,20 +56,21 @@ class GeneticAlgorithm : public GenerationalOptimizer {
 
     Candidate candidate(std::uint32_t slot) override {
         IDEOTYPE_EXPECT(slot < next_size());
-        if (generation() == 0) return founder(space_, seed_, 0, slot);
+        if (generation() == 0) return make_founder(space_, seed_, 0, slot);
         if (slot < elites_.size()) return elites_[slot];
         const auto first = static_cast<std::uint32_t>(
             slot - (slot - elites_.size()) % 2);  // the first of two children
         if (!couple_ || couple_->first != first) {
             const Contest contest = [&](RandomStream& stream) {
                 const std::size_t winner =
-                    tournament(stream, parents_.size(), settings_.ga,
-                               [&](std::size_t a, std::size_t b) {
-                                   return places_[a] < places_[b];
-                               });
+                    hold_tournament(stream, parents_.size(), settings_.ga,
+                                    [&](std::size_t a, std::size_t b) {
+                                        return places_[a] < places_[b];
+                                    });
                 return Parent{parents_[winner], rows_[winner]};
             };
-            couple_ = {first, breeder_.children(contest, generation(), first)};
+            couple_ = {first,
+                       breeder_.make_children(contest, generation(), first)};
         }
         return slot == first ? couple_->children.first
                              : couple_->children.second;
@@ -76,9 +79,10 @@ class GeneticAlgorithm : public GenerationalOptimizer {
     //! Returns the best distinct individuals of the next parents.
     std::vector<Candidate> best(std::size_t count) const override {
         std::vector<Candidate> best =
-            best_of(parents_, count, space_.senses, 0);
-        for (Candidate& each : best)
-            each.parents[0] = rows_[static_cast<std::size_t>(each.parents[0])];
+            select_best(parents_, count, space_.senses, 0);
+        for (Candidate& candidate : best)
+            candidate.parents[0] =
+                rows_[static_cast<std::size_t>(candidate.parents[0])];
         return best;
     }
 
@@ -90,7 +94,7 @@ class GeneticAlgorithm : public GenerationalOptimizer {
             std::move(parents_.begin(), parents_.end(),
                       std::back_inserter(evaluated));
             rows.insert(rows.end(), rows_.begin(), rows_.end());
-            select(evaluated, rows);
+            keep_best(evaluated, rows);
         }
         parents_ = std::move(evaluated);
         rows_ = std::move(rows);
@@ -103,7 +107,7 @@ class GeneticAlgorithm : public GenerationalOptimizer {
                 static_cast<std::size_t>(settings_.ga.elites), next_size()));
     }
 
-    //! Two children, of which the first is for `slot`.
+    //! Two children, the first of them for slot `first`.
     struct Couple {
         std::uint32_t first = 0;
         std::pair<Candidate, Candidate> children;
@@ -113,20 +117,20 @@ class GeneticAlgorithm : public GenerationalOptimizer {
         return settings_.optimizer == OptimizerKind::nsga2;
     }
 
-    //! Keeps the best distinct individuals of a population, if any did not
-    //! fail.
-    void select(Population& all, std::vector<std::int64_t>& rows) const {
+    //! Keeps the best distinct individuals of a population, unless all failed.
+    void keep_best(Population& population,
+                   std::vector<std::int64_t>& rows) const {
         Population selected;
-        std::vector<std::int64_t> rows_of_selected;
-        for (const std::uint32_t i :
-             best_distinct(all, static_cast<std::size_t>(settings_.population),
-                           space_.senses)) {
-            selected.push_back(all[i]);
-            rows_of_selected.push_back(rows[i]);
+        std::vector<std::int64_t> selected_rows;
+        for (const std::uint32_t i : best_distinct(
+                 population, static_cast<std::size_t>(settings_.population),
+                 space_.senses)) {
+            selected.push_back(population[i]);
+            selected_rows.push_back(rows[i]);
         }
         if (selected.empty()) return;
-        all = std::move(selected);
-        rows = std::move(rows_of_selected);
+        population = std::move(selected);
+        rows = std::move(selected_rows);
     }
 
     SearchSettings settings_;
@@ -135,9 +139,9 @@ class GeneticAlgorithm : public GenerationalOptimizer {
     Breeder breeder_;
     Population parents_;               //!< individuals that may have children
     std::vector<std::int64_t> rows_;   //!< rows of the parents
-    std::vector<std::size_t> places_;  //!< places of the parents, see places()
+    std::vector<std::size_t> places_;  //!< ranks of the parents, see places()
     std::vector<Candidate> elites_;    //!< parents that are repeated
-    std::optional<Couple> couple_;     //!< couple that was used last
+    std::optional<Couple> couple_;     //!< children made last
 };
 
 }  // namespace

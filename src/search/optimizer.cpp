@@ -19,9 +19,9 @@ namespace ideotype {
 
 namespace {
 
-//! Genomes that fill the space within their bounds evenly, independent or as
-//! points of a SobolSequence. The search learns nothing, and is the reference
-//! that every other must beat.
+//! Genomes that cover the space within their bounds, as independent random
+//! numbers or as points of a SobolSequence. It does not learn, and is the
+//! reference that every other search must beat.
 class RandomSearch : public Optimizer {
   public:
     RandomSearch(const SearchSettings& settings, SearchSpace space,
@@ -36,7 +36,7 @@ class RandomSearch : public Optimizer {
 
     std::size_t size(std::uint32_t) const override { return population_; }
 
-    //! Allows two generations under way, so that no worker waits for the last
+    //! Allows two generations in flight, so that no worker waits for the last
     //! plants of a generation.
     std::uint64_t needs(std::uint32_t generation) const override {
         return (std::max(generation, 1u) - 1) * population_;
@@ -60,19 +60,22 @@ class RandomSearch : public Optimizer {
     }
 
     void learn(Individual row) override {
-        constexpr std::size_t most = 1000;
+        constexpr std::size_t capacity = 1000;
         best_.push_back(std::move(row));
-        if (best_.size() < 2 * most) return;
+        if (best_.size() < 2 * capacity) return;
         Population best;
-        for (const std::uint32_t i : best_distinct(best_, most, space_.senses))
+        for (const std::uint32_t i :
+             best_distinct(best_, capacity, space_.senses))
             best.push_back(std::move(best_[i]));
         best_ = std::move(best);
     }
 
     //! Returns the best distinct plants of all generations, without parents.
     std::vector<Candidate> best(std::size_t count) const override {
-        std::vector<Candidate> best = best_of(best_, count, space_.senses, 0);
-        for (Candidate& each : best) each.parents = {no_parent, no_parent};
+        std::vector<Candidate> best =
+            select_best(best_, count, space_.senses, 0);
+        for (Candidate& candidate : best)
+            candidate.parents = {no_parent, no_parent};
         return best;
     }
 
@@ -81,7 +84,7 @@ class RandomSearch : public Optimizer {
     SearchSpace space_;
     std::uint64_t seed_;
     std::optional<SobolSequence> sequence_;  //!< points of free genes
-    Population best_;  //!< best rows, as many as may be asked for
+    Population best_;  //!< best rows so far, at most twice the capacity
 };
 
 std::unique_ptr<GenerationalOptimizer> make_generational(
@@ -99,9 +102,9 @@ std::unique_ptr<GenerationalOptimizer> make_generational(
     }
 }
 
-//! Independent searches whose generations take turns: generation g is of search
-//! g mod n. Each search waits for its own generations only, while those of
-//! other searches keep workers busy.
+//! Independent searches that take turns: generation g belongs to search g mod
+//! n. Each search waits only for its own generations, while those of other
+//! searches keep workers busy.
 class Streams : public Optimizer {
   public:
     Streams(const SearchSettings& settings, const SearchSpace& space,
@@ -117,7 +120,7 @@ class Streams : public Optimizer {
     }
 
     std::size_t size(std::uint32_t generation) const override {
-        return stream_of(generation).search->size(turn_of(generation));
+        return select_stream(generation).search->size(find_turn(generation));
     }
 
     std::uint64_t needs(std::uint32_t generation) const override {
@@ -128,9 +131,9 @@ class Streams : public Optimizer {
     }
 
     Candidate propose(std::uint32_t generation, std::uint32_t slot) override {
-        const Stream& stream = stream_of(generation);
-        return in_case(stream,
-                       stream.search->propose(turn_of(generation), slot));
+        const Stream& stream = select_stream(generation);
+        return renumber_parents(
+            stream, stream.search->propose(find_turn(generation), slot));
     }
 
     void learn(Individual row) override {
@@ -139,7 +142,7 @@ class Streams : public Optimizer {
         if (learnt_.empty())
             stream.first_rows.push_back(
                 {stream.rows, static_cast<std::int64_t>(rows_)});
-        const std::size_t size = stream.search->size(turn_of(generation));
+        const std::size_t size = stream.search->size(find_turn(generation));
         learnt_.push_back(row);
         stream.search->learn(std::move(row));
         ++rows_;
@@ -150,26 +153,28 @@ class Streams : public Optimizer {
     }
 
     //! Returns the best candidates of all searches in turn, beginning with the
-    //! search whose last generation has the best row.
+    //! search that has the best row in its last generation.
     std::vector<Candidate> best(std::size_t count) const override {
         Population leaders;
         std::vector<const Stream*> led;
-        for (const Stream& each : streams_) {
-            if (each.last.empty()) continue;
-            led.push_back(&each);
-            leaders.push_back(each.last[ranking(each.last, senses_).front()]);
+        for (const Stream& stream : streams_) {
+            if (stream.last.empty()) continue;
+            led.push_back(&stream);
+            leaders.push_back(
+                stream.last[ranking(stream.last, senses_).front()]);
         }
-        std::vector<std::vector<Candidate>> found;
+        // Take proposals in turn, from the leading search on.
+        std::vector<std::vector<Candidate>> proposals;
         for (const std::uint32_t i : ranking(leaders, senses_)) {
-            found.push_back(led[i]->search->best(count));
-            for (Candidate& each : found.back())
-                each = in_case(*led[i], std::move(each));
+            proposals.push_back(led[i]->search->best(count));
+            for (Candidate& candidate : proposals.back())
+                candidate = renumber_parents(*led[i], std::move(candidate));
         }
         std::vector<Candidate> best;
         for (std::size_t i = 0; i < count; ++i)
-            for (std::vector<Candidate>& each : found)
-                if (i < each.size() && best.size() < count)
-                    best.push_back(std::move(each[i]));
+            for (std::vector<Candidate>& candidates : proposals)
+                if (i < candidates.size() && best.size() < count)
+                    best.push_back(std::move(candidates[i]));
         return best;
     }
 
@@ -177,12 +182,12 @@ class Streams : public Optimizer {
     struct Stream {
         std::unique_ptr<GenerationalOptimizer> search;
         std::int64_t rows = 0;
-        //! The first row of each generation, as counted in the search and in
-        //! the case.
+        //! First row of each generation, in the numbering of the search and in
+        //! that of the case.
         std::vector<std::array<std::int64_t, 2>> first_rows{};
         Population last{};  //!< last generation
 
-        std::int64_t row_of(std::int64_t row) const {
+        std::int64_t find_row(std::int64_t row) const {
             const auto after = std::upper_bound(
                 first_rows.begin(), first_rows.end(), row,
                 [](std::int64_t r, const auto& first) { return r < first[0]; });
@@ -191,17 +196,18 @@ class Streams : public Optimizer {
         }
     };
 
-    const Stream& stream_of(std::uint32_t generation) const {
+    const Stream& select_stream(std::uint32_t generation) const {
         return streams_[generation % streams_.size()];
     }
-    std::uint32_t turn_of(std::uint32_t generation) const {
+    std::uint32_t find_turn(std::uint32_t generation) const {
         return generation / static_cast<std::uint32_t>(streams_.size());
     }
 
-    //! Returns a candidate whose parents are rows of the case.
-    static Candidate in_case(const Stream& stream, Candidate candidate) {
+    //! Converts the parents of a candidate to row numbers of the case.
+    static Candidate renumber_parents(const Stream& stream,
+                                      Candidate candidate) {
         for (std::int64_t& parent : candidate.parents)
-            if (parent != no_parent) parent = stream.row_of(parent);
+            if (parent != no_parent) parent = stream.find_row(parent);
         return candidate;
     }
 
@@ -226,19 +232,20 @@ Genome random_genome(const SearchSpace& space, std::uint64_t seed,
     return genome;
 }
 
-Candidate founder(const SearchSpace& space, std::uint64_t seed,
-                  std::uint32_t generation, std::uint32_t slot) {
+Candidate make_founder(const SearchSpace& space, std::uint64_t seed,
+                       std::uint32_t generation, std::uint32_t slot) {
     if (generation == 0 && slot == 0) return {space.baseline, Origin::baseline};
     return {random_genome(space, seed, generation, slot), Origin::random};
 }
 
 int usual_population(OptimizerKind optimizer, std::size_t free_genes) {
-    const int of_cma_es =
+    // Hansen's default population of CMA-ES.
+    const int cma_es_size =
         4 + static_cast<int>(
                 3 * std::log(std::max(1., static_cast<double>(free_genes))));
-    if (optimizer == OptimizerKind::cma_es) return of_cma_es;
-    // Two searches race, which find more with a few more plants each.
-    if (optimizer == OptimizerKind::automatic) return 5 * of_cma_es / 2;
+    if (optimizer == OptimizerKind::cma_es) return cma_es_size;
+    // Two searches race; both find more with somewhat larger populations.
+    if (optimizer == OptimizerKind::automatic) return 5 * cma_es_size / 2;
     return 100;
 }
 

@@ -13,15 +13,15 @@ namespace ideotype {
 //! The searched space of plants, and the senses of the objectives.
 struct SearchSpace {
     GeneSpace genes;
-    Genome baseline;                             //!< beginning of the search
+    Genome baseline;  //!< starting point of the search
     std::vector<Sense> senses{Sense::maximise};  //!< senses of the objectives
 };
 
-//! Proposes candidates row by row. A candidate follows from the settings, the
-//! seed and the evaluated rows 0 to needs() - 1 alone, whatever further rows
-//! are known, in whatever order they arrived. Random numbers are a function of
+//! Proposes candidates row by row. A candidate is a function of the settings,
+//! the seed and the evaluated rows 0 to needs() - 1 only; further known rows
+//! and their order of arrival have no effect. Random numbers are a function of
 //! (seed, purpose, generation, slot). To resume, a new optimizer learns the
-//! stored rows and goes on with the same bits. Rows are counted through all
+//! stored rows and continues with the same bits. Rows are numbered through all
 //! generations. The rows of a generation share random numbers and are committed
 //! together.
 class Optimizer {
@@ -33,21 +33,21 @@ class Optimizer {
     virtual std::size_t size(std::uint32_t generation) const = 0;
 
     //! Returns the number of rows that must be known before a generation can be
-    //! proposed; impossibly large while it is unknown.
+    //! proposed; the largest number while that is unknown.
     virtual std::uint64_t needs(std::uint32_t generation) const = 0;
 
     //! Returns the candidate of a slot; calls must follow the order of rows.
     virtual Candidate propose(std::uint32_t generation, std::uint32_t slot) = 0;
 
-    //! Takes the next evaluated row.
+    //! Adds the next evaluated row.
     virtual void learn(Individual row) = 0;
 
-    //! Returns the candidates to evaluate again at the end, best first. It may
-    //! be called when exactly whole generations have been learnt.
+    //! Returns the candidates for the final evaluations, best first. Call it
+    //! only when whole generations have been learnt.
     virtual std::vector<Candidate> best(std::size_t count) const = 0;
 };
 
-//! Proposes a generation at a time, from all earlier ones.
+//! Proposes one generation at a time, based on all earlier generations.
 class GenerationalOptimizer : public Optimizer {
   public:
     //! Returns the number of candidates of the next generation, which may vary.
@@ -59,7 +59,7 @@ class GenerationalOptimizer : public Optimizer {
     //! Returns all candidates of the next generation, by slot.
     std::vector<Candidate> ask();
 
-    //! Takes the evaluated candidates of the next generation, by slot.
+    //! Adds the evaluated candidates of the next generation, by slot.
     void tell(Population evaluated);
 
     std::size_t size(std::uint32_t generation) const override;
@@ -73,7 +73,7 @@ class GenerationalOptimizer : public Optimizer {
 
     //! Returns the number of the next generation.
     std::uint32_t generation() const { return generation_; }
-    //! Returns the first row of the generation that was learnt last.
+    //! Returns the first row of the last learnt generation.
     std::int64_t parents_row() const { return parents_row_; }
 
   private:
@@ -87,12 +87,12 @@ class GenerationalOptimizer : public Optimizer {
 Genome random_genome(const SearchSpace& space, std::uint64_t seed,
                      std::uint32_t generation, std::uint32_t slot);
 
-//! Returns the baseline in generation 0 and slot 0, else a random genome.
-Candidate founder(const SearchSpace& space, std::uint64_t seed,
-                  std::uint32_t generation, std::uint32_t slot);
+//! Returns the baseline for generation 0 and slot 0, else a random genome.
+Candidate make_founder(const SearchSpace& space, std::uint64_t seed,
+                       std::uint32_t generation, std::uint32_t slot);
 
-//! The following functions make an optimizer of each kind, before the first
-//! row; see their sources.
+//! The following functions make optimizers of each kind before the first row;
+//! their sources describe the algorithms.
 std::unique_ptr<GenerationalOptimizer> make_genetic_algorithm(
     const SearchSettings& settings, SearchSpace space, std::uint64_t seed);
 std::unique_ptr<GenerationalOptimizer> make_atlas(
@@ -102,7 +102,7 @@ std::unique_ptr<GenerationalOptimizer> make_cma_es(
 std::unique_ptr<GenerationalOptimizer> make_auto_search(
     const SearchSettings& settings, SearchSpace space, std::uint64_t seed);
 
-//! Returns the optimizer that the settings name, before the first row.
+//! Makes the optimizer selected by the settings, before the first row.
 std::unique_ptr<Optimizer> make_optimizer(const SearchSettings& settings,
                                           const SearchSpace& space,
                                           std::uint64_t seed);

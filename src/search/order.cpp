@@ -28,10 +28,10 @@ namespace {
 
 bool dominates(const Individual& a, const Individual& b,
                const std::vector<Sense>& senses) {
-    const bool is_told_apart = a.status == Status::failed ||
-                               b.status == Status::failed || a.violation > 0 ||
-                               b.violation > 0;
-    if (is_told_apart) return is_better(a, b, senses.front());
+    const bool is_decided = a.status == Status::failed ||
+                            b.status == Status::failed || a.violation > 0 ||
+                            b.violation > 0;
+    if (is_decided) return is_better(a, b, senses.front());
     IDEOTYPE_EXPECT(a.objectives.size() == senses.size());
     IDEOTYPE_EXPECT(b.objectives.size() == senses.size());
     bool is_better_in_one = false;
@@ -43,9 +43,9 @@ bool dominates(const Individual& a, const Individual& b,
     return is_better_in_one;
 }
 
-//! Returns the places of keys in their order; equal keys share a place.
+//! Returns the rank of each key; equal keys share a rank.
 template <class Less>
-std::vector<std::size_t> placed(std::size_t size, Less less) {
+std::vector<std::size_t> assign_places(std::size_t size, Less less) {
     std::vector<std::size_t> order(size), place(size);
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(), less);
@@ -60,6 +60,7 @@ std::vector<std::size_t> placed(std::size_t size, Less less) {
 std::vector<std::size_t> fronts(const Population& population,
                                 const std::vector<Sense>& senses) {
     const std::size_t size = population.size();
+    // Count the dominators of each individual, then remove front after front.
     std::vector<std::size_t> front(size), dominators(size);
     std::vector<std::vector<std::size_t>> dominated(size);
     for (std::size_t i = 0; i < size; ++i)
@@ -68,17 +69,17 @@ std::vector<std::size_t> fronts(const Population& population,
                 dominated[i].push_back(j);
                 ++dominators[j];
             }
-    std::vector<std::size_t> present;
+    std::vector<std::size_t> current;
     for (std::size_t i = 0; i < size; ++i)
-        if (dominators[i] == 0) present.push_back(i);
-    for (std::size_t level = 0; !present.empty(); ++level) {
+        if (dominators[i] == 0) current.push_back(i);
+    for (std::size_t level = 0; !current.empty(); ++level) {
         std::vector<std::size_t> next;
-        for (const std::size_t i : present) {
+        for (const std::size_t i : current) {
             front[i] = level;
             for (const std::size_t j : dominated[i])
                 if (--dominators[j] == 0) next.push_back(j);
         }
-        present = std::move(next);
+        current = std::move(next);
     }
     return front;
 }
@@ -112,22 +113,23 @@ std::vector<std::size_t> places(const Population& population,
                                 const std::vector<Sense>& senses) {
     IDEOTYPE_EXPECT(!senses.empty());
     if (senses.size() == 1)
-        return placed(population.size(), [&](std::size_t a, std::size_t b) {
-            return is_better(population[a], population[b], senses.front());
-        });
+        return assign_places(
+            population.size(), [&](std::size_t a, std::size_t b) {
+                return is_better(population[a], population[b], senses.front());
+            });
     const std::vector<std::size_t> front = fronts(population, senses);
     std::vector<double> distance(population.size());
     std::vector<std::vector<std::size_t>> members(population.size());
     for (std::size_t i = 0; i < population.size(); ++i)
         if (population[i].status != Status::failed)
             members[front[i]].push_back(i);
-    for (const std::vector<std::size_t>& each : members) {
-        if (each.empty()) continue;
-        const auto found = crowding(population, each, senses.size());
-        for (std::size_t i = 0; i < each.size(); ++i)
-            distance[each[i]] = found[i];
+    for (const std::vector<std::size_t>& slots : members) {
+        if (slots.empty()) continue;
+        const auto distances = crowding(population, slots, senses.size());
+        for (std::size_t i = 0; i < slots.size(); ++i)
+            distance[slots[i]] = distances[i];
     }
-    return placed(population.size(), [&](std::size_t a, std::size_t b) {
+    return assign_places(population.size(), [&](std::size_t a, std::size_t b) {
         return front[a] != front[b] ? front[a] < front[b]
                                     : distance[a] > distance[b];
     });
@@ -159,9 +161,10 @@ std::vector<std::uint32_t> best_distinct(const Population& population,
     return best;
 }
 
-std::vector<Candidate> best_of(const Population& population, std::size_t count,
-                               const std::vector<Sense>& senses,
-                               std::int64_t first_row) {
+std::vector<Candidate> select_best(const Population& population,
+                                   std::size_t count,
+                                   const std::vector<Sense>& senses,
+                                   std::int64_t first_row) {
     return mapped(best_distinct(population, count, senses),
                   [&](std::uint32_t slot) {
                       return Candidate{population[slot].candidate.genome,

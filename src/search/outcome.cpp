@@ -12,8 +12,9 @@ namespace ideotype {
 
 namespace {
 
-//! Returns the reason why one of several estimates is unusable, or "".
-std::string defect(const std::string& name, std::span<const Estimate> values) {
+//! Returns why one of several estimates is unusable, or "".
+std::string find_defect(const std::string& name,
+                        std::span<const Estimate> values) {
     for (const auto& [mean, standard_error] : values) {
         if (!std::isfinite(mean))
             return name + " is not finite (" + std::to_string(mean) + ")";
@@ -24,33 +25,34 @@ std::string defect(const std::string& name, std::span<const Estimate> values) {
     return "";
 }
 
-std::string defect(const OutcomeSchema& schema, const Outcome& outcome) {
+std::string find_defect(const OutcomeSchema& schema, const Outcome& outcome) {
     if (outcome.status == Status::failed)
         return outcome.message.empty() ? "no reason given" : outcome.message;
     if (outcome.status != Status::done)
         return "the evaluation returned without a result";
     if (!has_form(schema, outcome))
-        return "the evaluation returned other quantities than were asked for";
+        return "the evaluation returned other quantities than requested";
     const std::span<const Estimate> quantities(outcome.quantities);
-    std::string found;
-    for (std::size_t i = 0; found.empty() && i < schema.objectives.size(); ++i)
-        found = defect("objective " + schema.objectives[i].name,
-                       std::span(outcome.objectives).subspan(i, 1));
+    std::string reason;
+    for (std::size_t i = 0; reason.empty() && i < schema.objectives.size(); ++i)
+        reason = find_defect("objective " + schema.objectives[i].name,
+                             std::span(outcome.objectives).subspan(i, 1));
     std::size_t first = 0;
-    for (const Quantity& each : schema.measured.quantities) {
-        const std::size_t size = schema.measured.size(each);
-        if (found.empty())
-            found = defect(each.name, quantities.subspan(first, size));
+    for (const Quantity& quantity : schema.measured.quantities) {
+        const std::size_t size = schema.measured.size(quantity);
+        if (reason.empty())
+            reason =
+                find_defect(quantity.name, quantities.subspan(first, size));
         first += size;
     }
-    if (found.empty() &&
+    if (reason.empty() &&
         !std::all_of(outcome.randomisations.begin(),
                      outcome.randomisations.end(),
                      [](double x) { return std::isfinite(x); }))
-        found = "a randomisation of an objective is not finite";
-    if (found.empty() && !std::isfinite(outcome.violation))
-        found = "the violation of constraints is not finite";
-    return found;
+        reason = "a randomisation of an objective is not finite";
+    if (reason.empty() && !std::isfinite(outcome.violation))
+        reason = "the violation of constraints is not finite";
+    return reason;
 }
 
 }  // namespace
@@ -82,7 +84,7 @@ Outcome failed_outcome(const OutcomeSchema& schema, std::string reason) {
 }
 
 Outcome checked_outcome(const OutcomeSchema& schema, Outcome outcome) {
-    std::string reason = defect(schema, outcome);
+    std::string reason = find_defect(schema, outcome);
     if (reason.empty()) return outcome;
     Outcome failed = failed_outcome(schema, std::move(reason));
     failed.seconds = outcome.seconds;
@@ -97,21 +99,21 @@ std::optional<Estimate> find(const OutcomeSchema& schema,
     return outcome.quantities[schema.measured.offset(name)];
 }
 
-Randomisations randomisations_of(const Outcome& outcome,
-                                 std::size_t objective) {
+Randomisations select_randomisations(const Outcome& outcome,
+                                     std::size_t objective) {
     IDEOTYPE_EXPECT(objective < outcome.objectives.size());
     IDEOTYPE_EXPECT(outcome.randomisations.size() % outcome.objectives.size() ==
                     0);
     const std::size_t count =
         outcome.randomisations.size() / outcome.objectives.size();
-    const std::span<const double> every = outcome.randomisations;
+    const std::span<const double> values = outcome.randomisations;
     return {outcome.objectives[objective],
-            every.subspan(objective * count, count)};
+            values.subspan(objective * count, count)};
 }
 
 Estimate difference(const Outcome& a, const Outcome& b, std::size_t objective) {
-    return difference(randomisations_of(a, objective),
-                      randomisations_of(b, objective));
+    return difference(select_randomisations(a, objective),
+                      select_randomisations(b, objective));
 }
 
 }  // namespace ideotype

@@ -12,19 +12,20 @@
 namespace ideotype {
 
 //! The identity of an evaluation: slot, generation and case. Generation and
-//! slot also select the random numbers, so that an evaluation is a pure
-//! function of its task and genome. Outside of a run a task may ask for another
-//! seed and another accuracy.
+//! slot also select the random numbers, so an evaluation is a pure function of
+//! its task and genome. Outside of a run a task may request another seed and
+//! another accuracy.
 struct Task {
     std::uint32_t case_index = 0;
     std::uint32_t generation = 0;
     std::uint32_t slot = 0;
     std::uint32_t attempt = 1;
-    //! Tells final evaluations, with new random numbers and higher accuracy.
+    //! Whether it is a final evaluation, with new random numbers and higher
+    //! accuracy.
     bool is_final = false;
     std::optional<std::uint64_t> seed{};  //!< replaces the campaign's seed
-    //! The relative standard error of the leaves' light, at most 0.05, reached
-    //! with as few paths as possible.
+    //! Relative standard error of the leaves' light, at most 0.05, to be
+    //! reached with as few paths as possible.
     std::optional<double> tolerance{};
 
     bool operator==(const Task&) const = default;
@@ -43,10 +44,10 @@ inline bool is_recorded(Status status) {
     return status == Status::done || status == Status::failed;
 }
 
-//! The direction in which values of an objective are better.
+//! The direction in which an objective improves.
 enum class Sense { maximise, minimise };
 
-//! A quantity that is searched for, in its natural sign; it may be negative.
+//! An objective of the search, in its natural sign; it may be negative.
 struct Objective {
     std::string name;
     std::string unit;
@@ -65,9 +66,9 @@ struct OutcomeSchema {
 struct Outcome {
     Status status = Status::failed;
     std::vector<Estimate> objectives;
-    //! Each objective by randomisation [objective, randomisation]. The
-    //! randomisations of plants that share their random numbers tell the error
-    //! of a difference.
+    //! Each objective by randomisation [objective, randomisation]. Plants that
+    //! share random numbers have paired randomisations, from which the paired
+    //! standard error of their difference follows.
     std::vector<double> randomisations;
     //! The violation of constraints relative to their limits; 0 if all are met.
     double violation = 0;
@@ -92,7 +93,7 @@ struct Outcome {
     }
 };
 
-//! Returns whether an outcome has as many numbers as its schema asks for.
+//! Returns whether an outcome has as many numbers as its schema requires.
 bool has_form(const OutcomeSchema& schema, const Outcome& outcome);
 
 //! Returns an outcome of a schema, with NaN for all numbers.
@@ -101,7 +102,7 @@ Outcome unknown_outcome(const OutcomeSchema& schema);
 //! Returns a failed outcome with NaN for all numbers.
 Outcome failed_outcome(const OutcomeSchema& schema, std::string reason);
 
-//! Returns the outcome or, if any number in it is missing or not finite, a
+//! Returns the outcome; if any number in it is missing or not finite, returns a
 //! failed outcome with a reason that names the quantity.
 Outcome checked_outcome(const OutcomeSchema& schema, Outcome outcome);
 
@@ -110,12 +111,12 @@ std::optional<Estimate> find(const OutcomeSchema& schema,
                              const Outcome& outcome, const std::string& name);
 
 //! Returns an objective with its values by randomisation.
-Randomisations randomisations_of(const Outcome& outcome,
-                                 std::size_t objective = 0);
+Randomisations select_randomisations(const Outcome& outcome,
+                                     std::size_t objective = 0);
 
-//! Returns the difference of an objective of b over that of a: the mean with
-//! the standard error over shared randomisations. If they are unknown, the
-//! error is that of independent outcomes, which may only be too large.
+//! Returns the difference of an objective, b less a, with its paired standard
+//! error over shared randomisations. If these are unknown, the error is that of
+//! independent outcomes, which can only be too large.
 Estimate difference(const Outcome& a, const Outcome& b,
                     std::size_t objective = 0);
 

@@ -21,7 +21,7 @@ double wrapped(const Gene& gene, double value) {
     const double range = gene.upper - gene.lower;
     const double turns = std::floor((value - gene.lower) / range);
     const double result = value - turns * range;
-    // Rounding can put a tiny negative value to the upper end.
+    // Rounding can move a tiny negative value to the upper end.
     return result < gene.upper ? std::max(result, gene.lower) : gene.lower;
 }
 
@@ -40,9 +40,9 @@ const char* name_of(Bound bound) {
     return bound == Bound::lower ? "lower" : "upper";
 }
 
-std::optional<Bound> bound_at(const Gene& gene, double value) {
+std::optional<Bound> find_bound(const Gene& gene, double value) {
     if (gene.is_circular || !gene.is_free) return std::nullopt;
-    const double reach = beside_bound * (gene.upper - gene.lower);
+    const double reach = bound_margin * (gene.upper - gene.lower);
     if (!(reach > 0)) return std::nullopt;
     if (value <= gene.lower + reach) return Bound::lower;
     if (value >= gene.upper - reach) return Bound::upper;

@@ -19,15 +19,15 @@ struct Factor {
 };
 
 //! The rows of a sensitivity study, which are fixed before any evaluation:
-//! samples of equal numbers of rows, with all genes uniform within their
-//! bounds. For Sobol' indices a sample has two points A and B of a scrambled
-//! Sobol' sequence and, between both, A with one factor at a time from B
-//! (Saltelli et al. 2010, doi:10.1016/j.cpc.2009.09.018). By Morris (1991,
+//! samples with equal numbers of rows, all genes uniform within their bounds.
+//! For Sobol' indices a sample has two points A and B of a scrambled Sobol'
+//! sequence and, in between, A with one factor at a time from B (Saltelli et
+//! al. 2010, doi:10.1016/j.cpc.2009.09.018). By Morris (1991,
 //! doi:10.1080/00401706.1991.10484804) it is a path on a grid on which each
 //! factor makes one step, in random order. The genes of a factor change
 //! together (Campolongo et al. 2007, doi:10.1016/j.envsoft.2006.10.004). The
-//! design proposes its rows sample after sample, in place of an optimizer, and
-//! learns nothing.
+//! design replaces an optimizer: it proposes its rows sample after sample, and
+//! does not learn.
 class SensitivityDesign : public Optimizer {
   public:
     SensitivityDesign(const SensitivitySettings& settings, SearchSpace space,
@@ -42,21 +42,23 @@ class SensitivityDesign : public Optimizer {
         return factors_.size() + (is_morris ? 1 : 2);
     }
 
-    //! Returns the genome of a row of a sample.
-    //! @param place number of the row in the sample, below rows_per_sample()
-    Genome row(std::uint32_t sample, std::size_t place) const;
+    //! Makes the genome of a row of a sample.
+    //! @param number number of the row in the sample, below rows_per_sample()
+    Genome make_row(std::uint32_t sample, std::size_t number) const;
 
     std::size_t size(std::uint32_t generation) const override;
-    //! Returns so few rows that no worker waits: a thousand may be under way.
+    //! Allows a thousand rows in flight, so that no worker waits.
     std::uint64_t needs(std::uint32_t generation) const override;
     Candidate propose(std::uint32_t generation, std::uint32_t slot) override;
     void learn(Individual) override {}
-    //! Returns nothing, since no plant is the best.
+    //! Returns nothing: a design has no best plant.
     std::vector<Candidate> best(std::size_t) const override { return {}; }
 
   private:
-    std::vector<double> on_path(std::uint32_t sample, std::size_t place) const;
-    std::vector<double> in_cube(std::uint32_t sample, std::size_t place) const;
+    std::vector<double> make_path_point(std::uint32_t sample,
+                                        std::size_t row) const;
+    std::vector<double> make_cube_point(std::uint32_t sample,
+                                        std::size_t row) const;
 
     SensitivitySettings settings_;
     SearchSpace space_;
@@ -66,12 +68,12 @@ class SensitivityDesign : public Optimizer {
     SobolSequence sequence_;
 };
 
-//! The number of samples that a history keeps as one generation.
+//! The number of samples stored as one generation of a history.
 inline constexpr int samples_per_generation = 16;
 
 //! Returns the number of rows of a generation of a sensitivity study.
 int generation_size(const SensitivitySettings& settings,
                     const GeneSpace& genes);
-int generations_of(const SensitivitySettings& settings);
+int count_generations(const SensitivitySettings& settings);
 
 }  // namespace ideotype

@@ -27,7 +27,7 @@ inline constexpr std::array enum_names<OptimizerKind>{
 
 //! Settings of the genetic algorithm.
 struct GaSettings {
-    int elites = 2;      //!< parents that are kept and evaluated again
+    int elites = 2;      //!< parents that are kept and re-evaluated
     int tournament = 2;  //!< contestants per selected parent
     double crossover_probability = 0.9;  //!< probability per couple
     //! The distribution index of simulated binary crossover.
@@ -41,13 +41,13 @@ enum class SensitivityMethod {
     morris  //!< elementary effects
 };
 
-//! The grouping of genes to factors of a sensitivity study.
+//! The grouping of genes into factors of a sensitivity study.
 enum class Grouping {
     trait,  //!< all free genes of a trait together
     gene,
 };
 
-//! The settings of a sensitivity study, which choose its rows.
+//! The settings of a sensitivity study, which determine its rows.
 struct SensitivitySettings {
     SensitivityMethod method = SensitivityMethod::sobol;
     int samples = 1024;  //!< base samples, or trajectories of Morris
@@ -55,7 +55,7 @@ struct SensitivitySettings {
     Grouping groups = Grouping::trait;
 };
 
-//! A feature of plants along which an atlas has cells of equal width.
+//! A feature of plants that an atlas divides into cells of equal width.
 struct AtlasAxis {
     std::string quantity;  //!< name of the quantity, for example "lai"
     Range range{0, 1};
@@ -69,14 +69,14 @@ std::size_t count_cells(const std::vector<AtlasAxis>& axes);
 struct SearchSettings {
     OptimizerKind optimizer = OptimizerKind::automatic;
     int population = 100;  //!< usual number of candidates of a generation
-    int streams = 1;  //!< independent searches, whose generations take turns
+    int streams = 1;       //!< independent searches that take turns
     GaSettings ga;
     std::vector<double> start;      //!< first genome of CMA-ES; empty: baseline
     std::vector<AtlasAxis> axes{};  //!< axes of an atlas
-    //! The sensitivity study that proposes the rows in place of an optimizer.
+    //! A sensitivity study, which proposes the rows instead of an optimizer.
     std::optional<SensitivitySettings> design{};
-    //! The reference of the hypervolume, by objective; empty for the worst
-    //! values at the beginning.
+    //! Reference point of the hypervolume, by objective; empty: the worst
+    //! values of the first generation.
     std::vector<double> reference{};
 };
 
@@ -90,7 +90,7 @@ inline int first_generation(const SearchSettings& settings) {
     return (is_auto ? auto_design : 1) * settings.population;
 }
 
-//! Returns the usual number of plants in a generation of an optimizer.
+//! Returns the default number of plants in a generation of an optimizer.
 int usual_population(OptimizerKind optimizer, std::size_t free_genes);
 
 //! Returns whether an optimizer uses CMA-ES.

@@ -13,9 +13,9 @@ namespace {
 
 using Rows = std::vector<const Individual*>;
 
-//! Returns the number of randomisations of objective 0 that all rows share, or
-//! 0 if it is not known.
-std::size_t shared_randomisations(const Rows& rows) {
+//! Counts the randomisations of objective 0 that all rows share; 0 if not
+//! known.
+std::size_t count_shared_randomisations(const Rows& rows) {
     const auto count = [](const Individual& row) {
         return row.randomisations.size() / row.objectives.size();
     };
@@ -34,9 +34,10 @@ double error_variance(const Rows& rows) {
     return sum / static_cast<double>(rows.size());
 }
 
-//! Returns the noise variance of one row, without noise that rows share.
-double noise_variance(const Rows& rows) {
-    const std::size_t count = shared_randomisations(rows);
+//! Estimates the noise variance of one row, without the noise that rows share:
+//! a two-way analysis of variance of rows and randomisations.
+double estimate_noise(const Rows& rows) {
+    const std::size_t count = count_shared_randomisations(rows);
     if (count < 2) return error_variance(rows);
     const auto n = static_cast<double>(rows.size());
     const auto draws = static_cast<double>(count);
@@ -50,8 +51,8 @@ double noise_variance(const Rows& rows) {
         for (std::size_t r = 0; r < count; ++r)
             mean += (row->randomisations[r] - shared[r]) / draws;
         for (std::size_t r = 0; r < count; ++r) {
-            const double off = row->randomisations[r] - shared[r] - mean;
-            squares += off * off;
+            const double residual = row->randomisations[r] - shared[r] - mean;
+            squares += residual * residual;
         }
     }
     // (n - 1) (draws - 1) degrees of freedom; a row is a mean of draws.
@@ -60,14 +61,14 @@ double noise_variance(const Rows& rows) {
 
 }  // namespace
 
-Estimate shrunken(const Population& population, std::size_t chosen) {
+Estimate shrink(const Population& population, std::size_t chosen) {
     IDEOTYPE_EXPECT(population.at(chosen).status == Status::done);
     const Individual& best = population[chosen];
     Rows rows;
-    for (const Individual& each : population)
-        if (each.status == Status::done &&
-            (best.violation > 0 || !(each.violation > 0)))
-            rows.push_back(&each);
+    for (const Individual& row : population)
+        if (row.status == Status::done &&
+            (best.violation > 0 || !(row.violation > 0)))
+            rows.push_back(&row);
     const Estimate given = best.objectives.front();
     const auto n = static_cast<double>(rows.size());
     if (n < 2) return given;
@@ -76,17 +77,19 @@ Estimate shrunken(const Population& population, std::size_t chosen) {
     double squares = 0;
     for (const Individual* row : rows)
         squares += std::pow(row->objectives.front().mean - mean, 2);
-    const double spread = squares / (n - 1), noise = noise_variance(rows);
+    const double spread = squares / (n - 1), noise = estimate_noise(rows);
     const double shared = std::max(0., error_variance(rows) - noise);
     if (noise <= 0) return given;
-    // Too few rows do not separate noise from differences between plants.
+    // With too few rows, noise and differences between plants cannot be
+    // separated.
     if (n < 4) return {mean, std::sqrt(spread + shared)};
-    const double off = given.mean - mean;
-    const double taken =
+    const double deviation = given.mean - mean;
+    const double factor =
         (n - 3) / (n - 1) * (noise < spread ? noise / spread : 1);
-    const double variance = noise * (1 - (n - 1) / n * taken) +
-                            2 / (n - 3) * taken * taken * off * off;
-    return {mean + (1 - taken) * off, std::sqrt(variance + shared)};
+    const double variance =
+        noise * (1 - (n - 1) / n * factor) +
+        2 / (n - 3) * factor * factor * deviation * deviation;
+    return {mean + (1 - factor) * deviation, std::sqrt(variance + shared)};
 }
 
 }  // namespace ideotype

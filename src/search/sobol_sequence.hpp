@@ -11,10 +11,10 @@
 
 namespace ideotype {
 
-//! Points of a unit cube that fill it evenly: Owen's nested scrambling of the
-//! Sobol' sequence. Any 2^m points that begin at a multiple of 2^m are a net.
-//! Coordinates beyond sobol_dimensions are independent random numbers. Each
-//! coordinate is a pure function of (seed, point, dimension).
+//! Low-discrepancy points of a unit cube: the Sobol' sequence with Owen's
+//! nested scrambling. Any 2^m points that begin at a multiple of 2^m are a
+//! digital net. Coordinates beyond sobol_dimensions are independent random
+//! numbers. Each coordinate is a pure function of (seed, point, dimension).
 class SobolSequence {
   public:
     SobolSequence(std::uint64_t seed, std::size_t dimensions) : seed_(seed) {

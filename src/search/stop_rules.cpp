@@ -11,29 +11,31 @@ namespace ideotype {
 
 namespace {
 
-constexpr double certain = 2;  //!< number of standard errors
+constexpr double certain = 2;  //!< standard errors
 
-//! Returns whether no significant rise is seen in a line through the last
-//! means, or in the hypervolume of several objectives.
-bool gains_nothing(const std::vector<GenerationSummary>& all, int generations,
-                   Sense sense) {
+//! Returns whether there is no significant rise: neither in a regression line
+//! through the last means nor, with several objectives, in the hypervolume.
+bool gains_nothing(const std::vector<GenerationSummary>& summaries,
+                   int generations, Sense sense) {
     IDEOTYPE_EXPECT(generations > 2);
-    if (all.size() < static_cast<std::size_t>(generations)) return false;
-    const std::span last(all.end() - generations, all.end());
-    const auto is_feasible = [](const GenerationSummary& each) {
-        return each.violation == 0 && std::isfinite(each.mean);
+    if (summaries.size() < static_cast<std::size_t>(generations)) return false;
+    const std::span last(summaries.end() - generations, summaries.end());
+    const auto is_feasible = [](const GenerationSummary& summary) {
+        return summary.violation == 0 && std::isfinite(summary.mean);
     };
     if (!std::all_of(last.begin(), last.end(), is_feasible)) return false;
     const GenerationSummary& now = last.back();
     if (!std::isnan(now.hypervolume))
         return now.hypervolume - last.front().hypervolume <=
                certain * now.hypervolume_standard_error;
+    // Least-squares slope of the means, and its standard error from the
+    // scatter.
     const double n = generations;
     double mean = 0;
-    for (const GenerationSummary& each : last) mean += each.mean / n;
+    for (const GenerationSummary& summary : last) mean += summary.mean / n;
     double xx = 0, xy = 0, yy = 0, x = -(n - 1) / 2;
-    for (const GenerationSummary& each : last) {
-        const double y = each.mean - mean;
+    for (const GenerationSummary& summary : last) {
+        const double y = summary.mean - mean;
         xx += x * x;
         xy += x * y;
         yy += y * y;
@@ -50,16 +52,17 @@ bool gains_nothing(const std::vector<GenerationSummary>& all, int generations,
 std::optional<std::string> finished(const StopRules& rules,
                                     const Progress& progress, Sense sense) {
     IDEOTYPE_EXPECT(!(progress.wall_time < 0));
-    const std::vector<GenerationSummary>& all = progress.generations;
-    if (static_cast<int>(all.size()) >= rules.generations)
+    const std::vector<GenerationSummary>& generations = progress.generations;
+    if (static_cast<int>(generations.size()) >= rules.generations)
         return all_generations;
     long long evaluations = 0;
-    for (const GenerationSummary& each : all) evaluations += each.evaluations;
+    for (const GenerationSummary& summary : generations)
+        evaluations += summary.evaluations;
     if (rules.evaluations > 0 && evaluations >= rules.evaluations)
         return "evaluations";
     if (rules.wall_time > 0 && progress.wall_time >= rules.wall_time)
         return "wall_time";
-    if (rules.no_gain > 0 && gains_nothing(all, rules.no_gain, sense))
+    if (rules.no_gain > 0 && gains_nothing(generations, rules.no_gain, sense))
         return "no_gain";
     return std::nullopt;
 }

@@ -22,8 +22,8 @@ double standard_deviation(const std::vector<double>& values, double mean) {
     return std::sqrt(squares / static_cast<double>(values.size()));
 }
 
-//! Returns the standard deviation of a gene over its range. On a circle it is
-//! the standard deviation of arcs to the mean direction.
+//! Returns the standard deviation of a gene relative to its range; for a
+//! circular gene, that of the arcs to the mean direction.
 double relative_spread(const Gene& gene, std::vector<double> values) {
     const double range = gene.upper - gene.lower;
     if (gene.is_circular) {
@@ -37,16 +37,17 @@ double relative_spread(const Gene& gene, std::vector<double> values) {
         for (double& x : values) x = std::remainder(x - mean, range);
         return standard_deviation(values, 0) / range;
     }
-    return standard_deviation(values, mean_of(values)) / range;
+    return standard_deviation(values, average(values)) / range;
 }
 
 using Point = std::vector<double>;
 
 //! Returns the volume between points and a reference above all of them, in the
-//! first coordinates. Points are sorted by the last of these coordinates, and
-//! the slice between two points belongs to the points below.
-double volume_below(std::vector<Point> points, const Point& reference,
-                    std::size_t coordinates) {
+//! first coordinates. Points are sorted by the last of these coordinates; the
+//! slice between two points is the volume of the points below, in one dimension
+//! less.
+double sum_slices(std::vector<Point> points, const Point& reference,
+                  std::size_t coordinates) {
     IDEOTYPE_EXPECT(!points.empty() && coordinates > 0);
     const std::size_t last = coordinates - 1;
     std::sort(
@@ -63,13 +64,13 @@ double volume_below(std::vector<Point> points, const Point& reference,
         const double height = top - points[i][last];
         if (!(height > 0)) continue;
         sum += height * (last == 1 ? reference[0] - lowest
-                                   : volume_below(below, reference, last));
+                                   : sum_slices(below, reference, last));
     }
     return sum;
 }
 
-bool is_feasible(const Individual& each) {
-    return each.status == Status::done && !(each.violation > 0);
+bool is_feasible(const Individual& individual) {
+    return individual.status == Status::done && !(individual.violation > 0);
 }
 
 }  // namespace
@@ -77,13 +78,15 @@ bool is_feasible(const Individual& each) {
 GenerationSummary summarize(const Population& population,
                             const GeneSpace& genes, Sense sense) {
     GenerationSummary summary;
+    // Copies of a genome count as one evaluation.
     std::set<Genome> genomes;
-    for (const Individual& each : population)
-        genomes.insert(each.candidate.genome);
+    for (const Individual& individual : population)
+        genomes.insert(individual.candidate.genome);
     summary.evaluations = static_cast<std::uint32_t>(genomes.size());
     std::vector<const Individual*> succeeded;
-    for (const Individual& each : population)
-        if (each.status != Status::failed) succeeded.push_back(&each);
+    for (const Individual& individual : population)
+        if (individual.status != Status::failed)
+            succeeded.push_back(&individual);
     summary.failures =
         static_cast<std::uint32_t>(population.size() - succeeded.size());
     if (succeeded.empty()) {
@@ -93,27 +96,30 @@ GenerationSummary summarize(const Population& population,
         summary.expected_best = {none, none};
         return summary;
     }
+    // The best row, and its value without selection bias.
     summary.best_slot = best_distinct(population, 1, {sense}).front();
     const Individual& best = population[summary.best_slot];
     summary.best = best.objectives.front().mean;
     summary.best_standard_error = best.objectives.front().standard_error;
     summary.violation = best.violation;
-    summary.expected_best = shrunken(population, summary.best_slot);
+    summary.expected_best = shrink(population, summary.best_slot);
+    // Mean and spread of the plants that are compared with the best row.
     std::vector<double> values;
-    for (const Individual* each : succeeded)
-        if (best.violation > 0 || each->violation == 0)
-            values.push_back(each->objectives.front().mean);
-    summary.mean = mean_of(values);
+    for (const Individual* individual : succeeded)
+        if (best.violation > 0 || individual->violation == 0)
+            values.push_back(individual->objectives.front().mean);
+    summary.mean = average(values);
     summary.spread = standard_deviation(values, summary.mean);
+    // Diversity of the free genes.
     std::vector<double> spreads;
     for (std::size_t g = 0; g < genes.size(); ++g) {
         if (!genes[g].is_free) continue;
-        std::vector<double> of_gene;
-        for (const Individual* each : succeeded)
-            of_gene.push_back(each->candidate.genome[g]);
-        spreads.push_back(relative_spread(genes[g], std::move(of_gene)));
+        std::vector<double> alleles;
+        for (const Individual* individual : succeeded)
+            alleles.push_back(individual->candidate.genome[g]);
+        spreads.push_back(relative_spread(genes[g], std::move(alleles)));
     }
-    summary.diversity = spreads.empty() ? 0 : mean_of(spreads);
+    summary.diversity = spreads.empty() ? 0 : average(spreads);
     return summary;
 }
 
@@ -135,35 +141,38 @@ double hypervolume(std::vector<Point> points, Point reference,
         return false;
     });
     if (points.empty()) return 0;
-    return volume_below(std::move(points), reference, senses.size());
+    return sum_slices(std::move(points), reference, senses.size());
 }
 
 Estimate hypervolume(const Population& population, const Point& reference,
                      const std::vector<Sense>& senses) {
     const std::size_t objectives = senses.size();
-    // Computes the volume without one of the randomisations, or with all.
+    // Computes the volume with all randomisations, or without one of them.
     const auto volume = [&](std::size_t left_out, std::size_t count) {
         std::vector<Point> points;
-        for (const Individual& each : population) {
-            if (!is_feasible(each)) continue;
+        for (const Individual& individual : population) {
+            if (!is_feasible(individual)) continue;
             Point& point = points.emplace_back();
             for (std::size_t k = 0; k < objectives; ++k) {
-                const double mean = each.objectives[k].mean;
+                const double mean = individual.objectives[k].mean;
                 point.push_back(
                     left_out < count
-                        ? mean - (each.randomisations[k * count + left_out] -
-                                  mean) /
-                                     static_cast<double>(count - 1)
+                        ? mean -
+                              (individual.randomisations[k * count + left_out] -
+                               mean) /
+                                  static_cast<double>(count - 1)
                         : mean);
             }
         }
         return hypervolume(std::move(points), reference, senses);
     };
     std::size_t count = 0;
-    for (const Individual& each : population)
-        if (is_feasible(each)) count = each.randomisations.size() / objectives;
+    for (const Individual& individual : population)
+        if (is_feasible(individual))
+            count = individual.randomisations.size() / objectives;
     const double whole = volume(0, 0);
     if (count < 2) return {whole, std::numeric_limits<double>::quiet_NaN()};
+    // Jackknife over randomisations.
     std::vector<double> pseudo;
     const auto n = static_cast<double>(count);
     for (std::size_t r = 0; r < count; ++r)
@@ -171,12 +180,13 @@ Estimate hypervolume(const Population& population, const Point& reference,
     return {whole, estimate(pseudo).standard_error};
 }
 
-Point worst_of(const Population& population, const std::vector<Sense>& senses) {
+Point find_worst(const Population& population,
+                 const std::vector<Sense>& senses) {
     Point worst;
-    for (const Individual& each : population) {
-        if (each.status != Status::done) continue;
+    for (const Individual& individual : population) {
+        if (individual.status != Status::done) continue;
         for (std::size_t k = 0; k < senses.size(); ++k) {
-            const double value = each.objectives[k].mean;
+            const double value = individual.objectives[k].mean;
             if (worst.size() == k)
                 worst.push_back(value);
             else if (is_better(worst[k], value, senses[k]))
@@ -198,7 +208,7 @@ Summarizer::Summarizer(GeneSpace genes, std::vector<Sense> senses,
 GenerationSummary Summarizer::operator()(const Population& generation) {
     GenerationSummary summary = summarize(generation, genes_, senses_.front());
     if (senses_.size() == 1) return summary;
-    if (reference_.empty()) reference_ = worst_of(generation, senses_);
+    if (reference_.empty()) reference_ = find_worst(generation, senses_);
     if (reference_.empty()) return summary;
     front_.insert(front_.end(), generation.begin(), generation.end());
     const std::vector<std::size_t> level = fronts(front_, senses_);

@@ -11,13 +11,13 @@ namespace ideotype {
 
 namespace {
 
-//! Width beside a bound, over the range.
-constexpr double margin = beside_bound;
+//! Width of the parabola at a bound, relative to the range.
+constexpr double margin = bound_margin;
 
-//! Returns the share of the range at a coordinate. It is linear but for
-//! parabolas beside the bounds, which join with equal slope.
-double folded(double coordinate) {
-    // The share repeats after a way to and fro over the range.
+//! Maps a coordinate to a share of the range: linear, with parabolas near the
+//! bounds that join with equal slope.
+double fold(double coordinate) {
+    // The map is periodic: once up and down the range.
     constexpr double period = 2 * (1 + 2 * margin);
     double x = std::remainder(coordinate + margin, period);
     x = std::abs(x) - margin;  // within [-margin, 1 + margin]
@@ -27,7 +27,8 @@ double folded(double coordinate) {
     return x;
 }
 
-double unfolded(double share) {
+//! Inverts fold() on its first period.
+double unfold(double share) {
     IDEOTYPE_EXPECT(share >= 0 && share <= 1);
     if (share < margin) return 2 * std::sqrt(margin * share) - margin;
     if (share > 1 - margin)
@@ -43,7 +44,7 @@ UnboundedGenes::UnboundedGenes(const GeneSpace& genes) : genes_(genes) {
             free_.push_back(i);
 }
 
-std::vector<double> UnboundedGenes::of(const Genome& genome) const {
+std::vector<double> UnboundedGenes::to_coordinates(const Genome& genome) const {
     IDEOTYPE_EXPECT(genome.size() == genes_.size());
     std::vector<double> coordinates;
     for (const std::size_t i : free_) {
@@ -51,7 +52,7 @@ std::vector<double> UnboundedGenes::of(const Genome& genome) const {
         const double share =
             (genome[i] - gene.lower) / (gene.upper - gene.lower);
         coordinates.push_back(
-            gene.is_circular ? share : unfolded(std::clamp(share, 0.0, 1.0)));
+            gene.is_circular ? share : unfold(std::clamp(share, 0.0, 1.0)));
     }
     return coordinates;
 }
@@ -61,8 +62,8 @@ std::vector<double> UnboundedGenes::first_steps() const {
         free_, [&](std::size_t i) { return genes_[i].is_circular ? .5 : 1.; });
 }
 
-Genome UnboundedGenes::genome(const std::vector<double>& coordinates,
-                              Genome original) const {
+Genome UnboundedGenes::to_genome(const std::vector<double>& coordinates,
+                                 Genome original) const {
     IDEOTYPE_EXPECT(coordinates.size() == free_.size());
     IDEOTYPE_EXPECT(original.size() == genes_.size());
     for (std::size_t k = 0; k < free_.size(); ++k) {
@@ -72,7 +73,7 @@ Genome UnboundedGenes::genome(const std::vector<double>& coordinates,
         original[free_[k]] =
             gene.is_circular
                 ? wrapped(gene, gene.lower + (x - std::floor(x)) * range)
-                : std::clamp(gene.lower + folded(x) * range, gene.lower,
+                : std::clamp(gene.lower + fold(x) * range, gene.lower,
                              gene.upper);
     }
     return original;

@@ -7,28 +7,28 @@
 
 namespace ideotype {
 
-//! Free genes that have a range as coordinates without bounds, in units of
-//! their range. Circular genes are unwrapped, so that whole turns do not change
-//! the value. Other genes equal their coordinate, but within 5 % of the range
-//! beside a bound they approach the bound smoothly and turn back, without a
+//! Coordinates without bounds for the free genes that have a range, in units of
+//! the range. Circular genes are unwrapped: whole turns do not change the
+//! value. Other genes equal their coordinate, except within 5 % of the range at
+//! a bound: there they approach the bound smoothly and turn back, without a
 //! jump of value or slope.
 class UnboundedGenes {
   public:
     explicit UnboundedGenes(const GeneSpace& genes);
 
-    //! Returns the coordinates of a genome within its bounds, each the nearest
-    //! to 0.
-    std::vector<double> of(const Genome& genome) const;
+    //! Converts a genome within its bounds to coordinates, each the nearest to
+    //! 0.
+    std::vector<double> to_coordinates(const Genome& genome) const;
 
-    //! Returns the relative standard deviations at the beginning of a search: a
-    //! circular gene has half of the usual one, since it can move both ways
-    //! round.
+    //! Returns the initial standard deviations of a search in relative units: a
+    //! circular gene has half of the usual one, since it can move in both
+    //! directions.
     std::vector<double> first_steps() const;
 
     //! Returns a copy of a genome with its free genes at given coordinates,
     //! each within [lower, upper], or [lower, upper) for circular genes.
-    Genome genome(const std::vector<double>& coordinates,
-                  Genome original) const;
+    Genome to_genome(const std::vector<double>& coordinates,
+                     Genome original) const;
 
   private:
     GeneSpace genes_;

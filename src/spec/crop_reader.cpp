@@ -16,8 +16,8 @@ bool is_table_of_leaves(const std::string& file, const std::string& named_by,
                         const Location& named_at, const Problems& problems) {
     if (std::filesystem::path(file).extension() != ".csv") return false;
     problems.add({named_at, named_by, ProblemCode::file,
-                  fmt::format("{} is a table (a plant is a crop file here); "
-                              "make a crop file of it: ideotype fit {}",
+                  fmt::format("{} is a table (but a plant is given as a crop "
+                              "file); make a crop file of it: ideotype fit {}",
                               file, file)});
     return true;
 }
@@ -41,26 +41,26 @@ void CropReader::read_key(const toml::node& baseline, const std::string& key) {
 
 void CropReader::read(const toml::table& table, const std::string& file) {
     crop_.growth.reset();
-    // The bounds of the usual traits do not apply to other traits.
+    // The bounds of the default traits do not apply to other traits.
     if (table.contains("trait")) crop_.bounds.clear();
     KnownNames unknown;
     unknown.passes_over_others = source_ == TextSource::history;
-    const TableReader own(file, of_crop_, unknown),
+    const TableReader crop_reader(file, of_crop_, unknown),
         shared(file, problems_, unknown);
-    // Campaigns have the differences between plants as [field.variation], so
-    // that those of a crop change no campaign.
+    // Campaigns state within-line variation in [field.variation], so that the
+    // [variation] of a crop file does not change them.
     constexpr Table variation = table_of<CropSpec, &CropSpec::variation>(
         "variation", crop_variation_table);
     std::vector<std::string> tables;
     for (const auto& all : {crop_table.tables(), std::span(&variation, 1),
                             crop_leaves_table.tables()})
         for (const Table& each : all) tables.emplace_back(each.name);
-    own.read_keys(table,
-                  {std::string(crop_table.section), crop_table.keys(), &crop_},
-                  tables);
+    crop_reader.read_keys(
+        table, {std::string(crop_table.section), crop_table.keys(), &crop_},
+        tables);
     for (const Table& each : crop_table.tables())
-        own.read_table(table, each, each.name, &crop_);
-    own.read_table(table, variation, variation.name, &crop_);
+        crop_reader.read_table(table, each, each.name, &crop_);
+    crop_reader.read_table(table, variation, variation.name, &crop_);
     // Campaigns also have these tables.
     for (const Table& each : crop_leaves_table.tables())
         shared.read_table(table, each, each.name, &crop_);

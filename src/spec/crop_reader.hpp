@@ -13,7 +13,7 @@ namespace ideotype {
 class CropReader {
   public:
     //! @param file path of the file that contains or names the crop
-    //! @param problems problems of the tables that campaigns have too
+    //! @param problems problems of tables that campaigns have too
     //! @param of_crop problems of the keys of the crop
     CropReader(const std::string& file, TextSource source, CropSpec& crop,
                const Problems& problems, const Problems& of_crop)
@@ -24,7 +24,7 @@ class CropReader {
           of_crop_(of_crop) {}
 
     //! Reads the crop that a key contains or names.
-    //! @param key such as "plant.baseline"
+    //! @param key key such as "plant.baseline"
     void read_key(const toml::node& baseline, const std::string& key);
 
     //! Reads the tables of a crop file.
@@ -40,12 +40,12 @@ class CropReader {
     Problems problems_, of_crop_;
 };
 
-//! Notes the file of each key of [photosynthesis] in a file.
+//! Records the file that states each key of [photosynthesis].
 void note_leaves(const toml::table& top, const std::string& file,
                  CropSpec& crop);
 
-//! Reports a table of measured leaves, which `ideotype fit` turns into crop
-//! files; returns whether a file is one by its name.
+//! Reports a CSV table of measured leaves, which `ideotype fit` turns into crop
+//! files; returns whether the name of a file is that of a CSV table.
 //! @param named_by key that names the file; "" if none
 bool is_table_of_leaves(const std::string& file, const std::string& named_by,
                         const Location& named_at, const Problems& problems);

@@ -43,26 +43,26 @@ std::string with_key_tables(const std::string& text) {
     const std::string begin = "<!-- keys: ", end = "<!-- end of keys -->";
     std::string result;
     std::size_t done = 0, tables = 0;
-    const std::vector<Documented>& all = documented_tables();
+    const std::vector<Documented>& documented = documented_tables();
     for (std::size_t at; (at = text.find(begin, done)) != text.npos;) {
         const std::size_t name = at + begin.size();
         const std::size_t line = text.find('\n', name);
         const std::string section =
             text.substr(name, text.find(" -->", name) - name);
-        const auto found =
-            std::ranges::find(all, section, &Documented::section);
+        const auto table =
+            std::ranges::find(documented, section, &Documented::section);
         const std::size_t last = text.find(end, name);
-        if (found == all.end() || last == text.npos)
+        if (table == documented.end() || last == text.npos)
             throw Error("there are no keys of \"" + section +
                         "\", or no end of their table");
         result += text.substr(done, line + 1 - done) + '\n' +
-                  markdown_of(*found) + '\n';
+                  markdown_of(*table) + '\n';
         done = last;
         ++tables;
     }
-    if (tables < all.size())
+    if (tables < documented.size())
         throw Error(fmt::format("{} of {} tables of keys have marks", tables,
-                                all.size()));
+                                documented.size()));
     return result + text.substr(done);
 }
 

@@ -7,12 +7,12 @@
 
 namespace ideotype {
 
-//! Returns the keys of a table as a table of Markdown: type, unit, range,
-//! default and meaning of each.
+//! Returns the keys of a table as a Markdown table: type, unit, range, default
+//! and meaning of each.
 std::string markdown_of(const Documented& table);
 
-//! Returns a text with a table of Markdown between each pair of marks
-//! `<!-- keys: SECTION -->` and `<!-- end of keys -->`.
+//! Returns a text with a Markdown table between each pair of marks `<!-- keys:
+//! SECTION -->` and `<!-- end of keys -->`.
 //! @throws Error if a table of campaigns or crop files has no marks, or marks
 //! name no table.
 std::string with_key_tables(const std::string& text);

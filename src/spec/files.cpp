@@ -13,8 +13,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-//! Returns what to do about a missing file: name another file of its folder
-//! with a similar name, or else the given words.
+//! Returns advice on a missing file: a file with a similar name in the same
+//! folder, or else the given text.
 std::string remedy_for(const fs::path& missing, const std::string& otherwise) {
     std::vector<std::string> names;
     std::error_code none;
@@ -22,7 +22,7 @@ std::string remedy_for(const fs::path& missing, const std::string& otherwise) {
          fs::directory_iterator(fs::absolute(missing).parent_path(), none))
         if (entry.path().extension() == ".toml")
             names.push_back(entry.path().stem().string());
-    // Folders have no defined order, but advice must.
+    // Advice must not depend on the order of files in a folder.
     std::sort(names.begin(), names.end());
     const std::string near = nearest_name(missing.stem().string(), names);
     return near.empty() ? otherwise : "did you mean '" + near + ".toml'?";

@@ -19,20 +19,21 @@
 #include "ideotype/core/enum_names.hpp"
 #include "ideotype/core/range.hpp"
 
-//! A file is described by constant tables with one line for each key: the
-//! member that holds its value, its name, range, default and meaning. Reading,
-//! canonical text, documentation and the JSON Schema follow from these tables.
+//! Files are described by constant tables with one line for each key: the
+//! member that stores its value, its name, range, default and meaning. Reading,
+//! canonical text, documentation and the JSON Schema are generated from these
+//! tables.
 namespace ideotype {
 
-//! The place of an enumeration whose values are written by their names.
+//! The address of an enumeration value that is written by name.
 struct Choice {
     void* value;
     std::string (*get)(const void* value);
     void (*set)(void* value, const std::string& name);
 };
 
-//! The place of the value of a key, which also fixes the type of the value.
-//! None: the value has a form of its own and is read and written by hand.
+//! The address of the value of a key, which also determines its type.
+//! std::monostate: the value is read and written by special code.
 using Target =
     std::variant<std::monostate, std::string*, std::uint64_t*, int*, long long*,
                  double*, std::optional<double>*, std::optional<int>*,
@@ -41,10 +42,10 @@ using Target =
                  std::vector<double>*, std::vector<std::string>*,
                  std::optional<Column>*, Choice>;
 
-//! A value without a place, which is read and written by hand.
+//! A value without an address, which is read and written by special code.
 struct ByHand {};
 
-//! The forms of values that their types leave open.
+//! Formats that a type alone does not determine.
 enum class Form {
     plain,
     name,      //!< text that may be a part of the name of a file
@@ -55,13 +56,13 @@ enum class Form {
     rule,      //!< text, or a table of the same name
 };
 
-//! Lists of names that only the rest of a file determines.
+//! Lists of names that the rest of a file defines.
 enum class Names { none, traits, rules, organs, objectives };
 
-//! The count of a list of any length, or of one number or text.
+//! The count of a list of any length, which may also be written as one value.
 inline constexpr std::size_t any_count = ~std::size_t{0};
 
-//! A unit in which numbers are given by mistake, in units of the key.
+//! A unit that users may give by mistake, in units of the key.
 struct MistakenUnit {
     const char* name = nullptr;
     double value = 0;
@@ -69,7 +70,7 @@ struct MistakenUnit {
 
 //! The values that a key accepts.
 struct Values {
-    double lower = 0, upper = 0;  //!< limits; none if equal
+    double lower = 0, upper = 0;  //!< limits; unlimited if equal
     const char* unit = "";        //!< unit; "": none
     const char* type = nullptr;   //!< type in words; none: by the member
     const char* range = nullptr;  //!< range in words
@@ -77,21 +78,22 @@ struct Values {
     std::size_t count = 0;               //!< length of a list; 0: any
     std::array<const char*, 4> texts{};  //!< allowed texts; none: any
     std::vector<std::string> (*known)() = nullptr;  //!< allowed texts
-    Names names = Names::none;  //!< allowed texts that a file determines
+    Names names = Names::none;  //!< allowed texts that a file defines
     bool is_by_leaf = false;    //!< whether a list is by leaf
-    bool is_filled = false;     //!< whether a list has items
-    std::array<MistakenUnit, 2> mistaken{};  //!< units of numbers above
+    bool is_filled = false;     //!< whether a list must have items
+    std::array<MistakenUnit, 2>
+        mistaken{};  //!< units suspected in numbers above the range
 };
 
 //! The default of a key in documents.
 struct Default {
-    const char* words = nullptr;  //!< default in words; none: of the record
-    const char* example = "";     //!< example as TOML for messages
+    const char* words =
+        nullptr;               //!< default in words; null: that of the record
+    const char* example = "";  //!< example as TOML for messages
     bool is_required = false;
 };
 
-//! Values that `fidelity` tries for a key that trades speed for accuracy, the
-//! most accurate last.
+//! Values that `fidelity` tries for an accuracy key, the most accurate last.
 using Trial = std::array<double, 5>;
 
 //! Returns whether a condition holds for a record.
@@ -100,21 +102,22 @@ bool holds(const void* record) {
     return condition(*static_cast<const Record*>(record));
 }
 
-//! The declaration of a key of a record; records are structs of any type.
+//! The declaration of a key, stored in a member of a record; records are
+//! structs of any type.
 struct Key {
     const char* name = "";
     Values values{};
     Default initial{};
     const char* meaning = "";
-    //! Returns the place of the value in a record.
+    //! Returns the address of the value in a record.
     Target (*place)(void* record) = nullptr;
-    const void* record = nullptr;  //!< mark of the type of records
+    const void* record = nullptr;  //!< identifies the type of records
     //! Returns the names of the values of an enumeration.
     std::vector<std::string> (*enumeration)() = nullptr;
     const char* unless = "";    //!< key of the table that makes this optional
     const char* excludes = "";  //!< key of the table that contradicts this
-    bool is_quiet = false;      //!< whether the default is left out of texts
-    //! Returns whether texts have the key; none: they have.
+    bool is_quiet = false;      //!< whether texts omit the default
+    //! Returns whether texts include the key; null: always.
     bool (*is_written)(const void* record) = nullptr;
     Trial trial{};
     bool (*has_trial)(const void* record) = nullptr;  //!< none: always
@@ -130,18 +133,18 @@ struct Key {
     constexpr Key excluding(const char* other) const {
         return with(&Key::excludes, other);
     }
-    //! Leaves the default out of texts.
+    //! Omits the default from texts.
     constexpr Key quiet() const { return with(&Key::is_quiet, true); }
     //! Writes the key only if a condition holds.
     template <class Record, bool (*condition)(const Record&)>
     constexpr Key written_if() const {
         return with(&Key::is_written, &holds<Record, condition>);
     }
-    //! Marks a key that trades speed for accuracy.
+    //! Marks an accuracy key, which trades speed for accuracy.
     constexpr Key trades(Trial values_to_try) const {
         return with(&Key::trial, values_to_try);
     }
-    //! Marks such a key where a condition holds.
+    //! Marks an accuracy key where a condition holds.
     template <class Record, bool (*condition)(const Record&)>
     constexpr Key trades(Trial values_to_try) const {
         return trades(values_to_try)
@@ -149,7 +152,7 @@ struct Key {
     }
 };
 
-// Ranges, as short names for tables.
+// Ranges: short names for use in tables.
 constexpr Values any_value{};
 constexpr Values within(double lower, double upper, const char* unit = "") {
     return {.lower = lower, .upper = upper, .unit = unit};
@@ -157,7 +160,7 @@ constexpr Values within(double lower, double upper, const char* unit = "") {
 constexpr Values unlimited(const char* unit) {
     return {.unit = unit};
 }
-//! A length, which some give in centimetres or inches.
+//! A length, which users may give in centimetres or inches by mistake.
 constexpr Values metres(double lower, double upper) {
     return {.lower = lower,
             .upper = upper,
@@ -210,7 +213,7 @@ constexpr Values name_text{.range = "at most 64 letters, digits, _ and -",
 constexpr Values file_path{
     .type = "path", .range = "relative to this file", .form = Form::path};
 
-// Defaults, as short names for tables.
+// Defaults: short names for use in tables.
 constexpr Default usual(const char* example = "") {
     return {nullptr, example};
 }
@@ -224,7 +227,7 @@ constexpr Default none(const char* example = "") {
     return {"none", example};
 }
 
-//! The type of records that a member belongs to.
+//! The record type of a member.
 template <class Member>
 struct OwnerOf;
 template <class Record, class Value>
@@ -238,12 +241,11 @@ struct OwnerOf<Value Record::*const> {
 
 namespace detail {
 
-//! The address of a mark that each type of record has.
+//! A variable with an address that identifies each record type.
 template <class Record>
 inline constexpr char mark = 0;
 
-//! Returns the member of a record to which a path of members and places in
-//! arrays leads.
+//! Returns the part of a record at a path of members and array indices.
 template <auto First, auto... Rest>
 auto& member(auto& record) {
     auto& part = [&]() -> auto& {
@@ -271,7 +273,7 @@ struct Plain<std::optional<Value>> {
 template <class Value>
 inline constexpr bool is_enum = std::is_enum_v<typename Plain<Value>::type>;
 
-//! Returns the target of a value.
+//! Returns the address of a value as a Target.
 template <class Value>
 Target target(Value& value) {
     if constexpr (std::is_same_v<Value, ByHand>) {
@@ -295,7 +297,7 @@ Target target(Value& value) {
     }
 }
 
-//! Returns the name of a type of values in messages and documents.
+//! Returns the name of a value type in messages and documents.
 template <class Value>
 constexpr const char* type_of() {
     using Inner = typename Plain<Value>::type;
@@ -325,8 +327,8 @@ std::vector<std::string> names_of_enum() {
 
 }  // namespace detail
 
-//! Declares a key of a type of records.
-//! @tparam Path members, and places in arrays, that lead from the record to the
+//! Declares a key of a record type.
+//! @tparam Path members and array indices that lead from the record to the
 //! value
 template <class Record, auto... Path>
 constexpr Key key_of(const char* name, Values values, Default initial,
@@ -350,7 +352,7 @@ constexpr Key key_of(const char* name, Values values, Default initial,
     return key;
 }
 
-//! Declares a key of the record that the first member belongs to.
+//! Declares a key of the record type of the first member.
 template <auto First, auto... Rest>
 constexpr Key key(const char* name, Values values, Default initial,
                   const char* meaning) {
@@ -358,7 +360,7 @@ constexpr Key key(const char* name, Values values, Default initial,
     return key_of<Owner, First, Rest...>(name, values, initial, meaning);
 }
 
-//! Declares a key of which the record itself is the value.
+//! Declares a key with the record itself as value.
 template <class Record>
 constexpr Key itself(const char* name, Values values, Default initial,
                      const char* meaning) {
@@ -370,19 +372,19 @@ constexpr Key itself(const char* name, Values values, Default initial,
     return key;
 }
 
-//! The names that other parts of a file determine; empty: any name fits.
+//! Names that other parts of a file define; empty: any name is valid.
 struct KnownNames {
     std::vector<std::string> traits, rules, organs, objectives;
-    //! Whether sets of traits may be empty, since components may be bred.
+    //! Whether trait sets may be empty, since components may be optimised.
     bool may_free_nothing = false;
-    //! Whether keys that this version does not have are passed over, as in the
-    //! campaigns of older histories.
+    //! Whether unknown keys are ignored, as in campaigns of histories of other
+    //! versions.
     bool passes_over_others = false;
 };
 
 struct Table;
 
-//! The keys of a table, and the tables inside it.
+//! The description of a table: its keys, and the tables inside it.
 struct Description {
     std::string_view section;  //!< name in documents and messages
     const Key* first = nullptr;
@@ -392,53 +394,54 @@ struct Description {
     //! Returns a record with all defaults.
     const void* (*usual)() = nullptr;
     bool is_of_crop = false;  //!< whether crop files have the table
-    //! The declaration of all other keys, whose names a file chooses. None:
+    //! The declaration of all other keys, with names that a file chooses. Null:
     //! other keys are unknown.
     const Key* others = nullptr;
-    //! Returns the place of the value of such a key in a record.
+    //! Returns the address of the value of such a key in a record.
     Target (*place_of_other)(void* record, const std::string& name) = nullptr;
 
-    //! Declares other keys, whose values are those of a map.
+    //! Declares other keys, with values stored in a map.
     template <auto map>
     constexpr Description with_others(const Key& key) const {
-        Description all = *this;
-        all.others = &key;
-        all.place_of_other = [](void* record, const std::string& name) {
+        Description description = *this;
+        description.others = &key;
+        description.place_of_other = [](void* record, const std::string& name) {
             using Owner = typename OwnerOf<decltype(map)>::type;
             return detail::target((static_cast<Owner*>(record)->*map)[name]);
         };
-        return all;
+        return description;
     }
 
     std::span<const Key> keys() const { return {first, count}; }
     std::span<const Table> tables() const;
 };
 
-//! A table inside a table: the places of its records.
+//! A table inside a table, with access to its records.
 struct Table {
     const char* name = "";
     const Description* description = nullptr;
-    const char* meaning = "";  //!< meaning of a table that an option gives
+    const char* meaning = "";  //!< meaning of a table given as an option
     std::size_t (*size)(const void* parent) = nullptr;
     void* (*at)(void* parent, std::size_t entry) = nullptr;
-    //! Makes a number of records. None: there is always one record.
+    //! Resizes the list of records. Null: there is always one record.
     void (*resize)(void* parent, std::size_t records) = nullptr;
     void (*clear)(void* parent) = nullptr;  //!< removes the records of a list
-    //! Returns the names that a record determines for its keys; none: those of
-    //! the whole file.
+    //! Returns the names that a record defines for its keys; null: those of the
+    //! file.
     KnownNames (*names)(const void* record) = nullptr;
-    bool keeps_records = false;  //!< whether reading completes records
+    bool keeps_records = false;  //!< whether reading keeps existing records
     bool is_list = false;        //!< whether it is written as [[name]]
     bool is_optional = false;    //!< whether it may be left out
     std::size_t most = 1000;     //!< largest number of entries
     const char* unless = "";     //!< table that makes this optional
     bool is_variable = false;    //!< whether searches may vary its numbers
-    //! Returns the name of a record's table; none: that of all records.
+    //! Returns the table name of a record; null: the same for all records.
     const std::string& (*entry_name)(const void* record) = nullptr;
     bool (*is_entry_written)(const void* record) = nullptr;
-    //! Returns whether texts have the table; none: they have.
+    //! Returns whether texts include the table; null: always.
     bool (*is_written)(const void* parent) = nullptr;
-    //! Writes the table, which is also read by hand; none: its keys and tables.
+    //! Writes a table that is read by special code; null: its keys and tables
+    //! are written.
     std::string (*text)(const void* parent, const std::string& name) = nullptr;
 
     constexpr Table with(auto Table::*member, auto value) const {
@@ -459,8 +462,8 @@ struct Table {
     constexpr Table written_if() const {
         return with(&Table::is_written, &holds<Parent, condition>);
     }
-    //! Completes records that are there when the table is read, each with names
-    //! that the record determines.
+    //! Updates records that exist when the table is read, each with names that
+    //! the record defines.
     template <class Record, auto function>
     constexpr Table completed_with() const {
         Table table = with(&Table::keeps_records, true);
@@ -469,8 +472,8 @@ struct Table {
         };
         return table;
     }
-    //! Makes each record a table of its own name, which is written if a
-    //! condition holds. Records are there before their tables are read.
+    //! Makes each record a table with its own name, which is written if a
+    //! condition holds. Records exist before their tables are read.
     template <auto member, auto condition>
     constexpr Table named_by() const {
         using Owner = typename OwnerOf<decltype(member)>::type;
@@ -481,7 +484,7 @@ struct Table {
         };
         return table;
     }
-    //! Writes the table by a function of its record's crop.
+    //! Writes the table with a function of a member of the parent.
     template <auto First, auto function>
     constexpr Table written_by() const {
         using Parent = typename OwnerOf<decltype(First)>::type;
@@ -498,7 +501,7 @@ inline std::span<const Table> Description::tables() const {
     return {first_table, table_count};
 }
 
-//! The part of a record to which a path leads; without one, the record.
+//! The part of a record at a path; without a path, the record.
 template <class Record, auto... Path>
 struct Part {
     static auto& of(void* record) {
@@ -511,7 +514,7 @@ struct Part {
     static std::size_t size(const void*) { return 1; }
 };
 
-//! A part that is a list of records, each of which is a table.
+//! A part that is a list of records, each one a table.
 template <class Record, auto... Path>
 struct ListPart : Part<Record, Path...> {
     using Part<Record, Path...>::of;
@@ -523,7 +526,7 @@ struct ListPart : Part<Record, Path...> {
     static void resize(void* record, std::size_t n) { of(record).resize(n); }
 };
 
-//! A part that a record may have.
+//! An optional part of a record.
 template <class Record, auto... Path>
 struct OptionalPart : Part<Record, Path...> {
     using Part<Record, Path...>::of;
@@ -540,7 +543,7 @@ struct OptionalPart : Part<Record, Path...> {
 };
 
 //! Declares a table of which a record has one, at most one (std::optional) or
-//! any number (std::vector). Without a path, its keys are those of the parent.
+//! any number (std::vector). Without a path, its keys are stored in the parent.
 template <class Parent, auto... Path>
 constexpr Table table_of(const char* name, const Description& description) {
     using One = Part<Parent, Path...>;
@@ -573,26 +576,26 @@ constexpr Table table(const char* name, const Description& description) {
     return table_of<Parent, First, Rest...>(name, description);
 }
 
-//! Describes a type of records by its keys, and the tables inside.
+//! Describes a record type by its keys and the tables inside.
 template <class Record>
 constexpr Description describe(std::string_view section, const auto& keys) {
     for (const Key& each : keys)
         if (each.record != &detail::mark<Record>)
             throw "a key of another type of records";
-    Description all{section, std::data(keys), std::size(keys)};
-    all.usual = []() -> const void* {
+    Description description{section, std::data(keys), std::size(keys)};
+    description.usual = []() -> const void* {
         static const Record record{};
         return &record;
     };
-    return all;
+    return description;
 }
 template <class Record>
 constexpr Description describe(std::string_view section, const auto& keys,
                                const auto& tables) {
-    Description all = describe<Record>(section, keys);
-    all.first_table = std::data(tables);
-    all.table_count = std::size(tables);
-    return all;
+    Description description = describe<Record>(section, keys);
+    description.first_table = std::data(tables);
+    description.table_count = std::size(tables);
+    return description;
 }
 
 }  // namespace ideotype

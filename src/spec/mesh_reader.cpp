@@ -32,7 +32,7 @@ std::optional<toml::date> date_of(const std::string& text) {
     return toml::date(date->year, date->month, date->day);
 }
 
-//! Makes TOML of given values, so that they are read like those of a file.
+//! Converts given values to TOML, so that they are read like those of a file.
 class GivenTable {
   public:
     GivenTable(const GivenKeys& given, const Problems& problems)
@@ -47,27 +47,27 @@ class GivenTable {
     std::string name(const char* key) const { return *problems_.name_of(key); }
 
     void add(const Key& key) {
-        const auto found = given_.find(key.name);
-        if (found == given_.end()) return;
-        if (found->second.size() != 1)
+        const auto values = given_.find(key.name);
+        if (values == given_.end()) return;
+        if (values->second.size() != 1)
             problems_.add(key.name, ProblemCode::wrong_type,
                           "{} takes one value", name(key.name));
         else
-            put({key, key.place(&types_)}, found->second.front(), problems_,
+            put({key, key.place(&types_)}, values->second.front(), problems_,
                 toml_);
     }
 
     void add(const Table& table) {
-        const auto found = given_.find(table.name);
-        if (found == given_.end()) return;
+        const auto given = given_.find(table.name);
+        if (given == given_.end()) return;
         table.resize(&types_, 1);
         const Section section{table.name, table.description->keys(),
                               table.at(&types_, 0)};
         toml::table values;
         const std::size_t count = section.keys.size();
-        for (std::size_t i = 0; i < std::min(count, found->second.size()); ++i)
-            put(section[i], found->second[i], problems_.in(table.name), values);
-        if (found->second.size() != count) {
+        for (std::size_t i = 0; i < std::min(count, given->second.size()); ++i)
+            put(section[i], given->second[i], problems_.in(table.name), values);
+        if (given->second.size() != count) {
             std::vector<std::string> names;
             for (const Key& key : section.keys) names.emplace_back(key.name);
             problems_.add(table.name, ProblemCode::wrong_type,
@@ -77,7 +77,8 @@ class GivenTable {
         toml_.insert_or_assign(table.name, std::move(values));
     }
 
-    //! Puts a value into a table; a text becomes a value of the key's type.
+    //! Inserts a value into a table; a text is converted to the type of the
+    //! key.
     static void put(const BoundKey& key, const GivenValue& value,
                     const Problems& problems, toml::table& table) {
         const char* const name = key.key.name;
@@ -86,7 +87,7 @@ class GivenTable {
         };
         const auto insert_if = [&](const auto& parsed, const char* expected) {
             if (parsed) return insert(*parsed);
-            problems.add(name, ProblemCode::wrong_type, "{} is {} (no {}",
+            problems.add(name, ProblemCode::wrong_type, "{} is {} (not a {}",
                          *problems.name_of(name), std::get<std::string>(value),
                          expected);
         };
@@ -94,7 +95,7 @@ class GivenTable {
         if (!text)
             std::visit(insert, value);
         else if (is_any_of<double*, std::optional<double>*>(key.value))
-            insert_if(number_of(*text), "number); correct it");
+            insert_if(parse_number(*text), "number); correct it");
         else if (is_any_of<int*, long long*, std::uint64_t*>(key.value))
             insert_if(whole_number_of(*text), "whole number); correct it");
         else if (is_any_of<Date*>(key.value))
@@ -105,7 +106,7 @@ class GivenTable {
 
     const GivenKeys& given_;
     const Problems& problems_;
-    MeshSpec types_;  //!< places of values, for their types alone
+    MeshSpec types_;  //!< record from which the types of values are determined
     toml::table toml_;
 };
 

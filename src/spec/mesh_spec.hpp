@@ -15,8 +15,8 @@ namespace ideotype {
 
 struct Description;
 
-//! The light in a mesh: x is east, y north, z up. Every key, with its unit,
-//! range and default, is declared in spec/tables/mesh.cpp.
+//! The input of a study of light in a mesh: x is east, y north, z up. Every
+//! key, with its unit, range and default, is declared in spec/tables/mesh.cpp.
 struct MeshSpec {
     struct Period {
         double x, y;  //!< period along x and y [m]
@@ -43,16 +43,16 @@ struct MeshSpec {
     std::optional<SkyModel> sky{};
     std::optional<Site> site{};
     Date date{0, 1, 1};  //!< date of a clear day at the site; year 0: none
-    //! Light on level ground above the canopy [umol m-2 s-1]; if given, all
-    //! light is in this unit.
+    //! PPFD on level ground above the canopy [umol m-2 s-1]; if given, all
+    //! light has this unit.
     std::optional<double> beam_ppfd{}, sky_ppfd{};
     std::string climate{};         //!< file of a season's light; "": none
     std::string photosynthesis{};  //!< file with [photosynthesis]; "": none
-    bool is_exact = false;         //!< slow assimilation without bias
+    bool is_exact = false;         //!< unbiased but slow assimilation
     PlantOptics optics = usual_optics[par_band];
     double soil_albedo = usual_soil_albedo[par_band];
     double tolerance = 1e-3;
-    long long paths = 0;  //!< least number of paths; 0: by the tolerance
+    long long paths = 0;  //!< smallest number of paths; 0: set by the tolerance
     std::uint64_t seed = 1;
 
     bool has_date() const { return date.year > 0; }
@@ -61,12 +61,13 @@ struct MeshSpec {
     bool has_ppfd() const { return beam_ppfd || sky_ppfd; }
 };
 
-//! The surfaces of a mesh by the names of their groups. The first entry with a
-//! text that the name of a group begins with counts.
+//! Materials and components of a mesh, assigned by group name. The first entry
+//! with a prefix of the group name applies.
 struct MeshScene {
     struct Component {
         std::string name;
-        std::vector<std::string> groups;  //!< none: that of its name
+        std::vector<std::string>
+            groups;  //!< empty: groups that begin with its name
         std::optional<MeshLeaves> photosynthesis;
     };
 
@@ -81,14 +82,14 @@ extern const Description mesh_table;  //!< records are MeshSpec
 //! table.
 extern const Description mesh_scene_table, mesh_soil_table;
 
-//! A value of the command line, where all values are texts, or of Python.
+//! A value from the command line, where all values are texts, or from Python.
 using GivenValue = std::variant<bool, std::int64_t, double, std::string>;
-//! Values by the names of keys and of tables of MeshSpec; a table has its keys'
-//! values in their order, such as {"sun", {60, 180}}.
+//! Values by names of keys and tables of MeshSpec; a table has the values of
+//! its keys in order, such as {"sun", {60, 180}}.
 using GivenKeys = std::map<std::string, std::vector<GivenValue>>;
 
-//! Reads given keys as the table of meshes declares them.
-//! @param name the name of a key for messages
+//! Reads given keys as declared in mesh_table.
+//! @param name returns the name of a key for messages
 //! @throws Error of wrong usage with all problems.
 MeshSpec read_mesh_spec(const GivenKeys& given, KeyNaming name);
 

@@ -26,8 +26,8 @@ bool is_allowed(char c) {
     return is_letter_or_digit(c) || c == '_' || c == '-';
 }
 
-//! The most parts of a key; campaigns need four. The parser recurses by the
-//! parts, but limits only the depth of nested values.
+//! The largest number of parts of a key; campaigns need four. The parser
+//! recurses over parts, but limits only the depth of nested values.
 constexpr int most_parts = 8;
 
 //! Returns the end of a comment or text that begins at a position.
@@ -48,7 +48,7 @@ std::size_t end_of_opaque(std::string_view text, std::size_t begin) {
     return text.size();
 }
 
-//! Returns the position of a key that has more parts than any campaign needs.
+//! Returns the position of a key with too many parts.
 std::optional<std::size_t> find_deep_key(std::string_view text) {
     int parts = 1;
     for (std::size_t at = 0; at < text.size();) {
@@ -81,7 +81,7 @@ std::string line_of(const std::string& text, std::uint32_t number) {
     return text.substr(begin, text.find_first_of("\r\n", begin) - begin);
 }
 
-//! Returns the parser's message in the style of the other messages.
+//! Returns the message of the parser in the style of other messages.
 std::string reason(const toml::parse_error& error) {
     std::string text(error.description());
     if (!text.empty()) text[0] = static_cast<char>(std::tolower(text[0]));
@@ -133,27 +133,28 @@ std::optional<toml::table> read(const std::string& setting,
     return parsed(key + " = \"" + quoted + '"', name);
 }
 
-//! Puts the value of a setting into a campaign. The parts of its key lead to
-//! the value; the value itself replaces that of the campaign as a whole.
+//! Inserts the value of a setting into a campaign. The parts of its key lead to
+//! the value, which is replaced as a whole.
 struct Replacer {
     const std::string& name;
     const Problems& problems;
     bool is_refused = false;
 
-    void replace(toml::table& into, toml::table& from,
+    void replace(toml::table& into, toml::table& setting,
                  const std::string& path) {
-        for (auto&& [key, node] : from) {
+        for (auto&& [key, node] : setting) {
             const std::string inner =
                 path.empty() ? std::string(key.str())
                              : fmt::format("{}.{}", path, key.str());
             toml::table* const given = node.as_table();
             toml::table* const known =
                 given ? table_at(into[key.str()].node(), inner) : nullptr;
-            // Tables in braces are values; others stand for parts of a key.
+            // Tables in braces are values; other tables stand for parts of a
+            // key.
             if (known && !given->is_inline())
                 replace(*known, *given, inner);
             else if (!is_refused)
-                // A moved node still has the place where it was read.
+                // A moved node keeps its source position.
                 node.visit([&, at = key](auto& value) {
                     into.insert_or_assign(at, std::move(value));
                 });
@@ -181,7 +182,7 @@ struct Replacer {
 Location location(const toml::source_region& source, const std::string& file) {
     if (source.path && source.path->starts_with(command_line_mark))
         return {*source.path};
-    // The table of a whole file has no line, so line 1 stands for it.
+    // The root table has no line; line 1 stands for it.
     return {file, std::max(1, static_cast<int>(source.begin.line)),
             std::max(1, static_cast<int>(source.begin.column))};
 }
@@ -196,7 +197,7 @@ std::string kind(const toml::node& node) {
 }
 
 bool is_name(const std::string& text) {
-    // A leading sign would look like an option on a command line.
+    // A leading dash would look like an option.
     return !text.empty() && text.size() <= longest_name &&
            is_letter_or_digit(text[0]) && std::ranges::all_of(text, is_allowed);
 }
@@ -216,8 +217,8 @@ std::optional<toml::table> parse_toml(const std::string& text,
     problems.open(file);
     if (const auto at = find_deep_key(text)) {
         problems.add_at(place(text, *at, file), "", ProblemCode::syntax,
-                        "a key has more than {} parts (joined by dots, the "
-                        "keys of a campaign have at most 4); correct this line",
+                        "a key has more than {} parts (keys of a campaign have "
+                        "at most 4, joined by dots); correct this line",
                         most_parts);
         return std::nullopt;
     }
@@ -239,10 +240,9 @@ void apply_settings(const std::vector<std::string>& settings,
         if (auto table = read(setting, name))
             Replacer{name, problems}.replace(campaign, *table, "");
         else
-            problems.add_at(
-                Location{name}, "", ProblemCode::syntax,
-                "this is not a key with its value (as a campaign file has "
-                "them); write for example --set search.optimizer=random");
+            problems.add_at(Location{name}, "", ProblemCode::syntax,
+                            "this is not a key with a value; write for example "
+                            "--set search.optimizer=random");
     }
 }
 

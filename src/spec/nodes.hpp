@@ -13,10 +13,10 @@
 
 namespace ideotype {
 
-//! The prefix that marks a source as the command line instead of a file.
+//! The prefix that marks the command line, instead of a file, as source.
 inline constexpr std::string_view command_line_mark = "--set ";
 
-//! Returns where a node or key begins, in a file or on the command line.
+//! Returns the position of a node or key in a file or on the command line.
 Location location(const toml::source_region& source, const std::string& file);
 
 //! Returns the kind of a node in words: "an integer", "a table", ...
@@ -25,18 +25,18 @@ std::string kind(const toml::node& node);
 //! Returns whether a text may be part of the name of a file on any system.
 bool is_name(const std::string& text);
 
-//! Makes a name from any text: characters that names lack become _.
+//! Makes a valid name from any text: other characters become _.
 std::string make_name(const std::string& text);
 
-//! Parses TOML text, or reports the first place of wrong syntax.
+//! Parses TOML text, or reports the first syntax error.
 std::optional<toml::table> parse_toml(const std::string& text,
                                       const std::string& file,
                                       const Problems& problems);
 
 //! Replaces values of a file by values from the command line, each given as
 //! "table.key=value". A value is read as TOML or, if it is not valid TOML, as
-//! text. A table in braces replaces the whole table. Later settings change the
-//! results of earlier ones. Problems are reported at "--set table.key=value".
+//! text. A table in braces replaces the whole table. Settings are applied in
+//! order. Problems are reported at "--set table.key=value".
 void apply_settings(const std::vector<std::string>& settings,
                     toml::table& campaign, const Problems& problems);
 

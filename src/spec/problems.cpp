@@ -108,10 +108,10 @@ void Problems::add(const Problem& problem) const {
 }
 
 void Problems::add_once(const std::string& key, const std::string& kind,
-                        ProblemCode code, const std::string& what) const {
+                        ProblemCode code, const std::string& text) const {
     spoil(key);
     if (all_->once.insert({where(key).file, kind}).second)
-        add(problem(key, code, what));
+        add(problem(key, code, text));
 }
 
 void Problems::rule(const Keys& keys, const std::function<std::string()>& fault,
@@ -121,7 +121,7 @@ void Problems::rule(const Keys& keys, const std::function<std::string()>& fault,
 }
 
 void Problems::warn(Problem warning) const {
-    warning.what = with_short_quotes(warning.what);
+    warning.what = shorten_quotes(warning.what);
     all_->warnings.push_back(std::move(warning));
 }
 
@@ -160,7 +160,7 @@ void Problems::throw_wrong_usage() const {
     std::string message;
     for (const Problem& each : all_->problems)
         message += (message.empty() ? "" : "\n") + each.what;
-    throw Error(with_short_quotes(message), ExitCode::usage);
+    throw Error(shorten_quotes(message), ExitCode::usage);
 }
 
 }  // namespace ideotype

@@ -17,7 +17,7 @@
 
 namespace ideotype {
 
-//! Returns a text in lower case, in which names are compared.
+//! Returns a text in lower case; names are compared in this form.
 std::string lower_case(std::string text);
 
 //! Returns an error of wrong usage with a formatted message.
@@ -30,50 +30,49 @@ Error wrong_usage(fmt::format_string<Args...> text, Args&&... args) {
 //! Paths of keys, relative to a table.
 using Keys = std::vector<std::string>;
 
-//! Returns the name by which users know a key or a table such as "soil_albedo":
-//! that of an option of the command line or of an argument of Python.
+//! Returns the user-visible name of a key or table such as "soil_albedo": a
+//! command-line option or a Python argument.
 using KeyNaming = std::string (*)(const std::string& key);
 
-//! Names keys by themselves.
+//! Returns the key as its name.
 inline std::string key_itself(const std::string& key) {
     return key;
 }
 
-//! Collects the problems of a campaign, and remembers where each value was
-//! written, for the messages of later checks. Values are known by the paths of
-//! their keys, such as "site[1].latitude". Copies, and the parts that in()
-//! returns, share all that is collected.
+//! Collects the problems of a campaign, with the source position of each value
+//! for messages of later checks. Values are identified by the paths of their
+//! keys, such as "site[1].latitude". Copies, and the views that in() returns,
+//! share the collection.
 //!
-//! Values are checked against each other by rules: problems that are reported
-//! at the first of some keys, and only if all of these values are sound, so
-//! that no problem follows from another. Whether a rule is broken is a bool, or
-//! a function that is called for sound values only.
+//! Rules check values against each other. A broken rule is reported at the
+//! first of its keys, and only if all these values are valid, so that no
+//! problem follows from another. The condition of a rule is a bool, or a
+//! function that is called for valid values only.
 class Problems {
   public:
     Problems();
-    //! Begins with the file from which all values come.
+    //! Makes a collection for values that all come from one file.
     explicit Problems(const std::string& file);
 
-    //! Begins with values that come from no file.
+    //! Makes a collection for values that come from no file.
     explicit Problems(KeyNaming naming);
 
-    //! Returns the name by which users know a key; nothing if that is the name
-    //! of the key in a file.
+    //! Returns the user-visible name of a key; nothing if it is the name in a
+    //! file.
     std::optional<std::string> name_of(const std::string& key) const;
 
-    //! Returns these problems for one table, whose keys are then given without
-    //! the name of the table.
+    //! Returns a view for one table; keys are then given relative to the table.
     Problems in(const std::string& table) const;
-    //! Returns these problems for one entry of a list of tables.
+    //! Returns a view for one entry of a list of tables.
     Problems in(const std::string& table, std::size_t entry) const;
 
-    //! Notes the place from which a value comes.
+    //! Records the source position of a value.
     void locate(const std::string& key, const Location& where) const;
 
-    //! Returns where a value was written, or else where its table was.
+    //! Returns the source position of a value, or else of its table.
     const Location& where(const std::string& key) const;
 
-    //! Makes a value unusable for checks against other values.
+    //! Excludes a value from checks against other values.
     void spoil(const std::string& key) const;
 
     //! Returns whether checks may rely on these values.
@@ -86,11 +85,12 @@ class Problems {
     Problem problem(const std::string& key, ProblemCode code,
                     const std::string& what) const;
 
-    //! Returns a problem inside a file that a value names, with the value's
-    //! key.
+    //! Returns a problem inside a file that a value names, with the key of the
+    //! value.
     Problem named_by(const std::string& key, Problem problem) const;
 
-    //! Reports a problem of a value and spoils the value.
+    //! Reports a problem of a value, and excludes the value from further
+    //! checks.
     template <class... Args>
     void add(const std::string& key, ProblemCode code,
              fmt::format_string<Args...> text, Args&&... args) const {
@@ -98,7 +98,7 @@ class Problems {
         add_at(where(key), key, code, text, std::forward<Args>(args)...);
     }
 
-    //! Reports a problem at a place of its own, which spoils no value.
+    //! Reports a problem at a given position, without excluding any value.
     template <class... Args>
     void add_at(const Location& where, const std::string& key, ProblemCode code,
                 fmt::format_string<Args...> text, Args&&... args) const {
@@ -107,8 +107,8 @@ class Problems {
     }
     void add(const Problem& problem) const;
 
-    //! Reports only the first problem of its kind in a file, but spoils the
-    //! values of all problems of this kind.
+    //! Reports only the first problem of its kind in a file, but excludes the
+    //! values of all.
     void add_once(const std::string& key, const std::string& kind,
                   ProblemCode code, const std::string& what) const;
 
@@ -126,25 +126,25 @@ class Problems {
         if (usable(keys) && holds(is_broken))
             add(keys.front(), code, text, std::forward<Args>(args)...);
     }
-    //! Reports the fault that a function finds in sound values; "": none.
+    //! Reports the fault that a function finds in valid values; "": none.
     void rule(const Keys& keys, const std::function<std::string()>& fault,
               ProblemCode code = ProblemCode::contradiction) const;
 
-    //! Reports a broken rule by a text in which {0}, {1} ... stand for the
-    //! names by which users know the keys, and then for other values.
+    //! Reports a broken rule with a text in which {0}, {1} ... stand for the
+    //! user-visible names of keys, and then for other values.
     template <class... Args>
     void named_rule(const Keys& keys, bool is_broken, const char* text,
                     const Args&... args) const {
         if (!is_broken) return;
-        fmt::dynamic_format_arg_store<fmt::format_context> all;
+        fmt::dynamic_format_arg_store<fmt::format_context> arguments;
         for (const std::string& key : keys)
-            all.push_back(name_of(key).value_or(key));
-        (all.push_back(args), ...);
-        rule(keys, true, "{}", fmt::vformat(text, all));
+            arguments.push_back(name_of(key).value_or(key));
+        (arguments.push_back(args), ...);
+        rule(keys, true, "{}", fmt::vformat(text, arguments));
     }
 
     //! Warns that the first of some values may be wrong, unless any of them is
-    //! unusable; it stays usable.
+    //! excluded; the value stays usable.
     template <class Doubtful, class... Args>
     void doubt(const Keys& keys, const Doubtful& is_doubtful,
                fmt::format_string<Args...> text, Args&&... args) const {
@@ -154,7 +154,7 @@ class Problems {
     }
     void warn(Problem warning) const;
 
-    //! Notes a key of a history that this version does not have.
+    //! Records a key of a history that this version lacks.
     void pass_over(const std::string& key) const;
     const std::set<std::string>& passed_over() const;
 
@@ -171,8 +171,8 @@ class Problems {
     std::vector<Problem> warnings() const;
     std::vector<Problem> sorted(std::vector<Problem> problems) const;
 
-    //! Notes that a file is read from now on. Problems are listed in the order
-    //! in which files were opened.
+    //! Records that a file is opened. Problems are listed in the order in which
+    //! files were opened.
     void open(const std::string& file) const;
 
   private:
@@ -186,7 +186,7 @@ class Problems {
             return condition;
     }
 
-    //! Returns the path of a key as users write it, without numbers of entries.
+    //! Returns the path of a key as users write it, without indices of entries.
     std::string written(const std::string& key) const;
 
     std::shared_ptr<Collected> all_;

@@ -18,7 +18,7 @@ namespace ideotype {
 
 namespace {
 
-//! Returns whether a table is a plant: whether it has leaves and no sites.
+//! Returns whether a table is a crop file: it has leaves and no site.
 bool is_plant(const toml::table& top) {
     return top.contains("leaf") && !top.contains("site");
 }
@@ -27,8 +27,8 @@ std::string month_and_day(const Date& date) {
     return fmt::format("{:02}{:02}", date.month, date.day);
 }
 
-//! Sorts the traits of a set in the order of the crop file: their order in a
-//! campaign does not matter.
+//! Sorts the traits of a set in the order of the crop file, since their order
+//! in a campaign has no meaning.
 void sort_traits(const CropSpec& crop, TraitSet& free) {
     std::ranges::sort(free, {}, [&](const std::string& name) {
         return std::ranges::find(crop.traits, name, [](const TraitEntry& each) {
@@ -37,10 +37,10 @@ void sort_traits(const CropSpec& crop, TraitSet& free) {
     });
 }
 
-//! Removes numbers of leaves that a campaign replaces from its crop: all
-//! numbers if the campaign names another model, and `amax` or `rate_2000`,
-//! which follow from each other, if it states either.
-//! @param leaves the campaign's table [photosynthesis]
+//! Removes leaf parameters of the crop that a campaign replaces: all of them if
+//! it names another model, and both `amax` and `rate_2000`, which follow from
+//! each other, if it states either.
+//! @param leaves table [photosynthesis] of the campaign
 void drop_replaced_numbers(const toml::table& leaves, CropSpec& crop) {
     PhotosynthesisSpec& table = crop.photosynthesis;
     const auto model = leaves["model"].value<std::string>();
@@ -71,8 +71,8 @@ std::vector<std::string> objectives_of(const Spec& spec) {
     return names;
 }
 
-//! Reads a campaign: first its crops, whose traits and organs other tables
-//! name, then its own tables.
+//! Reads a campaign: first its crops, since other tables refer to their traits
+//! and organs, then its own tables.
 class SpecReader {
   public:
     SpecReader(const std::string& file, TextSource source, Spec& spec,
@@ -93,7 +93,7 @@ class SpecReader {
     }
 
   private:
-    //! Reads the crop of a node, and prepares own bounds of its traits.
+    //! Reads the crop of a node, and initialises own bounds of its traits.
     //! @param bounds node of its bounds, if there is one
     void read_crop(const toml::node* crop, const toml::node* bounds,
                    const std::string& key, CropSpec& into,
@@ -134,24 +134,25 @@ class SpecReader {
                 spec_.trait_sets[0].value.push_back(trait.name);
         }
         spec_.plant.organs = organ_names(crop.baseline);
-        const toml::array* const all = top["component"].as_array();
-        const std::size_t count = all ? all->size() : 0;
+        const toml::array* const components = top["component"].as_array();
+        const std::size_t count = components ? components->size() : 0;
         for (std::size_t i = 0; i < std::min(count, most_components); ++i) {
             ComponentSpec& component = spec_.components.emplace_back();
-            const toml::table* const table = all->get_as<toml::table>(i);
+            const toml::table* const table = components->get_as<toml::table>(i);
             if (!table) continue;
-            const Problems own = problems_.in("component", i);
+            const Problems of_component = problems_.in("component", i);
             component.name = (*table)["name"].value_or<std::string>("");
             if (table->contains("mesh")) {
                 component.crop.is_known = false;
                 continue;
             }
             read_crop(table->get("crop"), table->get("bounds"),
-                      "component.crop", component.crop, own, own.in("crop"));
+                      "component.crop", component.crop, of_component,
+                      of_component.in("crop"));
         }
     }
 
-    //! Reads the campaign's own tables, with the names that its crops have.
+    //! Reads the tables of the campaign, with the names that its crops define.
     void read_tables(const toml::table& top) {
         CropSpec& crop = spec_.plant.crop;
         if (const toml::table* const leaves = top["photosynthesis"].as_table())
@@ -166,12 +167,13 @@ class SpecReader {
         if (crop.rule.empty())
             read_own_bounds(*top["plant"]["bounds"].as_table(), "plant", crop,
                             problems_.in("plant"));
-        const toml::array* const all = top["component"].as_array();
+        const toml::array* const components = top["component"].as_array();
         for (std::size_t i = 0; i < spec_.components.size(); ++i)
-            if (CropSpec& own = spec_.components[i].crop; own.rule.empty())
+            if (CropSpec& own_crop = spec_.components[i].crop;
+                own_crop.rule.empty())
                 read_own_bounds(
-                    *(*all)[i].as_table()->get_as<toml::table>("bounds"),
-                    "component", own, problems_.in("component", i));
+                    *(*components)[i].as_table()->get_as<toml::table>("bounds"),
+                    "component", own_crop, problems_.in("component", i));
     }
 
     void read_lines(const toml::node& named) {
@@ -201,11 +203,10 @@ class SpecReader {
         chosen = organ_names(plant);
     }
 
-    //! Fills in the accuracy that `fidelity` recommends; the defaults of the
-    //! field and the time step already fit.
+    //! Fills in the default accuracy, as recommended by `fidelity`.
     void complete_light() {
         LightSpec& light = spec_.light;
-        // If a file sets paths but no tolerance, all paths are traced.
+        // If paths are set but no tolerance, all paths are traced.
         if (!light.tolerance) light.tolerance = light.paths ? 0 : 0.005;
         if (!light.paths) light.paths = 16384;
         const bool has_climates = !spec_.climates.empty();
@@ -277,15 +278,15 @@ Spec read_spec(const std::string& text, const std::string& file,
     auto table = parse_toml(text, file, problems);
     if (!table) return spec;
     apply_settings(settings, *table, problems);
-    // Resolved campaigns have [sensitivity] if they search for nothing.
+    // Resolved campaigns have [sensitivity] only if they are sensitivity
+    // studies.
     spec.is_study =
         source == TextSource::file ? is_study : table->contains("sensitivity");
     if (is_plant(*table))
-        problems.add_at(
-            Location{file, 1, 1}, "", ProblemCode::file,
-            "this is a crop file (it has leaves, but no site to "
-            "light them); give a campaign, or evaluate the plant in "
-            "one: ideotype compare PLANT --under CAMPAIGN");
+        problems.add_at(Location{file, 1, 1}, "", ProblemCode::file,
+                        "this is a crop file (it has leaves, but no site); "
+                        "give a campaign, or evaluate the plant in one: "
+                        "ideotype compare PLANT --under CAMPAIGN");
     else
         SpecReader(file, source, spec, problems).read(*table);
     spec.passed_over = problems.passed_over();
@@ -298,9 +299,8 @@ Spec read_resolved(const std::string& text) {
 
 std::string passed_over_text(const std::set<std::string>& keys) {
     return fmt::format(
-        "the campaign of this history has keys that this version does not have "
-        "({}); they are passed over, and the version that made the history "
-        "reads them",
+        "the campaign of this history has keys that this version lacks ({}); "
+        "they are ignored; the version that wrote the history reads them",
         fmt::join(keys, ", "));
 }
 

@@ -18,8 +18,8 @@ enum class TextSource {
     history,   //!< canonical text of a history, perhaps of another version
 };
 
-//! Reads the text of a campaign, and the crop files that it names, without
-//! checks of values against each other.
+//! Reads the text of a campaign and the crop files that it names. Values are
+//! checked one by one, not against each other.
 //! @param settings settings from the command line, see apply_settings()
 //! @param is_study whether a sensitivity study is wanted; resolved texts state
 //! it themselves
@@ -27,11 +27,10 @@ Spec read_spec(const std::string& text, const std::string& file,
                TextSource source, const std::vector<std::string>& settings,
                bool is_study, const Problems& problems);
 
-//! Returns what a resolved text says; keys that this version does not have are
-//! passed over.
+//! Reads a resolved text; keys that this version lacks are ignored.
 Spec read_resolved(const std::string& text);
 
-//! Returns a warning of keys in Spec::passed_over.
+//! Returns a warning about the keys in Spec::passed_over.
 std::string passed_over_text(const std::set<std::string>& keys);
 
 //! Reads the text of a crop file. Returns nothing if the text is a campaign.

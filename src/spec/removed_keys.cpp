@@ -31,11 +31,11 @@ constexpr std::pair<const char*, std::variant<double, std::string_view>>
 }  // namespace
 
 bool has_former_default(const std::string& key, const toml::node& value) {
-    return std::ranges::any_of(removed_keys, [&](const auto& each) {
+    return std::ranges::any_of(removed_keys, [&](const auto& removed) {
         const auto has = [&](const auto& former) {
             return value.value<std::decay_t<decltype(former)>>() == former;
         };
-        return key.ends_with(each.first) && std::visit(has, each.second);
+        return key.ends_with(removed.first) && std::visit(has, removed.second);
     });
 }
 

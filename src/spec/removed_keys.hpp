@@ -7,8 +7,8 @@
 
 namespace ideotype {
 
-//! Returns whether a key that this version does not have changes nothing: it
-//! has its former default, which now always holds.
+//! Returns whether a removed key has no effect: its value is the former
+//! default, which is now fixed.
 //! @param key section and name, such as "search.step"
 bool has_former_default(const std::string& key, const toml::node& value);
 

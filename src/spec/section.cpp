@@ -10,7 +10,7 @@ namespace ideotype {
 
 KnownNames names_of(const CropSpec& crop) {
     KnownNames known;
-    // Nothing is known of a crop that could not be read.
+    // The traits of a crop that could not be read are unknown.
     if (crop.is_known)
         for (const TraitEntry& each : crop.traits)
             known.traits.push_back(each.trait.name);
@@ -36,10 +36,10 @@ std::vector<std::string> allowed_texts(const Key& key,
     }
     if (key.values.known) return key.values.known();
     if (key.enumeration) return key.enumeration();
-    std::vector<std::string> all;
+    std::vector<std::string> texts;
     for (const char* const text : key.values.texts)
-        if (text) all.emplace_back(text);
-    return all;
+        if (text) texts.emplace_back(text);
+    return texts;
 }
 
 bool is_required(const Key& key, const KnownNames& known) {

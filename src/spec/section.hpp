@@ -12,19 +12,19 @@
 
 namespace ideotype {
 
-//! A key and the place of its value in a record.
+//! A key and the address of its value in a record.
 struct BoundKey {
     const Key& key;
     Target value;
 };
 
-//! The keys of a table beside the record that holds their values.
+//! The keys of a table, with the record that stores their values.
 struct Section {
     std::string name;  //!< name for messages, such as "field.variation"
     std::span<const Key> keys;
     void* record = nullptr;
-    //! Distance of the records of two neighbouring keys; 0: all keys are of one
-    //! record.
+    //! Distance between the records of consecutive keys [bytes]; 0: all keys
+    //! belong to one record.
     std::size_t stride = 0;
 
     BoundKey operator[](std::size_t key) const {
@@ -33,7 +33,7 @@ struct Section {
     }
 };
 
-//! Returns the names that a crop determines.
+//! Returns the names that a crop defines.
 KnownNames names_of(const CropSpec& crop);
 
 //! Returns the texts that a key allows; none: any.
@@ -49,9 +49,8 @@ std::optional<std::vector<double>> numbers_of(const BoundKey& key);
 //! Returns the fault of a number as the value of a key, or "" if it has none.
 std::string fault_of(double value, const std::string& section, const Key& key);
 
-//! Returns the keys of a crop's own bounds, one for each trait, each in the
-//! range of the trait's measure. Names are those of the crop's traits, which
-//! must outlive them.
+//! Returns the keys of own bounds of a crop: one for each trait, with the range
+//! of its measure. Key names refer to the traits, which must outlive the keys.
 std::vector<Key> own_bounds_keys(const CropSpec& crop);
 
 }  // namespace ideotype

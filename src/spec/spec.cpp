@@ -31,10 +31,10 @@ std::vector<double> MaterialSpec::in(const std::string& band) const {
 
 std::vector<std::string> bands_of(const std::vector<MaterialSpec>& materials) {
     std::set<std::string> names;
-    for (const MaterialSpec& each : materials) {
-        for (const auto& [band, parts] : each.others) names.insert(band);
+    for (const MaterialSpec& material : materials) {
+        for (const auto& [band, parts] : material.others) names.insert(band);
         for (const Waveband& band : wavebands)
-            if (!each.in(band.name).empty()) names.insert(band.name);
+            if (!material.in(band.name).empty()) names.insert(band.name);
     }
     // Assimilation is computed from the first band.
     std::vector<std::string> sorted(names.begin(), names.end());
@@ -107,10 +107,10 @@ std::vector<std::string> rule_names(const CropSpec& crop) {
 
 bool is_bred(const CropSpec& crop, const Trait& trait) {
     bool rule_chooses = false;
-    for (const BoundsEntry& each : crop.bounds) {
-        if (each.rule != crop.rule || !each.is_bred) continue;
+    for (const BoundsEntry& entry : crop.bounds) {
+        if (entry.rule != crop.rule || !entry.is_bred) continue;
         rule_chooses = true;
-        if (each.trait == trait.name) return true;
+        if (entry.trait == trait.name) return true;
     }
     return !rule_chooses && trait.is_bred;
 }
@@ -142,11 +142,11 @@ Crop crop_of(const CropSpec& spec) {
 Range bounds_of(const CropSpec& crop, std::size_t trait, double baseline) {
     if (crop.rule.empty()) return crop.own_bounds.at(trait);
     const Trait& bred = crop.traits.at(trait).trait;
-    for (const BoundsEntry& each : crop.bounds) {
-        if (each.rule != crop.rule || each.trait != bred.name) continue;
-        if (!(each.change > 0)) return each.range;
-        return {std::max((1 - each.change) * baseline, each.range.lower),
-                std::min((1 + each.change) * baseline, each.range.upper)};
+    for (const BoundsEntry& entry : crop.bounds) {
+        if (entry.rule != crop.rule || entry.trait != bred.name) continue;
+        if (!(entry.change > 0)) return entry.range;
+        return {std::max((1 - entry.change) * baseline, entry.range.lower),
+                std::min((1 + entry.change) * baseline, entry.range.upper)};
     }
     return bred.range;
 }

@@ -44,7 +44,7 @@ struct Named {
 
 //! The weather of a period from a file.
 struct Climate {
-    std::string file;  //!< path as written; "": each site has its own
+    std::string file;  //!< path as written; "": each site names a file
     Period period;
     std::string stamp;  //!< time stamp; "": as in the format
     ColumnMap columns;
@@ -55,7 +55,7 @@ struct Climate {
     bool grows() const { return emergence.year > 0; }
 };
 
-//! The weather of a site in a climate, as it was read.
+//! The weather of a site in a climate, as read from a file.
 struct SiteWeather {
     std::string site, climate;  //!< names of the site and the climate
     std::string sha256;         //!< SHA-256 of the weather file
@@ -70,7 +70,7 @@ struct SiteWeather {
     std::vector<double> temperature, humidity, wind, pressure, longwave;
 };
 
-//! The traits that may be bred; all others keep the baseline's values.
+//! The free traits; all others keep the values of the baseline.
 using TraitSet = std::vector<std::string>;
 
 using NamedDay = Named<DaySpan>;
@@ -78,19 +78,19 @@ using NamedClimate = Named<Climate>;
 using NamedSpacing = Named<Spacing>;
 using NamedTraits = Named<TraitSet>;
 
-//! One trait of a crop file, which acts on the measures of one of these lists.
+//! A trait of a crop file, which acts on the measures of one of these lists.
 struct TraitEntry {
     Trait trait;
     std::vector<std::string> sets, scales, shifts;
 };
 
-//! Bounds of one trait under a rule that campaigns choose by its name.
+//! Bounds of a trait under a rule that campaigns choose by name.
 struct BoundsEntry {
     std::string rule;
     std::string trait;
     Range range;
-    double change = 0;     //!< relative to the baseline; 0: any
-    bool is_bred = false;  //!< whether campaigns with only the rule breed it
+    double change = 0;     //!< largest relative change of the baseline; 0: any
+    bool is_bred = false;  //!< whether the rule alone frees the trait
 };
 
 //! Models of leaves, in the order of LeafRates.
@@ -101,16 +101,16 @@ inline constexpr std::array enum_names<LeafModel>{
     EnumName{"collatz", LeafModel::collatz},
     EnumName{"farquhar", LeafModel::farquhar}};
 
-//! The table [photosynthesis]. A list has one number for all leaves, or one for
-//! each, the lowest first; empty: the model's default.
+//! The table [photosynthesis]. A list has one value for all leaves, or one per
+//! leaf, the lowest first; empty: the default of the model.
 struct PhotosynthesisSpec {
     LeafModel model = LeafModel::hyperbola;
-    std::vector<double> theta, rd;  //!< numbers of all models
-    std::vector<double> phi, amax;  //!< numbers of the hyperbola
-    //! Gross assimilation at an absorbed PPFD of 2000, in place of amax.
+    std::vector<double> theta, rd;  //!< parameters of all models
+    std::vector<double> phi, amax;  //!< parameters of the hyperbola
+    //! Gross assimilation at an absorbed PPFD of 2000, instead of amax.
     std::vector<double> rate_2000;
-    std::vector<double> vmax, alpha, beta, k;  //!< numbers of Collatz
-    //! Numbers of Farquhar, with beta.
+    std::vector<double> vmax, alpha, beta, k;  //!< parameters of Collatz
+    //! Parameters of Farquhar, with beta.
     std::vector<double> vcmax, jmax, tpu, g1;
     CapacityProfile profile = CapacityProfile::exponential;
     double kn = CanopyNitrogen{}.kn;
@@ -121,15 +121,15 @@ struct PhotosynthesisSpec {
     double leaf_mass = 45;  //!< dry mass [g m-2 of leaf]
 };
 
-//! The table [photosynthesis] of meshes: leaves do not differ by depth and do
-//! not follow the weather unless the table says so.
+//! The table [photosynthesis] of meshes: unless stated, capacity is uniform
+//! with depth and does not follow the weather.
 struct MeshLeaves : PhotosynthesisSpec {
     MeshLeaves() {
         profile = CapacityProfile::none;
         follows_weather = false;
     }
 };
-// Tables read its records as those of its only base.
+// Tables treat its records as those of its base class.
 static_assert(std::is_standard_layout_v<MeshLeaves>);
 
 //! The table [water].
@@ -137,12 +137,12 @@ struct WaterSpec {
     LeafWater rules;
     Stomata::Model model = Stomata::Model::medlyn;
     std::optional<double> intercept{}, slope{};
-    double limit = 0;  //!< most transpiration on all days [mm]; 0: any
+    double limit = 0;  //!< largest transpiration over all days [mm]; 0: any
 };
 
-//! A crop file, and the bounds within which a campaign breeds its traits.
+//! A crop file, and the bounds of its traits in a campaign.
 struct CropSpec {
-    //! Fills in the baseline's width profile and the usual traits.
+    //! Fills in the width profile of the baseline and the default traits.
     CropSpec();
 
     Plant baseline;
@@ -151,15 +151,15 @@ struct CropSpec {
     std::optional<Growth> growth;
     ByBand<PlantOptics> optics = usual_optics;
     PhotosynthesisSpec photosynthesis;
-    //! The file of each key of [photosynthesis] that a file states.
+    //! The file that states each key of [photosynthesis].
     std::map<std::string, std::string> leaf_files;
-    //! Differences between plants; none: the crop file has no such table.
+    //! Within-line variation; none: the crop file has no such table.
     std::optional<CropVariation> variation;
     //! Rule of bounds; "traits": ranges of the traits; "": own_bounds.
     std::string rule = "traits";
     std::vector<Range> own_bounds;  //!< own bounds of each trait
-    bool is_known = true;           //!< whether all files were found
-    ByBand<bool> follows{true};     //!< wavebands in which light is followed
+    bool is_known = true;           //!< whether its file was read
+    ByBand<bool> follows{true};     //!< wavebands in which light is traced
 };
 
 //! The table [plant].
@@ -167,8 +167,8 @@ struct PlantSpec {
     CropSpec crop;
     std::vector<std::string> organs;  //!< present organs besides leaves
     //! Development stage of plants that do not grow, from emergence (0) over
-    //! silking (1) to maturity (2); it fixes the capacity of leaves by the
-    //! ageing of their crop, and nothing else.
+    //! silking (1) to maturity (2). It only determines the photosynthetic
+    //! capacity of leaves, by the ageing of the crop.
     double stage = 1;
     Tessellation tessellation;
 };
@@ -186,36 +186,36 @@ struct MeshContent {
 //! The material of the groups of a mesh: in each waveband reflectance and
 //! transmittance, or reflectance of both faces and transmittance.
 struct MaterialSpec {
-    std::vector<std::string> groups;  //!< texts that names of groups begin with
+    std::vector<std::string> groups;  //!< prefixes of group names
     ByBand<std::vector<double>> optics;
-    //! Further wavebands, which only the light in a single mesh may have.
+    //! Further wavebands, which only `ideotype light` supports.
     std::map<std::string, std::vector<double>> others{};
 
-    //! Returns the numbers in a waveband; none: they are not known.
+    //! Returns the values in a waveband; empty if unknown.
     std::vector<double> in(const std::string& band) const;
 };
 
 //! Returns the wavebands of any material by name, "par" first.
 std::vector<std::string> bands_of(const std::vector<MaterialSpec>& materials);
 
-//! The mesh of each plant of a component, which neither grows nor is bred.
+//! The mesh of each plant of a component, which neither grows nor is optimised.
 //! Without a file the component has a crop.
 struct ComponentMesh : MeshContent {
     std::vector<MaterialSpec> materials;
-    std::optional<MeshLeaves> photosynthesis{};  //!< none: it is not known
+    std::optional<MeshLeaves> photosynthesis{};  //!< none: unknown
 };
 
-//! A component beside the campaign's crop.
+//! A component in addition to the main crop.
 struct ComponentSpec {
     std::string name;
-    CropSpec crop;       //!< not known if there is a mesh
-    ComponentMesh mesh;  //!< mesh in place of a crop
-    TraitSet free;       //!< bred traits; none: not bred
+    CropSpec crop;       //!< unknown if there is a mesh
+    ComponentMesh mesh;  //!< mesh instead of a crop
+    TraitSet free;       //!< optimised traits; empty: not optimised
     std::optional<PlantVariation> variation;
-    std::vector<double> rows;        //!< rows of the field, from 1
-    int mixed = 0;                   //!< places among bred plants; 0: none
-    int plants = 0;                  //!< plants per row; 0: as in the field
-    int later = 0;                   //!< delay of emergence after the crop [d]
+    std::vector<double> rows;  //!< rows of the field, from 1
+    int mixed = 0;   //!< positions among plants of the main crop; 0: none
+    int plants = 0;  //!< plants per row; 0: as in the field
+    int later = 0;   //!< delay of emergence after the crop [d]
     std::optional<double> jitter{};  //!< jitter instead of the field's [deg]
 
     bool has_mesh() const { return !mesh.file.empty(); }
@@ -230,7 +230,7 @@ struct PanelEntry {
 //! An object in the field that repeats with the field.
 struct ObjectEntry {
     std::string name;
-    MeshContent mesh;  //!< surfaces; their groups have no meaning
+    MeshContent mesh;  //!< surfaces; group names are ignored
     double x = 0, y = 0, z = 0, turn = 0;
     ByBand<Lambertian> optics = std::to_array<Lambertian>({{.4, 0}, {.4, 0}});
 };
@@ -240,7 +240,7 @@ struct BandEntry {
     std::string name;
 };
 
-//! The table [light]. Values that are missing follow from others.
+//! The table [light]. Missing values are derived from others.
 struct LightSpec {
     std::optional<int> paths;  //!< paths per randomisation
     int randomisations = 16;
@@ -249,12 +249,12 @@ struct LightSpec {
     //! Waveband in which the tolerance bounds the light of leaves.
     std::optional<std::string> band;
     SkyModel sky = SkyModel::uniform;
-    //! Dates of a climate whose suns stand for all, and stages of plants that
-    //! grow; none: there are no climates, or plants do not grow.
+    //! Number of dates of a climate with traced suns, and of stages of growing
+    //! plants; none without climates or growth.
     std::optional<int> dates, stages;
 };
 
-//! The way in which values from several scenarios become one objective.
+//! The aggregation of values from several scenarios to one objective.
 enum class Across { mean, worst };
 template <>
 inline constexpr std::array enum_names<Across>{
@@ -263,46 +263,47 @@ inline constexpr std::array enum_names<Across>{
 //! The table [objective].
 struct ObjectiveSpec {
     std::vector<std::string> maximised{"absorbed_par"}, minimised;
-    //! Weight of each component in the objectives, the bred component first.
-    //! Empty: objectives are those of all plants together.
+    //! Weight of each component in the objectives, the main crop first. Empty:
+    //! objectives refer to all plants together.
     std::vector<double> weights;
-    //! Yield of each component alone, in the unit of the objective, and its
-    //! standard error. Empty: the objective is no land equivalent ratio.
+    //! Yield of each component as a sole crop, in the unit of the objective,
+    //! and its standard error. Empty: the objective is not a land equivalent
+    //! ratio.
     std::vector<double> sole, sole_errors;
     //! Axes whose entries are scenarios of one case, by table name.
     std::vector<std::string> over;
     Across across = Across::mean;
 };
 
-//! A limit of the first measure that a trait acts on, in the unit of this
-//! measure. A plant must keep to the limit however it is bred.
+//! A limit on the first measure that a trait acts on, in the unit of this
+//! measure.
 struct TraitConstraint {
     std::string trait;
     double step = 0;          //!< largest step from leaf to leaf; 0: any
     Range total{0, 1e9};      //!< total of all leaves
     bool is_falling = false;  //!< no leaf may exceed the leaf below
-    //! Largest angle between a leaf and a plane to whose two sides leaves
-    //! alternate [deg]; 0: any.
+    //! Largest angle between a leaf and the plane of alternating (distichous)
+    //! leaves [deg]; 0: any.
     double distichous = 0;
     Range range{-1e9, 1e9};  //!< range of each leaf
-    int highest = 0;         //!< limited leaves, from the top down; 0: all
+    int highest = 0;  //!< number of limited leaves, from the top down; 0: all
 };
 
 //! Returns whether a limit restricts anything.
 bool constrains(const TraitConstraint& limit);
 
-//! All limits that a plant must keep to. A plant that breaks limits is worse
-//! than any plant that keeps to all, by its violation().
+//! The constraints on plants. A plant that violates constraints ranks below all
+//! feasible plants, by its violation().
 struct Constraints {
     Range lai{0, 1000};  //!< one-sided leaf area index [m2 m-2]
     std::vector<TraitConstraint> traits;
 };
 
-//! The measured lines near which plants of the crop must stay.
+//! Measured lines, and the allowed distance of plants from them.
 struct Feasibility {
-    MeasuredLines lines;  //!< lines; none without traits
-    //! Largest distance from the mean of the lines, see LineDistance; the
-    //! excess over it, relative to it, is a violation. 0: no limit.
+    MeasuredLines lines;  //!< the lines; there are none if it has no traits
+    //! Largest distance from the mean of the lines, see LineDistance. The
+    //! relative excess over it is a violation. 0: no limit.
     double limit = 0;
 
     //! Returns the lines, if there are any.
@@ -348,29 +349,29 @@ struct SensitivitySpec {
     std::vector<KeyFactor> keys;
 };
 
-//! The table [final]: the best candidates that are evaluated again at the end,
-//! and the accuracy of these evaluations.
+//! The table [final]: the number of best candidates that are re-evaluated at
+//! the end, and the accuracy of these evaluations.
 struct FinalSpec {
     std::optional<int> candidates;
     int paths = 16384;
     int randomisations = 16;
 };
 
-//! The time that workers may take. It does not belong to the study and may
-//! differ when a case is resumed.
+//! Time limits of workers. They are not part of the study and may differ when a
+//! case is resumed.
 struct AnswerLimits {
-    double deadline = 60;  //!< least deadline of an evaluation [s]
+    double deadline = 60;  //!< shortest deadline of an evaluation [s]
 };
 
-//! All that a campaign file and the files that it names say. Every key, with
-//! its unit, range and default, is declared in the tables of spec/tables.
+//! The contents of a campaign file and of the files that it names. Every key,
+//! with its unit, range and default, is declared in the tables of spec/tables.
 struct Spec {
     std::string name;
     std::uint64_t seed = 1;
     int replicates = 1;
     std::vector<Site> sites;
     std::vector<NamedDay> days;
-    std::vector<NamedClimate> climates;  //!< climates that replace days
+    std::vector<NamedClimate> climates;  //!< climates, instead of days
     std::vector<NamedSpacing> spacings;
     std::vector<NamedTraits> trait_sets{{"all", {}}};
     FieldForm field;  //!< field; each case sets its spacing
@@ -394,15 +395,15 @@ struct Spec {
     FinalSpec final;
     AnswerLimits parallel;
     std::vector<SiteWeather> weathers;  //!< weather by site and climate
-    //! Keys of a history's campaign that this version does not have, but for
-    //! those with their former default.
+    //! Keys in the campaign of a history that this version lacks, except those
+    //! with their former default.
     std::set<std::string> passed_over;
 };
 
-//! Returns whether light is followed in each waveband.
+//! Returns whether light is traced in each waveband.
 ByBand<bool> followed_bands(const Spec& spec);
 
-//! Returns whether plants grow in a climate.
+//! Returns whether plants grow in any climate.
 bool plants_grow(const Spec& spec);
 
 //! Returns whether the entries of an axis are scenarios of one case.
@@ -412,22 +413,22 @@ bool is_over(const Spec& spec, const std::string& axis);
 //! assimilation of leaves.
 bool asks_for_assimilation(const Spec& spec);
 
-//! Returns the names by which campaigns may choose bounds.
+//! Returns the names of the rules of bounds that campaigns may choose.
 std::vector<std::string> rule_names(const CropSpec& crop);
 
-//! Returns whether campaigns without trait sets breed the trait.
+//! Returns whether campaigns without trait sets free a trait.
 bool is_bred(const CropSpec& crop, const Trait& trait);
 
-//! Returns the measures that a trait acts on: the list that is not empty.
+//! Returns the measures that a trait acts on: its non-empty list.
 const std::vector<std::string>& measures_of(const TraitEntry& entry);
 
-//! Returns a trait with the measures and effect of the list that is not empty.
+//! Returns a trait with the measures and the effect of its non-empty list.
 Trait complete(const TraitEntry& entry);
 
-//! Returns the crop of a crop file without problems.
+//! Returns the crop of a checked crop file.
 Crop crop_of(const CropSpec& spec);
 
-//! Returns the bounds of a trait, given the baseline's value.
+//! Returns the bounds of a trait, given the value of the baseline.
 Range bounds_of(const CropSpec& crop, std::size_t trait, double baseline);
 
 //! Returns the names of all organs that plants may have besides leaves.

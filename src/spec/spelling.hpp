@@ -6,13 +6,14 @@
 
 namespace ideotype {
 
-//! Returns the TOML value that a text was meant to be: 05:00:00 for "5:00",
-//! 2025-07-15 for "15.07.2025", 0.8 for ".8". Nothing if there is no guess.
+//! Returns the TOML value that a text probably means: 05:00:00 for "5:00",
+//! 2025-07-15 for "15.07.2025", 0.8 for ".8". Returns nothing if there is no
+//! guess.
 std::optional<std::string> meant_time(const std::string& text);
 std::optional<std::string> meant_date(const std::string& text);
 std::optional<std::string> meant_number(const std::string& text);
 
-//! Returns whether a text is the time at which a day ends: "24:00".
+//! Returns whether a text is the end of a day, "24:00".
 bool is_midnight(const std::string& text);
 
 //! Returns advice on how to correct a line that is not valid TOML.

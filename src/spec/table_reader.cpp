@@ -27,7 +27,7 @@ bool is_of_crop(const std::string& section) {
     });
 }
 
-//! Returns the name by which users know a key of a section.
+//! Returns the user-visible name of a key of a section.
 std::string name_in(const std::string& section, const std::string& key,
                     const Problems& problems) {
     return problems.name_of(key).value_or(
@@ -38,14 +38,14 @@ std::string name_in(const std::string& section, const std::string& key,
 std::vector<std::string> owners(const std::string& name,
                                 const std::string& section) {
     std::vector<std::string> places;
-    for (const Documented& each : documented_tables())
-        if (each.section != section && find_key(each.section, name) &&
-            each.description->is_of_crop == is_of_crop(section))
-            places.push_back(place_of(each.section));
+    for (const Documented& table : documented_tables())
+        if (table.section != section && find_key(table.section, name) &&
+            table.description->is_of_crop == is_of_crop(section))
+            places.push_back(place_of(table.section));
     return places;
 }
 
-//! Returns advice on the known key that an unknown key may stand for.
+//! Returns advice on the known key that an unknown key may mean.
 std::string advice(const std::string& name, const std::string& nearest,
                    const std::string& section,
                    const std::vector<std::string>& known) {
@@ -59,7 +59,7 @@ std::string advice(const std::string& name, const std::string& nearest,
     return fmt::format("use one of {}", fmt::join(known, ", "));
 }
 
-//! Returns the names of the tables in a record that are no keys.
+//! Returns the names of tables in a record that are not also keys.
 std::vector<std::string> names_of_tables(const Description& description,
                                          void* record) {
     std::vector<std::string> names;
@@ -74,7 +74,7 @@ std::vector<std::string> names_of_tables(const Description& description,
     return names;
 }
 
-//! Returns the names in a table for which the key of all others stands.
+//! Returns the names in a table that are declared by Description::others.
 std::vector<std::string> names_of_others(
     const toml::table& table, const Description& description,
     const std::vector<std::string>& tables) {
@@ -167,40 +167,41 @@ void TableReader::read_table(const toml::table& top, const Table& table,
             void* const record = table.at(parent, i);
             const std::string& name = table.entry_name(record);
             const toml::node* const node = top.get(name);
-            const std::string own =
+            const std::string own_section =
                 section.substr(0, section.rfind('.') + 1) + name;
-            const auto found = node ? entries(*node, table, own)
-                                    : std::vector<const toml::table*>{};
-            for (const toml::table* const each : found)
-                in(name).read_record(*each, *table.description, own, record);
-            if (found.empty())
+            const auto tables = node ? entries(*node, table, own_section)
+                                     : std::vector<const toml::table*>{};
+            for (const toml::table* const each : tables)
+                in(name).read_record(*each, *table.description, own_section,
+                                     record);
+            if (tables.empty())
                 in(name).locate(*table.description, record, where(top));
         }
         return;
     }
     const toml::node* node = top.get(table.name);
     if (!node) report_missing(top, table, parent);
-    auto found = node ? entries(*node, table, section)
-                      : std::vector<const toml::table*>{};
-    // Checking so many entries against each other would take too long.
-    if (found.size() > table.most) {
+    auto tables = node ? entries(*node, table, section)
+                       : std::vector<const toml::table*>{};
+    // Checks of more entries against each other would take too long.
+    if (tables.size() > table.most) {
         problems_.add_at(
-            where(*found[table.most]), table.name, ProblemCode::out_of_range,
+            where(*tables[table.most]), table.name, ProblemCode::out_of_range,
             "there are {} tables [[{}]] (the limit is {}); remove some",
-            found.size(), table.name, table.most);
-        found.resize(table.most);
+            tables.size(), table.name, table.most);
+        tables.resize(table.most);
     }
-    // Records that are there are defaults.
+    // Existing records are defaults, which the file replaces.
     if (node && table.clear && !table.keeps_records) table.clear(parent);
-    if (node && table.resize) table.resize(parent, found.size());
-    for (std::size_t i = 0; i < found.size(); ++i) {
+    if (node && table.resize) table.resize(parent, tables.size());
+    for (std::size_t i = 0; i < tables.size(); ++i) {
         void* const record = table.at(parent, i);
         KnownNames known = table.names ? table.names(record) : known_;
         known.passes_over_others = known_.passes_over_others;
         TableReader(file_, in(table, i, record).problems_, known)
-            .read_record(*found[i], *table.description, section, record);
+            .read_record(*tables[i], *table.description, section, record);
     }
-    if (found.empty()) locate(table, parent, where(top));
+    if (tables.empty()) locate(table, parent, where(top));
 }
 
 void TableReader::locate(const Table& table, void* parent,
@@ -223,10 +224,10 @@ std::vector<const toml::table*> TableReader::entries(
     const toml::node& node, const Table& table,
     const std::string& section) const {
     if (const toml::table* one = node.as_table()) return {one};
-    const auto refuse = [&](const toml::node& found, const std::string& how) {
-        problems_.add_at(where(found), section.substr(section.rfind('.') + 1),
+    const auto refuse = [&](const toml::node& wrong, const std::string& how) {
+        problems_.add_at(where(wrong), section.substr(section.rfind('.') + 1),
                          ProblemCode::wrong_type, "{} is {} (expected: {}",
-                         section, kind(found), how);
+                         section, kind(wrong), how);
     };
     const std::string lists =
         fmt::format("tables); write [[{}]] before the keys of each", section);
@@ -248,7 +249,7 @@ std::vector<const toml::table*> TableReader::entries(
 
 void TableReader::report_missing(const toml::table& top, const Table& table,
                                  const void* parent) const {
-    // Records that are there are the default.
+    // Existing records are defaults.
     if (table.is_optional || top.contains(table.unless) ||
         (table.is_list && table.size(parent) > 0))
         return;
@@ -283,7 +284,7 @@ std::set<std::string> TableReader::report_unknown(
         const std::string nearest = nearest_name(name, is_table ? known : keys);
         misspelt.insert(nearest);
         problems_.add_at(place, name, ProblemCode::unknown_key,
-                         "unknown {} '{}' {} (nothing would read it); {}",
+                         "unknown {} '{}' {} (it would be ignored); {}",
                          is_table ? "table" : "key", name,
                          place_of(section.name),
                          advice(name, nearest, section.name, known));

@@ -14,17 +14,17 @@ namespace ideotype {
 
 inline const KnownNames nothing_known;
 
-//! Reads the tables of one file as they are described, and reports unknown and
-//! missing keys.
+//! Reads the tables of one file according to their descriptions, and reports
+//! unknown and missing keys.
 class TableReader {
   public:
-    //! @param known names that the rest of the file determines; must outlive
-    //! the reader
+    //! @param known names that the rest of the file defines; must outlive the
+    //! reader
     TableReader(const std::string& file, const Problems& problems,
                 const KnownNames& known)
         : file_(file), problems_(problems), known_(known) {}
 
-    //! Reads the keys of a file before its first table, and its tables.
+    //! Reads the keys before the first table of a file, and its tables.
     void read(const toml::table& top, const Description& description,
               void* record) const;
 
@@ -32,8 +32,8 @@ class TableReader {
     void read_keys(const toml::table& table, const Section& section,
                    const std::vector<std::string>& tables = {}) const;
 
-    //! Reads a table, or every `[[name]]` into a record of its own, with the
-    //! tables inside. Tables with defaults may be missing.
+    //! Reads a table, or each `[[name]]` into one record, with the tables
+    //! inside. Tables with defaults may be missing.
     //! @param section name of the table for messages
     //! @param parent record that has the table
     void read_table(const toml::table& top, const Table& table,
@@ -55,13 +55,13 @@ class TableReader {
     std::vector<const toml::table*> entries(const toml::node& node,
                                             const Table& table,
                                             const std::string& section) const;
-    //! Gives the keys of a missing table the place of its parent.
+    //! Assigns the position of the parent to the keys of a missing table.
     void locate(const Table& table, void* parent, const Location& place) const;
     void locate(const Description& description, void* record,
                 const Location& place) const;
     void report_missing(const toml::table& top, const Table& table,
                         const void* parent) const;
-    //! Returns the known keys that unknown keys seem to stand for.
+    //! Returns the known keys that unknown keys probably mean.
     std::set<std::string> report_unknown(
         const toml::table& table, const Section& section,
         const std::vector<std::string>& tables) const;

@@ -12,13 +12,13 @@ inline constexpr std::size_t most_components = 20;
 inline constexpr std::size_t most_leaves = 40;
 inline constexpr std::size_t most_organs = 40;
 inline constexpr std::size_t most_traits = 100;
-//! Most entries of an axis.
+//! Largest number of entries of an axis.
 inline constexpr std::size_t most_entries = 10'000;
 inline constexpr std::size_t most_cases = 100'000;
 
 extern const Description spec_table;  //!< campaigns, records are Spec
 extern const Description crop_table;  //!< crop files, records are CropSpec
-//! Tables of both crop files and campaigns, as crop files have them.
+//! Tables that both crop files and campaigns have, in crop files.
 extern const Description crop_leaves_table;
 //! The table [variation] of crop files.
 extern const Description crop_variation_table;
@@ -26,23 +26,23 @@ extern const Description crop_variation_table;
 extern const Description lines_table;
 
 extern const Description site_table, day_table, climate_table, weather_table;
-//! The place of a site alone: its latitude, longitude and UTC offset.
+//! The location of a site: latitude, longitude and UTC offset.
 extern const Description place_table;
 extern const Description spacing_table, field_table, variation_table;
 extern const Description panel_table, object_table, material_table, band_table;
 extern const Description optics_table, crop_optics_table;
 extern const Description photosynthesis_table, water_table;
-//! A key TRAIT, which stands for each trait of a crop; records are Range.
+//! The key TRAIT, which stands for each trait of a crop; records are Range.
 extern const Description own_bounds_table;
 
-//! Returns the key of a table by its name in documents, such as "site"; null if
-//! there is none.
+//! Returns a key by its name and the name of its table in documents, such as
+//! "site"; null if there is none.
 const Key* find_key(const std::string& section, const std::string& name);
 
 //! A table with its name in documents: "site", "field.variation", "leaf".
 struct Documented {
     std::string section;
-    const Table* table = nullptr;  //!< none: the keys before the first table
+    const Table* table = nullptr;  //!< null: the keys before the first table
     const Description* description = nullptr;
 };
 

@@ -25,21 +25,23 @@ std::string with_unit(const Key& key) {
     return *key.values.unit ? fmt::format(" {}", key.values.unit) : "";
 }
 
-//! Returns a value of a key for messages: an example, its value, or the number
-//! or text with which its default in words begins.
+//! Returns a value of a key for messages: its example, its value, or the number
+//! or text at the beginning of its default in words.
 std::string example_of(const BoundKey& key) {
     const auto& [words, example, is_required] = key.key.initial;
     const std::string text = *example ? example : toml_text(key);
     if (!text.empty() || !words) return text;
-    const std::string_view all = words;
-    const bool is_value = all[0] == '"' || (all[0] >= '0' && all[0] <= '9');
-    return std::string(is_value ? all.substr(0, all.find_first_of(",; ")) : "");
+    const std::string_view phrase = words;
+    const bool is_value =
+        phrase[0] == '"' || (phrase[0] >= '0' && phrase[0] <= '9');
+    return std::string(is_value ? phrase.substr(0, phrase.find_first_of(",; "))
+                                : "");
 }
 
-//! Returns a text without its quotes as TOML, if it then has the right type.
-std::optional<std::string> without_quotes(const toml::node& found,
+//! Returns a text without quotes as TOML, if it then has the right type.
+std::optional<std::string> without_quotes(const toml::node& node,
                                           const BoundKey& key) {
-    const auto text = found.value<std::string>();
+    const auto text = node.value<std::string>();
     if (!text) return std::nullopt;
     if (has_dates(key.value)) return meant_date(*text);
     if (!std::holds_alternative<double*>(key.value) &&
@@ -56,26 +58,26 @@ std::string ValueFaults::name() const {
     return section == "top" ? std::string(key.name) : section + '.' + key.name;
 }
 
-void ValueFaults::fail_type(const toml::node& found) const {
-    if (const auto meant = without_quotes(found, bound))
+void ValueFaults::fail_type(const toml::node& node) const {
+    if (const auto meant = without_quotes(node, bound))
         return fail(wrong_type,
                     "is a text (expected: {}); write {} = {} without quotes",
                     key.values.type, key.name, *meant);
-    if (const auto text = found.value<std::string>();
+    if (const auto text = node.value<std::string>();
         text && has_dates(bound.value))
         if (text->size() == 10 && text->at(4) == '-' && text->at(7) == '-')
             return fail(out_of_range,
                         "is {} (the calendar has no such day); use another day",
                         *text);
     const std::string example = example_of(bound);
-    if (const auto number = found.value<double>();
+    if (const auto number = node.value<double>();
         number && !std::isfinite(*number))
         return fail(wrong_type,
                     "is {} (not a finite number; expected: {}); write for "
                     "example {} = {}",
                     *number, key.values.type, key.name, example);
     fail(wrong_type, "is {} (expected: {}); write for example {} = {}",
-         kind(found), key.values.type, key.name, example);
+         kind(node), key.values.type, key.name, example);
 }
 
 //! Returns the fault of a number, or "" if it has none.
@@ -98,8 +100,8 @@ std::string ValueFaults::fault(double value) const {
     return "";
 }
 
-//! Reports a number that is in the range if it is in another unit; other
-//! entries of a file most likely give this key in the same unit.
+//! Reports a number that would be in range in another unit. It is reported once
+//! per file, since other entries most likely have the same unit.
 bool ValueFaults::is_mistaken(double value) const {
     if (!(value > key.values.upper)) return false;
     std::vector<std::string> units, values;

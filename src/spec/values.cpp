@@ -16,22 +16,22 @@ namespace ideotype {
 
 namespace {
 
-//! Reads a node into the value that a target points at. A function that returns
-//! nothing has reported a fault.
+//! Reads a node into the value that a target points to. Functions that return
+//! nothing have reported a fault.
 struct Reader : ValueFaults {
     const toml::node& node;
     std::vector<std::string> choices;  //!< allowed texts; none: any
     bool is_needed = false;            //!< whether the key must be given
 
-    //! Returns a number of either TOML type in the range.
-    std::optional<double> number(const toml::node& found) const {
+    //! Returns a number of either TOML type, if it is in range.
+    std::optional<double> number(const toml::node& source) const {
         double plain = 0;
-        if (const auto* integer = found.as_integer())
+        if (const auto* integer = source.as_integer())
             plain = static_cast<double>(integer->get());
-        else if (const auto* decimal = found.as_floating_point())
+        else if (const auto* decimal = source.as_floating_point())
             plain = decimal->get();
         else
-            return fail_type(found), std::nullopt;
+            return fail_type(source), std::nullopt;
         // Adding zero turns -0 into 0, so that equal values have equal texts.
         const double value = plain + 0.0;
         if (!accepts(value)) return std::nullopt;
@@ -90,7 +90,7 @@ struct Reader : ValueFaults {
     }
 
     void operator()(std::string* value) const {
-        // The table of a rule is read by itself.
+        // A rule in the form of a table is read separately.
         if (key.values.form == Form::rule && node.is_table()) return;
         if (!choices.empty()) {
             if (const auto found = one_of_choices()) *value = *found;
@@ -106,13 +106,13 @@ struct Reader : ValueFaults {
     }
 
     void operator()(std::uint64_t* value) const {
-        const toml::value<std::int64_t>* found = node.as_integer();
-        if (!found) return fail_type(node);
-        if (found->get() < 0)
+        const toml::value<std::int64_t>* integer_node = node.as_integer();
+        if (!integer_node) return fail_type(node);
+        if (integer_node->get() < 0)
             return fail(out_of_range,
                         "is {} (below the range {}); use 0 or more",
-                        found->get(), range_text(key));
-        *value = static_cast<std::uint64_t>(found->get());
+                        integer_node->get(), range_text(key));
+        *value = static_cast<std::uint64_t>(integer_node->get());
     }
 
     //! Returns a whole number in the range.
@@ -157,9 +157,9 @@ struct Reader : ValueFaults {
             *value = 24;
             return;
         }
-        const toml::value<toml::time>* found = node.as_time();
-        if (!found) return fail_type(node);
-        const toml::time time = found->get();
+        const toml::value<toml::time>* time_node = node.as_time();
+        if (!time_node) return fail_type(node);
+        const toml::time time = time_node->get();
         const double seconds = time.hour * 3600.0 + time.minute * 60.0 +
                                time.second + time.nanosecond * 1e-9;
         *value = seconds / 3600;
@@ -176,16 +176,16 @@ struct Reader : ValueFaults {
     }
 
     void operator()(bool* value) const {
-        const auto found = node.value<bool>();
-        if (!node.is_boolean() || !found) return fail_type(node);
-        *value = *found;
+        const auto truth = node.value<bool>();
+        if (!node.is_boolean() || !truth) return fail_type(node);
+        *value = *truth;
     }
 
-    std::optional<Date> date(const toml::node& from) const {
-        const toml::value<toml::date>* found = from.as_date();
-        if (!found) return fail_type(from), std::nullopt;
-        const Date date{found->get().year, found->get().month,
-                        found->get().day};
+    std::optional<Date> date(const toml::node& source) const {
+        const toml::value<toml::date>* date_node = source.as_date();
+        if (!date_node) return fail_type(source), std::nullopt;
+        const Date date{date_node->get().year, date_node->get().month,
+                        date_node->get().day};
         if (date.year >= 1950 && date.year <= 2100) return date;
         fail(out_of_range, "is {} (outside the range {}); use a year within",
              to_string(date), range_text(key));
@@ -204,21 +204,21 @@ struct Reader : ValueFaults {
         }
         if (array->empty()) return fail_type(node);
         for (const toml::node& element : *array) {
-            const auto found = date(element);
-            if (!found) return;
-            if (!value->empty() && !(value->back() < *found))
+            const auto next = date(element);
+            if (!next) return;
+            if (!value->empty() && !(value->back() < *next))
                 return fail(contradiction,
                             "has {} after {} (not in order); give each date "
                             "once, the earliest first",
-                            to_string(*found), to_string(value->back()));
-            value->push_back(*found);
+                            to_string(*next), to_string(value->back()));
+            value->push_back(*next);
         }
     }
 
     void operator()(Range* value) const {
-        const auto found = numbers(2);
-        if (!found) return;
-        const double lower = (*found)[0], upper = (*found)[1];
+        const auto limits = numbers(2);
+        if (!limits) return;
+        const double lower = (*limits)[0], upper = (*limits)[1];
         if (lower >= upper)
             return fail(contradiction,
                         "is [{}, {}] (the lower bound is not below the upper); "
@@ -253,7 +253,7 @@ struct Reader : ValueFaults {
         if (!array) return fail_type(node);
         for (const toml::node& element : *array) add(element, texts);
         if (array->empty() && is_needed)
-            fail(missing, "is empty (nothing could be bred); name any of {}",
+            fail(missing, "is empty (no trait could vary); name any of {}",
                  fmt::join(choices, ", "));
         *value = texts;
     }

@@ -29,10 +29,10 @@ struct ValueFaults {
         problems.add(key.name, code, "{} {}", name(),
                      fmt::format(text, std::forward<Args>(args)...));
     }
-    //! Reports a value of a wrong type, or a text that without its quotes would
-    //! have the right type.
+    //! Reports a value of the wrong type; suggests removing quotes if that
+    //! would help.
     void fail_type(const toml::node& found) const;
-    //! Returns whether a number is in the range; reports a number that is not.
+    //! Returns whether a number is in range; reports it otherwise.
     bool accepts(double value) const;
 
   private:
@@ -40,8 +40,9 @@ struct ValueFaults {
     bool is_mistaken(double value) const;
 };
 
-//! Reads one value to the place of its key and checks its type and range.
-//! section names the key in messages. The problems must know the value's place.
+//! Reads one value and checks its type and range. Its position must have been
+//! recorded in `problems`.
+//! @param section name of the table for messages
 void read_value(const toml::node& node, const std::string& section,
                 const BoundKey& key, const KnownNames& known,
                 const Problems& problems);

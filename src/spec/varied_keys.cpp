@@ -33,12 +33,12 @@ std::vector<VariableKey> variable_keys(Spec& spec) {
 
 void set_key(Spec& spec, const std::string& key, double value) {
     const std::vector<VariableKey> keys = variable_keys(spec);
-    const auto found = std::ranges::find(keys, key, &VariableKey::name);
-    IDEOTYPE_EXPECT(found != keys.end());
-    if (double* const* number = std::get_if<double*>(&found->key.value))
+    const auto variable = std::ranges::find(keys, key, &VariableKey::name);
+    IDEOTYPE_EXPECT(variable != keys.end());
+    if (double* const* number = std::get_if<double*>(&variable->key.value))
         **number = value;
     else
-        *std::get<std::vector<double>*>(found->key.value) = {value};
+        *std::get<std::vector<double>*>(variable->key.value) = {value};
 }
 
 void complete_factors(Spec& spec) {
@@ -47,12 +47,12 @@ void complete_factors(Spec& spec) {
     for (std::vector<KeyFactor>* factors :
          {&spec.search.keys, &spec.sensitivity.keys})
         for (KeyFactor& factor : *factors) {
-            const auto found =
+            const auto variable =
                 std::ranges::find(keys, factor.key, &VariableKey::name);
-            if (found == keys.end()) continue;
-            const auto numbers = numbers_of(found->key);
+            if (variable == keys.end()) continue;
+            const auto numbers = numbers_of(variable->key);
             if (!numbers || numbers->size() > 1) continue;
-            const char* const unit = found->key.key.values.unit;
+            const char* const unit = variable->key.key.values.unit;
             factor.unit = *unit ? unit : "1";
             factor.value = numbers->empty()
                                ? (factor.range.lower + factor.range.upper) / 2

@@ -9,25 +9,24 @@
 
 namespace ideotype {
 
-//! A number of a campaign that a search or a study may vary, by its name in
-//! --set.
+//! A numeric key of a campaign that a search or a study may vary.
 struct VariableKey {
     std::string section;  //!< section name for messages
-    std::string name;     //!< name such as "optics.soil_albedo"
+    std::string name;     //!< name as in --set: "optics.soil_albedo"
     BoundKey key;
     std::size_t tables;  //!< number of tables of this kind
     bool is_there;       //!< whether the campaign has the table
 };
 
-//! Returns the keys of the tables that describe plants and their surroundings.
-//! @param spec campaign, whose values the keys point at
+//! Returns the keys of tables that describe plants and their environment.
+//! @param spec campaign with the values to which the keys point
 std::vector<VariableKey> variable_keys(Spec& spec);
 
 //! Sets a number of a campaign.
 //! @param key name of a key in variable_keys() with one number
 void set_key(Spec& spec, const std::string& key, double value);
 
-//! Fills in the units and values of the keys that a search or a study varies.
+//! Fills in the units and values of varied keys.
 void complete_factors(Spec& spec);
 
 }  // namespace ideotype

@@ -26,14 +26,14 @@ std::string quoted(const std::string& text) {
     return '"' + escaped + '"';
 }
 
-//! Returns the texts of values between commas.
+//! Returns the texts of values, separated by commas.
 std::string listed(const auto& values, const auto& text_of) {
     std::vector<std::string> texts;
     for (const auto& each : values) texts.push_back(text_of(each));
     return fmt::format("{}", fmt::join(texts, ", "));
 }
 
-//! Writes the value that a target points at.
+//! Returns the value that a target points to, as TOML.
 struct Writer {
     const Key& key;
 
@@ -43,7 +43,7 @@ struct Writer {
     }
     std::string operator()(const double* number) const {
         if (key.values.form == Form::clock) {
-            // Days of TOML end before 24:00:00.
+            // TOML has no time 24:00:00.
             const std::string text = clock_text(*number);
             return *number < 24 ? text : quoted(text);
         }
@@ -58,9 +58,9 @@ struct Writer {
                            quoted(column->unit));
     }
     std::string operator()(const std::vector<Date>* dates) const {
-        const std::string all =
+        const std::string text =
             listed(*dates, [](const Date& date) { return to_string(date); });
-        return dates->size() == 1 ? all : '[' + all + ']';
+        return dates->size() == 1 ? text : '[' + text + ']';
     }
     std::string operator()(const Date* date) const { return to_string(*date); }
     std::string operator()(const Range* range) const {
@@ -80,10 +80,10 @@ struct Writer {
         return fmt::format("[{}]", fmt::join(*numbers, ", "));
     }
     std::string operator()(const std::vector<std::string>* texts) const {
-        const std::string all = listed(*texts, quoted);
+        const std::string text = listed(*texts, quoted);
         return key.values.count == any_count && texts->size() == 1
-                   ? all
-                   : '[' + all + ']';
+                   ? text
+                   : '[' + text + ']';
     }
     std::string operator()(const Choice& choice) const {
         const std::string name = choice.get(choice.value);
@@ -95,7 +95,7 @@ struct Writer {
     }
 };
 
-//! Returns the number of a key whose values are numbers.
+//! Returns the value of a numeric key.
 double number_of(const BoundKey& key) {
     if (const auto* whole = std::get_if<int*>(&key.value)) return **whole;
     if (const auto* whole = std::get_if<std::optional<int>*>(&key.value))
@@ -105,7 +105,7 @@ double number_of(const BoundKey& key) {
     return *std::get<double*>(key.value);
 }
 
-//! Returns whether a value may be left out, since there is none.
+//! Returns whether there is no value to write.
 bool is_empty(const BoundKey& key) {
     return std::visit(
         [&](const auto& value) {
@@ -126,8 +126,8 @@ bool is_empty(const BoundKey& key) {
         key.value);
 }
 
-//! Returns the value of a key in a record. Records are not changed by reading
-//! their values, although targets could.
+//! Returns a key with the address of its value in a record. The record is not
+//! changed, although targets are not const.
 BoundKey bound_to(const Key& key, const void* record) {
     return {key, key.place(const_cast<void*>(record))};
 }
@@ -136,8 +136,9 @@ std::string text_of(const Key& key, const void* record) {
     return toml_text(bound_to(key, record));
 }
 
-//! Returns a line for each key of a record that texts have.
-//! @param is_short whether defaults are left out, as those of quiet keys are
+//! Returns a line for each key of a record that texts include.
+//! @param is_short whether defaults of all keys are omitted, not only those of
+//! quiet keys
 std::string key_lines(const Description& description, const void* record,
                       bool is_short = false) {
     std::string text;
@@ -153,7 +154,7 @@ std::string key_lines(const Description& description, const void* record,
     return text;
 }
 
-//! Returns the tables of a record, each with its name after a prefix.
+//! Returns the tables of a record; names get a prefix.
 std::string table_texts(const std::string& prefix,
                         const Description& description, const void* record);
 
@@ -199,7 +200,7 @@ std::string baseline_text(const CropSpec& crop, const std::string& name) {
 }
 
 std::string component_crop_text(const CropSpec& crop, const std::string& name) {
-    // The component has a mesh.
+    // Without a known crop the component has a mesh.
     if (!crop.is_known) return "";
     return "\n[" + name + "]\n" + crop_text(name + '.', crop);
 }
@@ -259,7 +260,7 @@ std::string crop_file_text(const CropSpec& crop) {
 }
 
 std::vector<AccuracyKey> accuracy_keys(const Spec& spec) {
-    std::vector<AccuracyKey> found;
+    std::vector<AccuracyKey> keys;
     for (const Table& table : spec_table.tables()) {
         if (table.size(&spec) != 1) continue;
         const void* const record = table.at(const_cast<Spec*>(&spec), 0);
@@ -268,11 +269,11 @@ std::vector<AccuracyKey> accuracy_keys(const Spec& spec) {
                 continue;
             std::vector<double> values(key.trial.begin(), key.trial.end());
             std::erase(values, 0.);
-            found.push_back({fmt::format("{}.{}", table.name, key.name),
-                             number_of(bound_to(key, record)), values});
+            keys.push_back({fmt::format("{}.{}", table.name, key.name),
+                            number_of(bound_to(key, record)), values});
         }
     }
-    return found;
+    return keys;
 }
 
 }  // namespace ideotype

@@ -22,14 +22,14 @@ std::string range_text(const Key& key);
 //! @param usual record with all defaults
 std::string default_text(const Key& key, const void* usual);
 
-//! Returns the keys of a record that have other values than their defaults, one
-//! a line.
+//! Returns the keys of a record with values other than their defaults, one per
+//! line.
 std::string changed_keys(const Description& description, const void* record);
 
-// Tables that are written by hand, each with its name.
+// Texts of tables that are written by special code.
 std::string baseline_text(const CropSpec& crop, const std::string& name);
 std::string component_crop_text(const CropSpec& crop, const std::string& name);
-//! Returns the table of a crop's own bounds of its traits, if it has any.
+//! Returns the table of own bounds of a crop, if there are any.
 std::string own_bounds_text(const CropSpec& crop, const std::string& name);
 
 //! Returns a campaign as canonical TOML: every key in a fixed order, axes as
@@ -39,14 +39,14 @@ std::string resolved_text(const Spec& spec);
 //! Returns the text of a crop file.
 std::string crop_file_text(const CropSpec& crop);
 
-//! A key that trades speed for accuracy, such as "light.paths".
+//! An accuracy key, which trades speed for accuracy, such as "light.paths".
 struct AccuracyKey {
     std::string path;
     double value = 0;
     std::vector<double> values;  //!< values for `fidelity`, most accurate last
 };
 
-//! Returns the keys that trade speed for accuracy, in tables that occur once.
+//! Returns the accuracy keys, in tables that occur once.
 std::vector<AccuracyKey> accuracy_keys(const Spec& spec);
 
 }  // namespace ideotype

@@ -13,7 +13,7 @@ namespace ideotype {
 
 namespace {
 
-//! Returns a text that tells a scenario from others of the same case.
+//! Returns a label that distinguishes a scenario from others of the same case.
 std::string label(const Campaign& campaign, const Case& scenario) {
     std::string text;
     const auto add = [&](bool is_named, const std::string& name) {
@@ -41,30 +41,30 @@ AcrossScenarios::AcrossScenarios(const Campaign& campaign, const Case& chosen)
       objectives_(objectives_of(campaign)) {
     std::vector<QuantitySet> sets;
     std::vector<std::string> labels;
-    for (const Case& each : scenarios(chosen)) {
-        stages_.push_back(std::max<std::size_t>(1, each.stages.size()));
+    for (const Case& scenario : scenarios(chosen)) {
+        stages_.push_back(std::max<std::size_t>(1, scenario.stages.size()));
         sets.push_back(
-            each.stages.empty()
-                ? canopy_quantities(scene_of(campaign, each),
+            scenario.stages.empty()
+                ? canopy_quantities(scene_of(campaign, scenario),
                                     canopy_layers(campaign),
                                     details_of(campaign))
-                : over_stages_.emplace_back(campaign, each).measured());
-        labels.push_back(label(campaign, each));
+                : over_stages_.emplace_back(campaign, scenario).measured());
+        labels.push_back(label(campaign, scenario));
     }
     const QuantitySet& first = sets.front();
     if (chosen.scenarios.empty()) {
         measured_ = first;
         return;
     }
-    for (const Quantity& each : first.quantities) {
+    for (const Quantity& quantity : first.quantities) {
         if (!std::ranges::all_of(sets, [&](const QuantitySet& set) {
-                return has_same_axes(each, first, set);
+                return has_same_axes(quantity, first, set);
             }))
             continue;
-        measured_.quantities.push_back(each);
-        shared_.push_back({first.size(each), {}});
+        measured_.quantities.push_back(quantity);
+        shared_.push_back({first.size(quantity), {}});
         for (const QuantitySet& set : sets)
-            shared_.back().begins.push_back(set.offset(each.name));
+            shared_.back().begins.push_back(set.offset(quantity.name));
     }
     for (const Axis& axis : first.axes)
         if (std::ranges::any_of(
@@ -81,78 +81,84 @@ AcrossScenarios::AcrossScenarios(const Campaign& campaign, const Case& chosen)
                                         {"scenario"}});
 }
 
-void AcrossScenarios::combine_objective(const std::vector<Outcome>& each,
+void AcrossScenarios::combine_objective(const std::vector<Outcome>& outcomes,
                                         std::size_t objective,
-                                        Outcome& all) const {
+                                        Outcome& combined) const {
     const std::size_t count =
-        each.front().randomisations.size() / objectives_.size();
+        outcomes.front().randomisations.size() / objectives_.size();
     const std::size_t first = objective * count;
     const auto at = [&](const Outcome& one) {
         return one.objectives[objective];
     };
     if (across_ == Across::worst) {
-        const auto worst = std::max_element(
-            each.begin(), each.end(), [&](const Outcome& a, const Outcome& b) {
-                return is_better(at(a).mean, at(b).mean,
-                                 objectives_[objective].sense);
-            });
-        all.objectives.push_back(at(*worst));
-        const auto own = std::span(worst->randomisations).subspan(first, count);
-        all.randomisations.insert(all.randomisations.end(), own.begin(),
-                                  own.end());
+        const auto worst =
+            std::max_element(outcomes.begin(), outcomes.end(),
+                             [&](const Outcome& a, const Outcome& b) {
+                                 return is_better(at(a).mean, at(b).mean,
+                                                  objectives_[objective].sense);
+                             });
+        combined.objectives.push_back(at(*worst));
+        const auto by_randomisation =
+            std::span(worst->randomisations).subspan(first, count);
+        combined.randomisations.insert(combined.randomisations.end(),
+                                       by_randomisation.begin(),
+                                       by_randomisation.end());
         return;
     }
     std::vector<double> means, values;
-    for (const Outcome& one : each) means.push_back(at(one).mean);
+    for (const Outcome& one : outcomes) means.push_back(at(one).mean);
     for (std::size_t r = first; r < first + count; ++r) {
         std::vector<double> of_scenarios;
-        for (const Outcome& one : each)
+        for (const Outcome& one : outcomes)
             of_scenarios.push_back(one.randomisations[r]);
-        values.push_back(mean_of(of_scenarios));
+        values.push_back(average(of_scenarios));
     }
-    all.objectives.push_back({mean_of(means), estimate(values).standard_error});
-    all.randomisations.insert(all.randomisations.end(), values.begin(),
-                              values.end());
+    combined.objectives.push_back(
+        {average(means), estimate(values).standard_error});
+    combined.randomisations.insert(combined.randomisations.end(),
+                                   values.begin(), values.end());
 }
 
-Outcome AcrossScenarios::combine(const std::vector<Outcome>& each) const {
-    IDEOTYPE_EXPECT(each.size() == std::reduce(stages_.begin(), stages_.end()));
-    std::vector<Outcome> own;
-    std::span<const Outcome> left(each);
+Outcome AcrossScenarios::combine(const std::vector<Outcome>& outcomes) const {
+    IDEOTYPE_EXPECT(outcomes.size() ==
+                    std::reduce(stages_.begin(), stages_.end()));
+    std::vector<Outcome> by_scenario;
+    std::span<const Outcome> left(outcomes);
     auto over = over_stages_.begin();
     // Either all climates have plants that grow, or none has.
     for (const std::size_t count : stages_) {
-        own.push_back(over_stages_.empty()
-                          ? left.front()
-                          : (over++)->combine(left.first(count)));
+        by_scenario.push_back(over_stages_.empty()
+                                  ? left.front()
+                                  : (over++)->combine(left.first(count)));
         left = left.subspan(count);
     }
-    return own.size() == 1 && shared_.empty() ? own.front()
-                                              : combine_scenarios(own);
+    return by_scenario.size() == 1 && shared_.empty()
+               ? by_scenario.front()
+               : combine_scenarios(by_scenario);
 }
 
 Outcome AcrossScenarios::combine_scenarios(
-    const std::vector<Outcome>& each) const {
-    Outcome all;
-    all.status = Status::done;
+    const std::vector<Outcome>& outcomes) const {
+    Outcome combined;
+    combined.status = Status::done;
     for (std::size_t k = 0; k < objectives_.size(); ++k)
-        combine_objective(each, k, all);
-    for (const Outcome& one : each)
-        all.violation = std::max(all.violation, one.violation);
+        combine_objective(outcomes, k, combined);
+    for (const Outcome& one : outcomes)
+        combined.violation = std::max(combined.violation, one.violation);
     for (const auto& [size, begins] : shared_)
         for (std::size_t i = 0; i < size; ++i) {
             std::vector<double> means, errors;
-            for (std::size_t s = 0; s < each.size(); ++s) {
-                const Estimate& x = each[s].quantities[begins[s] + i];
+            for (std::size_t s = 0; s < outcomes.size(); ++s) {
+                const Estimate& x = outcomes[s].quantities[begins[s] + i];
                 means.push_back(x.mean);
                 errors.push_back(x.standard_error);
             }
-            all.quantities.push_back({mean_of(means), mean_of(errors)});
+            combined.quantities.push_back({average(means), average(errors)});
         }
     for (std::size_t k = 0; k < objectives_.size(); ++k)
-        for (const Outcome& one : each)
-            all.quantities.push_back(one.objectives[k]);
-    return all;
+        for (const Outcome& one : outcomes)
+            combined.quantities.push_back(one.objectives[k]);
+    return combined;
 }
 
 }  // namespace ideotype

@@ -11,20 +11,20 @@
 
 namespace ideotype {
 
-//! The outcome of plants that grow, combined from outcomes at each stage.
+//! Combines outcomes of growing plants at each stage to one of the season.
 class OverStages {
   public:
     //! @param chosen case with stages
     OverStages(const Campaign& campaign, const Case& chosen);
 
-    //! Returns the quantities of each stage except those by hour, and some
+    //! Returns the quantities of stages except those by hour, and some
     //! quantities by stage.
     const QuantitySet& measured() const { return measured_; }
 
-    //! Combines outcomes of stages by mean_over() of each quantity. Amounts are
-    //! sums over stages, for a mean day of the season. Stages have their own
-    //! random numbers.
-    //! @param each a done outcome of each stage
+    //! Combines outcomes of stages with the weights given by mean_over() of
+    //! each quantity. Amounts are sums over stages, for a mean day of the
+    //! season. Random numbers of stages are independent.
+    //! @param outcomes a done outcome of each stage
     Outcome combine(std::span<const Outcome> each) const;
 
   private:
@@ -34,13 +34,14 @@ class OverStages {
     struct Summed {
         MeanOver kind;
         std::size_t size;
-        std::vector<std::size_t> begins;  //!< place in each stage's quantities
-        //! The place of each number of each stage.
+        std::vector<std::size_t>
+            begins;  //!< first index in the quantities of each stage
+        //! The index in the sum of each number of each stage.
         std::vector<std::vector<std::size_t>> places;
     };
 
-    //! Adds a quantity, unless the quantity is by hour or has other places in
-    //! each stage.
+    //! Adds a quantity, unless it is by hour or has different axes at each
+    //! stage.
     void add(const Quantity& quantity, const std::vector<QuantitySet>& sets);
 
     struct ByStage {
@@ -52,14 +53,15 @@ class OverStages {
     std::vector<MeanOver> objective_weights_;
     std::vector<double> days_;   //!< days of each stage since emergence
     std::vector<double> times_;  //!< time of each stage over the season
-    //! Places in quantities; transpiration only if leaves exchange water.
+    //! Indices in quantities; transpiration only if leaves exchange water.
     std::vector<std::size_t> incident_, absorbed_, lai_, transpired_;
     std::vector<Summed> summed_;
     std::vector<ByStage> by_stage_;
     QuantitySet measured_;
 };
 
-//! The outcome of a plant in all scenarios of a case, each over its stages.
+//! Combines outcomes of a plant in all scenarios of a case, each over its
+//! stages.
 class AcrossScenarios {
   public:
     AcrossScenarios(const Campaign& campaign, const Case& chosen);
@@ -69,12 +71,12 @@ class AcrossScenarios {
     //! `absorbed_par_by_scenario`; for a single scenario, all quantities.
     const QuantitySet& measured() const { return measured_; }
 
-    //! Combines the outcomes of all scenarios. Objectives are means, by
-    //! randomisation too, so that their standard errors include the random
-    //! numbers that scenarios share; or each objective is taken from the
-    //! scenario where it is worst. The violation is the largest. Standard
-    //! errors of other quantities are means too, which is an upper bound.
-    //! @param each a done outcome of each of evaluated_cases()
+    //! Combines the outcomes of all scenarios. Objectives are means, also by
+    //! randomisation, so that their standard errors account for common random
+    //! numbers of scenarios; or each objective is that of the worst scenario.
+    //! The violation is the largest. Standard errors of other quantities are
+    //! means, an upper bound.
+    //! @param outcomes a done outcome of each of evaluated_cases()
     Outcome combine(const std::vector<Outcome>& each) const;
 
   private:
@@ -83,7 +85,8 @@ class AcrossScenarios {
     //! A quantity averaged over scenarios.
     struct Shared {
         std::size_t size;
-        std::vector<std::size_t> begins;  //!< place in quantities, by scenario
+        std::vector<std::size_t>
+            begins;  //!< first index in quantities, by scenario
     };
 
     void combine_objective(const std::vector<Outcome>& each,

@@ -17,13 +17,14 @@ ResultAxis component_axis(const CanopyReport& report) {
     return {"component", mapped(report.components, &ComponentReport::name)};
 }
 
-//! The groups, with the names of their components where there are several.
+//! Returns the axis of groups, with component names if there are several
+//! components.
 ResultAxis group_axis(const CanopyReport& report) {
-    return {"group", mapped(report.groups, [&](const Group& own) {
-                return report.components.size() > 1 && !own.id.is_object()
-                           ? report.components[own.id.component].name + '_' +
-                                 own.name
-                           : own.name;
+    return {"group", mapped(report.groups, [&](const Group& group) {
+                return report.components.size() > 1 && !group.id.is_object()
+                           ? report.components[group.id.component].name + '_' +
+                                 group.name
+                           : group.name;
             })};
 }
 
@@ -33,7 +34,7 @@ std::vector<LightResult> budget_results(const BudgetEstimate& budget,
                                         const CanopyReport& report) {
     const bool has_stalks =
         !std::ranges::all_of(report.groups, &SurfaceId::is_leaf, &Group::id);
-    std::vector<LightResult> all{
+    std::vector<LightResult> results{
         {"leaf", "leaves", {}, {budget.leaves}},
         {"stalk", "stalks", {}, {budget.organs}, has_stalks},
         {"soil", "soil", {}, {budget.soil}},
@@ -43,8 +44,9 @@ std::vector<LightResult> budget_results(const BudgetEstimate& budget,
          {{"origin", {"beam", "sky", "scattered"}}},
          {budget.leaves_beam, budget.leaves_sky, budget.leaves_scattered}}};
     if (report.boundary == Boundary::isolated)
-        all.insert(all.begin(), {"entered", "entered", {}, {budget.entered}});
-    return all;
+        results.insert(results.begin(),
+                       {"entered", "entered", {}, {budget.entered}});
+    return results;
 }
 
 std::vector<LightResult> part_results(const CanopyReport& report) {
@@ -82,8 +84,8 @@ std::vector<LightResult> band_results(const CanopyReport& report) {
 
 std::vector<LightResult> carbon_results(const CanopyReport& report,
                                         CarbonOf parts, Span span) {
-    const AssimilationReport& all = *report.assimilation;
-    const FluxReport& uptake = all.before_losses();
+    const AssimilationReport& assimilation = *report.assimilation;
+    const FluxReport& uptake = assimilation.before_losses();
     std::vector<ResultAxis> along;
     std::vector<Estimate> gross, net;
     const auto lowered = [&](const Estimate& flux, double loss) {
@@ -98,33 +100,35 @@ std::vector<LightResult> carbon_results(const CanopyReport& report,
     if (parts == CarbonOf::groups) {
         along = {group_axis(report)};
         for (std::size_t g = 0; g < report.groups.size(); ++g)
-            add(all.gross.groups[g], uptake.groups[g], all.losses[g]);
+            add(assimilation.gross.groups[g], uptake.groups[g],
+                assimilation.losses[g]);
     } else if (parts == CarbonOf::components) {
         along = {component_axis(report)};
-        for (const ComponentAssimilation& each :
-             by_component(all, report.groups, report.components.size()))
+        for (const ComponentAssimilation& each : by_component(
+                 assimilation, report.groups, report.components.size()))
             add(each.gross, each.uptake, each.loss);
     } else {
-        add(all.gross.sum, uptake.sum, sum_of(all.losses));
+        add(assimilation.gross.sum, uptake.sum, sum_of(assimilation.losses));
     }
     std::vector<LightResult> results{
         {"gross", "gross_assimilation", along, gross},
         {"net", "net_assimilation", along, net}};
     if (parts == CarbonOf::all && span == Span::day)
-        results.push_back({"carbon_balance",
-                           nullptr,
-                           {},
-                           {lowered(uptake.sum, sum_of(all.losses).all())}});
+        results.push_back(
+            {"carbon_balance",
+             nullptr,
+             {},
+             {lowered(uptake.sum, sum_of(assimilation.losses).all())}});
     return results;
 }
 
 std::vector<Measured> numbers_of(const CanopyReport& report, Span span) {
-    std::vector<Measured> all = measure_numbers(report);
+    std::vector<Measured> numbers = measure_numbers(report);
     if (span == Span::single)
-        std::erase_if(all, [](const Measured& each) {
+        std::erase_if(numbers, [](const Measured& each) {
             return each.quantity.unit != "1" && each.quantity.unit != "m2 m-2";
         });
-    return all;
+    return numbers;
 }
 
 }  // namespace ideotype

@@ -9,52 +9,52 @@
 
 namespace ideotype {
 
-//! The kind of light: a day in J m-2 with its hours, or a single light, of
-//! which level ground receives 1.
+//! Whether a report covers a day [J m-2, with hourly values] or one source
+//! normalised to unit irradiance on level ground.
 enum class Span { day, single };
 
-//! An axis of results; layers and faces have numbers in place of labels.
+//! An axis of results; layers and faces have indices instead of labels.
 struct ResultAxis {
     const char* name;
     std::vector<std::string> labels{};
 };
 
-//! A result of the light on a canopy, from which both JSON and the datasets of
-//! Python follow.
+//! A result of the light in a canopy, for both JSON output and Python datasets.
 struct LightResult {
     const char* key;    //!< name in JSON
-    const char* array;  //!< name of an array in Python; null: it has none
-    //! Axes, of which the last one is the fastest; none: there is one value.
+    const char* array;  //!< name of the array in Python; null: none
+    //! Axes, the last one varying fastest; empty: there is one value.
     std::vector<ResultAxis> along;
     std::vector<Estimate> values;
-    bool has_surfaces = true;  //!< whether there are surfaces of its kind
+    bool has_surfaces = true;  //!< whether surfaces of this kind exist
 };
 
-//! Returns what a budget says of the light per area of ground, in its unit.
+//! Returns the light budget per ground area.
 std::vector<LightResult> budget_results(const BudgetEstimate& budget,
                                         const CanopyReport& report);
 
-//! Returns the PAR that parts of leaves, and each group, absorb.
+//! Returns the PAR absorbed by leaf sides, by layers and by groups.
 std::vector<LightResult> part_results(const CanopyReport& report);
 
-//! Returns the parts of the light of each waveband.
+//! Returns the light of each waveband by component, group, soil and reflection.
 std::vector<LightResult> band_results(const CanopyReport& report);
 
-//! The parts of a canopy, each of which has an assimilation.
+//! The parts of a canopy by which assimilation is reported.
 enum class CarbonOf { all, components, groups };
 
-//! Returns gross and net assimilation, and of all leaves in a day the carbon
-//! balance, in carbon_unit(); net numbers have the error of gross ones.
+//! Returns gross and net assimilation, and for all leaves over a day the net
+//! carbon balance, in carbon_unit(). Net values have the standard error of
+//! gross ones.
 std::vector<LightResult> carbon_results(const CanopyReport& report,
                                         CarbonOf parts, Span span);
 
-//! The unit of assimilation, which is that of a second for a single light.
+//! Returns the unit of assimilation: a rate for a single source, else per day.
 inline const char* carbon_unit(Span span) {
     return span == Span::single ? "umol m-2 s-1" : "mol m-2 day-1";
 }
 
-//! Returns the quantities that are single numbers. For a single light they are
-//! fractions and areas only, because it has no rates of a day.
+//! Returns the scalar quantities. For a single source only fractions and areas,
+//! since it has no daily sums.
 std::vector<Measured> numbers_of(const CanopyReport& report, Span span);
 
 }  // namespace ideotype

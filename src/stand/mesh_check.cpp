@@ -19,11 +19,11 @@ constexpr double most_faces = most_obj_faces;
 //! A height above that of any crop [m].
 constexpr double usual_height = 20;
 
-//! The most crossings of a periodic cell by a beam on its way down.
+//! The largest number of periods that a beam may cross on its way down.
 constexpr double most_beam_crossings = 1e4;
 
-//! Checks that light need not fall almost for ever to meet so small an
-//! area, or to leave so large an area.
+//! Checks that the mesh area is neither so small that paths cross very many
+//! periods, nor so large that they hardly leave the mesh.
 void check_area(const Mesh& mesh, double plants, const Cell& cell) {
     constexpr double least = 1e-6, most = 1e4;
     double area = 0;
@@ -39,7 +39,7 @@ void check_area(const Mesh& mesh, double plants, const Cell& cell) {
             is_much ? most : least));
 }
 
-//! Checks that beams of a low sun need not cross the cell almost for ever.
+//! Checks that beams of a low sun do not cross too many periods.
 //! @param height height of the mesh [m]
 void check_beams(double height, const Cell& cell, const MeshSpec::Sun& sun,
                  const Problems& problems) {
@@ -66,7 +66,7 @@ std::vector<std::string> check_mesh(const Mesh& mesh, double plants,
     if (plants * static_cast<double>(mesh.faces.size()) > most_faces)
         throw Error(fmt::format(
             "a field of {} plants of {} faces is too large (the limit is "
-            "{:.0e} faces); take fewer plants, or a coarser mesh",
+            "{:.0e} faces); use fewer plants, or a coarser mesh",
             plants, mesh.faces.size(), most_faces));
     const auto [bottom, top] = heights_of(mesh);
     std::vector<std::string> warnings;

@@ -14,10 +14,9 @@ void check_ground(const MeshSpec& spec, const Problems& problems) {
     const auto& [x, y] = spec.period.value_or(MeshSpec::Period{});
     const double cell = x * y, area = spec.ground_area.value_or(cell);
     const bool is_isolated = spec.boundary == Boundary::isolated;
-    problems.named_rule(
-        {"period", "field"}, spec.period && spec.field,
-        "{0} and {1} contradict each other: the period of a field is that "
-        "of its plants");
+    problems.named_rule({"period", "field"}, spec.period && spec.field,
+                        "{0} and {1} contradict each other: the spacing of a "
+                        "field sets its period");
     problems.named_rule({"jitter", "field"}, spec.jitter && !spec.field,
                         "{0} needs {1}");
     problems.named_rule(
@@ -31,8 +30,8 @@ void check_ground(const MeshSpec& spec, const Problems& problems) {
         "refer to");
     problems.named_rule(
         {"period"}, !is_isolated && !spec.period && !spec.field,
-        "{0} X Y is missing (the lattice on which the mesh repeats; the "
-        "extent of the mesh does not tell it)");
+        "{0} X Y is missing (the lattice on which the mesh repeats; it does "
+        "not follow from the extent of the mesh)");
     problems.named_rule({"ground_area", "field"},
                         !is_isolated && spec.ground_area && spec.field,
                         "{0}: a field has the area of its spacings");
@@ -56,17 +55,16 @@ void check_light(const MeshSpec& spec, const Problems& problems) {
         !spec.climate.empty() && (spec.site || spec.sun || spec.has_ppfd()),
         "{0} has all light of a season; leave out {1}, {2}, {3} and {4}");
     problems.named_rule({"sun", "site"}, spec.site && spec.sun,
-                        "{0} and {1} are two lights; give one");
+                        "{0} and {1} are two light sources; give one");
     problems.named_rule(
         {"sun", "sky", "beam_ppfd", "sky_ppfd"},
         spec.beam_ppfd.has_value() != spec.sky_ppfd.has_value() && spec.sun &&
             spec.sky,
         "{0} and {1} together need {2} and {3}");
-    problems.named_rule(
-        {"sun", "sky", "beam_ppfd", "sky_ppfd"},
-        spec.sun && spec.sky && !is_clear && !spec.beam_ppfd,
-        "{0} and {1} are two lights; give one, or how strong each is: {2} "
-        "and {3}");
+    problems.named_rule({"sun", "sky", "beam_ppfd", "sky_ppfd"},
+                        spec.sun && spec.sky && !is_clear && !spec.beam_ppfd,
+                        "{0} and {1} are two light sources; give one, or the "
+                        "irradiance of each: {2} and {3}");
     problems.named_rule({"beam_ppfd", "sun"}, spec.beam_ppfd && !spec.sun,
                         "{0} needs the position of the sun: {1}");
     problems.named_rule({"sky_ppfd", "sky"}, spec.sky_ppfd && !spec.sky,
@@ -90,16 +88,15 @@ void check_leaves(const MeshSpec& spec, const Problems& problems) {
     problems.named_rule(
         {"photosynthesis", "beam_ppfd", "sky_ppfd", "site", "date", "climate"},
         !spec.photosynthesis.empty() && !spec.has_ppfd() && !spec.has_day(),
-        "{0} needs how strong the light is: {1}, {2}, a day with {3} and "
-        "{4}, or {5}");
+        "{0} needs the irradiance: {1}, {2}, a day with {3} and {4}, or {5}");
     problems.named_rule(
         {"scene", "photosynthesis"},
         !spec.scene.empty() && !spec.photosynthesis.empty(),
-        "{0} tells the photosynthesis of each component; leave out {1}");
+        "{0} states the photosynthesis of each component; leave out {1}");
     problems.named_rule(
         {"exact", "photosynthesis"},
         spec.is_exact && spec.photosynthesis.empty() && spec.scene.empty(),
-        "{0} is a way to find assimilation; it needs {1}");
+        "{0} is a method to compute assimilation; it needs {1}");
     for (const auto& [name, surface] :
          {std::pair("leaf", spec.optics.leaf),
           std::pair("stalk", spec.optics.stalk),

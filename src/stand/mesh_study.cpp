@@ -19,13 +19,13 @@ namespace ideotype {
 
 namespace {
 
-//! The number of independent repetitions from which errors are estimated,
-//! enough to know errors to an eighth.
+//! The number of independent randomisations from which standard errors are
+//! estimated, with a relative uncertainty of about an eighth.
 constexpr std::uint64_t usual_randomisations = 32;
 
 constexpr std::size_t layers = 10;
 
-//! Returns a single light for one second, or the light of a clear day.
+//! Returns one source for one second, or the light of a clear day.
 LightSeries day_of(const MeshSpec& spec) {
     constexpr double par_fraction = 0.45;
     if (spec.site)
@@ -40,8 +40,9 @@ LightSeries day_of(const MeshSpec& spec) {
 
 SeriesIllumination light_of(const MeshSpec& spec,
                             std::vector<std::string>& warnings) {
-    constexpr double north = 0;  // direction of the mesh's y axis
-    //! Dates of a season: more than in a campaign, which only compares plants.
+    constexpr double north = 0;  // direction of the y axis of the mesh
+    //! Dates of a season with traced suns: more than in campaigns, which only
+    //! compare plants.
     constexpr int dates = 6;
     const SkyModel sky = spec.sky.value_or(SkyModel::uniform);
     if (spec.climate.empty()) return illuminate(day_of(spec), sky, north);
@@ -125,7 +126,7 @@ std::vector<Component> components_of(const Mesh& mesh, const MeshScene& file,
     }
     if (!problems.empty())
         throw Error(fmt::format("{}", fmt::join(problems, "\n")));
-    std::vector<Component> all;
+    std::vector<Component> components;
     for (std::size_t c = 0; c < file.components.size(); ++c) {
         const MeshScene::Component& kind = file.components[c];
         Component one{.name = kind.name,
@@ -146,9 +147,9 @@ std::vector<Component> components_of(const Mesh& mesh, const MeshScene& file,
                 "groups is a leaf; let their names end in leaf01, leaf02, ...",
                 file.file, kind.name));
         else
-            all.push_back(std::move(one));
+            components.push_back(std::move(one));
     }
-    return all;
+    return components;
 }
 
 SeriesIllumination light_in(const std::string& band, SeriesIllumination light,
@@ -156,12 +157,11 @@ SeriesIllumination light_in(const std::string& band, SeriesIllumination light,
     if (!spec.has_day() || band == "par") return light;
     for (const Waveband& each : wavebands)
         if (band == each.name) return in_band(std::move(light), each.light);
-    problems.named_rule(
-        {"scene", "sun", "sky"}, true,
-        "{3}: there is no light in band \"{4}\" (a day and a climate have "
-        "light in those of campaigns); name the band so, such as \"nir\", or "
-        "give {1} or {2}",
-        spec.scene, band);
+    problems.named_rule({"scene", "sun", "sky"}, true,
+                        "{3}: there is no light in band \"{4}\" (a day and a "
+                        "climate have light in the bands of campaigns only); "
+                        "use one of those, such as \"nir\", or give {1} or {2}",
+                        spec.scene, band);
     problems.throw_wrong_usage();
     return light;
 }
@@ -179,8 +179,8 @@ void add_scene_file(Mesh mesh, const MeshSpec& spec,
     problems.named_rule(
         {"scene", "beam_ppfd", "sky_ppfd", "site", "date", "climate"},
         scene.assimilates() && !spec.has_day() && !spec.has_ppfd(),
-        "{0}: photosynthesis needs how strong the light is: {1}, {2}, a day "
-        "with {3} and {4}, or {5}");
+        "{0}: photosynthesis needs the irradiance: {1}, {2}, a day with {3} "
+        "and {4}, or {5}");
     problems.named_rule(
         {"jitter"}, scene.components.size() > 1 && spec.jitter.value_or(0) > 0,
         "{0}: components of a mesh cannot turn together; leave it out");
@@ -214,7 +214,7 @@ Scene scene_of(Mesh mesh, const MeshSpec& spec, const Problems& problems,
     return scene;
 }
 
-//! Returns an accuracy with at least the number of paths asked for.
+//! Returns an accuracy with at least the requested number of paths.
 Accuracy accuracy_of(const MeshSpec& spec) {
     const std::uint64_t paths = spec.paths > 0
                                     ? static_cast<std::uint64_t>(spec.paths)

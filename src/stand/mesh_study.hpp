@@ -13,7 +13,8 @@
 
 namespace ideotype {
 
-//! The light in a mesh. Single light is relative to 1 on level ground.
+//! The light in a mesh. A single source is normalised to unit irradiance on
+//! level ground.
 struct MeshReport {
     CanopyReport canopy;
     std::vector<std::string> warnings;
@@ -23,15 +24,14 @@ inline Span span_of(const MeshSpec& spec) {
     return spec.has_day() ? Span::day : Span::single;
 }
 
-//! The most paths that may be traced to meet a tolerance.
+//! The largest number of paths traced to meet a tolerance.
 inline constexpr std::uint64_t most_tolerance_paths = std::uint64_t{1} << 28;
 
-//! Reads the mesh and traces the light, always with the same random numbers, so
-//! that results can be repeated.
+//! Reads the mesh and traces light, with reproducible random numbers.
 //! @throws Error, also of wrong usage.
 MeshReport study(const MeshSpec& spec, KeyNaming naming = key_itself);
 
-//! Studies a mesh in memory; the path in the description is not used.
+//! Studies a mesh in memory; MeshSpec::path is ignored.
 MeshReport study(Mesh mesh, const MeshSpec& spec,
                  KeyNaming naming = key_itself);
 
@@ -39,8 +39,8 @@ MeshReport study(Mesh mesh, const MeshSpec& spec,
 //! @throws Error of wrong usage: missing, contradictory or impossible keys.
 void check_rules(const MeshSpec& spec, const Problems& problems);
 
-//! Checks whether light can be traced in copies of a mesh on some ground.
-//! @param sun the sun if it is the same all the time
+//! Checks whether light can be traced in copies of a mesh in a cell.
+//! @param sun the sun, if it is fixed
 //! @return warnings about faults that do not prevent tracing
 //! @throws Error if light cannot be traced.
 std::vector<std::string> check_mesh(const Mesh& mesh, double plants,

@@ -19,14 +19,15 @@ using Names = std::vector<std::string>;
 const Names told_by_stage{"lai",          "dead_area_index",  "fapar",
                           "absorbed_par", "net_assimilation", "carbon_balance"};
 
-//! Returns whether stages have different coordinates on an axis, which are
-//! matched by name: some days have no stage, and young plants lack organs.
+//! Returns whether coordinates of an axis are matched by name, since they
+//! differ between stages: a stage does not cover all days, and young plants
+//! lack organs.
 bool is_matched(const std::string& axis) {
     return axis == "day" || axis == "organ";
 }
 
-//! Returns an axis with the names of all stages: days in their order, and then
-//! organs that full-grown plants lack.
+//! Returns an axis with the names of all stages: days in order, or organs,
+//! those that full-grown plants lack last.
 Axis axis_of_all(const std::vector<QuantitySet>& sets,
                  const std::string& name) {
     Axis axis = sets.back().axis(name);
@@ -76,24 +77,26 @@ void OverStages::add(const Quantity& quantity,
 
 OverStages::OverStages(const Campaign& campaign, const Case& chosen)
     : objectives_(objectives_of(campaign)) {
+    // Quantities of each stage, and the weights of stages.
     std::vector<QuantitySet> sets;
     std::vector<double> at;
-    for (const Case& each : chosen.stages) {
-        const Scene scene = scene_of(campaign, each);
+    for (const Case& stage_case : chosen.stages) {
+        const Scene scene = scene_of(campaign, stage_case);
         sets.push_back(canopy_quantities(scene, canopy_layers(campaign),
                                          details_of(campaign)));
         const LightSeries& series = scene.light().series;
         double time = 0;
         for (const TimeStep& step : series.steps) time += step.seconds;
         times_.push_back(time / (series.days * 86400.));
-        days_.push_back(each.stage->day);
-        at.push_back(each.stage->at);
+        days_.push_back(stage_case.stage->day);
+        at.push_back(stage_case.stage->at);
         incident_.push_back(sets.back().offset("incident"));
         absorbed_.push_back(sets.back().offset("absorbed_par"));
         lai_.push_back(sets.back().offset("lai"));
         if (scene.water)
             transpired_.push_back(sets.back().offset("transpiration"));
     }
+    // Quantities of the season, with the axes that they use.
     measured_.axes = sets.front().axes;
     for (Axis& axis : measured_.axes)
         if (is_matched(axis.name)) axis = axis_of_all(sets, axis.name);
@@ -104,23 +107,24 @@ OverStages::OverStages(const Campaign& campaign, const Case& chosen)
                 return std::ranges::count(each.axes, axis.name) > 0;
             });
     });
+    // Quantities by stage.
     measured_.axes.push_back(
         {"stage", "deg C d", "thermal time since emergence", std::move(at)});
     for (const std::string& name : told_by_stage) {
-        const auto found = std::ranges::find_if(
+        const auto quantity = std::ranges::find_if(
             sets[0].quantities,
             [&](const Quantity& each) { return each.name == name; });
-        if (found == sets[0].quantities.end()) continue;
+        if (quantity == sets[0].quantities.end()) continue;
         ByStage by{{}, mean_over(name) == MeanOver::nothing};
         for (const QuantitySet& set : sets)
             by.begins.push_back(set.offset(name));
         by_stage_.push_back(std::move(by));
         measured_.quantities.push_back(
             {name + "_by_stage",
-             found->unit,
-             found->meaning + " on a mean day of the stage",
+             quantity->unit,
+             quantity->meaning + " on a mean day of the stage",
              {"stage"},
-             found->certainty});
+             quantity->certainty});
     }
     measured_.quantities.push_back({"day_of_stage",
                                     "d",
@@ -131,12 +135,12 @@ OverStages::OverStages(const Campaign& campaign, const Case& chosen)
         objective_weights_.push_back(mean_over(objective.quantity));
 }
 
-std::vector<double> OverStages::weights(MeanOver kind,
-                                        std::span<const Outcome> each) const {
+std::vector<double> OverStages::weights(
+    MeanOver kind, std::span<const Outcome> outcomes) const {
     const std::vector<std::size_t>* by = &lai_;
     switch (kind) {
         case MeanOver::nothing:
-            return std::vector(each.size(), 1.);
+            return std::vector(outcomes.size(), 1.);
         case MeanOver::time:
             return times_;
         case MeanOver::incident_light:
@@ -152,63 +156,68 @@ std::vector<double> OverStages::weights(MeanOver kind,
         case MeanOver::leaf_area_time:
             break;
     }
-    std::vector<double> all;
+    std::vector<double> shares;
     double sum = 0;
-    for (std::size_t s = 0; s < each.size(); ++s) {
-        all.push_back(each[s].quantities[(*by)[s]].mean);
-        if (kind == MeanOver::leaf_area_time) all.back() *= times_[s];
-        // Amounts per leaf area already refer to the time of the stage.
-        sum += all.back() * (kind == MeanOver::leaf_area ? times_[s] : 1);
+    for (std::size_t s = 0; s < outcomes.size(); ++s) {
+        shares.push_back(outcomes[s].quantities[(*by)[s]].mean);
+        if (kind == MeanOver::leaf_area_time) shares.back() *= times_[s];
+        // Amounts per leaf area already refer to the duration of the stage.
+        sum += shares.back() * (kind == MeanOver::leaf_area ? times_[s] : 1);
     }
-    for (double& x : all) x = sum > 0 ? x / sum : 0;
-    return all;
+    for (double& x : shares) x = sum > 0 ? x / sum : 0;
+    return shares;
 }
 
-Outcome OverStages::combine(std::span<const Outcome> each) const {
-    IDEOTYPE_EXPECT(each.size() == times_.size());
-    Outcome all;
-    all.status = Status::done;
+Outcome OverStages::combine(std::span<const Outcome> outcomes) const {
+    IDEOTYPE_EXPECT(outcomes.size() == times_.size());
+    Outcome combined;
+    combined.status = Status::done;
     const std::size_t count =
-        each.front().randomisations.size() / objectives_.size();
+        outcomes.front().randomisations.size() / objectives_.size();
+    // Objectives, also by randomisation.
     for (std::size_t k = 0; k < objectives_.size(); ++k) {
-        const std::vector<double> by = weights(objective_weights_[k], each);
+        const std::vector<double> by = weights(objective_weights_[k], outcomes);
         std::vector<double> values(count);
         double mean = 0;
-        for (std::size_t s = 0; s < each.size(); ++s) {
-            mean += by[s] * each[s].objectives[k].mean;
+        for (std::size_t s = 0; s < outcomes.size(); ++s) {
+            mean += by[s] * outcomes[s].objectives[k].mean;
             for (std::size_t r = 0; r < count; ++r)
-                values[r] += by[s] * each[s].randomisations[k * count + r];
+                values[r] += by[s] * outcomes[s].randomisations[k * count + r];
         }
-        // The outcome of a single stage is kept to the last bit.
-        all.objectives.push_back(
-            {mean, each.size() == 1 ? each[0].objectives[k].standard_error
-                                    : estimate(values).standard_error});
-        all.randomisations.insert(all.randomisations.end(), values.begin(),
-                                  values.end());
+        // The outcome of a single stage is kept bit for bit.
+        combined.objectives.push_back(
+            {mean, outcomes.size() == 1
+                       ? outcomes[0].objectives[k].standard_error
+                       : estimate(values).standard_error});
+        combined.randomisations.insert(combined.randomisations.end(),
+                                       values.begin(), values.end());
     }
-    for (const Outcome& one : each)
-        all.violation = std::max(all.violation, one.violation);
+    for (const Outcome& one : outcomes)
+        combined.violation = std::max(combined.violation, one.violation);
+    // Weighted sums of quantities, with independent errors of stages.
     for (const auto& [kind, size, begins, places] : summed_) {
-        const std::vector<double> by = weights(kind, each);
+        const std::vector<double> by = weights(kind, outcomes);
         std::vector<Estimate> sum(size);
-        for (std::size_t s = 0; s < each.size(); ++s)
+        for (std::size_t s = 0; s < outcomes.size(); ++s)
             for (std::size_t i = 0; i < places[s].size(); ++i) {
                 const Estimate x =
-                    scaled(each[s].quantities[begins[s] + i], by[s]);
+                    scaled(outcomes[s].quantities[begins[s] + i], by[s]);
                 Estimate& into = sum[places[s][i]];
                 into.mean += x.mean;
                 into.standard_error =
                     std::hypot(into.standard_error, x.standard_error);
             }
-        all.quantities.insert(all.quantities.end(), sum.begin(), sum.end());
+        combined.quantities.insert(combined.quantities.end(), sum.begin(),
+                                   sum.end());
     }
+    // Quantities by stage, amounts per day of the stage.
     for (const auto& [begins, is_amount] : by_stage_)
-        for (std::size_t s = 0; s < each.size(); ++s)
-            all.quantities.push_back(
-                scaled(each[s].quantities[begins[s]],
+        for (std::size_t s = 0; s < outcomes.size(); ++s)
+            combined.quantities.push_back(
+                scaled(outcomes[s].quantities[begins[s]],
                        is_amount && times_[s] > 0 ? 1 / times_[s] : 1));
-    for (const double day : days_) all.quantities.push_back({day, 0});
-    return all;
+    for (const double day : days_) combined.quantities.push_back({day, 0});
+    return combined;
 }
 
 }  // namespace ideotype

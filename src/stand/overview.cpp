@@ -70,13 +70,13 @@ SkyOverview sky_of(const Campaign& campaign, const Case& chosen) {
 }  // namespace
 
 StandsOverview overview_of(const Campaign& campaign, double leaf_area) {
-    StandsOverview all;
+    StandsOverview overview;
     for (const auto& [name, spacing] : campaign.spec.spacings) {
-        all.period_x.add(campaign.spec.field.rows * spacing.row);
-        all.period_y.add(campaign.spec.field.plants * spacing.plant);
-        all.lai.add(leaf_area / (spacing.row * spacing.plant));
+        overview.period_x.add(campaign.spec.field.rows * spacing.row);
+        overview.period_y.add(campaign.spec.field.plants * spacing.plant);
+        overview.lai.add(leaf_area / (spacing.row * spacing.plant));
     }
-    // Many cases share a site and a day.
+    // Many cases have the same site and day.
     std::set<std::pair<std::string, std::string>> of_cases, seen;
     const Cases some = cases(campaign);
     for (std::size_t i = 0; i < some.size(); ++i) {
@@ -84,19 +84,19 @@ StandsOverview overview_of(const Campaign& campaign, double leaf_area) {
         if (!of_cases.emplace(name.site_name, name.day_name).second) continue;
         for (const Case& each : scenarios(some[i]))
             if (seen.emplace(each.site.name, each.day_name).second)
-                all.skies.push_back(sky_of(campaign, each));
+                overview.skies.push_back(sky_of(campaign, each));
     }
-    return all;
+    return overview;
 }
 
 std::vector<StageOverview> stages_overview(const Campaign& campaign,
                                            const Case& chosen) {
     std::vector<StageOverview> stages;
-    for (const Case& each : scenarios(chosen))
-        for (const Case& at : each.stages) {
+    for (const Case& scenario : scenarios(chosen))
+        for (const Case& at : scenario.stages) {
             StageOverview& stage = stages.emplace_back();
-            stage.climate = each.day_name;
-            stage.emergence = climate_of(campaign, each).emergence;
+            stage.climate = scenario.day_name;
+            stage.emergence = climate_of(campaign, scenario).emergence;
             stage.stage = *at.stage;
             for (const Component& one : scene_of(campaign, at).components) {
                 stage.green += lai_of_line(one.mesh, one.ground_per_plant);

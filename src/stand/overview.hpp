@@ -13,7 +13,7 @@
 
 namespace ideotype {
 
-//! The least and the greatest of some values.
+//! The range of some values.
 struct Extent {
     double lower = std::numeric_limits<double>::infinity();
     double upper = -std::numeric_limits<double>::infinity();
@@ -29,7 +29,7 @@ struct AirOverview {
     double wind, wind_height;            //!< wind [m s-1] at a height [m]
     double pressure, longwave;           //!< [kPa], [W m-2]
     double co2;                          //!< [umol mol-1]
-    std::vector<std::string> estimated;  //!< names of what is estimated
+    std::vector<std::string> estimated;  //!< names of estimated variables
 };
 
 //! The sun and the light at a site on a day or in a climate.
@@ -40,20 +40,21 @@ struct SkyOverview {
     Daylight sun;         //!< sun on the middle date
     std::size_t steps;    //!< number of instants or time steps with light
     double par, diffuse;  //!< PAR [J m-2 day-1] and its diffuse part
-    double left_out = 0;  //!< share of the light of a clear day left out
+    double left_out =
+        0;  //!< share of the light of a clear day outside start and end
     //! Means weighted by light [deg C, 0 to 1]; nothing if unknown.
     std::optional<double> temperature{}, humidity{};
-    //! Air of a climate whose weather or an estimate tells any of it.
+    //! Air of a climate, if the weather states any of it.
     std::optional<AirOverview> air{};
 };
 
-//! The stands of all cases of a campaign and of their scenarios.
+//! An overview of the stands of all cases of a campaign and of their scenarios.
 struct StandsOverview {
     Extent period_x, period_y;  //!< periods of the cell [m]
     Extent lai;                 //!< LAI of the baseline with other components
     std::vector<SkyOverview> skies;  //!< one for each site and day or climate
 
-    //! Returns the extent of a number of the skies.
+    //! Returns the range of a number over all skies.
     Extent over_skies(const auto& number) const {
         Extent extent;
         for (const SkyOverview& each : skies) extent.add(number(each));
@@ -61,10 +62,11 @@ struct StandsOverview {
     }
 };
 
-//! @param leaf_area mean over all components per place of the field [m2]
+//! @param leaf_area mean leaf area over all components per planting position
+//! [m2]
 StandsOverview overview_of(const Campaign& campaign, double leaf_area);
 
-//! The baseline and its neighbours at a stage of growth.
+//! The stand of the baseline at a stage of growth.
 struct StageOverview {
     std::string climate;
     Date emergence;

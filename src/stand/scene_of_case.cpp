@@ -21,14 +21,14 @@ std::uint32_t first_material(std::size_t component) {
     return static_cast<std::uint32_t>(plant_materials * component);
 }
 
-//! Makes a component part of a mixture in which components share places.
+//! Makes a component part of a mixture, in which components share positions.
 void mix(Component& component, std::size_t plants) {
     component.ground_per_plant *= static_cast<double>(component.places.size()) /
                                   static_cast<double>(plants);
     component.mixed = plants;
 }
 
-//! Sets where the plants of a component stand and how they turn.
+//! Sets the positions and the azimuths of the plants of a component.
 void stand_in(Component& component, FieldForm form, const Campaign& campaign,
               const Standing& standing) {
     if (standing.plants > 0) {
@@ -46,53 +46,54 @@ void stand_in(Component& component, FieldForm form, const Campaign& campaign,
     if (is_mixed) mix(component, static_cast<std::size_t>(standing.mixed));
 }
 
-//! Gives the rates of a crop file's lowest leaf to all lower leaves that the
-//! file leaves out, if leaves differ by rank and assimilate.
-//! @param own number of leaves in the crop file
-void complete_rates(Component& component, std::size_t own) {
+//! Assigns the rates of the lowest leaf of a crop file to all lower leaves that
+//! the file omits, if leaves differ by rank and assimilate.
+//! @param in_file number of leaves in the crop file
+void complete_rates(Component& component, std::size_t in_file) {
     if (!component.photosynthesis) return;
     Photosynthesis& photosynthesis = *component.photosynthesis;
-    const std::size_t all = component.plant->leaves.size();
+    const std::size_t count = component.plant->leaves.size();
     const bool is_by_rank = photosynthesis.profile == CapacityProfile::rank;
-    if (own == all || (!is_by_rank && photosynthesis.rates.size() == 1)) return;
+    if (in_file == count || (!is_by_rank && photosynthesis.rates.size() == 1))
+        return;
     std::vector<LeafRates>& rates = photosynthesis.rates;
     if (is_by_rank)
-        rates = rates_of_leaves(photosynthesis, std::vector<double>(own));
+        rates = rates_of_leaves(photosynthesis, std::vector<double>(in_file));
     if (is_by_rank) photosynthesis.profile = CapacityProfile::none;
-    rates.insert(rates.begin(), all - own, LeafRates(rates.front()));
+    rates.insert(rates.begin(), count - in_file, LeafRates(rates.front()));
 }
 
-//! Sets the dry mass of organs that a component builds in the time of a stage.
+//! Sets the dry mass of organs that a component builds between two stages.
 //! @param plant full-grown plant
 //! @param before age at the stage before; below 0: there is none
 void set_built_organs(const Growth* growth, const Plant& plant, double before,
                       Component& component) {
     component.built_organs.clear();
-    for (const PlantOrgan& organ : organs_of(*component.plant))
+    for (const PlantOrgan& organ : list_organs(*component.plant))
         component.built_organs.push_back(organ.mass);
     if (before < 0) return;
     const std::vector<PlantOrgan> then =
-        organs_of(growth ? plant_at(*growth, plant, before) : plant);
+        list_organs(growth ? age_plant(*growth, plant, before) : plant);
     for (std::size_t i = 0; i < then.size(); ++i)
         component.built_organs[i] =
             std::max(0., component.built_organs[i] - then[i].mass);
 }
 
 //! Sets a component to a full-grown plant, or to its plant at a stage.
-void set_grown(const Campaign& campaign, const Case& in, std::size_t number,
+void set_grown(const Campaign& campaign, const Case& chosen, std::size_t number,
                const Plant& plant, Component& component) {
     const Growth* const growth = growth_of(campaign, number);
-    if (!in.stage) {
+    if (!chosen.stage) {
         Plant aged = plant;
         if (growth)
             age_organs(*growth,
-                       thermal_time_of(*growth, campaign.spec.plant.stage),
+                       find_thermal_time(*growth, campaign.spec.plant.stage),
                        aged);
         return set_plant(component, aged, first_material(number));
     }
-    const double age = in.stage->ages[number];
-    const double before = in.stage->ages_before[number];
-    set_plant(component, growth ? plant_at(*growth, plant, age) : plant,
+    const double age = chosen.stage->ages[number];
+    const double before = chosen.stage->ages_before[number];
+    set_plant(component, growth ? age_plant(*growth, plant, age) : plant,
               first_material(number));
     component.full_grown = plant;
     const Mesh mesh =
@@ -109,12 +110,12 @@ void set_grown(const Campaign& campaign, const Case& in, std::size_t number,
         component.built[leaf] +=
             areas[f] * (growth ? visible_share(dates[leaf], age) -
                                      visible_share(dates[leaf], before)
-                               : (in.stage->number == 0 ? 1 : 0));
+                               : (chosen.stage->number == 0 ? 1 : 0));
     }
 }
 
-//! Scales the capacity and the respiration of leaves to the age of a component
-//! (0: the campaign's crop), by the ageing of its crop.
+//! Scales photosynthetic capacity and respiration of leaves to the age of a
+//! component (0: the main crop), by the ageing of its crop.
 void age_leaves(const Campaign& campaign, const Case& chosen,
                 std::size_t number, Component& component) {
     const Growth* const growth = growth_of(campaign, number);
@@ -122,13 +123,13 @@ void age_leaves(const Campaign& campaign, const Case& chosen,
     const double factor = capacity_factor(
         *growth, chosen.stage
                      ? chosen.stage->ages[number]
-                     : thermal_time_of(*growth, campaign.spec.plant.stage));
+                     : find_thermal_time(*growth, campaign.spec.plant.stage));
     if (factor == 1) return;
     for (LeafRates& rates : component.photosynthesis->rates)
         rates = scaled(rates, factor);
 }
 
-//! Sets the roots of a component that grows, and the part of its carbon that
+//! Sets the roots of a growing component, and the fraction of its carbon that
 //! its ears respire later.
 void set_sinks(const Campaign& campaign, const Case& chosen, std::size_t number,
                Component& component) {
@@ -152,8 +153,8 @@ Optics optics_in(const Campaign& campaign, std::size_t band) {
     return optics;
 }
 
-//! Returns whether figures of single rows are wanted: rows are not alike, and
-//! each row has plants of one component.
+//! Returns whether results are reported by row: rows differ, and each row has
+//! plants of one component.
 bool has_rows_apart(const Campaign& campaign) {
     const FieldForm& field = campaign.spec.field;
     return field.boundary == Boundary::periodic && field.rows > 1 &&
@@ -163,14 +164,14 @@ bool has_rows_apart(const Campaign& campaign) {
            });
 }
 
-//! Returns the number of dates with a sun of their own, shared out to stages.
+//! Returns the number of dates with traced suns, divided among stages.
 int sun_dates_of(const Campaign& campaign, const Case& chosen) {
     const LightSpec& light = campaign.spec.light;
     const int dates = light.dates.value_or(0);
     return chosen.stage ? (dates + *light.stages - 1) / *light.stages : dates;
 }
 
-//! Gives a stage its share of the paths, by its share of carbon: errors of
+//! Assigns a stage its share of light paths, by its share of carbon. Errors of
 //! stages are independent, so that all stages together meet the tolerance.
 void take_share(const Stage& stage, Sampling& sampling) {
     IDEOTYPE_EXPECT(stage.share > 0);
@@ -188,6 +189,7 @@ void take_share(const Stage& stage, Sampling& sampling) {
 }  // namespace
 
 Scene scene_of(const Campaign& campaign, const Case& chosen) {
+    // The periodic cell, and the main crop at its age.
     FieldForm form = campaign.spec.field;
     form.spacing = chosen.spacing;
     Scene scene;
@@ -204,6 +206,7 @@ Scene scene_of(const Campaign& campaign, const Case& chosen) {
     }
     age_leaves(campaign, chosen, 0, bred);
     set_sinks(campaign, chosen, 0, bred);
+    // The light of the case, and the optics of plants, in each waveband.
     const SeriesIllumination par =
         illuminate(light_of(campaign, chosen), campaign.spec.light.sky,
                    chosen.spacing.row_direction,
@@ -218,6 +221,7 @@ Scene scene_of(const Campaign& campaign, const Case& chosen) {
                  campaign.spec.light.band.value_or(wavebands[0].name) ==
                      band.name});
     }
+    // Further components, each in rows or mixed with the main crop.
     if (has_rows_apart(campaign)) scene.cell.row_ground = ground_of_rows(form);
     if (campaign.components.empty()) {
         add_objects(scene, campaign, form.spacing);
@@ -226,26 +230,26 @@ Scene scene_of(const Campaign& campaign, const Case& chosen) {
     set_places(bred, form, bred_rows(campaign));
     if (bred_plants(campaign) < bred.places.size())
         mix(bred, bred_plants(campaign));
-    for (const ComponentEntry& each : campaign.components) {
+    for (const ComponentEntry& entry : campaign.components) {
         Component& component = scene.components.emplace_back();
-        component.name = each.name;
-        if (each.mesh) {
-            component.mesh = *each.mesh;
-            add_surfaces(each.materials, component.mesh, scene.bands);
-            component.photosynthesis = each.photosynthesis;
-            stand_in(component, form, campaign, each.standing);
+        component.name = entry.name;
+        if (entry.mesh) {
+            component.mesh = *entry.mesh;
+            add_surfaces(entry.materials, component.mesh, scene.bands);
+            component.photosynthesis = entry.photosynthesis;
+            stand_in(component, form, campaign, entry.standing);
             component.variation = {};
             continue;
         }
         component.tessellation = campaign.spec.plant.tessellation;
-        component.photosynthesis = each.photosynthesis;
-        component.stomata = each.stomata;
+        component.photosynthesis = entry.photosynthesis;
+        component.stomata = entry.stomata;
         set_grown(campaign, chosen, scene.components.size() - 1,
-                  each.crop.baseline, component);
-        complete_rates(component, each.crop.baseline.leaves.size());
+                  entry.crop.baseline, component);
+        complete_rates(component, entry.crop.baseline.leaves.size());
         age_leaves(campaign, chosen, scene.components.size() - 1, component);
         set_sinks(campaign, chosen, scene.components.size() - 1, component);
-        stand_in(component, form, campaign, each.standing);
+        stand_in(component, form, campaign, entry.standing);
     }
     add_objects(scene, campaign, form.spacing);
     return scene;
@@ -257,13 +261,14 @@ Details details_of(const Campaign& campaign) {
 }
 
 CanopyRequest request_of(Sampling sampling, const Campaign& campaign,
-                         const Case& in, Scene scene, const Plants& plants) {
+                         const Case& chosen, Scene scene,
+                         const Plants& plants) {
     IDEOTYPE_EXPECT(!plants.empty() &&
                     plants.size() <= scene.components.size());
     for (std::size_t i = 0; i < plants.size(); ++i)
         if (i == 0 || !campaign.components.at(i - 1).free.empty())
-            set_grown(campaign, in, i, plants[i], scene.components.at(i));
-    if (in.stage) take_share(*in.stage, sampling);
+            set_grown(campaign, chosen, i, plants[i], scene.components.at(i));
+    if (chosen.stage) take_share(*chosen.stage, sampling);
     return {std::move(scene), canopy_layers(campaign), sampling.accuracy,
             sampling.randomness, details_of(campaign)};
 }

@@ -15,7 +15,8 @@ namespace ideotype {
 Accuracy accuracy_of(const Task& task, const Campaign& campaign) {
     constexpr double largest = 0.05;
     constexpr int most_paths = 1 << 20;
-    constexpr int fewest = 8;  // fewest that test a tolerance
+    constexpr int fewest =
+        8;  // smallest number that allows testing a tolerance
     Accuracy accuracy =
         task.is_final ? campaign.final_rule.sampling : campaign.sampling;
     if (task.tolerance) {
@@ -55,7 +56,8 @@ double final_effort(const Campaign& campaign) {
         return static_cast<double>(accuracy.all_paths());
     };
     const Accuracy& final = campaign.final_rule.sampling;
-    // With a tolerance, an evaluation may need only the fewest paths.
+    // With a tolerance, an evaluation may stop after the smallest number of
+    // paths.
     Accuracy usual = campaign.sampling;
     if (usual.tolerance > 0) usual.paths = std::min(usual.paths, fewest_paths);
     return std::max<double>(paths(final) / paths(usual), final.randomisations);
@@ -94,14 +96,14 @@ double lai_of_line(const Mesh& plant, double ground_per_plant) {
 
 Randomised measure_number(const Campaign& campaign, const std::string& name,
                           const CanopyReport& report) {
-    const std::vector<ObjectiveEntry> all = objectives_of(campaign);
+    const std::vector<ObjectiveEntry> objectives = objectives_of(campaign);
     const auto objective = std::ranges::find_if(
-        all, [&](const ObjectiveEntry& x) { return x.name == name; });
-    if (objective != all.end() && objective->component)
+        objectives, [&](const ObjectiveEntry& x) { return x.name == name; });
+    if (objective != objectives.end() && objective->component)
         return measure_parts(objective->quantity, report)
             .at(*objective->component);
     const std::vector<double> weights = component_weights(campaign);
-    return objective != all.end() && !weights.empty()
+    return objective != objectives.end() && !weights.empty()
                ? weighted_sum(measure_parts(name, report), weights)
                : measure_objective(name, report);
 }
@@ -177,7 +179,8 @@ Outcome Stand::evaluate(const Plants& plants, const Sampling& sampling,
     Outcome outcome = across_.combine(outcomes);
     IDEOTYPE_ENSURE(outcome.quantities.size() == schema_.measured.size());
     if (campaign_.water && campaign_.spec.water->limit > 0) {
-        // The best of many plants that meet a limit by chance would exceed it.
+        // Adds a margin of two standard errors, since the best of many noisy
+        // plants would otherwise exceed the limit.
         constexpr double sure = 2;
         const Estimate& water =
             outcome.quantities[schema_.measured.offset("water_use")];
@@ -196,12 +199,14 @@ RandomisedOutcome Stand::evaluate_by_randomisation(const Plants& plants,
     std::vector<std::vector<Outcome>> apart;  // [randomisation, case]
     evaluate_each(plants, sampling, device, [&](const CanopyReport& report) {
         outcomes.push_back(to_outcome(campaign_, plants.front(), report));
-        const std::vector<Randomised> all = measure_by_randomisation(report);
+        const std::vector<Randomised> quantities =
+            measure_by_randomisation(report);
         apart.resize(report.randomisations());
         for (std::size_t r = 0; r < apart.size(); ++r) {
             Outcome& one = apart[r].emplace_back(outcomes.back());
-            for (std::size_t q = 0; q < all.size(); ++q) {
-                const std::vector<double>& values = all[q].by_randomisation;
+            for (std::size_t q = 0; q < quantities.size(); ++q) {
+                const std::vector<double>& values =
+                    quantities[q].by_randomisation;
                 one.quantities[q] = {
                     values.empty() ? std::numeric_limits<double>::quiet_NaN()
                                    : values.at(r),
@@ -209,13 +214,13 @@ RandomisedOutcome Stand::evaluate_by_randomisation(const Plants& plants,
             }
         }
     });
-    RandomisedOutcome found{across_.combine(outcomes), {}};
-    for (const std::vector<Outcome>& each : apart) {
-        std::vector<double>& values = found.quantities.emplace_back();
-        for (const Estimate& x : across_.combine(each).quantities)
+    RandomisedOutcome result{across_.combine(outcomes), {}};
+    for (const std::vector<Outcome>& outcomes_of_one : apart) {
+        std::vector<double>& values = result.quantities.emplace_back();
+        for (const Estimate& x : across_.combine(outcomes_of_one).quantities)
             values.push_back(x.mean);
     }
-    return found;
+    return result;
 }
 
 }  // namespace ideotype

@@ -16,82 +16,83 @@
 
 namespace ideotype {
 
-//! Returns the accuracy of a task: finalists are evaluated more accurately.
+//! Returns the accuracy of a task; finalists are evaluated more accurately.
 //! @throws Error of wrong usage if the tolerance of the task is impossible.
 Accuracy accuracy_of(const Task& task, const Campaign& campaign);
 
 //! Returns the random numbers of a task: common to all candidates of a
-//! generation; fresh numbers for all finalists. If each row has light of its
-//! own, rows share only the field, or nothing with several fields, since their
-//! differences are part of standard errors then.
+//! generation, and independent ones for all finalists. If each row has
+//! independent light, rows share only the field, or nothing if there are
+//! several fields, since standard errors then include differences between
+//! fields.
 Randomness randomness_of(const Task& task, const Campaign& campaign,
                          const Case& chosen);
 
-//! The accuracy and the random numbers that a plant is evaluated with.
+//! The accuracy and the random numbers of an evaluation.
 struct Sampling {
     Accuracy accuracy;
     Randomness randomness;
 };
 
-//! Returns the sampling of a task. An empty task gives that of generation 0.
+//! Returns the sampling of a task; that of an empty task is for generation 0.
 //! @throws Error as accuracy_of()
 Sampling sampling_of(const Task& task, const Campaign& campaign,
                      const Case& chosen);
 
-//! Returns about how many times longer the evaluation of a finalist takes, with
-//! more paths and a field for each randomisation.
+//! Returns the approximate cost of the evaluation of a finalist, relative to
+//! one in the search.
 double final_effort(const Campaign& campaign);
 
-//! Returns layers of 0.25 m up to the height that the highest leaf could reach.
+//! Returns layers of 0.25 m up to the largest possible height of leaves.
 Layers canopy_layers(const Campaign& campaign);
 
 //! Returns the scene of the baseline in a case, or in the first of its
-//! scenarios; the scene can be kept for all other plants.
+//! scenarios. The scene can be reused for other plants.
 Scene scene_of(const Campaign& campaign, const Case& chosen);
 
-//! Returns the details that are wanted of all plants of a campaign.
+//! Returns the optional details that a campaign needs for each plant.
 Details details_of(const Campaign& campaign);
 
 //! Returns the request to evaluate plants in a scene of a campaign: the plant
-//! of the crop, then those of bred components. Components beyond the end of the
-//! list keep the plants of the scene.
-//! @param in the case of the scene; at a stage, plants have the age, the share
-//! of work and the random numbers of the stage
+//! of the main crop, then those of optimised components. Components beyond the
+//! end of the list keep the plants of the scene.
+//! @param chosen the case of the scene; at a stage, plants have the age, the
+//! share of paths and the random numbers of the stage
 CanopyRequest request_of(Sampling sampling, const Campaign& campaign,
                          const Case& in, Scene scene, const Plants& plants);
 
-//! Returns the form of a case's outcomes at a certain accuracy.
+//! Returns the schema of outcomes of a case at an accuracy.
 OutcomeSchema outcome_schema(const Campaign& campaign, const Case& chosen,
                              const Accuracy& accuracy);
 
-//! Returns an objective, which may be that of one component, weighted or of all
-//! plants together as the campaign tells, or another quantity without axes.
+//! Returns an objective (of one component, weighted or of all plants, as the
+//! campaign states), or another scalar quantity.
 //! @throws Error if the report has no quantity of this name.
 Randomised measure_number(const Campaign& campaign, const std::string& name,
                           const CanopyReport& report);
 
-//! Returns the land equivalent ratio that is a campaign's objective, with a
-//! standard error that includes the errors of the sole crops' yields.
+//! Returns the land equivalent ratio as the objective of a campaign, with a
+//! standard error that includes those of sole-crop yields.
 Estimate land_equivalent_ratio(const Campaign& campaign,
                                const CanopyReport& report);
 
-//! Returns the leaf area index of plants that do not deviate from their line,
-//! so that random numbers do not decide whether constraints are met.
+//! Returns the leaf area index of plants without within-line variation, so that
+//! constraints do not depend on random numbers.
 //! @param plant mesh of one plant
-//! @param ground_per_plant all ground over all plants [m2]
+//! @param ground_per_plant total ground area over number of plants [m2]
 double lai_of_line(const Mesh& plant, double ground_per_plant);
 
-//! Returns the outcome that a report tells of a plant, in the form of a case
-//! with one scenario, or of one stage.
-//! @param plant plant of the campaign's crop, which constraints limit
+//! Converts a report to the outcome of a plant, in a case with one scenario or
+//! at one stage.
+//! @param plant plant of the main crop, to which constraints apply
 Outcome to_outcome(const Campaign& campaign, const Plant& plant,
                    const CanopyReport& report);
 
 //! An outcome with each of its quantities by randomisation.
 struct RandomisedOutcome {
     Outcome outcome;
-    //! Quantities [randomisation, quantity]; NaN where a quantity is not known
-    //! by randomisation.
+    //! Quantities [randomisation, quantity]; NaN where unknown by
+    //! randomisation.
     std::vector<std::vector<double>> quantities;
 };
 
@@ -101,14 +102,14 @@ class Stand {
     //! Refers to the campaign, which must outlive the stand.
     Stand(const Campaign& campaign, const Case& chosen);
 
-    //! Returns the form of outcomes with the accuracy of the search or of the
-    //! final evaluations.
+    //! Returns the schema of outcomes in the search or in final evaluations.
     const OutcomeSchema& schema(bool is_final) const {
         return is_final ? final_schema_ : schema_;
     }
 
-    //! Sets up the light of all scenarios, which otherwise the first evaluation
-    //! does. Several threads may then evaluate, each with a device of its own.
+    //! Sets up the scenes of all scenarios, which the first evaluation does
+    //! otherwise. Then several threads may evaluate, each with a different
+    //! device.
     void prepare();
 
     //! Returns the outcome in all scenarios, a pure function of plants and
@@ -117,8 +118,8 @@ class Stand {
     Outcome evaluate(const Plants& plants, const Sampling& sampling,
                      const Device& device);
 
-    //! Returns the outcome of evaluate() with its quantities by randomisation;
-    //! plants with equal sampling share the random numbers.
+    //! Returns the outcome of evaluate() with quantities by randomisation.
+    //! Plants with equal sampling have common random numbers.
     RandomisedOutcome evaluate_by_randomisation(const Plants& plants,
                                                 const Sampling& sampling,
                                                 const Device& device);
@@ -135,8 +136,8 @@ class Stand {
     OutcomeSchema schema_, final_schema_;
 };
 
-//! Returns whether any panels track the sun, so that each instant needs a sky
-//! of its own.
+//! Returns whether any panels track the sun, so that each instant needs a
+//! separate sky.
 bool has_trackers(const Campaign& campaign);
 
 //! Adds the panels and objects of a campaign to a scene that already has its

@@ -23,7 +23,7 @@ from real_program import run_shortened, start
 from ideotype.tools.commands import report
 
 HERE = Path(__file__).parent
-# The program hands verbs of the package to the Python that runs the tests.
+# The program hands commands of the package to the Python that runs the tests.
 os.environ.setdefault("IDEOTYPE_PYTHON", sys.executable)
 LONG = {
     "test_manual.py",
@@ -69,8 +69,8 @@ settings.load_profile("quick")
 def pytest_ignore_collect(
     collection_path: Path, config: pytest.Config
 ) -> bool | None:
-    """Leaves out files of long tests where none of them runs, since each
-    process would import what they need."""
+    """Leaves out files of long tests if none of them runs, since each process
+    would import their libraries."""
     is_quick = config.getoption("markexpr") == "not long"
     return True if is_quick and collection_path.name in LONG else None
 
@@ -145,8 +145,8 @@ def finished(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="session")
 def drained(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Gives a history of two generations and five rows of the third, whose
-    other rows are only proposed; the history is closed, but not finished."""
+    """Gives a history of two generations and five rows of the third; its other
+    rows are only proposed. The history is closed but not finished."""
     path = tmp_path_factory.mktemp("drained") / "case.h5"
     made = MadeHistory(path)
     made.evolve(2)
@@ -194,7 +194,7 @@ def sweep(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.fixture(scope="session")
-def own(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def tiny_run(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Gives the history of a finished run of the tiny campaign, which lies in
     the folder above."""
     folder = tmp_path_factory.mktemp("run")
@@ -207,8 +207,8 @@ def own(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="session")
 def sorghum(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
-    """Gives finished histories of sorghum, bred in the traits of each leaf,
-    and in the profile of insertion angles."""
+    """Gives two finished histories of sorghum, with free traits of each leaf
+    and with a free profile of insertion angles."""
     return run_shortened(tmp_path_factory.mktemp("sorghum"), "sorghum")
 
 

@@ -11,21 +11,21 @@ from matplotlib.figure import Figure
 
 def bars(axes: Axes, label: str) -> tuple[np.ndarray, np.ndarray]:
     """Returns values and half-lengths of the vertical bars with a label."""
-    (found,) = [
+    (container,) = [
         c for c in axes.containers if (c.get_label() or "_").startswith(label)
     ]
-    line, _, (segments,) = found.lines
+    line, _, (segments,) = container.lines
     ends = np.array(segments.get_segments())
     return line.get_ydata(), (ends[:, 1, 1] - ends[:, 0, 1]) / 2
 
 
 def labels(figure: Figure) -> set[str]:
     """Returns all labels of all legends and axes."""
-    found = {t for a in figure.axes for t in (a.get_xlabel(), a.get_ylabel())}
+    texts = {t for a in figure.axes for t in (a.get_xlabel(), a.get_ylabel())}
     legends = [*figure.legends, *(a.get_legend() for a in figure.axes)]
     for legend in filter(None, legends):
-        found |= {text.get_text() for text in legend.get_texts()}
-    return found
+        texts |= {text.get_text() for text in legend.get_texts()}
+    return texts
 
 
 def horizontal_bars(axes: Axes, index: int = 0) -> tuple[np.ndarray, ...]:

@@ -1,12 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Computes figures that must stay the same, bit for bit, through changes of
-the program.
+"""Computes results that must remain bitwise equal through changes of the
+program.
 
-`golden.py write` makes tests/data/golden/*.txt anew with the program that
-IDEOTYPE_EXECUTABLE names, after a change that is meant to change results; the
-commit says why they change. Each line is a figure: the name, the number of
-values, a digest of the bits of the values, and the first values as text.
-"""
+`golden.py write` rewrites tests/data/golden/*.txt with the program of
+IDEOTYPE_EXECUTABLE, after an intended change of results; the commit states the
+reason. Each line has the name of a result, the number of values, a digest of
+their bits and the first value as text."""
 
 from __future__ import annotations
 
@@ -79,7 +78,7 @@ def _history_figures(path: Path) -> dict[str, np.ndarray]:
 def _mesh_figures(options: list[str]) -> dict[str, np.ndarray]:
     mesh, *others = options
     path = str(DATA / "reference" / mesh)
-    found: dict[str, np.ndarray] = {}
+    values: dict[str, np.ndarray] = {}
     report = json.loads(
         _run(
             "light",
@@ -90,21 +89,21 @@ def _mesh_figures(options: list[str]) -> dict[str, np.ndarray]:
             "--json",
         )
     )
-    _flatten("", report, found)
-    found.pop("seconds")
+    _flatten("", report, values)
+    values.pop("seconds")
     # Quantities that were added later have no golden figures.
-    return {k: v for k, v in found.items() if not k.startswith("quantities.")}
+    return {k: v for k, v in values.items() if not k.startswith("quantities.")}
 
 
-def _flatten(name: str, value: object, found: dict[str, np.ndarray]) -> None:
+def _flatten(name: str, value: object, values: dict[str, np.ndarray]) -> None:
     if isinstance(value, dict):
-        for key, each in value.items():
-            _flatten(f"{name}.{key}" if name else key, each, found)
+        for key, item in value.items():
+            _flatten(f"{name}.{key}" if name else key, item, values)
     elif isinstance(value, list):
-        for i, each in enumerate(value):
-            _flatten(f"{name}.{i}", each, found)
+        for i, item in enumerate(value):
+            _flatten(f"{name}.{i}", item, values)
     elif isinstance(value, (int, float)):
-        found[name] = np.array([value], dtype=float)
+        values[name] = np.array([value], dtype=float)
 
 
 def main() -> None:

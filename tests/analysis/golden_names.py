@@ -14,33 +14,37 @@ PARTS = ("absorbed", "stalk", "soil", "reflected")
 
 def figures(file: h5py.File) -> dict[str, np.ndarray]:
     """Returns all figures that the golden files hold."""
-    found = {}
+    values_by_name = {}
     for part in ("evaluations", "final"):
         rows = file[part]
         for i, gene in enumerate(file["genes/gene"].asstr()[:]):
-            found[f"{part}.{gene}"] = rows["genome"][:, i]
+            values_by_name[f"{part}.{gene}"] = rows["genome"][:, i]
         for name, values, errors in _columns(file, rows):
-            found[f"{part}.{name}"] = values
-            found[f"{part}.{name}.standard_error"] = errors
+            values_by_name[f"{part}.{name}"] = values
+            values_by_name[f"{part}.{name}.standard_error"] = errors
         status, violation = rows["status"][:], rows["violation"][:]
-        found[f"{part}.violation"] = violation
-        found[f"{part}.violation.standard_error"] = 0 * violation
+        values_by_name[f"{part}.violation"] = violation
+        values_by_name[f"{part}.violation.standard_error"] = 0 * violation
         fitness = np.where(violation > 0, -violation, rows["objectives"][:, 0])
-        found[f"{part}.fitness"] = np.where(status == 3, -np.inf, fitness)
-        found[f"{part}.status"], found[f"{part}.origin"] = (
+        values_by_name[f"{part}.fitness"] = np.where(
+            status == 3, -np.inf, fitness
+        )
+        values_by_name[f"{part}.status"], values_by_name[f"{part}.origin"] = (
             status,
             rows["origin"][:],
         )
-        found[f"{part}.parents"] = _slots(file, rows["parents"][:])
+        values_by_name[f"{part}.parents"] = _slots(file, rows["parents"][:])
     generations = file["generations"]
     for name in ("best", "best_standard_error", "mean", "spread", "diversity"):
-        found[f"generations.{name}"] = generations[name][:]
+        values_by_name[f"generations.{name}"] = generations[name][:]
     best = generations["best_row"][:]
-    found["generations.best_slot"] = _slots(file, best)
+    values_by_name["generations.best_slot"] = _slots(file, best)
     violation = file["evaluations/violation"][:][best]
-    values = found["generations.best"]
-    found["generations.best"] = np.where(violation > 0, -violation, values)
-    return found
+    values = values_by_name["generations.best"]
+    values_by_name["generations.best"] = np.where(
+        violation > 0, -violation, values
+    )
+    return values_by_name
 
 
 def _slots(file: h5py.File, rows: np.ndarray) -> np.ndarray:

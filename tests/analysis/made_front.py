@@ -28,7 +28,7 @@ def make(
     objectives: Sequence[tuple[str, str]] = (LIGHT, AREA),
     **options: Any,
 ) -> Path:
-    """Makes a finished history whose finalists have LAIS."""
+    """Makes a finished history; its finalists have the leaf areas LAIS."""
     made = MadeHistory(
         path, objectives=objectives, resolved=resolved(), **options
     )

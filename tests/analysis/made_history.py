@@ -2,7 +2,7 @@
 """Makes small histories that follow analysis/FORMAT.md exactly, without the
 program.
 
-As a program of its own, `made_history.py PATH` creates a history and obeys
+As a program, `made_history.py PATH` creates a history and obeys
 commands from its standard input, one per line, such as `record 0 3`; each
 command is answered with `ok`. The script then serves as a writer in another
 process."""
@@ -85,7 +85,7 @@ SESSION = {
 
 
 class MadeHistory:
-    """A writer in SWMR mode with a lock beside the file, like the program."""
+    """A writer in SWMR mode with a lock on the file, like the program."""
 
     def __init__(
         self,
@@ -104,9 +104,9 @@ class MadeHistory:
     ) -> None:
         """Creates all datasets, empty, except the dataset `without`.
         `attributes` add to or replace root attributes, `shift` is added to the
-        light that bred plants absorb and `baseline_shift` to the light of the
-        baseline in the finals, `extra` are more quantities and `labels` the
-        labels of their axes."""
+        light absorbed by optimised plants and `baseline_shift` to the light of
+        the baseline in the finals, `extra` are more quantities and `labels`
+        the labels of their axes."""
         self._shift, self._baseline_shift = shift, baseline_shift
         self._objectives = [name for name, _ in objectives]
         self._extra = {name: part for name, (_, part) in extra.items()}
@@ -210,10 +210,10 @@ class MadeHistory:
         values = randomisations(total, error, draws, *noise)
         for k, name in enumerate(self._objectives):
             scale = known[name] / total
-            own = 0.0 if self._measured[name].is_exact else error * scale
+            row_error = 0.0 if self._measured[name].is_exact else error * scale
             rows["objectives"][row, k] = known[name]
-            rows["objectives_standard_error"][row, k] = own
-            each = scale * (values if own else total + 0 * values)
+            rows["objectives_standard_error"][row, k] = row_error
+            each = scale * (values if row_error else total + 0 * values)
             rows["objectives_by_randomisation"][row, k] = each
         rows["violation"][row] = 0.0
         for name, kind in self._measured.items():

@@ -144,10 +144,10 @@ class Layout:
         name = "objectives_by_randomisation"
         add(name, np.nan, "f8", ENERGY, objective, draw)
         add("violation", np.nan, "f8", "1")
-        for name, what in self.quantities.items():
-            axes = (at[what.axis],) if what.axis else ()
-            for end in ("",) if what.is_exact else ("", "_standard_error"):
-                add(name + end, np.nan, "f8", what.units, *axes)
+        for name, kind in self.quantities.items():
+            axes = (at[kind.axis],) if kind.axis else ()
+            for end in ("",) if kind.is_exact else ("", "_standard_error"):
+                add(name + end, np.nan, "f8", kind.units, *axes)
         add("attempt", 0, "u4", "1")
         add("seconds", np.nan, "f8", "s")
         add("worker", -1, "i4", "1")
@@ -259,7 +259,7 @@ def finalist_checksum(file: h5py.File, finalist: int, status: int) -> str:
 
 
 def seal(file: h5py.File) -> None:
-    """Sets all checksums anew, after a test has changed a finished file."""
+    """Recomputes all checksums, after a test has changed a finished file."""
     del file.attrs["checksum"]
     text = header_checksum(file).encode()
     file.attrs.create("checksum", text, dtype=fixed(len(text) + 1))

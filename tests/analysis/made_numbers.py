@@ -138,16 +138,16 @@ def randomisations(
     generation share most of the noise."""
 
     def noise(*seed: int) -> np.ndarray:
-        found = np.random.default_rng(seed).normal(size=count)
-        return found - found.mean()
+        draws = np.random.default_rng(seed).normal(size=count)
+        return draws - draws.mean()
 
-    common, own = noise(7, generation), noise(8, generation, slot)
-    found = COMMON_NOISE**0.5 * common + (1 - COMMON_NOISE) ** 0.5 * own
-    return total + found * error * count**0.5 / found.std(ddof=1)
+    common, single = noise(7, generation), noise(8, generation, slot)
+    combined = COMMON_NOISE**0.5 * common + (1 - COMMON_NOISE) ** 0.5 * single
+    return total + combined * error * count**0.5 / combined.std(ddof=1)
 
 
 def baseline_genome() -> np.ndarray:
-    """Returns the unbred plant, gene by gene."""
+    """Returns the genome of the baseline."""
     return np.array(
         [BASELINE_LEAF[kind][leaf] for leaf in range(LEAVES) for kind in KINDS]
     )

@@ -69,15 +69,15 @@ randomisations = 4
 
 def executable() -> str:
     """Returns the program that IDEOTYPE_EXECUTABLE names."""
-    found = os.environ.get("IDEOTYPE_EXECUTABLE")
-    if not found:
+    named = os.environ.get("IDEOTYPE_EXECUTABLE")
+    if not named:
         if "IDEOTYPE_SAMPLE_HISTORY" in os.environ:
             pytest.skip("IDEOTYPE_EXECUTABLE is not set")
         pytest.fail(
             "set IDEOTYPE_EXECUTABLE to the built program, or "
             "IDEOTYPE_SAMPLE_HISTORY to a finished history"
         )
-    return os.path.abspath(found)
+    return os.path.abspath(named)
 
 
 def write_campaign(folder: Path, generations: int) -> Path:
@@ -88,19 +88,19 @@ def write_campaign(folder: Path, generations: int) -> Path:
     return campaign
 
 
-def run_with(folder: Path, tables: str, verb: str = "run") -> Path:
+def run_with(folder: Path, tables: str, command: str = "run") -> Path:
     """Returns a finished history of two generations of the tiny campaign with
-    more tables, by `ideotype run` or another verb."""
+    more tables, by `ideotype run` or another command."""
     campaign = write_campaign(folder, 2)
     campaign.write_text(campaign.read_text() + tables)
-    output_of(verb, campaign, "--out", folder)
+    output_of(command, campaign, "--out", folder)
     (path,) = (folder / "tiny").glob("*.h5")
     return path
 
 
 def run_crop(folder: Path, crop: str, free: list[str]) -> Path:
     """Returns a finished history of a crop of campaigns/crops, two generations
-    in the stand of the tiny campaign, with the given traits bred."""
+    in the stand of the tiny campaign, with the given traits free."""
     campaign = write_campaign(folder, 2)
     baseline = json.dumps(str(CAMPAIGNS / "crops" / f"{crop}.toml"))
     text = campaign.read_text().replace('"maize.toml"', baseline)
@@ -112,8 +112,8 @@ def run_crop(folder: Path, crop: str, free: list[str]) -> Path:
 
 
 def run_shortened(folder: Path, name: str) -> list[Path]:
-    """Returns finished histories of campaigns/NAME.toml, with three generations
-    of eight plants and few paths of light."""
+    """Returns finished histories of campaigns/NAME.toml, with three
+    generations of eight plants and few paths of light."""
     light = _FAST.replace("paths = 64", "paths = 256")
     text = (CAMPAIGNS / f"{name}.toml").read_text() + light
     for key, value in (("population", 8), ("generations", 3)):

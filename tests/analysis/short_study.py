@@ -36,7 +36,7 @@ def run(
     )
 
 
-def tables_of(folder: Path, parts: Sequence[str]) -> str:
+def make_tables(folder: Path, parts: Sequence[str]) -> str:
     """Returns the tables of parts, each of which gets a page in
     folder/results; their histories and figures are in folder/study."""
     results = folder / "results"

@@ -24,23 +24,23 @@ def slope(points):
     x = [math.log(a) for a, _ in points]
     y = [math.log(b) for _, b in points]
     mean_x, mean_y = sum(x) / len(x), sum(y) / len(y)
-    found = sum((a - mean_x) * (b - mean_y) for a, b in zip(x, y)) / sum(
+    slope = sum((a - mean_x) * (b - mean_y) for a, b in zip(x, y)) / sum(
         (a - mean_x) ** 2 for a in x
     )
-    return found, math.exp(mean_y - found * mean_x)
+    return slope, math.exp(mean_y - slope * mean_x)
 
 
 def rows(path):
     """Returns rows of a table that `accuracy` printed, by plants and light."""
-    found = {}
+    points = {}
     with open(path, encoding="utf-8") as file:
         for line in file:
             cells = [cell.strip() for cell in line.split("|")[1:-1]]
             if len(cells) < 7 or not cells[2].isdigit():
                 continue
             point = (float(cells[6]), float(cells[4]))
-            found.setdefault(f"{cells[0]}, {cells[1]}", []).append(point)
-    return found
+            points.setdefault(f"{cells[0]}, {cells[1]}", []).append(point)
+    return points
 
 
 def draw_accuracy(before, after, folder):

@@ -110,10 +110,10 @@ def plants_around(where: ideotype.Stand, count: int) -> Numbers:
 
 def values(where: ideotype.Stand, plants: Numbers, seed: int) -> Numbers:
     """Returns values of each randomisation [plants, randomisations]."""
-    found = where.evaluate(plants, [], seed=seed, threads=1)
-    if any(found.message.values):
-        raise ideotype.Error(found.message.values.max())
-    return np.asarray(found.objective_by_randomisation[:, 0])
+    evaluated = where.evaluate(plants, [], seed=seed, threads=1)
+    if any(evaluated.message.values):
+        raise ideotype.Error(evaluated.message.values.max())
+    return np.asarray(evaluated.objective_by_randomisation[:, 0])
 
 
 def noise(draws: Numbers, seconds: float) -> Noise:
@@ -128,15 +128,15 @@ def noise(draws: Numbers, seconds: float) -> Noise:
 
     # The mean over plants is the common part of the noise in a field.
     apart = draws - draws.mean(1, keepdims=True)
-    own = rows - rows.mean(0)
-    own -= own.mean(1, keepdims=True)
+    residuals = rows - rows.mean(0)
+    residuals -= residuals.mean(1, keepdims=True)
     degrees = (seeds - 1) * (plants - 1)
     pair = 2 * plants / (plants - 1)
     return Noise(
         of_mean(draws) / scale,
         float(rows.var(0, ddof=1).mean() / scale),
         pair * of_mean(apart) / scale,
-        2 * float((own**2).sum() / degrees) / scale,
+        2 * float((residuals**2).sum() / degrees) / scale,
         seconds,
     )
 
@@ -185,21 +185,23 @@ def seconds_for(variance: float, rough: Noise, fine: Noise) -> float:
     return rough.seconds + slope * (more - 1)
 
 
-def tell(objective: str, found: dict[Any, Noise]) -> None:
+def tell(objective: str, noise_by_setting: dict[Any, Noise]) -> None:
     first = TOLERANCES[0]
-    alike, fine = (found[next(iter(CELLS)), each] for each in TOLERANCES)
+    alike, fine = (
+        noise_by_setting[next(iter(CELLS)), each] for each in TOLERANCES
+    )
     wanted = alike.light_of_difference + of_field(fine)
     for cell in CELLS:
-        both = [found[cell, each] for each in TOLERANCES]
+        both = [noise_by_setting[cell, each] for each in TOLERANCES]
         cost = seconds_for(wanted, *both) / alike.seconds
-        for tolerance, each in zip(TOLERANCES, both, strict=True):
-            told = f"{cost:.2f}" if np.isfinite(cost) else "-"
+        for tolerance, noise in zip(TOLERANCES, both, strict=True):
+            price = f"{cost:.2f}" if np.isfinite(cost) else "-"
             print(
                 f"| {objective} | {cell} | {tolerance} "
-                f"| {parts(each.light_of_row, each.row)} "
-                f"| {parts(each.light_of_difference, each.difference)} "
-                f"| {1e3 * each.seconds:.1f} "
-                f"| {told if tolerance == first else ''} |",
+                f"| {parts(noise.light_of_row, noise.row)} "
+                f"| {parts(noise.light_of_difference, noise.difference)} "
+                f"| {1e3 * noise.seconds:.1f} "
+                f"| {price if tolerance == first else ''} |",
                 flush=True,
             )
 

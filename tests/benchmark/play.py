@@ -47,7 +47,7 @@ SCRIPT = """(async () => {
   const isFinal = () => document.body.dataset.final === "true"
     && Number(document.body.dataset.number) === page.number;
   change({ conditions: { ...page.shown.conditions, ...%(conditions)s } });
-  await told(isFinal);
+  await format_times(isFinal);
   await new Promise((done) => setTimeout(done, 500));
   const movable = "%(what)s" === "traits"
     ? sliders.filter((s) => s.index >= 0 && page.hello.levers[s.index].kind === "profile")
@@ -60,7 +60,7 @@ SCRIPT = """(async () => {
     input.value = Number(input.min) + part * (Number(input.max) - Number(input.min));
     const begun = performance.now();
     input.dispatchEvent(new Event("input"));
-    await told(() => page.answered === page.number);
+    await format_times(() => page.answered === page.number);
     found.first.push(performance.now() - begun);
     const first = field.numbers.numbers[goal];
     await frame();
@@ -68,7 +68,7 @@ SCRIPT = """(async () => {
     found.drawn.push(performance.now() - begun);
     found.errors.push(Math.abs(first[1] / first[0]));
     if (i %% 10) continue;
-    await told(isFinal);
+    await format_times(isFinal);
     const last = field.numbers.numbers[goal];
     found.refined.push(performance.now() - begun);
     found.known.push(Math.abs(last[1] / last[0]));
@@ -84,10 +84,10 @@ def main() -> None:
         "| | first numbers [ms] | drawn [ms] | their error | refined [ms] | "
         "its error | within 2 errors |\n|---|---|---|---|---|---|---|"
     )
-    for name, plant, conditions, what in CASES:
+    for name, plant, conditions, description in CASES:
         script = SCRIPT % {
             "conditions": str(conditions).replace("True", "true"),
-            "what": what,
+            "what": description,
             "moves": moves,
         }
         with (
@@ -95,19 +95,23 @@ def main() -> None:
             served("play", plant) as page,
             shown(page, Path(folder)) as phone,
         ):
-            found = phone.value(script)
+            measured = phone.value(script)
 
-        def told(kind: str, found: dict[str, list[float]] = found) -> str:
-            middle, most = np.percentile(found[kind], [50, 95])
-            return f"{middle:.0f} (95 %: {most:.0f})"
+        def format_times(
+            kind: str, measured: dict[str, list[float]] = measured
+        ) -> str:
+            middle, upper = np.percentile(measured[kind], [50, 95])
+            return f"{middle:.0f} (95 %: {upper:.0f})"
 
-        def error(kind: str, found: dict[str, list[float]] = found) -> str:
-            return f"{100 * np.median(found[kind]):.1f} %"
+        def format_error(
+            kind: str, measured: dict[str, list[float]] = measured
+        ) -> str:
+            return f"{100 * np.median(measured[kind]):.1f} %"
 
-        inside = f"{sum(found['inside'])} of {len(found['inside'])}"
+        inside = f"{sum(measured['inside'])} of {len(measured['inside'])}"
         print(
-            f"| {name} | {told('first')} | {told('drawn')} | "
-            f"{error('errors')} | {told('refined')} | {error('known')} | "
+            f"| {name} | {format_times('first')} | {format_times('drawn')} | "
+            f"{format_error('errors')} | {format_times('refined')} | {format_error('known')} | "
             f"{inside} |",
             flush=True,
         )

@@ -57,20 +57,20 @@ def run(campaign: str, folder: str) -> tuple[Path, float]:
 def measure(campaign: str) -> tuple[float, float]:
     """Returns plants per second of the program and of Python."""
     with tempfile.TemporaryDirectory() as folder:
-        history, own = run(campaign, folder)
+        history, seconds = run(campaign, folder)
         rows = ideotype.open(history)
         stand = ideotype.Stand.from_history(history)
     genomes = rows.genome.values.reshape(-1, POPULATION, rows.sizes["gene"])
     objective = next(iter(stand.objectives))
     began = time.process_time()
-    found = [
+    evaluated = [
         stand.evaluate(plants, [objective], generation=g, threads=1)
         for g, plants in enumerate(genomes)
     ]
     python = time.process_time() - began
-    again = np.concatenate([x[objective].values for x in found])
+    again = np.concatenate([x[objective].values for x in evaluated])
     np.testing.assert_array_equal(again, rows[objective].values)
-    return PLANTS / own, PLANTS / python
+    return PLANTS / seconds, PLANTS / python
 
 
 def main() -> None:

@@ -34,5 +34,5 @@ read_requests=(sh -c 'exec "$1" serve "$2" <"$3"' sh "$ideotype" "$campaign"
 "${launcher[@]}" "${read_requests[@]}" >"$folder/answers" 2>"$folder/serve.log"
 done=$(grep -c '"status":"done"' "$folder/answers" || true)
 [ "$done" = "$genomes" ] || { tail -n 2 "$folder/answers" >&2; exit 1; }
-grep -o "generation 0, .* evaluations/s" "$folder/run.log" | sed 's/^/run:   /'
+grep -o "generation 0, .* evaluations per second" "$folder/run.log" | sed 's/^/run:   /'
 grep -o "[0-9]* genomes .*second" "$folder/serve.log" | sed 's/^/serve: /'

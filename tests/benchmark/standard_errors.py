@@ -3,7 +3,7 @@
 """Compares the standard errors that evaluations report with the errors that
 they make: the baseline is evaluated with many seeds in fields without turns,
 in sparse stands, with leaves that are nearly white, over a season, and as it
-grows and transpires, in one or four fields of plants that differ.
+grows and transpires, in one or four variable stands.
 
 Prints for each set-up and quantity the spread over seeds, the root mean square
 of the reported errors and its ratio to the spread, the median, smallest and
@@ -50,7 +50,7 @@ SETUPS = {
     "2 x 2 m": ("ames_quick", [*ALIKE, *apart(2, 2)], 0.01, LIGHT),
     "4 x 4 m": ("ames_quick", [*ALIKE, *apart(4, 4)], 0.01, LIGHT),
     "10 x 10 m": ("ames_quick", [*ALIKE, *apart(10, 10)], 0.01, LIGHT),
-    "R + T = .998": ("ames_quick", [*ALIKE, *WHITE], 0.01, LIGHT),
+    "R + T = 0.998": ("ames_quick", [*ALIKE, *WHITE], 0.01, LIGHT),
     "day": ("ames_quick", [*ALIKE, CARBON_BALANCE], 0.008, CARBON),
     "season": ("bondville", [*ALIKE, CARBON_BALANCE], 0.008, CARBON),
     "water": ("growing_season", growing(1), None, (*CARBON, *WATER)),
@@ -68,18 +68,18 @@ def table_of(name: str, seeds: int) -> list[str]:
     stand = ideotype.Stand.from_campaign(
         CAMPAIGNS / f"{campaign}.toml", settings=settings
     )
-    found = [
+    reports = [
         stand.evaluate(stand.baseline, tolerance=tolerance, seed=seed)
         for seed in range(1, seeds + 1)
     ]
     fields = tomllib.loads(stand.campaign)["light"].get("fields", 1)
     repetitions = fields if fields > 1 else RANDOMISATIONS
-    capped = np.mean([float(each["capped"][0]) for each in found])
+    capped = np.mean([float(each["capped"][0]) for each in reports])
     lines = []
     for quantity in quantities:
-        x = np.array([float(each[quantity][0]) for each in found])
+        x = np.array([float(each[quantity][0]) for each in reports])
         error = f"{quantity}_standard_error"
-        reported = np.array([float(each[error][0]) for each in found])
+        reported = np.array([float(each[error][0]) for each in reports])
         spread, mean, scale = x.std(ddof=1), x.mean(), abs(x.mean())
         rms = np.sqrt(np.mean(reported**2))
         deviation = np.abs(x - mean) / reported
@@ -105,7 +105,7 @@ def main() -> None:
     options = parser.parse_args()
     print(
         "| set-up | quantity | spread % | reported % | ratio | median % "
-        "| least % | largest % | beyond t of .05 .01 .001 | capped |\n"
+        "| least % | largest % | beyond t of 0.05 0.01 0.001 | capped |\n"
         + 10 * "|---"
         + "|"
     )

@@ -20,7 +20,7 @@ export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 \
     PRTE_MCA_hwloc_default_binding_policy=none
 TIMEFORMAT='%R %U %S'
 
-# Runs $2..., and prints evaluations/s that the log tells, wall and processor
+# Runs $2..., and prints evaluations per second from the log, and wall and processor
 # time [s] of the whole command.
 measure() {
     local rate seconds
@@ -28,7 +28,7 @@ measure() {
     { time "${@:2}" run "$campaign" "${settings[@]}" --out "$folder/out" \
         "${extra[@]}" >"$folder/log" 2>&1; } 2>"$folder/time" ||
         { cat "$folder/log" >&2; exit 1; }
-    rate=$(grep -o "[0-9.]* evaluations/s" "$folder/log" | tail -n 1 | cut -d ' ' -f 1)
+    rate=$(grep -o "[0-9.]* evaluations per second" "$folder/log" | tail -n 1 | cut -d ' ' -f 1)
     read -r -a seconds <"$folder/time"
     echo "$1 $rate ${seconds[0]} $(echo "${seconds[1]} + ${seconds[2]}" | bc)"
 }

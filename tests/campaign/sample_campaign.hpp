@@ -53,11 +53,11 @@ inline Campaign ames() {
 }
 
 //! Returns a text in which another part replaces the first place of a part.
-inline std::string replaced(std::string text, const std::string& from,
+inline std::string replaced(std::string text, const std::string& old,
                             const std::string& to) {
-    const std::size_t at = text.find(from);
-    EXPECT_NE(at, std::string::npos) << from;
-    return text.replace(at, from.size(), to);
+    const std::size_t at = text.find(old);
+    EXPECT_NE(at, std::string::npos) << old;
+    return text.replace(at, old.size(), to);
 }
 
 //! Returns the message of the error that the text of a campaign has, or "".

@@ -63,24 +63,24 @@ TEST_P(BroadCrop, IsWrittenAsItIsRead) {
               build_plant(crop.baseline, {}).vertices);
 }
 
-TEST(BroadCrops, KeysAreNotWrittenOfPlantsThatDoNotNeedThem) {
+TEST(BroadCrops, UnusedKeysAreNotWritten) {
     const std::string text = sample().resolved;
     for (const char* key : {"petiole", "leaflet", "rachis", "internode"})
         EXPECT_EQ(text.find(key), std::string::npos) << key;
 }
 
-TEST(BroadCrops, WrongKeysAreToldWithTheirLine) {
+TEST(BroadCrops, WrongKeysAreReportedWithTheirLine) {
     const auto problem = [](const std::string& leaf, const std::string& more) {
         return problem_of(broad_text(leaf, more));
     };
     EXPECT_EQ(problem("internode = 0.2\n", ""), "");
     EXPECT_NE(problem("", "").find("missing key 'insertion_height'"),
               std::string::npos);
-    EXPECT_NE(problem("internode = 0.2\npetiole_lenght = 0.1\n", "")
-                  .find("sample.toml:26:1: unknown key 'petiole_lenght' in "
-                        "[leaf] (nothing would read it); did you mean "
-                        "'petiole_length'?"),
-              std::string::npos);
+    EXPECT_NE(
+        problem("internode = 0.2\npetiole_lenght = 0.1\n", "")
+            .find("sample.toml:26:1: unknown key 'petiole_lenght' in [leaf] "
+                  "(it would be ignored); did you mean 'petiole_length'?"),
+        std::string::npos);
     EXPECT_NE(
         problem("internode = 0.2\n", "[plant.baseline.blade]\nleaflets = 3\n")
             .find("sample.toml:27:12: blade.leaflets is 3 (all of them "
@@ -97,17 +97,17 @@ TEST(BroadCrops, WrongKeysAreToldWithTheirLine) {
 
 TEST(BroadCrops, OrgansOfACampaignMayLeavePetiolesOut) {
     const std::string leaf = "internode = 0.2\npetiole_length = 0.1\n";
-    const auto organs_of = [&](const std::string& organs) {
+    const auto list_organs = [&](const std::string& organs) {
         std::string text = broad_text(leaf, "");
         text.insert(text.find("bounds = "), organs);
         return organ_names(parse_campaign(text, "x").crop.baseline);
     };
-    EXPECT_EQ(organs_of(""), (std::vector<std::string>{"stalk", "petiole"}));
-    EXPECT_EQ(organs_of("organs = [\"stalk\"]\n"),
+    EXPECT_EQ(list_organs(""), (std::vector<std::string>{"stalk", "petiole"}));
+    EXPECT_EQ(list_organs("organs = [\"stalk\"]\n"),
               std::vector<std::string>{"stalk"});
 }
 
-TEST(BroadCrops, LayersReachToTheTipsAbovePetioles) {
+TEST(BroadCrops, LayersReachTheTipsOfLeavesOnPetioles) {
     const auto reach = [](const std::string& leaf) {
         return parse_campaign(broad_text("internode = 0.2\n" + leaf, ""), "x")
             .reach;

@@ -55,9 +55,9 @@ TEST(BrokenCampaign, EveryProblemIsReportedInOnePass) {
     const std::set<fs::path> files = broken_files();
     EXPECT_GE(files.size(), 10u);
     for (fs::path file : files) {
-        const std::string found = messages(file);
-        EXPECT_NE(found, "") << file;
-        EXPECT_EQ(found, content(file.replace_extension(".txt"))) << file;
+        const std::string printed = messages(file);
+        EXPECT_NE(printed, "") << file;
+        EXPECT_EQ(printed, content(file.replace_extension(".txt"))) << file;
     }
 }
 
@@ -83,7 +83,7 @@ TEST(BrokenCampaign, MissingFileIsNotAnInputError) {
     }
 }
 
-TEST(BrokenCampaign, ResolvedCampaignsStandAlone) {
+TEST(BrokenCampaign, ResolvedCampaignsNeedNoOtherFiles) {
     std::string text = sample_text();
     const std::size_t table = text.find("[plant.baseline]");
     text = text.substr(0, table) + "baseline = \"crops/maize.toml\"\n";
@@ -112,10 +112,11 @@ TEST(BrokenCampaign, PlantsHaveAtMostFortyLeaves) {
         << problem_of(sample_text("", leaves));
 }
 
-TEST(BrokenCampaign, TooMuchIsRefusedBeforeItIsWorkedOn) {
-    const auto refuses = [](const std::string& text, const std::string& what) {
+TEST(BrokenCampaign, OversizedInputIsRefusedBeforeAnyWork) {
+    const auto refuses = [](const std::string& text,
+                            const std::string& reason) {
         const std::string problem = problem_of(text);
-        EXPECT_NE(problem.find(what), std::string::npos) << problem;
+        EXPECT_NE(problem.find(reason), std::string::npos) << problem;
         EXPECT_EQ(std::count(problem.begin(), problem.end(), '\n'), 0);
     };
     const auto many = [](int count, const std::string& table) {
@@ -193,12 +194,12 @@ TEST(BrokenCampaign, ObjectsMuchLargerThanTheCellAreRefused) {
               std::string::npos);
 }
 
-TEST(BrokenCampaign, ObjectsBelowTheSoilAreWarnedOf) {
+TEST(BrokenCampaign, ObjectsBelowTheSoilCauseAWarning) {
     const auto warnings = [](double z) {
-        std::string all;
+        std::string text;
         for (const Problem& each : sample("", object(0.1, 2, z)).warnings)
-            all += each.what;
-        return all;
+            text += each.what;
+        return text;
     };
     EXPECT_EQ(warnings(0), "");
     EXPECT_EQ(warnings(1), "");
@@ -257,7 +258,7 @@ TEST(BrokenCampaign, ABladeHasAWidth) {
             std::string::npos);
 }
 
-TEST(BrokenCampaign, WhatIsNoFileIsRefusedAndNotWaitedFor) {
+TEST(BrokenCampaign, PathsThatAreNotRegularFilesAreRefusedAtOnce) {
     const std::string folder = testing::TempDir();
     const std::string pipe = folder + "/pipe.csv";
     fs::remove(pipe);
@@ -282,21 +283,21 @@ TEST(BrokenCampaign, WhatIsNoFileIsRefusedAndNotWaitedFor) {
             << problem(plant);
 }
 
-TEST(BrokenCampaign, MessagesQuoteWhatIsShort) {
+TEST(BrokenCampaign, MessagesShortenLongQuotes) {
     const std::string name(10'000'000, 'x');
     std::string text = sample_text();
     text.replace(text.find("Ames"), 4, name);
-    for (const std::string& each :
+    for (const std::string& broken :
          {problem_of(text), problem_of(sample_text(name + " = 1\n")),
           problem_of(sample_text("", "[light]\nsky = \"" + name + "\"\n"))}) {
-        EXPECT_NE(each.find(std::string(59, 'x')), std::string::npos);
-        EXPECT_EQ(each.find(std::string(65, 'x')), std::string::npos)
-            << each.substr(0, 1000);
-        EXPECT_LT(each.size(), 1500u);
+        EXPECT_NE(broken.find(std::string(59, 'x')), std::string::npos);
+        EXPECT_EQ(broken.find(std::string(65, 'x')), std::string::npos)
+            << broken.substr(0, 1000);
+        EXPECT_LT(broken.size(), 1500u);
     }
 }
 
-TEST(BrokenCampaign, UnknownSkiesAreRefusedWithTheKnownOnes) {
+TEST(BrokenCampaign, UnknownSkiesAreRefusedWithAListOfKnownOnes) {
     EXPECT_NE(problem_of(sample_text("", "[light]\nsky = \"cloudy\"\n"))
                   .find("light.sky is \"cloudy\" (not one of its values); use "
                         "\"uniform\" or \"overcast\" or \"clear\""),
@@ -324,7 +325,7 @@ TEST(BrokenCampaign, AssimilationInOneFieldNeedsRandomisations) {
     EXPECT_NO_THROW(parse_campaign(sample_text("", light), "sample.toml"));
 }
 
-TEST(BrokenCampaign, LinesThatAreNotTomlSayHowToWriteThem) {
+TEST(BrokenCampaign, LinesThatAreNotTomlGetAdvice) {
     const std::pair<const char*, const char*> lines[] = {
         {"start = 05:00", "write times as in start = 05:00:00"},
         {"start = 5:30:00 # early", "write times as in start = 05:30:00"},
@@ -345,7 +346,7 @@ TEST(BrokenCampaign, LinesThatAreNotTomlSayHowToWriteThem) {
     }
 }
 
-TEST(BrokenCampaign, QuotedValuesSayHowToWriteThem) {
+TEST(BrokenCampaign, QuotedValuesGetAdvice) {
     const std::string problem = problem_of(
         "[day]\nstart = \"05:00\"\ndate = \"15.07.2025\"\n"
         "[spacing]\nrow = \"0.762\"\nplant = \"six\"\n");
@@ -374,12 +375,12 @@ TEST(BrokenCampaign, RemediesAreValid) {
            "evaluated); use 3 or more");
     // A campaign without an optimizer may know nothing of auto.
     expect(problem_of(sample_text("", "[stop]\ngenerations = 2\n")),
-           "stop.generations is 2 (the search is by \"auto\", since "
+           "stop.generations is 2 (the optimizer is \"auto\", since "
            "search.optimizer is not given; the first generation of auto has "
            "three times search.population plants, so that nothing would be "
            "evaluated); use 3 or more, or set search.optimizer = \"ga\"");
     expect(problem_of(sample_text("", "[search]\npopulation = 6\n")),
-           "search.population is 6 (the search is by \"auto\", since "
+           "search.population is 6 (the optimizer is \"auto\", since "
            "search.optimizer is not given; CMA-ES ranks at least 8 plants); "
            "use 8 or more, or leave it out, or set search.optimizer = \"ga\"");
 }
@@ -402,7 +403,7 @@ TEST(BrokenCampaign, KeysOfManyPartsAreRefusedBeforeTheParserRecurses) {
               std::string::npos);
 }
 
-TEST(BrokenCampaign, DotsInTextsAndCommentsAndNumbersAreNoParts) {
+TEST(BrokenCampaign, DotsInTextsCommentsAndNumbersDoNotSeparateKeys) {
     for (const std::string line :
          {"x = \"\\\"a.b.c.d.e.f.g.h.i.j\"", "x = 'a.b.c.d.e.f.g.h.i.j'",
           "# a.b.c.d.e.f.g.h.i.j",
@@ -413,7 +414,7 @@ TEST(BrokenCampaign, DotsInTextsAndCommentsAndNumbersAreNoParts) {
             << line;
 }
 
-TEST(BrokenCampaign, PlantFilesAreNoCampaigns) {
+TEST(BrokenCampaign, CropFilesAreRefusedAsCampaigns) {
     const std::string problem = problem_of("name = \"p\"\n[[leaf]]\n");
     EXPECT_NE(problem.find("this is a crop file"), std::string::npos);
     EXPECT_NE(problem.find("--under CAMPAIGN"), std::string::npos);

@@ -41,7 +41,7 @@ TEST(Campaign, AmesIsTheStudyOfThePaper) {
     EXPECT_EQ(campaign.crop.baseline.leaves.size(), 10u);
 }
 
-TEST(Campaign, SearchesByAutoWithoutAnOptimizer) {
+TEST(Campaign, TheDefaultOptimizerIsAuto) {
     const Campaign campaign = sample();
     EXPECT_EQ(campaign.search.optimizer, OptimizerKind::automatic);
     // One leaf has four genes: 2.5 (4 + 3 ln 4).
@@ -81,7 +81,7 @@ TEST(Campaign, AmesQuickIsTheSameCaseWithLessWork) {
             EXPECT_NE(line.rfind(same, 0), 0u) << line;
 }
 
-TEST(Campaign, WhatIsLeftOutIsAsInTheStudyOfThePaperButTheSearch) {
+TEST(Campaign, DefaultsAreThoseOfThePaperExceptForTheSearch) {
     std::string text = sample_text();
     text.replace(text.find("Ames"), 1, "a");
     const std::string reduced =
@@ -97,7 +97,7 @@ TEST(Campaign, WhatIsLeftOutIsAsInTheStudyOfThePaperButTheSearch) {
             << line;
 }
 
-TEST(Campaign, PathsWithoutAToleranceAreAllFollowed) {
+TEST(Campaign, WithoutAToleranceAllPathsAreTraced) {
     EXPECT_EQ(sample().sampling.tolerance, 0.005);
     EXPECT_EQ(sample("", "[light]\npaths = 512\n").sampling.tolerance, 0);
     EXPECT_EQ(sample("", "[light]\npaths = 512\ntolerance = 0.01\n")
@@ -115,11 +115,11 @@ TEST(Campaign, EveryCampaignOfTheProjectIsValidAndItsSize) {
         {"cultivars", 1},      {"mixture", 1},        {"invader", 1},
         {"intercrop", 1},      {"agrivoltaic", 1},    {"growing_season", 1},
         {"atlas", 1}};
-    std::size_t found = 0;
+    std::size_t count = 0;
     for (const auto& file :
          std::filesystem::directory_iterator(IDEOTYPE_CAMPAIGNS)) {
         if (file.path().extension() != ".toml") continue;
-        ++found;
+        ++count;
         const Campaign campaign = read_campaign(file.path().string());
         EXPECT_EQ(campaign.spec.name, file.path().stem());
         ASSERT_TRUE(sizes.contains(campaign.spec.name)) << campaign.spec.name;
@@ -130,7 +130,7 @@ TEST(Campaign, EveryCampaignOfTheProjectIsValidAndItsSize) {
                   0)
             << campaign.spec.name << ": the baseline fails its constraints";
     }
-    EXPECT_EQ(found, sizes.size());
+    EXPECT_EQ(count, sizes.size());
 }
 
 TEST(Campaign, ResolvedTextReadsBackToItself) {
@@ -170,7 +170,7 @@ TEST(Campaign, ResolvedTextKeepsUnusualValues) {
 }
 
 // Keys that were removed have no effect in histories of earlier versions.
-TEST(Campaign, OfAHistoryWarnsOnceOfKeysThatThisVersionDoesNotHave) {
+TEST(Campaign, OfAHistoryWarnsOnceAboutKeysThatThisVersionLacks) {
     const auto of_history = [](const std::string& step,
                                const std::string& base) {
         std::string text = sample().resolved;
@@ -187,9 +187,8 @@ TEST(Campaign, OfAHistoryWarnsOnceOfKeysThatThisVersionDoesNotHave) {
     ASSERT_EQ(other.warnings.size(), sample().warnings.size() + 1);
     EXPECT_EQ(to_string(other.warnings.front()),
               "old.h5: the campaign of this history has keys that this version "
-              "does not have (search.step, search.window, stalk.leaf_base); "
-              "they are passed over, and the version that made the history "
-              "reads them");
+              "lacks (search.step, search.window, stalk.leaf_base); they are "
+              "ignored; the version that wrote the history reads them");
     EXPECT_THROW(parse_campaign(sample().resolved + "[water]\nhot = 35\n", ""),
                  InputError);
 }
@@ -229,7 +228,7 @@ TEST(Campaign, SameMeaningHasTheSameResolvedText) {
     EXPECT_NE(one.source, other.source);
 }
 
-TEST(Campaign, SingleTableIsAnAxisOfOne) {
+TEST(Campaign, ASingleTableIsAnAxisWithOneEntry) {
     const std::string text = replaced(sample_text(), "[[site]]", "[site]");
     EXPECT_EQ(parse_campaign(text, "sample.toml").resolved, sample().resolved);
 }
@@ -242,7 +241,7 @@ TEST(Campaign, UnnamedEntriesAreNamedAfterTheirValues) {
     EXPECT_EQ(campaign.spec.trait_sets[0].name, "all");
 }
 
-TEST(Campaign, LeavesAssimilateIfTheObjectiveOrATableSaysSo) {
+TEST(Campaign, LeavesAssimilateIfTheObjectiveOrATableRequiresIt) {
     EXPECT_FALSE(parse_campaign(sample_text(), "c").photosynthesis);
     const std::string objective =
         "[objective]\nmaximise = \"carbon_balance\"\n";
@@ -267,7 +266,7 @@ TEST(Campaign, LeavesAssimilateIfTheObjectiveOrATableSaysSo) {
     EXPECT_EQ(parse_campaign(other.resolved, "c").resolved, other.resolved);
 }
 
-TEST(Campaign, LeavesOfC3HaveKeysOfTheirOwn) {
+TEST(Campaign, C3LeavesHaveDifferentKeys) {
     const std::string table =
         "[photosynthesis]\nmodel = \"farquhar\"\nvcmax = 90\njmax = 160\n"
         "tpu = 11\ntheta = 0.9\nbeta = 0.95\ng1 = 4\nrd = 1\n";
@@ -287,12 +286,12 @@ TEST(Campaign, LeavesOfC3HaveKeysOfTheirOwn) {
         return problem_of(sample_text("", "[photosynthesis]\n" + keys));
     };
     EXPECT_NE(problem("model = \"farquhar\"\nvmax = 40\n")
-                  .find("photosynthesis.vmax is no number of the model "
-                        "\"farquhar\" (it is one of \"collatz\"); remove it"),
+                  .find("photosynthesis.vmax is not a parameter of the model "
+                        "\"farquhar\" (but of \"collatz\"); remove it"),
               std::string::npos);
     EXPECT_NE(problem("beta = 0.9\n")
-                  .find("of the model \"hyperbola\" (it is one of \"collatz\" "
-                        "or \"farquhar\"); remove it"),
+                  .find("of the model \"hyperbola\" (but of \"collatz\" or "
+                        "\"farquhar\"); remove it"),
               std::string::npos);
 }
 
@@ -311,10 +310,11 @@ TEST(Campaign, AnySingleNumberOfTheCanopyMayBeAnObjective) {
               std::string::npos);
     // A name that resembles no quantity is answered with the names of all
     // quantities but those of the method.
-    const std::string all = problem_of(text("xyz"));
-    EXPECT_NE(all.find("use one of absorbed_par, "), std::string::npos) << all;
+    const std::string message = problem_of(text("xyz"));
+    EXPECT_NE(message.find("use one of absorbed_par, "), std::string::npos)
+        << message;
     for (const char* own : {"paths", "capped", "balance_error"})
-        EXPECT_EQ(all.find(own), std::string::npos) << all;
+        EXPECT_EQ(message.find(own), std::string::npos) << message;
     EXPECT_NE(problem_of(text("extinction_coefficient") +
                          "[field]\nboundary = \"isolated\"\n")
                   .find("light enters a plot"),

@@ -24,13 +24,13 @@ constexpr auto trait_sets =
 
 TEST(Cases, NamesJoinAllAxesInLowerCase) {
     const Campaign campaign = sample();
-    const Cases all = cases(campaign);
-    ASSERT_EQ(all.size(), 1u);
-    EXPECT_EQ(all[0].name, "ames_0807_762x152_all_r1");
-    EXPECT_EQ(all[0].index, 0);
+    const Cases campaign_cases = cases(campaign);
+    ASSERT_EQ(campaign_cases.size(), 1u);
+    EXPECT_EQ(campaign_cases[0].name, "ames_0807_762x152_all_r1");
+    EXPECT_EQ(campaign_cases[0].index, 0);
 }
 
-TEST(Cases, ARuleOfBoundsMayChooseTheTraitsThatAreBred) {
+TEST(Cases, ARuleOfBoundsMayChooseTheFreeTraits) {
     const std::string text =
         "name = \"b\"\n[[site]]\nname = \"a\"\nlatitude = 42\n"
         "longitude = -93\nutc_offset = -6\n[[day]]\ndate = 2025-08-07\n"
@@ -54,17 +54,18 @@ TEST(Cases, ARuleOfBoundsMayChooseTheTraitsThatAreBred) {
 TEST(Cases, ReplicatesVaryFastestThenTraitsThenSpacings) {
     const Campaign campaign =
         sample("replicates = 2\n", std::string(second_spacing) + trait_sets);
-    const Cases all = cases(campaign);
-    ASSERT_EQ(all.size(), 8u);
-    EXPECT_EQ(all[0].name, "ames_0807_762x152_angles_r1");
-    EXPECT_EQ(all[1].name, "ames_0807_762x152_angles_r2");
-    EXPECT_EQ(all[2].name, "ames_0807_762x152_all_r1");
-    EXPECT_EQ(all[4].name, "ames_0807_381x76_angles_r1");
-    EXPECT_EQ(all[4].spacing.row, 0.381);
-    EXPECT_EQ(all[1].traits, (TraitSet{"insertion_angle", "azimuth"}));
-    EXPECT_EQ(all[1].replicate, 2);
+    const Cases campaign_cases = cases(campaign);
+    ASSERT_EQ(campaign_cases.size(), 8u);
+    EXPECT_EQ(campaign_cases[0].name, "ames_0807_762x152_angles_r1");
+    EXPECT_EQ(campaign_cases[1].name, "ames_0807_762x152_angles_r2");
+    EXPECT_EQ(campaign_cases[2].name, "ames_0807_762x152_all_r1");
+    EXPECT_EQ(campaign_cases[4].name, "ames_0807_381x76_angles_r1");
+    EXPECT_EQ(campaign_cases[4].spacing.row, 0.381);
+    EXPECT_EQ(campaign_cases[1].traits,
+              (TraitSet{"insertion_angle", "azimuth"}));
+    EXPECT_EQ(campaign_cases[1].replicate, 2);
     for (int i = 0; i < 8; ++i)
-        EXPECT_EQ(all[static_cast<std::size_t>(i)].index, i);
+        EXPECT_EQ(campaign_cases[static_cast<std::size_t>(i)].index, i);
 }
 
 TEST(Cases, SeedsDoNotDependOnOtherCases) {
@@ -93,20 +94,20 @@ TEST(Cases, SeedOfTheCampaignChangesAllSeeds) {
 TEST(Cases, AreNamedAndFoundAsTheyAreMade) {
     const Campaign campaign =
         sample("replicates = 3\n", std::string(second_spacing) + trait_sets);
-    const Cases all = cases(campaign);
-    const std::vector<CaseName> names = all.names();
+    const Cases campaign_cases = cases(campaign);
+    const std::vector<CaseName> names = campaign_cases.names();
     ASSERT_EQ(names.size(), 12u);
     for (std::size_t i = 0; i < names.size(); ++i) {
-        const Case made = all[i];
+        const Case made = campaign_cases[i];
         EXPECT_EQ(made.name, names[i].name);
         EXPECT_EQ(made.seed, names[i].seed);
         EXPECT_EQ(made.index, names[i].index);
         EXPECT_EQ(made.trait_set_name, names[i].trait_set_name);
-        EXPECT_EQ(all.find(made.name).value().index, made.index);
+        EXPECT_EQ(campaign_cases.find(made.name).value().index, made.index);
     }
-    EXPECT_FALSE(all.find("none").has_value());
-    EXPECT_THROW(all.at(12), std::out_of_range);
-    const Cases some = all.part(5, 2);
+    EXPECT_FALSE(campaign_cases.find("none").has_value());
+    EXPECT_THROW(campaign_cases.at(12), std::out_of_range);
+    const Cases some = campaign_cases.part(5, 2);
     ASSERT_EQ(some.size(), 2u);
     EXPECT_EQ(some.back().name, names[6].name);
     EXPECT_EQ(some.back().index, 6);
@@ -126,7 +127,7 @@ TEST(Cases, AreFoundByTheirIndexOrRefusedWithTheRange) {
         }
 }
 
-TEST(Campaign, TimesMayBeWrittenInUnits) {
+TEST(Campaign, DurationsMayHaveUnits) {
     EXPECT_EQ(sample("", "[stop]\nwall_time = \"1h30m\"\n").stop.wall_time,
               5400);
 }
@@ -156,7 +157,7 @@ TEST(GeneSpace, OnlyAzimuthIsCircular) {
     EXPECT_EQ(genes[3].upper, 360);
 }
 
-TEST(GeneSpace, TraitSetsDecideWhatIsFree) {
+TEST(GeneSpace, TraitSetsDetermineFreeGenes) {
     const Campaign campaign = sample("", trait_sets);
     const GeneSpace genes = gene_space(campaign, cases(campaign)[0]);
     EXPECT_FALSE(genes[0].is_free);
@@ -176,7 +177,7 @@ constexpr auto own_traits =
     "[[plant.baseline.trait]]\nname = \"width\"\nsets = [\"leaf.width\"]\n"
     "unit = \"m\"\nrange = [0.05, 0.14]\n";
 
-TEST(GeneSpace, IsThatOfTheTraitsOfTheCrop) {
+TEST(GeneSpace, FollowsFromTheTraitsOfTheCrop) {
     const Campaign campaign = sample("", own_traits, "\"traits\"");
     const GeneSpace genes = gene_space(campaign, cases(campaign)[0]);
     ASSERT_EQ(genes.size(), 5u);

@@ -52,9 +52,9 @@ void expect_same(const LightSeries& a, const LightSeries& b) {
 
 TEST(Climates, ASeasonIsReadFromItsFile) {
     const Campaign campaign = bondville();
-    const Cases all = cases(campaign);
-    EXPECT_EQ(all[0].name, "bondville_season_30x6_all_r1");
-    const LightSeries light = light_of(campaign, all[0]);
+    const Cases campaign_cases = cases(campaign);
+    EXPECT_EQ(campaign_cases[0].name, "bondville_season_30x6_all_r1");
+    const LightSeries light = light_of(campaign, campaign_cases[0]);
     EXPECT_EQ(light.days, 62);
     EXPECT_EQ(light.steps.size(), 62u * 24);
     EXPECT_NEAR(light.incident(), 8.681e6, 1e3);
@@ -63,7 +63,7 @@ TEST(Climates, ASeasonIsReadFromItsFile) {
     EXPECT_EQ(campaign.spec.light.dates, 3);
 }
 
-TEST(Climates, HoursAreToldOnTheClockOfTheSite) {
+TEST(Climates, HoursAreInTheLocalTimeOfTheSite) {
     const auto series = [](const std::string& site, const std::string& file) {
         const Campaign campaign = read_campaign(
             (folder / "quickstart.toml").string(),
@@ -97,7 +97,7 @@ TEST(Climates, ResolvedCampaignsNeedNoFile) {
               std::string::npos);
 }
 
-TEST(Climates, WindIsReadAndTheRestOfTheAirEstimated) {
+TEST(Climates, WindIsReadAndOtherAirVariablesAreEstimated) {
     const Campaign campaign =
         read_campaign((folder / "bondville.toml").string(),
                       {"climate.wind=[\"wind_m_s\", \"m/s\"]",
@@ -128,7 +128,7 @@ TEST(Climates, WindIsReadAndTheRestOfTheAirEstimated) {
     EXPECT_EQ(still.steps[1].wind, 2);
 }
 
-TEST(Climates, CloudsSendLongwaveRadiation) {
+TEST(Climates, CloudsEmitLongwaveRadiation) {
     EXPECT_NEAR(standard_pressure(0), 101.325, 1e-12);
     EXPECT_NEAR(standard_pressure(1500), 84.6, .1);
     const double clear = sky_longwave(20, 15, 1);
@@ -138,7 +138,7 @@ TEST(Climates, CloudsSendLongwaveRadiation) {
     EXPECT_NEAR(sky_longwave(20, 15, 0), 418.7, .2);
 }
 
-TEST(Climates, NearInfraredIsStoredIfItIsFollowed) {
+TEST(Climates, NearInfraredIsStoredIfItIsTraced) {
     const Campaign usual = bondville();
     EXPECT_EQ(usual.resolved.find("nir_"), std::string::npos);
     const Case chosen = cases(usual)[0];
@@ -176,7 +176,7 @@ TEST(Climates, NearInfraredIsStoredIfItIsFollowed) {
               std::string::npos);
 }
 
-TEST(Climates, SitesMayHaveFilesOfTheirOwn) {
+TEST(Climates, EachSiteMayHaveAWeatherFile) {
     const std::string other = temporary_file("own_weather.toml");
     std::string text = text_of(folder / "bondville.toml");
     const std::string file =
@@ -210,7 +210,7 @@ TEST(Climates, AnotherFileIsAnotherCampaign) {
     EXPECT_LT(lines[1].size(), 200u);
 }
 
-TEST(Climates, CampaignsOfDaysHaveNothingOfThem) {
+TEST(Climates, AreAbsentFromCampaignsOfClearDays) {
     const Campaign campaign = sample();
     EXPECT_FALSE(campaign.spec.light.dates);
     for (const char* key : {"weather", "climate", "\ndates"})

@@ -45,14 +45,14 @@ TEST(Components, HaveTheirCropAndAreFoundAgainInAResolvedCampaign) {
               std::string::npos);
 }
 
-TEST(Components, LeaveACampaignWithoutThemAsItWas) {
+TEST(Components, DoNotChangeCampaignsWithoutThem) {
     const std::string resolved = mixed("").resolved;
     for (const char* word :
          {"component", "nir", "[[band]]", "band =", "weights"})
         EXPECT_EQ(resolved.find(word), std::string::npos) << word;
 }
 
-TEST(Components, NeedRowsAndNamesOfTheirOwn) {
+TEST(Components, NeedSeparateRowsAndNames) {
     const std::string taken =
         sorghum + "rows = [2]\n" + sorghum + "rows = [2]\n";
     EXPECT_NE(problems_of(taken).find("which another component has"),
@@ -62,12 +62,12 @@ TEST(Components, NeedRowsAndNamesOfTheirOwn) {
                   .find("which the field does not have"),
               std::string::npos);
     EXPECT_NE(problems_of(sorghum + "rows = [1, 2, 3, 4, 5, 6]\n")
-                  .find("leaves no place"),
+                  .find("leaves no position"),
               std::string::npos);
     EXPECT_NE(problems_of(sorghum).find("stands nowhere"), std::string::npos);
 }
 
-TEST(Components, StandInRowsOrAmongThePlantsThatAreBred) {
+TEST(Components, StandInRowsOrAmongPlantsOfTheMainCrop) {
     const Campaign campaign =
         mixed(sorghum +
               "mixed = 5\njitter = 90\n[[component]]\nname = \"other\"\n"
@@ -81,7 +81,7 @@ TEST(Components, StandInRowsOrAmongThePlantsThatAreBred) {
     for (const auto& [more, problem] :
          {std::pair{"mixed = 2\nrows = [1]\n", "stands in two ways"},
           std::pair{"mixed = 2\nplants = 3\n", "is for components in rows"},
-          std::pair{"mixed = 9999\n", "leaves no place"}})
+          std::pair{"mixed = 9999\n", "leaves no position"}})
         EXPECT_NE(problems_of(sorghum + more).find(problem), std::string::npos)
             << more;
 }
@@ -95,18 +95,19 @@ TEST(Components, CountInObjectivesByTheirWeights) {
               campaign.resolved);
     for (const auto& [text, problem] :
          {std::pair{rows + net + "weights = [1]\n", "there are 2 components"},
-          std::pair{net + "weights = [1, 1]\n", "it tells components apart"},
-          std::pair{net + "weights = [2]\n", "it tells components apart"},
+          std::pair{net + "weights = [1, 1]\n", "it distinguishes components"},
+          std::pair{net + "weights = [2]\n", "it distinguishes components"},
           std::pair{rows + net + "weights = [0, 0]\n", "are all 0"},
-          std::pair{rows + "[objective]\nmaximise = \"fapar\"\n"
-                           "weights = [1, 1]\n",
-                    "fapar is no sum over components, which could be weighted"},
+          std::pair{
+              rows + "[objective]\nmaximise = \"fapar\"\n"
+                     "weights = [1, 1]\n",
+              "fapar is not a sum over components, which could be weighted"},
           std::pair{std::string("[objective]\nmaximise = \"invasion\"\n"),
                     "compares two components, and there are not two"}})
         EXPECT_NE(problems_of(text).find(problem), std::string::npos) << text;
 }
 
-TEST(Components, MayBeBredWithinBoundsOfTheirOwn) {
+TEST(Components, MayBeOptimisedWithinDifferentBounds) {
     const std::string bred =
         sorghum + "rows = [2]\nfree = [\"width\", \"insertion_angle\"]\n";
     const Campaign campaign =
@@ -149,7 +150,7 @@ TEST(Components, MayBeBredWithinBoundsOfTheirOwn) {
             << more << problems_of(more);
 }
 
-TEST(Components, TellBaselinesOutsideTheirOwnBounds) {
+TEST(Components, ReportBaselinesOutsideTheirBounds) {
     const Campaign campaign =
         mixed(sorghum +
               "rows = [2]\nfree = [\"width\"]\n"
@@ -162,7 +163,7 @@ TEST(Components, TellBaselinesOutsideTheirOwnBounds) {
               std::string::npos);
 }
 
-TEST(Components, HaveALandEquivalentRatioByWhatTheyHaveAlone) {
+TEST(Components, HaveALandEquivalentRatioFromSoleYields) {
     const std::string rows = sorghum + "rows = [2]\n";
     const std::string net = "[objective]\nmaximise = \"net_assimilation\"\n";
     const Campaign campaign =
@@ -174,7 +175,7 @@ TEST(Components, HaveALandEquivalentRatioByWhatTheyHaveAlone) {
               campaign.resolved);
     for (const auto& [text, problem] :
          {std::pair{rows + net + "sole = [1]\n", "there are 2 components"},
-          std::pair{net + "sole = [1]\n", "it tells components apart"},
+          std::pair{net + "sole = [1]\n", "it distinguishes components"},
           std::pair{rows + net + "sole_errors = [1, 1]\n",
                     "give both, or neither"},
           std::pair{rows + net + "sole = [1, 1]\nweights = [1, 1]\n",
@@ -183,23 +184,26 @@ TEST(Components, HaveALandEquivalentRatioByWhatTheyHaveAlone) {
                     "ask for one objective"},
           std::pair{rows + "[objective]\nmaximise = \"fapar\"\n"
                            "sole = [1, 1]\n",
-                    "fapar is no sum over components, which could be weighted; "
-                    "remove objective.sole"}})
+                    "fapar is not a sum over components, which could be "
+                    "weighted; remove objective.sole"}})
         EXPECT_NE(problems_of(text).find(problem), std::string::npos) << text;
 }
 
-TEST(Components, DifferAsTheFieldUnlessTheyHaveAVariationOfTheirOwn) {
+TEST(Components, HaveTheVariationOfTheFieldUnlessTheyStateAnother) {
     const std::string field = "[field.variation]\nlength = 0.1\n";
-    const auto of = [&](const std::string& own) {
+    const auto with_variation = [&](const std::string& own) {
         return mixed(sorghum + "rows = [2]\n" + own + field);
     };
-    EXPECT_FALSE(of("").components[0].standing.variation);
-    EXPECT_FALSE(
-        of("variation = {}\n").components[0].standing.variation->is_any());
-    const Campaign campaign = of("variation = { azimuth = [10, 20] }\n");
-    const PlantVariation& own = *campaign.components[0].standing.variation;
-    EXPECT_EQ(own.length, 0);
-    EXPECT_EQ(own.azimuth, (std::vector<double>{10, 20}));
+    EXPECT_FALSE(with_variation("").components[0].standing.variation);
+    EXPECT_FALSE(with_variation("variation = {}\n")
+                     .components[0]
+                     .standing.variation->is_any());
+    const Campaign campaign =
+        with_variation("variation = { azimuth = [10, 20] }\n");
+    const PlantVariation& variation =
+        *campaign.components[0].standing.variation;
+    EXPECT_EQ(variation.length, 0);
+    EXPECT_EQ(variation.azimuth, (std::vector<double>{10, 20}));
     EXPECT_EQ(campaign.spec.field.variation.length, 0.1);
     EXPECT_EQ(parse_campaign(campaign.resolved, "again").resolved,
               campaign.resolved);
@@ -226,7 +230,7 @@ TEST(Rows, RepeatTheirDistances) {
               std::string::npos);
 }
 
-TEST(Bands, OfNearInfraredAreAskedForBeforeTheyAreUsed) {
+TEST(Bands, OfNearInfraredMustBeDeclaredBeforeUse) {
     for (const char* more : {"[objective]\nmaximise = \"absorbed_nir\"\n",
                              "[light]\nband = \"nir\"\n"})
         EXPECT_NE(problems_of(more).find("[[band]]"), std::string::npos)

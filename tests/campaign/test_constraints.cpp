@@ -30,19 +30,19 @@ double excess(const TraitConstraint& limit, const Plant& of = plant) {
     return violation({{0, 1000}, {limit}}, leaf_traits(), of, 3);
 }
 
-TEST(Constraints, UsuallyForbidNothing) {
+TEST(Constraints, AllowEverythingByDefault) {
     EXPECT_EQ(violation({}, leaf_traits(), plant, 0), 0);
     EXPECT_EQ(violation({}, leaf_traits(), plant, 12), 0);
 }
 
 TEST(Constraints, LeafAreaMayBeBoundedOnBothSides) {
     const Constraints constraints{{3, 4}, {}};
-    const auto of = [&](double lai) {
+    const auto violation_at = [&](double lai) {
         return violation(constraints, leaf_traits(), plant, lai);
     };
-    EXPECT_EQ(of(3.5), 0);
-    EXPECT_NEAR(of(2.4), .2, 1e-12);
-    EXPECT_NEAR(of(5), .25, 1e-12);
+    EXPECT_EQ(violation_at(3.5), 0);
+    EXPECT_NEAR(violation_at(2.4), .2, 1e-12);
+    EXPECT_NEAR(violation_at(5), .25, 1e-12);
 }
 
 TEST(Constraints, StepsBetweenNeighbouringLeavesMayBeLimited) {
@@ -88,33 +88,34 @@ TEST(Constraints, TheTotalOfATraitMayBeBounded) {
     EXPECT_NEAR(excess(limit), .05, 1e-12);
 }
 
-TEST(Constraints, ErectTopsMayBeAskedFor) {
+TEST(Constraints, ErectTopLeavesMayBeRequired) {
     TraitConstraint limit{"insertion_angle"};
     limit.is_falling = true;
     EXPECT_NEAR(excess(limit), 10. / 90, 1e-12);
     EXPECT_EQ(excess(limit, plant_of({plant.leaves[0], plant.leaves[1]})), 0);
 }
 
-TEST(Constraints, LeavesMayBeAskedToStandInTwoRanks) {
+TEST(Constraints, LeavesMayBeRequiredToBeDistichous) {
     TraitConstraint limit{"azimuth"};
     limit.distichous = 10;
-    const auto of = [&](const std::vector<double>& azimuths) {
+    const auto violation_of = [&](const std::vector<double>& azimuths) {
         std::vector<Leaf> leaves;
         for (const double azimuth : azimuths)
             leaves.push_back({1, .1, 0, 0, azimuth});
         return excess(limit, plant_of(leaves));
     };
-    EXPECT_EQ(of({90, 270, 90, 270}), 0);
+    EXPECT_EQ(violation_of({90, 270, 90, 270}), 0);
     // Any plane will do, even one in which no leaf lies.
     for (const double plane : {0., 47., 175., 200., 359.})
-        EXPECT_EQ(of({plane - 10, plane + 190, plane + 10, plane - 190}), 0)
+        EXPECT_EQ(
+            violation_of({plane - 10, plane + 190, plane + 10, plane - 190}), 0)
             << plane;
     // All leaves are 15 deg from the plane in their middle: half of the limit
     // more.
-    EXPECT_NEAR(of({90, 270, 120, 270}), 2, 1e-9);
-    EXPECT_NEAR(of({350, 170, 20, 170}), 2, 1e-9);
+    EXPECT_NEAR(violation_of({90, 270, 120, 270}), 2, 1e-9);
+    EXPECT_NEAR(violation_of({350, 170, 20, 170}), 2, 1e-9);
     // All leaves point to one side.
-    EXPECT_GT(of({90, 90}), 10);
+    EXPECT_GT(violation_of({90, 90}), 10);
 }
 
 TEST(Constraints, AreDeclaredOnTraitsByName) {
@@ -133,7 +134,7 @@ TEST(Constraints, AreDeclaredOnTraitsByName) {
                  InputError);
 }
 
-TEST(Constraints, WhatContradictsItselfIsRefused) {
+TEST(Constraints, ContradictionsAreRefused) {
     EXPECT_THROW(sample("", "[field]\nborder_rows = 1\n"), InputError);
     EXPECT_THROW(
         sample("", "[field]\nboundary = \"isolated\"\nborder_rows = 3\n"),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Crops and plants, as campaigns and files of their own tell them.
+// Crops and plants, from campaigns and from crop files.
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -37,7 +37,7 @@ TEST(Campaign, PlantsAreWrittenAsTheyAreRead) {
     EXPECT_THROW(read_crop(path + "none"), Error);
 }
 
-TEST(Campaign, VariationOfACropFileChangesNoCampaign) {
+TEST(Campaign, VariationOfACropFileDoesNotChangeCampaigns) {
     const std::string path = IDEOTYPE_CAMPAIGNS "/crops/soybean.toml";
     const Crop soybean = read_crop(path);
     ASSERT_TRUE(soybean.variation);
@@ -64,7 +64,7 @@ TEST(Campaign, VariationOfACropFileChangesNoCampaign) {
     EXPECT_THROW(read_crop(wrong), InputError);
 }
 
-TEST(Campaign, PlantFilesHoldTheKnownPlants) {
+TEST(Campaign, CropFilesDescribeTheKnownPlants) {
     const Plant b73 = ames().crop.baseline;
     EXPECT_EQ(b73.name, "b73");
     EXPECT_EQ(b73.leaves[9].width, 0.0545);
@@ -135,30 +135,31 @@ TEST(Campaign, EveryCropFileOfTheProjectIsAPlant) {
                                                     {"iowa_JN3208-1", 9},
                                                     {"iowa_JN3801-1", 12},
                                                     {"maize_hybrid_1980s", 11}};
-    std::size_t found = 0;
+    std::size_t count = 0;
     for (const char* place : {"/crops", "/plants"})
         for (const auto& file : std::filesystem::directory_iterator(
                  std::string(IDEOTYPE_CAMPAIGNS) + place)) {
             if (file.path().extension() != ".toml") continue;
             EXPECT_EQ(read_crop(file.path().string()).baseline.leaves.size(),
                       leaves.at(file.path().stem().string()));
-            ++found;
+            ++count;
         }
-    EXPECT_EQ(found, leaves.size());
+    EXPECT_EQ(count, leaves.size());
 }
 
 TEST(Campaign, ATableOfLeavesIsRefusedWithTheCommandThatMakesACropFile) {
     const std::string table = IDEOTYPE_CAMPAIGNS "/plants/Dea_2008.csv";
-    const std::string told =
+    const std::string message =
         table +
-        " is a table (a plant is a crop file here); make a crop file of it: "
+        " is a table (but a plant is given as a crop file); make a crop file "
+        "of it: "
         "ideotype fit " +
         table;
     try {
         read_crop(table);
         FAIL() << "a table is a crop";
     } catch (const InputError& error) {
-        EXPECT_EQ(error.what(), table + ":1:1: " + told);
+        EXPECT_EQ(error.what(), table + ":1:1: " + message);
     }
     std::string text = read_text(IDEOTYPE_CAMPAIGNS "/ames_quick.toml");
     const std::string baseline = "\"crops/maize.toml\"";
@@ -169,11 +170,11 @@ TEST(Campaign, ATableOfLeavesIsRefusedWithTheCommandThatMakesACropFile) {
         FAIL() << "a table is a baseline";
     } catch (const InputError& error) {
         ASSERT_EQ(error.problems().size(), 1u) << error.what();
-        EXPECT_EQ(error.problems()[0].what, told);
+        EXPECT_EQ(error.problems()[0].what, message);
     }
 }
 
-TEST(Campaign, BoundsAreForWhatIsBred) {
+TEST(Campaign, BoundsApplyToFreeTraitsOnly) {
     const auto place =
         std::filesystem::temp_directory_path() / "ideotype_erect_leaves";
     std::filesystem::create_directories(place);
@@ -205,7 +206,7 @@ TEST(Campaign, BoundsAreForWhatIsBred) {
     std::filesystem::remove_all(place);
 }
 
-TEST(Campaign, CropsTellTheOpticsAndTheCapacityOfTheirLeaves) {
+TEST(Campaign, CropFilesStateOpticsAndCapacityOfLeaves) {
     const Campaign campaign =
         read_campaign(IDEOTYPE_CAMPAIGNS "/quickstart.toml");
     EXPECT_EQ(campaign.spec.plant.crop.optics[0].leaf.reflectance, .06);
@@ -266,8 +267,8 @@ TEST(Campaign, ARateInFullLightGivesTheCapacity) {
                         "or a larger phi"),
               std::string::npos);
     EXPECT_NE(problem_with("model = \"collatz\"\nrate_2000 = 40\n")
-                  .find("photosynthesis.rate_2000 is no number of the model "
-                        "\"collatz\""),
+                  .find("photosynthesis.rate_2000 is not a parameter of the "
+                        "model \"collatz\""),
               std::string::npos);
 }
 
@@ -290,7 +291,7 @@ TEST(Campaign, KeysOfACampaignReplaceTheCapacityOfItsCrop) {
     EXPECT_EQ(collatz.respiration, CollatzLeaf{}.respiration);
 }
 
-TEST(Campaign, CropsWithoutPhotosynthesisAreWarnedOfWhereCarbonCounts) {
+TEST(Campaign, CropsWithoutPhotosynthesisCauseAWarningWhereCarbonCounts) {
     const auto warnings = [](const std::string& more,
                              const std::string& top = "") {
         return parse_campaign(sample_text(top, more), "sample.toml").warnings;
@@ -298,20 +299,20 @@ TEST(Campaign, CropsWithoutPhotosynthesisAreWarnedOfWhereCarbonCounts) {
     const std::string carbon = "[objective]\nmaximise = \"carbon_balance\"\n";
     EXPECT_TRUE(warnings("").empty()) << "light needs no photosynthesis";
     // One warning, whatever the number of cases.
-    const std::vector<Problem> told =
+    const std::vector<Problem> doubts =
         warnings(carbon +
                      "[[traits]]\nname = \"a\"\nfree = [\"length\"]\n"
                      "[[traits]]\nname = \"b\"\nfree = [\"width\"]\n",
                  "replicates = 3\n");
-    ASSERT_EQ(told.size(), 1u);
-    EXPECT_TRUE(to_string(told.front())
+    ASSERT_EQ(doubts.size(), 1u);
+    EXPECT_TRUE(to_string(doubts.front())
                     .starts_with("sample.toml:19:8: the crop \"single\" has no "
                                  "[photosynthesis] (its leaves assimilate by "
                                  "the default, which is right for C4 crops"))
-        << to_string(told.front());
+        << to_string(doubts.front());
     EXPECT_NE(
-        told.front().what.find("with model = \"farquhar\" for a C3 crop, "
-                               "or \"hyperbola\" or \"collatz\" for a C4"),
+        doubts.front().what.find("with model = \"farquhar\" for a C3 crop, "
+                                 "or \"hyperbola\" or \"collatz\" for a C4"),
         std::string::npos);
     // An axis of an atlas counts carbon as well.
     EXPECT_EQ(warnings("[search]\noptimizer = \"atlas\"\n[[search.axes]]\n"
@@ -325,7 +326,7 @@ TEST(Campaign, CropsWithoutPhotosynthesisAreWarnedOfWhereCarbonCounts) {
             << stated;
     EXPECT_EQ(
         warnings(carbon + "[photosynthesis]\nprofile = \"none\"\n").size(), 1u);
-    // The leaves of components are those of their own crops.
+    // The leaves of components are those of their crops.
     const std::string neighbour =
         "[photosynthesis]\nmodel = \"farquhar\"\n[[component]]\n"
         "name = \"other\"\nrows = [2]\n[component.crop]\nname = \"grass\"\n"
@@ -353,7 +354,7 @@ TEST(Campaign, EveryCropOfTheProjectStatesItsPhotosynthesis) {
         }
 }
 
-TEST(Campaign, ExportedCropsStateNoPhotosynthesisThatNobodyStated) {
+TEST(Campaign, ExportedCropsDoNotStateDefaultPhotosynthesis) {
     const Campaign campaign = sample();
     EXPECT_EQ(
         crop_text(campaign, campaign.crop.baseline).find("photosynthesis"),
@@ -385,7 +386,7 @@ TEST(Campaign, BiologicalBoundsFollowEachLeaf) {
     EXPECT_DOUBLE_EQ(bounds("leaf10_length").upper, 1.35 * 0.50);
 }
 
-//! Returns the sample whose leaf has these lines in place of its angles.
+//! Returns the sample with these lines of a leaf instead of its angles.
 std::string with_leaf(const std::string& lines) {
     std::string text = sample_text();
     for (const char* key : {"insertion_angle = ", "curvature = "}) {
@@ -412,7 +413,7 @@ TEST(Campaign, MidribsWithoutADirectionAreRefused) {
         const std::string told = problem_of(with_leaf(lines));
         EXPECT_NE(told.find(words), told.npos) << told;
     };
-    tells("midrib = [[1, 1], [1, 1]]\n", "no two points that differ");
+    tells("midrib = [[1, 1], [1, 1]]\n", "no two different points");
     tells("midrib = [[1, 1, 1], [2, 2, 2]]\n", "list of [out, up]");
     tells("", "missing key 'insertion_angle'");
 }

@@ -21,7 +21,7 @@ Lines changes(const std::string& was, const std::string& is) {
 
 }  // namespace
 
-TEST(Differences, EqualCampaignsHaveNone) {
+TEST(Differences, AreEmptyForEqualCampaigns) {
     EXPECT_EQ(changes(sample().resolved, sample().resolved), Lines{});
 }
 
@@ -58,7 +58,7 @@ TEST(Differences, AddedAndRemovedEntriesAreAbsentOnOneSide) {
               "plant.baseline.organ[0].name was \"ear\", is absent");
 }
 
-TEST(Differences, OtherCasesAreNoPartOfACase) {
+TEST(Differences, IgnoreEntriesOfOtherCases) {
     const std::string site =
         "[[site]]\nname = \"Boone\"\nlatitude = 43.0\nlongitude = -93.6\n"
         "utc_offset = -5\n";
@@ -66,14 +66,14 @@ TEST(Differences, OtherCasesAreNoPartOfACase) {
         "[[spacing]]\nrow = 0.381\nplant = 0.1524\n"
         "[[day]]\ndate = 2025-07-07\nstart = 07:00:00\nend = 20:00:00\n"
         "[[traits]]\nname = \"angles\"\nfree = [\"insertion_angle\"]\n";
-    const std::string all =
+    const std::string text =
         "[[traits]]\nname = \"all\"\nfree = [\"length\", \"width\", "
         "\"insertion_angle\", \"azimuth\"]\n";
     const std::string was = sample().resolved;
     // New entries stand before and behind the old ones.
     const std::string before =
-        sample("replicates = 3\n" + site, more + all).resolved;
-    const std::string behind = sample("", all + more + site).resolved;
+        sample("replicates = 3\n" + site, more + text).resolved;
+    const std::string behind = sample("", text + more + site).resolved;
     for (const std::string& is : {before, behind}) {
         EXPECT_EQ(changes(was, is), Lines{});
         EXPECT_EQ(changes(is, was), Lines{});

@@ -43,26 +43,26 @@ TEST(Feasibility, LinesAreWrittenAsTheyAreRead) {
 
 TEST(Feasibility, FilesOfLinesAreRead) {
     const std::string quick = IDEOTYPE_CAMPAIGNS "/ames_quick.toml";
-    const auto of = [&](const std::string& name) {
+    const auto value_of = [&](const std::string& name) {
         return read_campaign(quick,
                              {"feasibility={lines=\"lines/" + name + "\"}"})
             .spec.feasibility.lines;
     };
-    EXPECT_EQ(of("maize_panel.toml").traits.size(), 7u);
-    const MeasuredLines angles = of("maize_angles.toml");
+    EXPECT_EQ(value_of("maize_panel.toml").traits.size(), 7u);
+    const MeasuredLines angles = value_of("maize_angles.toml");
     EXPECT_EQ(angles.lines.size(), 5u);
-    const LineDistance found =
+    const LineDistance expected =
         distance(angles, read_campaign(quick).crop.baseline);
-    EXPECT_LT(found.from_mean, 3);
-    EXPECT_EQ(angles.lines[found.line - 1].name, "B73 x PHW30");
+    EXPECT_LT(expected.from_mean, 3);
+    EXPECT_EQ(angles.lines[expected.line - 1].name, "B73 x PHW30");
 }
 
-TEST(Feasibility, WhatIsWrongWithLinesIsTold) {
+TEST(Feasibility, ErrorsInLinesAreReported) {
     const auto tells = [](const std::string& part, const std::string& wrong,
                           const char* words) {
-        const std::string told =
+        const std::string message =
             problem_of(sample_text("", lines(part, wrong)));
-        EXPECT_NE(told.find(words), told.npos) << told;
+        EXPECT_NE(message.find(words), message.npos) << message;
     };
     tells("stalk.height", "stalk.hight", "feasibility.trait names stalk.hight");
     tells("leaf = \"top\"\n", "", "leaf.length is a measure of leaves");

@@ -20,15 +20,15 @@ constexpr const char* golden = IDEOTYPE_TEST_DATA "/golden/resolved.txt";
 //! The SHA-256 of the resolved text of each campaign, by the file's name.
 using Digests = std::map<std::string, std::string>;
 
-//! Returns the digests of all files in the folder of campaigns, whose
+//! Returns the digests of all files in the folder of campaigns; their
 //! subfolders have crops, plants and weather.
 Digests found_digests() {
-    Digests found;
+    Digests digests;
     for (const auto& entry : fs::directory_iterator(IDEOTYPE_CAMPAIGNS))
         if (entry.path().extension() == ".toml")
-            found[entry.path().filename().string()] =
+            digests[entry.path().filename().string()] =
                 read_campaign(entry.path().string()).sha256;
-    return found;
+    return digests;
 }
 
 Digests golden_digests() {
@@ -49,11 +49,11 @@ void write(const Digests& digests) {
 
 // Histories keep the resolved text, and a run continues only with the same one.
 TEST(ResolvedCampaign, TextsOfAllCampaignsHaveTheSameBits) {
-    const Digests found = found_digests();
-    if (std::getenv("IDEOTYPE_WRITE_GOLDEN")) write(found);
+    const Digests digests = found_digests();
+    if (std::getenv("IDEOTYPE_WRITE_GOLDEN")) write(digests);
     Digests expected = golden_digests();
-    EXPECT_GT(found.size(), 10u);
-    for (const auto& [name, digest] : found) {
+    EXPECT_GT(digests.size(), 10u);
+    for (const auto& [name, digest] : digests) {
         EXPECT_EQ(digest, expected[name])
             << "campaigns/" << name << " has another resolved text than "
             << "tests/data/golden/resolved.txt states; after a change that is "

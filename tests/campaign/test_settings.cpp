@@ -14,7 +14,7 @@ namespace {
 
 const std::string ames = IDEOTYPE_CAMPAIGNS "/ames.toml";
 
-TEST(Settings, StandInThePlaceOfWhatAFileSays) {
+TEST(Settings, ReplaceValuesOfTheFile) {
     const Campaign campaign = read_campaign(
         ames, {"search.optimizer=random", "search.population = 12",
                "traits=[{name = \"turn\", free = [\"azimuth\"]}]",
@@ -31,7 +31,7 @@ TEST(Settings, StandInThePlaceOfWhatAFileSays) {
               campaign.resolved);
 }
 
-TEST(Settings, TheLastOfAKeyCounts) {
+TEST(Settings, TheLastValueOfAKeyApplies) {
     EXPECT_EQ(read_campaign(ames, {"seed=4", "seed=5"}).spec.seed, 5U);
 }
 
@@ -58,7 +58,7 @@ TEST(Settings, ATableReplacesTheWholeTableOfTheFile) {
               Spacing{}.row_direction);
 }
 
-TEST(Settings, OfPositionsThatReachTheNeighbourAreWarnedOf) {
+TEST(Settings, DisplacementsThatReachTheNeighbourCauseAWarning) {
     const auto read = [](const std::string& position) {
         return read_campaign(ames, {"field.variation.position=" + position});
     };
@@ -77,7 +77,7 @@ TEST(Settings, OfPositionsThatReachTheNeighbourAreWarnedOf) {
     EXPECT_THROW(read("0.4"), InputError);
 }
 
-TEST(Settings, OfATableAndItsKeysCountInTheirOrder) {
+TEST(Settings, OfATableAndItsKeysApplyInOrder) {
     const std::string file = IDEOTYPE_CAMPAIGNS "/agrivoltaic.toml";
     const std::string table = "field={rows=8, plants=4}";
     const std::string key = "field.variation.azimuth=[3, 3, 3]";
@@ -102,14 +102,14 @@ TEST(Settings, ATableWithoutAKeyThatIsNeededIsRefusedAtTheSetting) {
 
 std::string accuracy_keys(const std::vector<std::string>& settings,
                           const std::string& file = "/ames.toml") {
-    std::string all;
+    std::string text;
     for (const AccuracyKey& key :
          accuracy_keys(read_campaign(IDEOTYPE_CAMPAIGNS + file, settings).spec))
-        all += fmt::format("{}={} ", key.path, key.value);
-    return all;
+        text += fmt::format("{}={} ", key.path, key.value);
+    return text;
 }
 
-TEST(Settings, ThatTradeAccuracyAreDeclared) {
+TEST(Settings, AccuracyKeysAreDeclared) {
     EXPECT_EQ(accuracy_keys({"light.tolerance=0.01", "field.rows=5"}),
               "day.step_minutes=30 field.rows=5 field.plants=4 "
               "plant.cells_along=12 plant.stalk_sides=8 "
@@ -129,16 +129,17 @@ TEST(Settings, AreCheckedLikeTheFileAllInOnePass) {
                              "seed", "seed=\"a", "a.b.c.d.e.f.g.h.i.j.k=1"});
         FAIL() << "accepted";
     } catch (const InputError& error) {
-        const std::string all = error.what();
-        for (const char* each :
+        const std::string message = error.what();
+        for (const char* part :
              {"--set search.optimizer=randum: search.optimizer is \"randum\" "
               "(not one of its values); did you mean 'random'?",
               "--set site.latitud=3: unknown key 'latitud'",
-              "--set seed: this is not a key with its value",
+              "--set seed: this is not a key with a value",
               "--set seed=\"a: seed is a text (expected: ",
-              "--set a.b.c.d.e.f.g.h.i.j.k=1: this is not a key with its "
+              "--set a.b.c.d.e.f.g.h.i.j.k=1: this is not a key with a "
               "value"})
-            EXPECT_NE(all.find(each), std::string::npos) << each << "\n" << all;
+            EXPECT_NE(message.find(part), std::string::npos) << part << "\n"
+                                                             << message;
     }
 }
 
@@ -153,7 +154,7 @@ TEST(Settings, DoNotGuessWhichOfSeveralTablesIsMeant) {
     }
 }
 
-TEST(Settings, CmaEsChoosesItsPopulationByTheGenesUnlessToldOne) {
+TEST(Settings, CmaEsDerivesItsPopulationFromTheGenesByDefault) {
     const std::string cma = "search.optimizer=cma_es";
     EXPECT_EQ(read_campaign(ames, {cma}).search.population, 15);
     EXPECT_EQ(
@@ -185,7 +186,7 @@ TEST(Settings, AStartIsAWholeGenomeWithinItsBounds) {
 }
 
 // Histories and files of earlier versions have these keys.
-TEST(Settings, StudiesAreNoSearch) {
+TEST(Settings, StudiesReplaceTheSearch) {
     const Campaign study = read_study(ames, {"sensitivity.samples=40"});
     ASSERT_TRUE(study.search.design);
     EXPECT_EQ(study.search.design->samples, 40);
@@ -195,7 +196,7 @@ TEST(Settings, StudiesAreNoSearch) {
     EXPECT_FALSE(read_campaign(ames, {"sensitivity.samples=40"}).search.design);
 }
 
-TEST(Settings, AnAtlasNeedsSoundAxes) {
+TEST(Settings, AnAtlasNeedsValidAxes) {
     const std::string lai = "[[search.axes]]\nquantity = \"lai\"\n";
     const std::string ok = lai + "range = [2, 6]\n";
     const auto problem = [](const std::string& axes, const char* more = "") {
@@ -252,9 +253,10 @@ TEST(Settings, EndsOfRangesFitTheRestOfTheCampaign) {
     }
 }
 
-TEST(Settings, KeysVaryWhereTheCampaignHoldsAndBeginWithin) {
+TEST(Settings, VariedKeysMustBeValidOverTheirRangeAndStartWithin) {
     const std::string panel = "panel=[{height=4, width=1, azimuth=180}]";
-    const auto told = [&](const std::string& key, const std::string& range) {
+    const auto has_message = [&](const std::string& key,
+                                 const std::string& range) {
         try {
             const Campaign read =
                 read_campaign(ames, {panel, "search.keys=[{key=\"" + key +
@@ -265,12 +267,12 @@ TEST(Settings, KeysVaryWhereTheCampaignHoldsAndBeginWithin) {
         }
         return std::string();
     };
-    EXPECT_EQ(told("optics.soil_albedo", "[0, 0.3]"), "");
-    EXPECT_THAT(told("optics.soil_albedo", "[0.2, 0.3]"),
+    EXPECT_EQ(has_message("optics.soil_albedo", "[0, 0.3]"), "");
+    EXPECT_THAT(has_message("optics.soil_albedo", "[0.2, 0.3]"),
                 testing::HasSubstr("is 0.1 in this campaign (outside"));
-    EXPECT_THAT(told("spacing.density", "[4, 10]"),
+    EXPECT_THAT(has_message("spacing.density", "[4, 10]"),
                 testing::HasSubstr("did you mean \"spacing.plant\"?"));
-    EXPECT_THAT(told("panel.azimuth", "[0, 360]"),
+    EXPECT_THAT(has_message("panel.azimuth", "[0, 360]"),
                 testing::HasSubstr("if panel.azimuth is 137.52, then"));
 }
 

@@ -18,10 +18,10 @@ std::string with(const std::string& line, const std::string& other) {
 }
 
 std::string warnings_of(const std::string& text) {
-    std::string all;
+    std::string listed;
     for (const Problem& warning : parse_campaign(text, "sample.toml").warnings)
-        all += to_string(warning) + '\n';
-    return all;
+        listed += to_string(warning) + '\n';
+    return listed;
 }
 
 std::string with_utc_offset(double offset) {
@@ -42,7 +42,7 @@ TEST(SkyChecks, ADayWithoutLightIsRefused) {
               "(the sun is down all day); take another date or site");
 }
 
-TEST(SkyChecks, ClocksFarFromTheSunAreWarnedOfAndThenRefused) {
+TEST(SkyChecks, ClocksFarFromSolarTimeCauseAWarningThenAnError) {
     // At 93.6 degrees west the sun's clock is UTC - 6.24 h.
     for (const double fine : {-8.2, -6.0, -5.0, -4.3})
         EXPECT_EQ(warnings_of(with_utc_offset(fine)), "") << fine;
@@ -59,7 +59,7 @@ TEST(SkyChecks, ClocksFarFromTheSunAreWarnedOfAndThenRefused) {
               std::string::npos);
 }
 
-TEST(SkyChecks, SpacingsOfOtherUnitsAreWarnedOf) {
+TEST(SkyChecks, SpacingsInOtherUnitsCauseAWarning) {
     EXPECT_EQ(warnings_of(with("row = 0.762", "row = 2")), "");
     EXPECT_EQ(warnings_of(with("row = 0.762", "row = 7.5")),
               "sample.toml:13:7: spacing.row is 7.5 m (crops stand closer; 7.5 "
@@ -69,7 +69,7 @@ TEST(SkyChecks, SpacingsOfOtherUnitsAreWarnedOf) {
               std::string::npos);
 }
 
-TEST(SkyChecks, StandsOfMoreLeavesThanFieldsHaveAreWarnedOf) {
+TEST(SkyChecks, StandsWithTooManyLeavesCauseAWarning) {
     const auto warnings = [](const std::string& row) {
         return read_campaign(IDEOTYPE_CAMPAIGNS "/ames_quick.toml",
                              {"spacing.row=" + row})
@@ -83,7 +83,7 @@ TEST(SkyChecks, StandsOfMoreLeavesThanFieldsHaveAreWarnedOf) {
               "more than 8); check both distances");
 }
 
-TEST(SkyChecks, ThereIsNothingToWarnOfInTheCampaigns) {
+TEST(SkyChecks, CampaignsOfTheProjectCauseNoWarning) {
     int campaigns = 0;
     for (const auto& entry :
          std::filesystem::directory_iterator(IDEOTYPE_CAMPAIGNS))
@@ -91,18 +91,18 @@ TEST(SkyChecks, ThereIsNothingToWarnOfInTheCampaigns) {
             ++campaigns;
             // The densest spacings are meant to be denser than fields.
             const bool is_dense = entry.path().stem() == "spacings";
-            for (const Problem& each :
+            for (const Problem& warning :
                  read_campaign(entry.path().string()).warnings)
-                EXPECT_TRUE(is_dense && each.what.find("leaf area index") !=
+                EXPECT_TRUE(is_dense && warning.what.find("leaf area index") !=
                                             std::string::npos)
-                    << to_string(each);
+                    << to_string(warning);
         }
     EXPECT_GE(campaigns, 8);
 }
 
 //! 16 plants of one leaf have 768 pieces, and 72 paths in each of 16
 //! randomisations are 1.5 paths for each.
-TEST(Light, FewPathsThatCannotDetermineAssimilationAreWarnedOf) {
+TEST(Light, TooFewPathsForAssimilationCauseAWarning) {
     const auto warnings = [](const std::string& objective, int paths,
                              const std::string& more = "") {
         return warnings_of(sample_text(
@@ -112,7 +112,7 @@ TEST(Light, FewPathsThatCannotDetermineAssimilationAreWarnedOf) {
                             objective, paths, more)));
     };
     EXPECT_THAT(warnings("net_assimilation", 71),
-                testing::HasSubstr("too few to determine the objective"));
+                testing::HasSubstr("too few for this objective"));
     EXPECT_THAT(warnings("net_assimilation", 71),
                 testing::HasSubstr("use 72 or more"));
     EXPECT_EQ(warnings("net_assimilation", 72), "");

@@ -115,8 +115,8 @@ same_results() {
     same_group "$1" "$2" /generations wall_time checksum
 }
 
-# Prints the descendants of process $1: MPICH has a process of its own between
-# mpirun and the ranks.
+# Prints the descendants of process $1: MPICH has a process between mpirun and
+# the ranks.
 descendants_of() {
     local process
     for process in $(pgrep -P "$1"); do
@@ -125,7 +125,7 @@ descendants_of() {
     done
 }
 
-# Tells whether all descendants of process $1 are gone, but for zombies.
+# Returns whether all descendants of process $1 are gone, except zombies.
 are_gone() {
     local process
     for process in $(descendants_of "$1"); do
@@ -150,14 +150,14 @@ is_mpich() {
     "$ideotype" --version | grep -q "^MPICH"
 }
 
-# Tells whether $1 is the exit code of mpirun after a run that a signal stopped:
+# Returns whether $1 is the exit code of mpirun after a run stopped by a signal:
 # 5, or 0 by MPICH 4.0, which at times forgets the code.
 is_stopped() {
     [ "$1" -eq 5 ] || { [ "$1" -eq 0 ] &&
         "$ideotype" --version | grep -q "^MPICH 4\.0"; }
 }
 
-# Tells the code that mpirun ends with when signal $1 ends a rank.
+# Prints the exit code of mpirun when signal $1 ends a rank.
 code_of_signal() {
     if is_mpich; then
         echo "$1"

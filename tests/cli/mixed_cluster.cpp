@@ -19,13 +19,13 @@ int main(int argc, char** argv) {
     options.command = "mixed_cluster";
     StopFlag stop;
     const Session session;
-    Machine own = this_machine();
+    Machine machine = this_machine();
     if (session.rank() > 0) {
-        own.host = "narrow";
-        own.isas.resize(std::strtoul(argv[3], nullptr, 10));
+        machine.host = "narrow";
+        machine.isas.resize(std::strtoul(argv[3], nullptr, 10));
     }
     try {
-        return static_cast<int>(run(options, session, stop, own));
+        return static_cast<int>(run(options, session, stop, machine));
     } catch (const Error& error) {
         fmt::print(stderr, "{}\n", error.what());
         return static_cast<int>(error.exit_code());

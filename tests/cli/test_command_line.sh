@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Every verb, its output and its exit code.
+# Every command, its output and its exit code.
 . "$(dirname "$0")/common.sh"
 
-write_campaign verbs 6 2
+write_campaign commands 6 2
 expect 0 "$ideotype" --version
 says "Embree [34]\."
 says "HDF5 1"
@@ -11,65 +11,65 @@ expect 0 "$ideotype" --help
 says "evaluate"
 expect 2 "$ideotype" fly
 says "use one of new, check, schema, run"
-expect 2 "$ideotype" chek campaigns/verbs.toml
+expect 2 "$ideotype" chek campaigns/commands.toml
 says "did you mean 'check'"
 expect 3 "$ideotype" evaluate campaigns/crops/maize.toml
 says "maize.toml:1:1: this is a crop file .*ideotype compare PLANT --under CAMPAIGN"
 expect 2 "$ideotype"
-expect 2 "$ideotype" run campaigns/verbs.toml --thread 2
+expect 2 "$ideotype" run campaigns/commands.toml --thread 2
 says "^ideotype: run: there is no option --thread; did you mean --threads?$"
 expect 2 "$ideotype" status results --jsno
 says "status: there is no option --jsno; did you mean --json?"
-expect 2 "$ideotype" check campaigns/verbs.toml --xyz=3
+expect 2 "$ideotype" check campaigns/commands.toml --xyz=3
 says "check: there is no option --xyz; see ideotype check --help"
-expect 2 "$ideotype" check campaigns/verbs.toml more
-says "check: 'more' is one word too many; see ideotype check --help"
-expect 2 "$ideotype" run campaigns/verbs.toml --wall-time soon
-says "'soon' is no time; write for example 90, 90s, 30m, 2h, 1h30m or 01:30:00"
+expect 2 "$ideotype" check campaigns/commands.toml more
+says "check: unexpected argument 'more'; see ideotype check --help"
+expect 2 "$ideotype" run campaigns/commands.toml --wall-time soon
+says "'soon' is not a duration; write for example 90, 90s, 30m, 2h, 1h30m or 01:30:00"
 expect 1 "$ideotype" check campaigns/missing.toml
 says "missing.toml"
 
-expect 0 "$ideotype" check campaigns/verbs.toml
+expect 0 "$ideotype" check campaigns/commands.toml
 says "LAI 3.44"
-says "^advice    plants are all alike; "
-says "^next: ideotype run campaigns/verbs.toml$"
-says "^leaves    absorb light; assimilation is not evaluated$"
+says "^advice    the stand is uniform; "
+says "^next: ideotype run campaigns/commands.toml$"
+says "^leaves    absorb light; assimilation is not computed$"
 says "^growth    none: plants are those of the crop file on all days, with leaves as at silking$"
 says "^search    ga, generations of 6 plants, at most 12 plants$"
 says "Ames  *42 N 93.6 W  *0807  *1  *64.2 deg  *0.2 %  *+1.24 h  *UTC-5  *06:19  *13:20  *20:20"
 sed -e 's/^start = .*/start = 01:00:00/' -e 's/^end = .*/end = 05:00:00/' \
-    campaigns/verbs.toml >campaigns/dark.toml
-for verb in check run evaluate; do
-    expect 3 "$ideotype" $verb campaigns/dark.toml
+    campaigns/commands.toml >campaigns/dark.toml
+for command in check run evaluate; do
+    expect 3 "$ideotype" $command campaigns/dark.toml
     says "dark.toml:10:9: day .* no light .* from 06:19 to 20:20); give"
 done
-sed 's/^utc_offset = .*/utc_offset = -4/' campaigns/verbs.toml \
+sed 's/^utc_offset = .*/utc_offset = -4/' campaigns/commands.toml \
     >campaigns/clock.toml
 expect 0 "$ideotype" check campaigns/clock.toml
 says "warning: campaigns/clock.toml:7:14: site.utc_offset is -4 h"
-# Several cases are told as ranges, and stands of too many leaves are warned of.
+# Several cases are printed as ranges, and a warning names stands with too many leaves.
 sed -e 's/^\[spacing\]/[[spacing]]\nrow = 0.2\nplant = 0.1524\n[[spacing]]/' \
-    campaigns/verbs.toml >campaigns/dense.toml
+    campaigns/commands.toml >campaigns/dense.toml
 expect 0 "$ideotype" check campaigns/dense.toml
-says "^campaign  verbs, 2 cases"
+says "^campaign  commands, 2 cases"
 says "period 0.6 .. 2.286 x 0.4572 m, LAI 3.44 .. 13.10, "
 says "warning: campaigns/dense.toml:14:7: spacing.row is 0.2 m (with 0.1524 m between plants the baseline has a leaf area index of 13.10, and fields hardly ever have more than 8); check both distances"
 expect 0 "$ideotype" run campaigns/dense.toml --case 0 --out dense
 says "warning: campaigns/dense.toml:14:7: spacing.row is 0.2 m"
-says "; this plant has a leaf area index of 1[0-9.]*, and fields hardly ever have more than 8; limit .constraints. lai, or breed for carbon_balance"
+says "; this plant has a leaf area index of 1[0-9.]*, and fields hardly ever have more than 8; limit .constraints. lai, or maximise carbon_balance"
 expect 0 "$ideotype" status dense
-says "(evaluated again), gain .*, 0 failed; this plant has a leaf area index of 1"
-expect 0 "$ideotype" check campaigns/verbs.toml --set field.variation.length=0.05
-! grep -q "plants are all alike" out.log || fail "plants differ: $(cat out.log)"
-expect 0 "$ideotype" check campaigns/verbs.toml --set seed=3
-says "^next: ideotype run campaigns/verbs.toml --set seed=3$"
+says "(re-evaluated), gain .*, 0 failed; this plant has a leaf area index of 1"
+expect 0 "$ideotype" check campaigns/commands.toml --set field.variation.length=0.05
+! grep -q "the stand is uniform" out.log || fail "the stand is variable: $(cat out.log)"
+expect 0 "$ideotype" check campaigns/commands.toml --set seed=3
+says "^next: ideotype run campaigns/commands.toml --set seed=3$"
 says "^ *128  *[0-9:]* *$"
 # The photosynthesis of leaves has its source, and a default one is warned of.
 sed '/^\[photosynthesis\]/,/^\]/d' campaigns/crops/maize.toml >campaigns/crops/bare.toml
-bare=(campaigns/verbs.toml --set objective.maximise=carbon_balance
+bare=(campaigns/commands.toml --set objective.maximise=carbon_balance
     --set plant.baseline=crops/bare.toml)
-for verb in check run; do
-    expect 0 "$ideotype" $verb "${bare[@]}" --set replicates=2 --out bare
+for command in check run; do
+    expect 0 "$ideotype" $command "${bare[@]}" --set replicates=2 --out bare
     [ "$(grep -c 'warning: .*crops/bare.toml:.* the crop "b73" has no .photosynthesis.' out.log)" = 1 ] ||
         fail "not one warning: $(cat out.log)"
 done
@@ -78,60 +78,60 @@ says "^leaves    hyperbola, amax 50 (default), 30 deg C on clear days$"
 expect 0 "$ideotype" check "${bare[@]}" --set photosynthesis.amax=40
 says "^leaves    hyperbola (default), amax 40 (--set photosynthesis.amax=40), 30 deg C on clear days$"
 ! grep -q "has no .photosynthesis." out.log || fail "stated leaves are warned of: $(cat out.log)"
-expect 0 "$ideotype" check campaigns/verbs.toml --set objective.maximise=carbon_balance
+expect 0 "$ideotype" check campaigns/commands.toml --set objective.maximise=carbon_balance
 says "^leaves    hyperbola, amax 63.9294, rate_2000 52 (maize.toml), 30 deg C on clear days$"
 hybrid=(--set plant.baseline=crops/maize_hybrid.toml --set plant.bounds=traits --set plant.stage=1.75)
-expect 0 "$ideotype" check campaigns/verbs.toml "${hybrid[@]}"
+expect 0 "$ideotype" check campaigns/commands.toml "${hybrid[@]}"
 says "on all days, with leaves as at development stage 1.75 (0.7 of the capacity at silking)$"
 # The first generation of auto is larger, and the log counts plants as check does.
 auto=(--set search.optimizer=auto --set search.population=8 --set stop.generations=5)
-expect 0 "$ideotype" check campaigns/verbs.toml "${auto[@]}"
+expect 0 "$ideotype" check campaigns/commands.toml "${auto[@]}"
 says "^search    auto, generations of 8 plants (the first of 24), at most 40 plants$"
 says "^cost      40 evaluations of "
-expect 0 "$ideotype" run campaigns/verbs.toml "${auto[@]}" --out auto
+expect 0 "$ideotype" run campaigns/commands.toml "${auto[@]}" --out auto
 says "  generation 0, 24 of 40 plants, "
 says "  generation 2, 40 of 40 plants, "
-says "ended by stop.generations; "
-says "finished by stop.generations, 40 of 40 plants in 3 generations, "
-expect 0 "$ideotype" check campaigns/verbs.toml --cases
+says "reached stop.generations; "
+says "finished (reached stop.generations), 40 of 40 plants in 3 generations, "
+expect 0 "$ideotype" check campaigns/commands.toml --cases
 says "^ *0  ames_0807_762x152_all_r1  *[0-9]*$"
-expect 0 "$ideotype" check campaigns/verbs.toml --count
+expect 0 "$ideotype" check campaigns/commands.toml --count
 says "^1$"
-expect 0 "$ideotype" check campaigns/verbs.toml --left
+expect 0 "$ideotype" check campaigns/commands.toml --left
 [ "$(cat out.log)" = "0	0" ] || fail "a case to begin is left: $(cat out.log)"
-expect 2 "$ideotype" check campaigns/verbs.toml --left --count
+expect 2 "$ideotype" check campaigns/commands.toml --left --count
 
 {
-    cat campaigns/verbs.toml
+    cat campaigns/commands.toml
     printf '[constraints]\nlai = [100, 200]\n'
 } >campaigns/dense.toml
 expect 0 "$ideotype" check campaigns/dense.toml
-says "fails the .constraints."
+says "the baseline violates .constraints."
 
 # Only breeding needs a baseline within the bounds.
 sed -e '/^bounds = /d' \
     -e 's/^baseline = .*/&\nbounds = { length = [1.05, 1.1] }/' \
-    campaigns/verbs.toml >campaigns/narrow.toml
+    campaigns/commands.toml >campaigns/narrow.toml
 expect 0 "$ideotype" evaluate campaigns/narrow.toml
 expect 0 "$ideotype" check campaigns/narrow.toml
 says "warning: campaigns/crops/maize.toml:.*leaf.length of leaf 1 .*outside the table's bounds 1.05 .. 1.1 m"
 says "narrow.toml:.*write in .plant.bounds.:"
 says "^length = .*, 1.1]$"
-for verb in run sensitivity; do
-    expect 3 "$ideotype" $verb campaigns/narrow.toml
+for command in run sensitivity; do
+    expect 3 "$ideotype" $command campaigns/narrow.toml
     says "leaf.length of leaf 1 .*outside the table's bounds 1.05 .. 1.1 m"
 done
 
-sed 's/plants = 3/plnats = 3/' campaigns/verbs.toml >campaigns/typo.toml
+sed 's/plants = 3/plnats = 3/' campaigns/commands.toml >campaigns/typo.toml
 expect 3 "$ideotype" check campaigns/typo.toml
 says "typo.toml:18:1"
 says "plants"
 expect 3 mpirun -n 3 "$ideotype" run campaigns/typo.toml
 says "typo.toml:18:1"
 
-expect 0 "$ideotype" evaluate campaigns/verbs.toml
+expect 0 "$ideotype" evaluate campaigns/commands.toml
 says "incident"
-says "^--all also tells .*hours"
+says "^--all also prints .*hours"
 [ "$(wc -l <out.log)" -lt 40 ] || fail "more than a screen: $(cat out.log)"
 # The objective stands once, and the method is apart from the quantities.
 [ "$(grep -c " absorbed_par  " out.log)" -eq 1 ] || fail "not one objective"
@@ -139,38 +139,38 @@ for word in balance_error capped paths; do
     sed '1,/^method/d' out.log | grep -q "^  $word " || fail "$word is no method"
     ! sed '/^method/,$d' out.log | grep -q "$word" || fail "$word twice"
 done
-expect 0 "$ideotype" evaluate campaigns/verbs.toml --all
+expect 0 "$ideotype" evaluate campaigns/commands.toml --all
 says "^  leaf10 "
-expect 0 "$ideotype" evaluate campaigns/verbs.toml --json
+expect 0 "$ideotype" evaluate campaigns/commands.toml --json
 says '"leaf_by_layer"'
-expect 2 "$ideotype" evaluate campaigns/verbs.toml --case 1
+expect 2 "$ideotype" evaluate campaigns/commands.toml --case 1
 
-expect 0 "$ideotype" run campaigns/verbs.toml
-says "finished by stop.generations, 12 of 12 plants in 2 generations, .*, gain .* %, with LAI .* instead of 3.44, 12 evaluations in 0:0[0-9], 0 failed$"
+expect 0 "$ideotype" run campaigns/commands.toml
+says "finished (reached stop.generations), 12 of 12 plants in 2 generations, .*, gain .* %, LAI .* (baseline 3.44), 12 evaluations in 0:0[0-9], 0 failed$"
 told=$(grep -o "12 of 12 plants in 2 generations, best .*" out.log)
 # A log file has the time (UTC); its generations are counted as in the history.
 says "^20[0-9-]*T[0-9:]*Z  ames.*  generation 1, 12 of 12 plants, "
-says "best .* MJ m-2 day-1 (not evaluated again)$"
-says "one seed: ± is half of a 95 % interval of the light's noise"
-says "^next: ideotype report results/verbs -o results/verbs/report$"
+says "best .* MJ m-2 day-1 (not re-evaluated)$"
+says "one seed: ± is half of a 95 % confidence interval of light noise"
+says "^next: ideotype report results/commands -o results/commands/report$"
 # On a terminal one line is written over and over; it must not wrap.
 for columns in 60 80 100 200; do
     expect 0 script -qec "stty cols $columns; '$ideotype' run \
-        campaigns/verbs.toml --out terminal$columns" /dev/null
-    tr '\r' '\n' <out.log | sed 's/\x1b\[K//' | grep " left, " >live ||
+        campaigns/commands.toml --out terminal$columns" /dev/null
+    tr '\r' '\n' <out.log | sed 's/\x1b\[K//' | grep "time left " >live ||
         fail "no live line: $(cat out.log)"
     grep -q " of 12 plants" live || fail "no plants: $(cat live)"
     [ "$(wc -L <live)" -lt "$columns" ] ||
         fail "a live line is wider than $columns: $(cat live)"
 done
-history=$(history_of results verbs)
+history=$(history_of results commands)
 expect 0 "$ideotype" status "$history"
-says "12 of 12 plants in 2 generations, best .* MJ m-2 day-1 (evaluated again)"
-says "finished by stop.generations, $told$"
-says "^one seed: ± is half of a 95 % interval of the light's noise"
-expect 0 "$ideotype" check campaigns/verbs.toml --left
+says "12 of 12 plants in 2 generations, best .* MJ m-2 day-1 (re-evaluated)"
+says "finished (reached stop.generations), $told$"
+says "^one seed: ± is half of a 95 % confidence interval of light noise"
+expect 0 "$ideotype" check campaigns/commands.toml --left
 [ ! -s out.log ] || fail "a finished case is not left"
-expect 0 "$ideotype" check campaigns/verbs.toml --left --out elsewhere
+expect 0 "$ideotype" check campaigns/commands.toml --left --out elsewhere
 says "^0"
 for slot in 0 3 5; do
     expect 0 "$ideotype" evaluate "$history" --generation 1 --slot $slot
@@ -188,13 +188,13 @@ expect 0 "$ideotype" export "$history" --generation 0 --slot 0 --field \
     --to field.obj
 [ "$(grep -c '^g plant.*leaf' field.obj)" -eq 90 ] || fail "not nine plants"
 # The mesh, read again, has the leaf area of the baseline and its stalks.
-expect 0 "$ideotype" light field.obj --period 2.286 .4572 \
-    --sun 60 180 --tolerance .05
+expect 0 "$ideotype" light field.obj --period 2.286 0.4572 \
+    --sun 60 180 --tolerance 0.05
 says "^lai  *3.4[34]"
 says "^stalk  "
 # The plants of a plot that is cut keep different numbers of faces.
-sed -e 's/"verbs"/"cut"/' -e '/^\[field\]/a boundary = "isolated"\nborder_rows = 1' \
-    campaigns/verbs.toml >campaigns/cut.toml
+sed -e 's/"commands"/"cut"/' -e '/^\[field\]/a boundary = "isolated"\nborder_rows = 1' \
+    campaigns/commands.toml >campaigns/cut.toml
 expect 0 "$ideotype" run campaigns/cut.toml
 expect 0 "$ideotype" export "$(history_of results cut)" --generation 0 --slot 0 \
     --field --to cut.obj
@@ -225,7 +225,7 @@ for shape in plant field; do
     grep -q 'absorbed_par \[MJ m-2 day-1\]' $shape.vtp || fail "no light"
 done
 grep -q "repeats every 2.286000 m in x and 0.457200 m in y" field.obj ||
-    fail "the field does not tell its period"
+    fail "the field file lacks its period"
 expect 2 "$ideotype" export "$history" --best --paths 1 --to dark.vtp
 expect 4 "$ideotype" export "$history" --best --to plant.obj
 # No link leads a file elsewhere, even if nothing is there yet.
@@ -241,8 +241,8 @@ says "links.csv: this is a symbolic link"
 expect 2 "$ideotype" export "$history" --best --to plant.doc
 
 # A second look at a finished case repeats its summary and evaluates nothing.
-expect 0 "$ideotype" run campaigns/verbs.toml --resume
-says "$history: finished before by stop.generations, $told$"
+expect 0 "$ideotype" run campaigns/commands.toml --resume
+says "$history: finished before (reached stop.generations), $told$"
 [ "$(grep -vc "^next: \|^one seed: " out.log)" -eq 1 ] || fail "not one line a case: $(cat out.log)"
 
 # As many cases as a campaign may have are checked in little memory, since cases

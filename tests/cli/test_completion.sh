@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# bash completes each verb and option of --help.
+# bash completes each command and option of --help.
 . "$(dirname "$0")/common.sh"
 . "$project/src/cli/completion.bash"
 
@@ -16,21 +16,21 @@ options() {
     sed -n 's/^  \(-[-a-z,]*\).*/\1/p' | tr ',' '\n'
 }
 
-mapfile -t verbs < <("$ideotype" --help | sed '1,/^Subcommands/d; /^Of the/,$d' |
+mapfile -t commands < <("$ideotype" --help | sed '1,/^Commands:/d; /^Commands of the/,$d' |
     sed -n 's/^  \([a-z]*\) .*/\1/p')
-[ ${#verbs[@]} -ge 9 ] || fail "too few verbs: ${verbs[*]}"
+[ ${#commands[@]} -ge 9 ] || fail "too few commands: ${commands[*]}"
 complete_words ideotype ""
-for verb in "${verbs[@]}"; do says " $verb "; done
+for command in "${commands[@]}"; do says " $command "; done
 count=0
-for verb in "${verbs[@]}"; do
-    expect 0 "$ideotype" "$verb" --help
+for command in "${commands[@]}"; do
+    expect 0 "$ideotype" "$command" --help
     ! grep -E "ENUM|value in|->" out.log || fail "not names of values"
-    says "^  ideotype $verb "
-    complete_words ideotype "$verb" -
+    says "^  ideotype $command "
+    complete_words ideotype "$command" -
     while read -r option; do
         says " $option "
         count=$((count + 1))
-    done < <("$ideotype" "$verb" --help | options)
+    done < <("$ideotype" "$command" --help | options)
 done
 [ $count -gt 60 ] || fail "too few options: $count"
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# A run that must not go on with a history does not, and says why: other maths,
+# A run refuses to continue a history, with the reason, after a change of maths,
 # another instruction set, a file that is no file or not there any more.
 . "$(dirname "$0")/common.sh"
 mixed_cluster=$(readlink -f "$4")
@@ -21,7 +21,7 @@ if [ "$("$ideotype" --version | grep maths)" = \
     echo "NO FUSED MULTIPLY-ADD HERE: OTHER MATHS ARE NOT TESTED" >&2
 else
     expect 4 "${plain[@]}" "$ideotype" run campaigns/maths.toml --out run --resume
-    says "$maths: .*would not go on with the same bits"
+    says "$maths: .*would not continue this history with the same bits"
     says "maths was [0-9a-f]*, is [0-9a-f]*"
     says "another folder with --out"
     # A job of ranks that differ does not begin at all.
@@ -34,11 +34,11 @@ EOF
     chmod +x ranks.sh
     expect 4 mpirun -n 2 ./ranks.sh "$ideotype" run campaigns/maths.toml \
         --out ranks
-    says "the ranks of this job would not give the same bits (maths is "
+    says "the ranks of this job would not compute the same bits (maths is "
     [ ! -e ranks ] || fail "something was written"
 fi
 
-# An instruction set by the user's choice, and what it does not fit.
+# An instruction set chosen by the user, and histories that it does not fit.
 expect 0 "$ideotype" run campaigns/maths.toml --out sse2 --isa sse2
 h5dump -a isa "$(history_of sse2 maths)" | grep -q '"sse2"' || fail "no sse2"
 expect 0 "$ideotype" run campaigns/maths.toml --out sse2 --resume
@@ -46,7 +46,7 @@ expect 4 "$ideotype" run campaigns/maths.toml --out sse2 --resume --isa sse4.2
 says "was begun with instruction set sse2, not sse4.2; leave --isa out"
 expect 2 "$ideotype" run campaigns/maths.toml --out sse3 --isa sse3
 
-# Ranks of which all but the first have sse2 only take what all have.
+# If all ranks but the first have sse2 only, all use sse2.
 expect 0 mpirun -n 3 "$mixed_cluster" campaigns/maths.toml mixed 1
 h5dump -a isa "$(history_of mixed maths)" | grep -q '"sse2"' ||
     fail "the ranks did not agree on sse2"
@@ -61,7 +61,7 @@ mkdir -p odd/maths folder/x.h5
 mkfifo pipe.h5
 ln -s loop.h5 loop.h5
 for thing in "pipe.h5 a.named.pipe 4" "folder/x.h5 a.folder 4" \
-    "/dev/zero a.device 4" "loop.h5 lead.in.a.circle 1"; do
+    "/dev/zero a.device 4" "loop.h5 form.a.loop 1"; do
     read -r path what code <<<"$thing"
     if [ "$path" != folder/x.h5 ]; then
         expect "$code" "$ideotype" status "$path"
@@ -76,7 +76,7 @@ for thing in "pipe.h5 a.named.pipe 4" "folder/x.h5 a.folder 4" \
     says "$what"
 done
 expect 1 "$ideotype" evaluate loop.h5 --best
-says "lead in a circle"
+says "form a loop"
 expect 1 "$ideotype" status folder
 says "there is no history"
 
@@ -123,26 +123,26 @@ for size in 0 20000 200000 600000 1200000 BUS; do
     code=0
     wait $job || code=$?
     [ $code -eq 4 ] || fail "cut to $size it ended with $code: $(cat cut.log)"
-    grep "cut short while it was written.*begin again in another folder" cut.log ||
+    grep "cut short while it was written.*start again in another folder" cut.log ||
         fail "cut to $size: $(cat cut.log)"
 done
 
-# Names that are too long are told before any work.
+# Names that are too long are reported before any work.
 long=$(printf 'x%.0s' $(seq 64))
 sed "s/^name = \"Ames\"/name = \"$long\"/; s/^\[\(day\|spacing\)\]/&\nname = \"$long\"/
     \$a [traits]\nname = \"$long\"\nfree = [\"azimuth\"]" campaigns/maths.toml >campaigns/names.toml
-for verb in check run; do
-    expect 3 "$ideotype" $verb campaigns/names.toml --out names
-    says "$long.*: this name of a file is 269 bytes long .*allows 255); shorten"
+for command in check run; do
+    expect 3 "$ideotype" $command campaigns/names.toml --out names
+    says "$long.*: this name of a file is 269 bytes long, .*allows 255); shorten"
 done
 [ ! -e names ] || fail "something was written"
 deep=$(printf '%0199d/' $(seq 21))
-for verb in check run; do
-    expect 3 "$ideotype" $verb campaigns/maths.toml --out "$deep"
-    says "this path is 42.. bytes long .*allows 4096); choose a shorter folder"
+for command in check run; do
+    expect 3 "$ideotype" $command campaigns/maths.toml --out "$deep"
+    says "this path is 42.. bytes long, .*allows 4096); choose a shorter folder"
 done
 
 # A history takes as much of the disk as check says.
 expect 0 "$ideotype" check campaigns/maths.toml
 size=$(stat -c %s "$maths" | awk '{ printf "%.2f", $1 / 1048576 }')
-says "^disk      $size MiB per case, $size MiB for all of them"
+says "^disk      $size MiB per case, $size MiB in total"

@@ -34,7 +34,7 @@ prlimit --pid $job --fsize=4096
 code=0
 wait $job || code=$?
 [ $code -eq 1 ] || fail "a failed write ended with $code: $(cat cut.log)"
-grep "File too large; all that was recorded before is safe; make room" cut.log ||
+grep "File too large; all rows recorded before are safe; free disk" cut.log ||
     fail "no word about the cause: $(cat cut.log)"
 expect 0 "${run[@]}" --out cut --resume
 same_results "$whole" "$(history_of cut disk)"
@@ -43,7 +43,7 @@ same_results "$whole" "$(history_of cut disk)"
 expect 1 "${run[@]}" --out /proc/none
 says "/proc/none.*choose another with --out"
 
-# Lost output is told, and nothing incomplete is left in a folder.
+# Lost output is reported, and no incomplete file is left in a folder.
 write_campaign full 6 2
 full() {
     "$@" >/dev/full
@@ -58,7 +58,7 @@ for words in --version --help "run campaigns/full.toml --out full" \
     says "cannot write to"
 done
 expect 0 "$ideotype" status full
-says "finished by stop.generations"
+says "finished (reached stop.generations)"
 
 # No history takes the place of a standard file that is closed.
 write_campaign closed 6 2
@@ -95,7 +95,7 @@ says "truncated"
 expect 4 "$ideotype" status short.h5
 says "1000 bytes are missing at its end, 200 of 200 complete generations"
 expect 0 "$ideotype" export short.h5 --generations --to short.csv
-says "and 1 of these have lost numbers and cannot be compared"
+says "and 1 of these lack numbers and cannot be verified"
 says "200 generations"
 expect 0 "$ideotype" export "$whole" --generations --to whole.csv
 cmp short.csv whole.csv || fail "saved generations differ"
@@ -111,7 +111,7 @@ h5repack -L -f SHUF -f GZIP=6 "$whole" packed.h5
     fail "repacked it is not half as large"
 expect 0 "$ideotype" verify packed.h5
 expect 0 "$ideotype" status packed.h5
-says "finished by stop.generations"
+says "finished (reached stop.generations)"
 expect 0 "$ideotype" evaluate packed.h5 --generation 7 --slot 3
 says "agrees bit for bit"
 expect 0 "$ideotype" export packed.h5 --generations --to packed.csv
@@ -125,10 +125,10 @@ says "gain"
 expect 1 "${run[@]}" --out huge --set search.population=100000 --set stop.generations=20000
 says "MiB are needed and .* MiB are free"
 [ -z "$(find huge -type f)" ] || fail "something is left: $(ls -R huge)"
-for verb in check run; do
-    expect 3 "$ideotype" $verb "${run[2]}" --set search.population=100000 --set stop.generations=1000000
+for command in check run; do
+    expect 3 "$ideotype" $command "${run[2]}" --set search.population=100000 --set stop.generations=1000000
     says "stop.generations is 1000000 .*use 21474 or fewer"
-    expect 2 "$ideotype" $verb "${run[2]}" --out ""
+    expect 2 "$ideotype" $command "${run[2]}" --out ""
     says "out is empty"
 done
 

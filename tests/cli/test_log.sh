@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Runs tell as much of their work as they are asked to, and lines of a log have
+# Runs print as much about their progress as requested, and lines of a log have
 # the time.
 . "$(dirname "$0")/common.sh"
 write_campaign told 6 2
@@ -11,20 +11,20 @@ told() {
 }
 told info
 grep -Eq "${time}ames.* generation 1, 12 of 12 plants" out.log || fail "$(cat out.log)"
-! grep -q "worker [0-9]" out.log || fail "tells each evaluation: $(cat out.log)"
+! grep -q "worker [0-9]" out.log || fail "each evaluation is printed: $(cat out.log)"
 
 told debug --log-level debug
 [ "$(grep -Ec "${time}ames.*  generation [01] slot [0-5]: worker [0-9]+, [0-9.]* s, [0-9.]* ± " out.log)" = 12 ] ||
     fail "not each evaluation: $(cat out.log)"
 [ "$(grep -c "  final slot [0-3]: worker [0-9]*, " out.log)" = 4 ] || fail "$(cat out.log)"
 
-# A result is told at any level.
+# A result is printed at any level.
 told quiet --quiet
-[ ! -s err.log ] || fail "--quiet tells $(cat err.log)"
-grep -q "finished by stop.generations, .*gain " out.log || fail "no result: $(cat out.log)"
-! grep -q "generation [0-9]" out.log || fail "--quiet tells $(cat out.log)"
+[ ! -s err.log ] || fail "--quiet prints $(cat err.log)"
+grep -q "finished (reached stop.generations), .*gain " out.log || fail "no result: $(cat out.log)"
+! grep -q "generation [0-9]" out.log || fail "--quiet prints $(cat out.log)"
 
-# Errors are told too, with the time.
+# Errors are printed too, with the time.
 expect 4 "$ideotype" run campaigns/told.toml --out quiet --log-level error
 grep -Eq "${time}ideotype: .*exists already" out.log || fail "$(cat out.log)"
 expect 2 "$ideotype" run campaigns/told.toml --log-level loud

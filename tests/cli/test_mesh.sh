@@ -5,7 +5,7 @@
 
 reference=$project/tests/data/reference
 
-# $1 the expected exit code, $2 what the output says, the rest the options.
+# $1 the expected exit code, $2 a pattern of the output, the rest the options.
 light() {
     expect "$1" "$ideotype" light "${@:3}"
     says "$2"
@@ -34,7 +34,7 @@ light 2 "--ground-area" "${plot[@]}"
 
 light 2 "--period X Y is missing" "$reference/maize1.obj" --sun 60 180
 light 2 "the light is missing" "${maize[@]}"
-light 2 "two lights" "${maize[@]}" --sun 60 180 --sky uniform
+light 2 "two light sources" "${maize[@]}" --sun 60 180 --sky uniform
 light 2 "needs the position of the sun" "${maize[@]}" --sky clear
 light 2 "not above the horizon" "${maize[@]}" --sun -1 180
 light 2 "--sun: elevation is nan (not a finite number" "${maize[@]}" --sun nan 180
@@ -46,7 +46,7 @@ light 2 "exceed 1" "${maize[@]}" --sun 60 180 --leaf-reflectance .9 \
 light 2 "YYYY-MM-DD" "${maize[@]}" --site 42 -93.6 -5 --date 7.8.2025
 light 2 "2025-02-30" "${maize[@]}" --site 42 -93.6 -5 --date 2025-02-30
 light 2 "excludes" "${maize[@]}" --sun 60 180 --paths 9 --tolerance .1
-light 2 "one word too many" "${maize[@]}" campaign.toml --sun 60 180
+light 2 "unexpected argument" "${maize[@]}" campaign.toml --sun 60 180
 light 2 "mesh is required" --period 1 1
 
 light 2 "--stalk-reflectance and --stalk-transmittance exceed 1" "${maize[@]}" \

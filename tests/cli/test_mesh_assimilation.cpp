@@ -34,12 +34,12 @@ void set_light(MeshSpec& options, const Json& input, const char* beam,
 
 //! Checks a value by the rule of references.
 void expect_agreement(Estimate ours, const Json& reference,
-                      const std::string& what) {
+                      const std::string& subject) {
     const double mean = reference.at(0), error = reference.at(1);
     EXPECT_NEAR(
         ours.mean, mean,
         4 * std::hypot(ours.standard_error, error) + 5e-4 * std::abs(mean))
-        << what;
+        << subject;
 }
 
 class MaizeAssimilation : public testing::Test {
@@ -71,13 +71,13 @@ TEST_F(MaizeAssimilation, IsThatOfEveryLeafPoint) {
             options.soil_albedo = input.at("soil_albedo");
             set_light(options, input, "beam_horizontal_ppfd",
                       "sky_horizontal_ppfd");
-            const Rates found = rates(options);
+            const Rates computed = rates(options);
             const std::string a = set == 0 ? "A" : "A2";
-            expect_agreement(found.gross, instant.at(a + "_gross"), name);
-            expect_agreement(found.net, instant.at(a + "_net"), name);
+            expect_agreement(computed.gross, instant.at(a + "_gross"), name);
+            expect_agreement(computed.net, instant.at(a + "_net"), name);
             for (const Json& rank : instant.at("per_rank"))
                 expect_agreement(
-                    found.groups.at(rank.at("rank").get<std::size_t>() - 1),
+                    computed.groups.at(rank.at("rank").get<std::size_t>() - 1),
                     rank.at(a + "_gross"), name + rank.at("rank").dump());
         }
 }
@@ -91,12 +91,12 @@ TEST_F(MaizeAssimilation, ExactlyIsThatOfEveryLeafPoint) {
     const Json& instant = maize().at("instants").at("sun30_az90");
     set_light(options, instant.at("input"), "beam_horizontal_ppfd",
               "sky_horizontal_ppfd");
-    const Rates found = rates(options);
-    expect_agreement(found.gross, instant.at("A_gross"), "gross");
-    EXPECT_LE(found.gross.standard_error, 4e-3 * found.gross.mean);
+    const Rates computed = rates(options);
+    expect_agreement(computed.gross, instant.at("A_gross"), "gross");
+    EXPECT_LE(computed.gross.standard_error, 4e-3 * computed.gross.mean);
     for (const Json& rank : instant.at("per_rank"))
         expect_agreement(
-            found.groups.at(rank.at("rank").get<std::size_t>() - 1),
+            computed.groups.at(rank.at("rank").get<std::size_t>() - 1),
             rank.at("A_gross"), rank.at("rank").dump());
 }
 

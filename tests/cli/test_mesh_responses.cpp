@@ -12,7 +12,7 @@
 namespace ideotype {
 namespace {
 
-TEST(Assimilation, OfALinearResponseIsAbsorbedLight) {
+TEST(Assimilation, OfALinearResponseIsProportionalToAbsorbedLight) {
     MeshSpec options = mesh("maize1", {.76, .15});
     options.photosynthesis = table("linear", "phi=0.06\ntheta=1\namax = 1e9\n");
     options.sun = {30, 120};
@@ -45,7 +45,7 @@ TEST(Assimilation, OfSheetsIsExact) {
     EXPECT_LT(five.standard_error, .02);
 }
 
-TEST(Assimilation, ASheetInTheSunIsInOneClassOfLight) {
+TEST(Assimilation, ASheetInTheSunFallsIntoOneClassOfLight) {
     MeshSpec options = mesh("sheets1", {1, 1});
     options.photosynthesis = table("sheet", "amax = 50\n");
     options.soil_albedo = .2;
@@ -77,22 +77,22 @@ TEST(Assimilation, OfBlackSphericalLeavesIsExact) {
         options.sun = {1. * elevation, 90};
         options.beam_ppfd =
             normal * std::sin(elevation * 3.14159265358979 / 180);
-        const Estimate found = rates(options).gross;
+        const Estimate gross = rates(options).gross;
         // A mesh of finitely many leaves deviates from theory.
-        EXPECT_NEAR(found.mean, exact, 4 * found.standard_error + .005 * exact);
+        EXPECT_NEAR(gross.mean, exact, 4 * gross.standard_error + .005 * exact);
     }
 }
 
-TEST(Assimilation, OfWeakLeavesCountsThoseInTheSun) {
+TEST(Assimilation, OfWeakLeavesIsProportionalToSunlitLeafArea) {
     MeshSpec options = mesh("maize1", {.76, .15});
     options.photosynthesis = table("weak", "amax = 1e-9\n");
     options.optics.leaf = {0, 0};
     options.soil_albedo = 0;
     options.sun = {60, 180};
     options.beam_ppfd = 1500;
-    const Estimate found = scaled(rates(options).gross, 1e9);
-    EXPECT_NEAR(found.mean, 1.342278,
-                4 * std::hypot(found.standard_error, .00025));
+    const Estimate gross = scaled(rates(options).gross, 1e9);
+    EXPECT_NEAR(gross.mean, 1.342278,
+                4 * std::hypot(gross.standard_error, .00025));
 }
 
 //! Returns the weather of Bondville to a day.
@@ -164,7 +164,7 @@ MeshSpec halves(const std::string& first, const std::string& second) {
     return options;
 }
 
-TEST(Assimilation, OfGroupsGoesByTheNumbersOfLeavesOfAnyMesh) {
+TEST(Assimilation, OfGroupsUsesTheLeafRanksOfAnyMesh) {
     const auto response = [](double amax) {
         return Hyperbola{.06, .7, amax}.gross(1000) / 2;
     };
@@ -193,14 +193,14 @@ TEST(Assimilation, OfASingleLeafIsThatOfItsLight) {
     MeshSpec options = halves("leaf", "stalk");
     options.photosynthesis = table("one", "amax = 40\n");
     options.optics.stalk = {0, 0};
-    const Rates found = rates(options);
+    const Rates computed = rates(options);
     const Hyperbola response{.06, .7, 40};
-    EXPECT_NEAR(found.gross.mean, response.gross(1000) / 2,
-                4 * found.gross.standard_error + 1e-6);
-    EXPECT_LT(found.gross.standard_error, .2);
+    EXPECT_NEAR(computed.gross.mean, response.gross(1000) / 2,
+                4 * computed.gross.standard_error + 1e-6);
+    EXPECT_LT(computed.gross.standard_error, .2);
 }
 
-TEST(Assimilation, NeedsToKnowHowStrongTheLightIs) {
+TEST(Assimilation, NeedsTheIrradiance) {
     MeshSpec options = mesh("maize1", {.76, .15});
     options.photosynthesis = table("any", "amax = 50\n");
     options.sun = {60, 180};
@@ -211,7 +211,7 @@ TEST(Assimilation, NeedsToKnowHowStrongTheLightIs) {
     EXPECT_THROW(check(options), Error);
 }
 
-TEST(Assimilation, IsExactOnlyIfAskedFor) {
+TEST(Assimilation, IsExactOnlyOnRequest) {
     MeshSpec options = mesh("maize1", {.76, .15});
     options.sun = {60, 180};
     options.is_exact = true;

@@ -80,47 +80,49 @@ MeshSpec options_of(const Ordered& scene, const std::string& light,
 //! Checks a value by the rule of references: it differs by four combined
 //! standard errors, and a further amount, at most.
 void expect_within(Estimate ours, const Ordered& reference, double more,
-                   const std::string& what) {
+                   const std::string& subject) {
     const double mean = reference.at(0), error = reference.at(1);
     EXPECT_NEAR(ours.mean, mean,
                 4 * std::hypot(ours.standard_error, error) + more)
-        << what;
+        << subject;
 }
 
 TEST(MeshScene, HasTheLightOfEveryReferenceInEveryBand) {
-    const Ordered all = stands("light");
-    std::map<std::string, CanopyReport> found;  // one run for both bands
+    const Ordered stand_reports = stands("light");
+    std::map<std::string, CanopyReport> reports;  // one run for both bands
     int values = 0;
-    for (const auto& [name, expected] : all.at("cases").items()) {
+    for (const auto& [name, expected] : stand_reports.at("cases").items()) {
         const std::string scene = name.substr(0, name.find('/'));
         const std::string light = name.substr(name.rfind('/') + 1);
         const std::string band = name.substr(
             scene.size() + 1, name.size() - scene.size() - light.size() - 2);
-        const auto [at, is_new] = found.try_emplace(scene + light);
+        const auto [at, is_new] = reports.try_emplace(scene + light);
         if (is_new)
             at->second =
-                study(options_of(all.at("scenes").at(scene), light)).canopy;
+                study(options_of(stand_reports.at("scenes").at(scene), light))
+                    .canopy;
         const CanopyReport& report = at->second;
-        for (const BandReport& each : report.bands) {
-            if (each.name != band) continue;
+        for (const BandReport& band_report : report.bands) {
+            if (band_report.name != band) continue;
             const auto expect = [&, where = name](Estimate ours,
                                                   const Ordered& reference,
-                                                  const std::string& what) {
-                expect_within(ours, reference, 1e-4, where + ' ' + what);
+                                                  const std::string& subject) {
+                expect_within(ours, reference, 1e-4, where + ' ' + subject);
                 ++values;
             };
-            expect(each.light.day.soil, expected.at("soil"), "soil");
-            expect(each.light.day.reflected, expected.at("reflected"),
+            expect(band_report.light.day.soil, expected.at("soil"), "soil");
+            expect(band_report.light.day.reflected, expected.at("reflected"),
                    "reflected");
             for (std::size_t c = 0; c < report.components.size(); ++c) {
                 const std::string& kind = report.components[c].name;
-                expect(each.part(c).all, expected.at("by_kind").at(kind), kind);
+                expect(band_report.part(c).all, expected.at("by_kind").at(kind),
+                       kind);
             }
             for (std::size_t g = 0; g < report.groups.size(); ++g)
                 if (const auto reference =
                         expected.at("by_group").find(report.groups[g].name);
                     reference != expected.at("by_group").end())
-                    expect(each.light.groups[g], *reference,
+                    expect(band_report.light.groups[g], *reference,
                            report.groups[g].name);
         }
     }
@@ -142,13 +144,13 @@ TEST(MeshScene, AssimilatesWithTheParametersOfEachComponent) {
         }
         options.sky_ppfd = expected.at("sky_ppfd").get<double>();
         const CanopyReport report = study(options).canopy;
-        const auto found = by_component(*report.assimilation, report.groups,
-                                        report.components.size());
-        for (std::size_t c = 0; c < found.size(); ++c) {
+        const auto components = by_component(
+            *report.assimilation, report.groups, report.components.size());
+        for (std::size_t c = 0; c < components.size(); ++c) {
             const Ordered& gross = expected.at("by_kind")
                                        .at(report.components[c].name)
                                        .at("A_gross");
-            expect_within(scaled(found[c].gross, 1e6), gross,
+            expect_within(scaled(components[c].gross, 1e6), gross,
                           1e-3 * gross[0].get<double>(), name);
         }
     }
@@ -177,7 +179,7 @@ TEST(MeshScene, FacesOfASheetMayReflectDifferently) {
     EXPECT_LT(day.leaves.standard_error, 1e-3);
 }
 
-TEST(MeshScene, FacesThatReflectDifferentlyAssimilateAsExactly) {
+TEST(MeshScene, FacesWithDifferentReflectanceAssimilateAsTheExactMethod) {
     MeshSpec options;
     options.path = fmt::format("{}/stands/sole_maize.obj", IDEOTYPE_TEST_DATA);
     options.period = {.6, .3};
@@ -227,14 +229,14 @@ TEST(MeshScene, ComponentsMayBeOfC3) {
         FAIL();
     } catch (const InputError& error) {
         EXPECT_NE(std::string(error.what())
-                      .find("vmax is no number of the model \"farquhar\" (it "
-                            "is one of \"collatz\"); remove it"),
+                      .find("vmax is not a parameter of the model \"farquhar\" "
+                            "(but of \"collatz\"); remove it"),
                   std::string::npos)
             << error.what();
     }
 }
 
-TEST(MeshScene, NamesOfComponentsAreOfNoMatter) {
+TEST(MeshScene, NamesOfComponentsHaveNoEffect) {
     const Ordered scene = stands("light").at("scenes").at("two_maize");
     MeshSpec options = options_of(scene, "sun25_az255");
     options.tolerance = 3e-3;
@@ -296,7 +298,7 @@ TEST(MeshScene, AMaterialNeedsAWaveband) {
     }
 }
 
-TEST(MeshScene, AllProblemsOfAFileAreToldInOnePass) {
+TEST(MeshScene, AllProblemsOfAFileAreReportedInOnePass) {
     const std::string path = written(
         "albedo = 0.1\n"
         "soil_albedo = { par = 2, red = 0.1 }\n"
@@ -313,15 +315,16 @@ TEST(MeshScene, AllProblemsOfAFileAreToldInOnePass) {
         study(options);
         FAIL();
     } catch (const InputError& error) {
-        const std::string all = error.what();
+        const std::string message = error.what();
         for (const char* part :
              {"unknown key 'albedo'", "soil_albedo.par is 2",
-              "soil_albedo.red names no band", "more than all",
+              "soil_albedo.red names no band", "more than 1",
               "material.groups is an integer", "has no par", "has no nir",
               "material.nir has 1 values", "missing key 'name' in [component]",
               "unknown key 'colour'", "unknown key 'amaxx'"})
-            EXPECT_NE(all.find(part), std::string::npos) << part << '\n' << all;
-        EXPECT_NE(all.find(path + ":5:"), std::string::npos) << all;
+            EXPECT_NE(message.find(part), std::string::npos) << part << '\n'
+                                                             << message;
+        EXPECT_NE(message.find(path + ":5:"), std::string::npos) << message;
     }
 }
 
@@ -338,13 +341,13 @@ TEST(MeshScene, EveryGroupNeedsAMaterialAndAComponent) {
         study(options);
         FAIL();
     } catch (const Error& error) {
-        const std::string all = error.what();
-        EXPECT_NE(all.find("group flat_leaf01 fits no [[material]]"),
+        const std::string message = error.what();
+        EXPECT_NE(message.find("group flat_leaf01 fits no [[material]]"),
                   std::string::npos)
-            << all;
-        EXPECT_NE(all.find("group erect_leaf10 fits no [[component]]"),
+            << message;
+        EXPECT_NE(message.find("group erect_leaf10 fits no [[component]]"),
                   std::string::npos)
-            << all;
+            << message;
     }
 }
 

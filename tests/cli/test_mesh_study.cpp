@@ -69,18 +69,18 @@ TEST(MeshStudy, ExtinctionOfBlackHorizontalLeavesIsThatOfBeersLaw) {
     options.optics.leaf = {0, 0};
     options.soil_albedo = 0;
     options.sky = SkyModel::uniform;
-    for (const Measured& each : measure_numbers(study(options).canopy))
-        if (each.quantity.name == "extinction_coefficient") {
+    for (const Measured& number : measure_numbers(study(options).canopy))
+        if (number.quantity.name == "extinction_coefficient") {
             // A mesh of finitely many leaves deviates from theory.
-            EXPECT_NEAR(each.estimate.mean, 1,
-                        4 * each.estimate.standard_error + .01);
-            EXPECT_LT(each.estimate.standard_error, .01);
+            EXPECT_NEAR(number.estimate.mean, 1,
+                        4 * number.estimate.standard_error + .01);
+            EXPECT_LT(number.estimate.standard_error, .01);
             return;
         }
     FAIL();
 }
 
-TEST(MeshStudy, StalksAreNoLeavesAndHaveTheirOwnOptics) {
+TEST(MeshStudy, StalksHaveDifferentOpticsFromLeaves) {
     // A sheet of leaf covers half of the ground, and a sheet of stalk the other
     // half.
     const std::string path = temporary_file("halves.obj");
@@ -105,7 +105,7 @@ TEST(MeshStudy, StalksAreNoLeavesAndHaveTheirOwnOptics) {
                 4 * day.reflected.standard_error + 1e-6);
 }
 
-TEST(MeshStudy, AMeshInCentimetresIsWarnedOf) {
+TEST(MeshStudy, AMeshInCentimetresCausesAWarning) {
     const std::string path = temporary_file("tall.obj");
     const auto warnings = [&](double height) {
         std::ofstream(path)
@@ -124,7 +124,7 @@ TEST(MeshStudy, AMeshInCentimetresIsWarnedOf) {
     EXPECT_THROW(warnings(1e6), Error);
 }
 
-TEST(MeshStudy, AMeshBelowTheSoilIsWarnedOfAndATinyOneRefused) {
+TEST(MeshStudy, AMeshBelowTheSoilCausesAWarningAndATinyOneIsRefused) {
     const std::string path = temporary_file("low.obj");
     const auto warnings = [&](double size, double lowest) {
         std::ofstream(path) << fmt::format(
@@ -167,7 +167,7 @@ TEST(MeshStudy, ATighterToleranceTakesMorePathsAndIsMet) {
     EXPECT_FALSE(report.canopy.is_capped);
 }
 
-TEST(MeshStudy, AtLeastTheAskedPathsAreFollowed) {
+TEST(MeshStudy, AtLeastTheRequestedPathsAreTraced) {
     MeshSpec options = maize(30, 90);
     for (const std::uint64_t paths : {1, 2, 31, 33, 4096, 5000}) {
         options.paths = paths;
@@ -291,7 +291,7 @@ TEST(MeshStudy, AFaceOfManyPeriodsIsRefusedBeforeItIsTraced) {
               "metres");
 }
 
-TEST(MeshStudy, ASunSoLowThatItsLightHardlyComesDownIsRefused) {
+TEST(MeshStudy, ATooLowSunIsRefused) {
     const auto refusal = [](double elevation) {
         return refusal_of(maize(elevation, 180));
     };
@@ -360,11 +360,11 @@ TEST(MeshStudy, ValuesOutsideTheirRangesAreNamed) {
 TEST(MeshStudy, ValuesOfAnotherTypeAreNamed) {
     using namespace std::string_literals;
     EXPECT_EQ(refusal_of("sun", {"6o"s, "1"s}),
-              "sun: elevation is 6o (no number); correct it");
+              "sun: elevation is 6o (not a number); correct it");
     EXPECT_EQ(refusal_of("seed", {"1.5"s}),
-              "seed is 1.5 (no whole number); correct it");
+              "seed is 1.5 (not a whole number); correct it");
     EXPECT_EQ(refusal_of("date", {"7.8.2025"s}),
-              "date is 7.8.2025 (no date); write it as YYYY-MM-DD");
+              "date is 7.8.2025 (not a date); write it as YYYY-MM-DD");
     EXPECT_EQ(refusal_of("sun", {60.0}),
               "sun takes 2 values: elevation, azimuth");
     EXPECT_EQ(refusal_of("tolerance", {60.0, 1.0}),

@@ -7,11 +7,11 @@ place=(--latitude 42.03 --longitude -93.63 --date 2021-07-01)
 field=(--row 0.762 --plant-spacing 0.15)
 mkdir own other
 
-# A new campaign can be checked from anywhere; the crop is beside it.
+# A new campaign can be checked from anywhere; the crop file is in its folder.
 expect 0 "$ideotype" new own/my.toml "${place[@]}" "${field[@]}" --plant maize
 says "^next: ideotype check own/my.toml$"
 cmp own/maize.toml campaigns/crops/maize.toml
-# Editors find the schema, which is beside it too.
+# Editors find the schema, which is in its folder too.
 says "^own/maize.toml$"
 says "^own/campaign.schema.json$"
 [ "$(head -n 1 own/my.toml)" = "#:schema campaign.schema.json" ] ||
@@ -19,9 +19,9 @@ says "^own/campaign.schema.json$"
 "$ideotype" schema | cmp - own/campaign.schema.json
 expect 0 "$ideotype" check own/my.toml
 says "^own/my.toml: no errors$"
-! grep -q "^advice" out.log || fail "what new writes needs advice: $(cat out.log)"
+! grep -q "^advice" out.log || fail "a new campaign needs advice: $(cat out.log)"
 expect 0 "$ideotype" check own/my.toml --set light.fields=1
-says "^advice    errors of rows lack how fields differ; .*: light.fields = 4$"
+says "^advice    standard errors of rows omit differences between fields; .*: light.fields = 4$"
 says "^campaign  my, 3 cases (--cases lists them)$"
 says "^sun$"
 says "  elevation  *left out"
@@ -61,7 +61,7 @@ expect 0 "$ideotype" new own/newer.toml "${place[@]}" "${field[@]}" --plant maiz
 for text in '{"title": 1}' '{"title": "Campaign"}' '[]' 'no JSON' ''; do
     echo "$text" >links/campaign.schema.json
     expect 4 "$ideotype" new links/my.toml "${place[@]}" "${field[@]}" --plant maize
-    says "links/campaign.schema.json: exists already .*no JSON Schema of campaigns"
+    says "links/campaign.schema.json: exists already .*not a JSON Schema of campaigns"
     [ "$(cat links/*)" = "$text" ] || fail "something else is there: $(ls links)"
 done
 rm links/campaign.schema.json
@@ -98,11 +98,11 @@ says "^field     2 x 8 plants"
 expect 0 "$ideotype" new own/panicle.toml "${place[@]}" "${field[@]}" \
     --plant sorghum
 grep -q '^\[field.variation\]' own/panicle.toml && fail "values of another crop"
-grep -q '^# The crop file has no \[variation\]: differences between plants' \
+grep -q '^# The crop file has no \[variation\]: the within-line variation' \
     own/panicle.toml || fail "$(cat own/panicle.toml)"
 expect 0 "$ideotype" check own/panicle.toml
 
-# A season of weather, from a table whose columns have names with units.
+# A season of weather, from a table with units in its column names.
 cp "$project/campaigns/weather/bondville_2011_0721_0920.csv" own/bondville.csv
 season=(--latitude 40.05 --longitude -88.37)
 expect 0 "$ideotype" new other/season.toml "${season[@]}" "${field[@]}" \
@@ -132,8 +132,8 @@ expect 0 "$ideotype" check other/logger.toml
 # Without the order, one error names it for all rows.
 sed '/^date_order/d' other/logger.toml >other/no_order.toml
 expect 3 "$ideotype" check other/no_order.toml
-says '"07/21/2011,00:00" is no date and time; set date_order = "month_day_year" (this line and 1487 others)$'
-[ "$(grep -c 'is no date' out.log)" -eq 1 ] || fail "the same again and again"
+says '"07/21/2011,00:00" is not a date and time; set date_order = "month_day_year" (this line and 1487 others)$'
+[ "$(grep -c 'is not a date' out.log)" -eq 1 ] || fail "the same again and again"
 # Files that `ideotype weather` writes need no columns.
 cp "$project/tests/data/weather/converted.csv" own/native.csv
 expect 0 "$ideotype" new other/native.toml --latitude 36.1 --longitude -79.95 \
@@ -174,28 +174,28 @@ expect 2 "$ideotype" new own/night.toml --latitude 70 --longitude 25 \
     --date 2021-12-21 "${field[@]}" --plant own/maize.toml
 says "the sun does not rise on 2021-12-21"
 
-# Wrong use, told at once; nothing is left of it.
+# Wrong options are reported at once, and no file is left behind.
 expect 2 "$ideotype" new none.toml --latitude 42 </dev/null
-says "new: there is no --longitude, --date, --row, --plant-spacing, --plant (on"
+says "new: missing --longitude, --date, --row, --plant-spacing, --plant (on"
 [ "$(wc -l <out.log)" -eq 1 ] || fail "not one line"
 expect 2 "$ideotype" new none.toml --latitude 95 </dev/null
 says "new: --latitude: site.latitude is 95 deg (above the range -90 .. 90 deg)"
-# All wrong options are told in one pass, lengths with their likely unit.
+# All wrong options are reported in one pass, lengths with their likely unit.
 expect 2 "$ideotype" new none.toml --latitude north --longitude -93.63 \
     --row 30 --plant-spacing 0.15 --plant corn --objective light \
     --date 2021-02-30 --weather none.csv </dev/null
-says 'new: --latitude: "north" is no latitude (expected: a number, -90 .. 90 deg)'
+says 'new: --latitude: "north" is not a valid latitude (expected: a number, -90 .. 90 deg)'
 says "new: --row: spacing.row is 30 m .* looks like centimetres or inches)"
 says "give metres: 0.3 or 0.762"
 says "new: --plant: there is no crop (and no file) 'corn'; did you mean 'maize'?"
-says "new: --date: .* is no date"
+says "new: --date: .* is not a date"
 says "new: --weather: cannot read none.csv"
-says "new: --date is given (the days are those of --weather)"
+says "new: --date and --weather are both given (the days are those of the weather file)"
 says "new: --objective: there is no objective 'light'; use one of carbon_balance, net_assimilation, absorbed_par, net_assimilation_per_leaf_area, or"
 [ "$(wc -l <out.log)" -eq 7 ] || fail "not a line for each: $(cat out.log)"
 expect 2 "$ideotype" new none.toml "${place[@]}" --date 2021-02-30
 expect 2 "$ideotype" new none.toml --date 2021-02-30 </dev/null
-says '"2021-02-30" is no date'
+says '"2021-02-30" is not a date'
 expect 2 "$ideotype" new none.toml --plant maze </dev/null
 says "did you mean 'maize'"
 expect 2 "$ideotype" new none.toml --objective light </dev/null
@@ -205,7 +205,7 @@ expect 2 "$ideotype" new none.toml --objective net_assimilaton </dev/null
 says "did you mean 'net_assimilation'"
 expect 2 "$ideotype" new none.toml "${place[@]}" "${field[@]}" \
     --plant maize --objective transpiration
-says "needs leaves that transpire" "in a copy of campaigns/growing_season.toml"
+says "needs leaves that transpire" "edit a copy of campaigns/growing_season.toml"
 expect 2 "$ideotype" new nowhere/none.toml "${place[@]}" "${field[@]}" \
     --plant maize
 says "there is no folder nowhere"
@@ -230,10 +230,10 @@ says 'none.toml:.*name is "my own"'
     echo carbon_balance
 } >answers
 expect 0 script -qec "'$ideotype' new asked.toml" /dev/null <answers
-says "Latitude of the place"
-says '"west" is no longitude (expected: a number, -180 .. 180 deg)'
-says "Weather file, CSV with a row for each hour (none: a clear day): "
-says '"2021-13-01" is no date'
+says "Latitude of the site"
+says '"west" is not a valid longitude (expected: a number, -180 .. 180 deg)'
+says "Weather file, hourly CSV (leave empty for a clear day): "
+says '"2021-13-01" is not a date'
 says "(maize): "
 says "^  carbon_balance"
 says "^  net_assimilation_per_leaf_area"
@@ -247,6 +247,6 @@ diff -b <(sed 's/my/asked/g' own/my.toml) asked.toml ||
 # The command asks only for missing options.
 expect 0 script -qec "'$ideotype' new rest.toml ${place[*]} ${field[*]} \
     --plant maize" /dev/null <<<$'\n'
-grep -q "Latitude" out.log && fail "what was given is asked for"
+grep -q "Latitude" out.log && fail "a given option is asked for"
 expect 2 script -qec "'$ideotype' new ended.toml" /dev/null </dev/null
 says "the input ended before --latitude was given"

@@ -66,7 +66,7 @@ TEST_F(OutputFiles, AreAbsentIfTheyAreNotFinished) {
     EXPECT_EQ(count(), 0);
 }
 
-TEST_F(OutputFiles, ReplaceNoFileThatAppearsMeanwhile) {
+TEST_F(OutputFiles, DoNotReplaceAFileThatAppearsMeanwhile) {
     {
         OutputFile file(path("a.csv"));
         file.print("late");
@@ -89,7 +89,7 @@ TEST_F(OutputFiles, OfTwoProcessesDoNotMix) {
     EXPECT_EQ(text("a.csv"), "second");
 }
 
-TEST_F(OutputFiles, GoThroughNoLink) {
+TEST_F(OutputFiles, DoNotFollowSymbolicLinks) {
     write("precious", "precious");
     fs::create_symlink("precious", path("to_file"));
     fs::create_symlink("none", path("to_nothing"));

@@ -57,9 +57,9 @@ if (same_results "$(history_of alone same)" "$(history_of other same)") \
     fail "another seed gave the same results"
 fi
 
-# Verbs that cannot share work among ranks are refused once.
+# Commands that cannot share work among ranks are refused once.
 
-# $1 what it says, the rest a command
+# $1 a pattern of the message, the rest a command
 refused_once() {
     local code=0
     mpirun -n 3 "$ideotype" "${@:2}" >refused.log 2>&1 || code=$?
@@ -68,21 +68,21 @@ refused_once() {
         fail "'${*:2}' is not refused once: $(cat refused.log)"
 }
 write_campaign one 8 3
-for verb in check evaluate; do
-    refused_once "$verb: 3 copies" $verb campaigns/one.toml
+for command in check evaluate; do
+    refused_once "$command: 3 copies" $command campaigns/one.toml
 done
 refused_once "status: 3 copies" status alone
 
-# Ranks that another MPI's launcher starts do not find each other, which is told
+# Ranks started by the launcher of another MPI cannot find each other, as reported
 # once; here its variables take the place of that launcher.
 foreign=PMI
 ! is_mpich || foreign=OMPI_COMM_WORLD
-for verb in "run campaigns/one.toml --out apart" "serve campaigns/one.toml"; do
+for command in "run campaigns/one.toml --out apart" "serve campaigns/one.toml"; do
     # shellcheck disable=SC2086  # words
-    expect 2 env ${foreign}_RANK=0 ${foreign}_SIZE=2 "$ideotype" $verb
-    says "^ideotype: 2 ranks were started, but do not find each other"
+    expect 2 env ${foreign}_RANK=0 ${foreign}_SIZE=2 "$ideotype" $command
+    says "^ideotype: 2 ranks were started but cannot find each other"
     # shellcheck disable=SC2086  # words
-    expect 0 env ${foreign}_RANK=1 ${foreign}_SIZE=2 "$ideotype" $verb
-    [ ! -s out.log ] || fail "told twice: $(cat out.log)"
+    expect 0 env ${foreign}_RANK=1 ${foreign}_SIZE=2 "$ideotype" $command
+    [ ! -s out.log ] || fail "reported twice: $(cat out.log)"
 done
 [ ! -e apart ] || fail "something was begun"

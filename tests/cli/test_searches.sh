@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Where CMA-ES begins, and what an export tells of each search.
+# The start of CMA-ES, and the export of each kind of search.
 . "$(dirname "$0")/common.sh"
 
 write_campaign searches 8 4
@@ -34,5 +34,5 @@ code=0
 for each in cma_es random; do
     "$ideotype" export "$(history_of $each searches)" --generations --to $each.csv
 done
-grep -q ",sample," cma_es.csv || fail "no plant of CMA-ES is told as one"
-grep -q ",random," random.csv || fail "no random plant is told as one"
+grep -q ",sample," cma_es.csv || fail "no row has the origin of CMA-ES"
+grep -q ",random," random.csv || fail "no row has the origin of random search"

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # A sensitivity study: the same bits for any number of ranks and after a stop,
-# rows that can be computed again, failed rows, and what is refused.
+# rows that can be recomputed, failed rows, and refusals.
 . "$(dirname "$0")/common.sh"
 
 write_campaign study 8 3
@@ -21,10 +21,10 @@ TOML
 sensitivity=("$ideotype" sensitivity campaigns/study.toml)
 expect 0 "${sensitivity[@]}" --out alone
 says "^next: ideotype indices alone/.*.h5$"
-says "all rows are evaluated; evaluating the baseline"
+says "all rows of the design are evaluated; evaluating the baseline"
 # A study has no best plant, which would have to be evaluated again.
 "$ideotype" status alone >>out.log
-! grep -E "best|finalists|finished by|evaluated again" out.log ||
+! grep -E "best|finalists|reached|re-evaluated" out.log ||
     fail "words of a search in a study"
 whole=$(history_of alone study)
 "$ideotype" status alone | grep ": finished, [0-9]* of [0-9]* plants in 3 generations" ||
@@ -60,7 +60,7 @@ code=0
 wait $job || code=$?
 is_stopped $code || fail "a drain must end with 5, not $code: $(cat drain.log)"
 grep -q -- "sensitivity campaigns/study.toml.*--resume" drain.log ||
-    fail "no word about how to go on: $(cat drain.log)"
+    fail "no command to resume: $(cat drain.log)"
 expect 4 "${longer[@]}" --out drained
 expect 4 "$ideotype" run campaigns/study.toml --out drained --resume
 says "sensitivity.samples was 240, is absent"

@@ -73,12 +73,12 @@ bad() {
         fail "ended with $? by: $1"
     grep -qF "$2" bad.out || fail "no '$2' in: $(tail -n 2 bad.out)"
     [ "$(tail -n 1 bad.out | grep -c '"line":2,"status":"done"')" = 1 ] ||
-        fail "does not go on after: $1"
+        fail "does not continue after: $1"
 }
 bad nonsense '"id":null,"line":1,"status":"failed","message":"this line is no'
 bad '{"id": "a", "genome": [1, 2]}' \
     '{"id":"a","line":1,"status":"failed","message":"genome has 2 numbers; it must have 79'
-bad "{\"genome\": [NaN,${genes#*,}]}" 'this line is no JSON (column 13'
+bad "{\"genome\": [NaN,${genes#*,}]}" 'this line is not valid JSON (column 13'
 bad "{\"genome\": [1e999,${genes#*,}]}" 'number overflow'
 bad "{\"genome\": [null,${genes#*,}]}" 'number 1 of genome (leaf01_length) must'
 bad '{"genom": [1]}' "there is no key 'genom'; did you mean 'genome'?"
@@ -90,7 +90,7 @@ bad "{\"genome\": [$genes], \"final\": 1}" 'final must be true or false'
 bad "{\"genome\": [$genes], \"quantities\": [\"laii\"]}" "did you mean 'lai'?"
 bad "$(printf '[%.0s' $(seq 100))" 'brackets'
 bad "$(head -c 3000000 /dev/zero | tr '\0' x)" 'longer than 1048576 bytes'
-bad $'{"id": "\xff"}' 'no JSON'
+bad $'{"id": "\xff"}' 'not valid JSON'
 
 # Only free genes may be given; numbers beyond bounds are allowed.
 printf '\n[[traits]]\nname = "turns"\nfree = ["azimuth"]\n' >>campaigns/served.toml
@@ -164,10 +164,10 @@ for start in "" "${ranks[*]}"; do
     grep -q "stopped before the end of the input" stopped.log ||
         fail "$(cat stopped.log)"
     [ "$(grep -c ": worker " stopped.log)" = "$(grep -c '"status":"done"' stopped.out)" ] ||
-        fail "what was evaluated has no answer"
+        fail "an evaluated genome has no answer"
 done
 
-# A killed worker ends the job, and mpirun tells so.
+# A killed worker ends the job, and mpirun reports it.
 "${ranks[@]}" "${serve[@]}" <in >lost.out 2>lost.log &
 job=$!
 exec 3>in

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Ranks that get no memory: nothing is recorded of a plant that they could not
-# evaluate, the user is told, and a resume ends as if nothing had happened.
+# evaluate, the user gets a message, and a resume ends as if undisturbed.
 . "$(dirname "$0")/common.sh"
 time_limit=(timeout 60)
 
@@ -29,14 +29,14 @@ run=("$ideotype" run campaigns/starved.toml)
 "${run[@]}" --out whole >whole.log
 whole=$(history_of whole starved)
 
-# A run whose history is in folder $1 and which ended with "expect".
+# A run with its history in folder $1, which ended with "expect".
 goes_on() {
     says "could not evaluate .* on $(hostname): .*not enough memory"
-    says "that is not the plant's fault"
-    says "Z  go on with"
+    says "the machine failed, not the plant"
+    says "Z  resume with"
     ! grep "evaluations of generation .* failed\|finalists failed" out.log ||
         fail "the machine's failure became the plants'"
-    "$ideotype" status "$1" | grep -v "finished\|go on with\|--resume\|^(a history does not record options\|, 0 of 8\|, 0 failed" &&
+    "$ideotype" status "$1" | grep -v "finished\|resume with\|--resume\|^(histories do not record options\|, 0 of 8\|, 0 failed" &&
         fail "rows have failed"
     expect 0 "${run[@]}" --out "$1" --resume
     same_results "$whole" "$(history_of "$1" starved)"
@@ -52,7 +52,7 @@ for _ in 1 2 3 4 5; do
     rm -rf finals finals.log
     "${run[@]}" --out finals >finals.log 2>&1 &
     job=$!
-    until grep -qs "ended by" finals.log; do sleep 0.01; done
+    until grep -qs "reached stop" finals.log; do sleep 0.01; done
     kill -KILL $job
     wait $job || true
     "$ideotype" status finals | grep -q finished || break
@@ -82,7 +82,7 @@ chmod +x single.sh
 as_user+=(./single.sh "$ideotype")
 if "${as_user[@]}" --version >/dev/null 2>&1; then
     expect 1 "${as_user[@]}" evaluate campaigns/starved.toml
-    says "^ideotype: a library ended the program (.*), as a rule for lack of"
+    says "^ideotype: a library ended the program (.*), usually for lack of"
 else
     echo "ANOTHER USER CANNOT READ THIS BUILD: THREADS ARE NOT TESTED" >&2
 fi

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Many cases in one job give bitwise what each gives alone, also when the job
+# Many cases in one job give the same bits as each alone, also when the job
 # is drained and resumed, and a case that fails does not stop the others.
 . "$(dirname "$0")/common.sh"
 
@@ -22,7 +22,7 @@ for ranks in 1 3 12; do
     mpirun -n $ranks "$ideotype" run campaigns/sweep.toml --out ranks$ranks \
         >ranks$ranks.log
     same_as_alone ranks$ranks
-    [ "$(grep -c ': finished by ' ranks$ranks.log)" -eq 3 ] ||
+    [ "$(grep -c ': finished (reached ' ranks$ranks.log)" -eq 3 ] ||
         fail "not three summaries: $(cat ranks$ranks.log)"
 done
 
@@ -32,14 +32,14 @@ done
 mpirun -n 6 "$ideotype" run campaigns/sweep.toml --out shared --masters 2 \
     >shared.log
 same_as_alone shared
-[ "$(grep -c ': finished by ' shared.log)" -eq 3 ] ||
+[ "$(grep -c ': finished (reached ' shared.log)" -eq 3 ] ||
     fail "not three summaries: $(cat shared.log)"
 workers=$(h5dump -y -w 1 -d /evaluations/worker \
         shared/sweep/ames_0807_762x152_all_r3.h5 |
     sed -n 's/^ *\([0-9][0-9]*\),*$/\1/p' | sort -un | tr '\n' ' ')
 [ "$workers" = "5 " ] || fail "not evaluated by rank 5 alone: $workers"
 
-# Time limits interrupt it wherever they do; the way on is told once.
+# Time limits interrupt it anywhere; the command to resume is printed once.
 write_campaign cut 12 40
 sed -i 's/^seed = 7/seed = 7\nreplicates = 3/' campaigns/cut.toml
 mpirun -n 5 "$ideotype" run campaigns/cut.toml --out whole >/dev/null
@@ -50,10 +50,10 @@ for start in $(seq 100); do
         --wall-time 1s >"drain$start.log" || code=$?
     [ $code -ne 0 ] || break
     [ $code -eq 5 ] || fail "a drain must end with 5, not $code"
-    grep -q "stopped before the end" "drain$start.log" || fail "not told"
+    grep -q "stopped before the end" "drain$start.log" || fail "no message about the stop"
     stops=$((stops + 1))
     [ "$(grep -c -- "^  .* run .*--resume" "drain$start.log")" -eq 1 ] ||
-        fail "the way on is not told once: $(cat "drain$start.log")"
+        fail "not one command to resume: $(cat "drain$start.log")"
 done
 [ $stops -ge 1 ] || fail "no time limit hit the run"
 for r in 1 2 3; do
@@ -81,11 +81,11 @@ mpirun -n 5 "$ideotype" run campaigns/cut.toml --out busy --resume \
     >busy.log 2>&1 || code=$?
 kill -CONT $holder
 [ $code -eq 0 ] || fail "a case of another job is no failure: $code $(cat busy.log)"
-grep -q "ames_0807_762x152_all_r2  passed over: $in_use: this history is in use by process $holder " \
+grep -q "ames_0807_762x152_all_r2  skipped: $in_use: this history is in use by process $holder " \
     busy.log || fail "$(cat busy.log)"
 grep -q "other programs work on 1 of 3 cases: ames_0807_762x152_all_r2" busy.log ||
     fail "$(cat busy.log)"
-! grep -q "go on with" busy.log || fail "nothing is left to do: $(cat busy.log)"
+! grep -q "resume with" busy.log || fail "a command to resume is printed, but no case is left: $(cat busy.log)"
 wait $holder || fail "the holder ended with $?: $(cat hold1.log)"
 for r in 1 2 3; do
     same_results "whole/cut/ames_0807_762x152_all_r$r.h5" \
@@ -99,7 +99,7 @@ code=0
 [ $code -eq 4 ] || fail "nothing to do must end with 4, not $code"
 grep -q "other programs work on 3 of 3 cases" all.log || fail "$(cat all.log)"
 
-# One history is deleted while it is written: its case fails, others go on.
+# One history is deleted while it is written: its case fails, others continue.
 mpirun -n 3 "$ideotype" run campaigns/cut.toml --out deleted >deleted.log 2>&1 &
 job=$!
 gone=deleted/cut/ames_0807_762x152_all_r2.h5
@@ -145,9 +145,9 @@ expect 0 "$ideotype" status grown
 says "2 cases: 2 finished"
 sed -i 's/^latitude = 50.0/latitude = 51.0/' campaigns/more.toml
 for command in "run --resume" "run --resume --case 0" "check --left"; do
-    read -r verb options <<<"$command"
+    read -r command options <<<"$command"
     # shellcheck disable=SC2086
-    expect 4 "$ideotype" $verb campaigns/more.toml --out grown $options
+    expect 4 "$ideotype" $command campaigns/more.toml --out grown $options
     says "grown/grid/boone_0807_762x152_all_r1.h5: the campaign has changed"
     says "  site.latitude was 50, is 51$"
 done

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # One machine without a launcher: the same bits on any number of threads, also
-# of several ranks; signals end a run in order with exit code 5, and what it
-# says goes on, typed as it is said.
+# of several ranks. Signals end a run in order with exit code 5, and the printed
+# command resumes it.
 . "$(dirname "$0")/common.sh"
 plain=(env)
 for name in "${!OMPI_@}" "${!PRTE_@}"; do plain+=(-u "$name"); done
@@ -36,11 +36,11 @@ for threads in 0 -1 2.5 two 4097; do
     says "--threads"
 done
 expect 2 taskset -c 0 "$ideotype" run campaigns/short.toml --out no --threads none
-says "'none' is no number of threads; give 1 to 4096, or auto, which is 1 here"
+says "'none' is not a number of threads; give 1 to 4096, or auto (1 here)"
 expect 2 "$ideotype" run campaigns/short.toml --out no --ranks auto
-says "^ideotype: --ranks is gone: .*--threads N$"
+says "^ideotype: --ranks was removed: .*--threads N$"
 expect 2 "$ideotype" run campaigns/short.toml --out no --rank 3
-says "^ideotype: --ranks is gone"
+says "^ideotype: --ranks was removed"
 expect 4 "$ideotype" run campaigns/short.toml --out whole --threads 3
 says "exists already"
 [ ! -e no ] || fail "something was begun: $(ls -R no)"
@@ -66,7 +66,7 @@ wait_for_job() {
     wait $reader
 }
 
-# One run is stopped by each signal, and goes on by the command that it tells.
+# One run is stopped by each signal, and resumes with the printed command.
 begun=("$ideotype" run campaigns/long.toml --out "on signals" --threads 2)
 go_on=("${begun[@]}")
 for signal in INT TERM USR1; do
@@ -79,7 +79,7 @@ for signal in INT TERM USR1; do
     [ "$line" = "  $ideotype run campaigns/long.toml --out 'on signals' --threads 2 --resume" ] ||
         fail "not how it was started: $(cat out.log)"
     "$ideotype" status "on signals" | grep -qxF -- "$line" ||
-        fail "status tells another way to go on: $("$ideotype" status "on signals")"
+        fail "status prints another command to resume: $("$ideotype" status "on signals")"
     eval "go_on=($line)"
 done
 
@@ -92,7 +92,7 @@ wait_for_job
 expect 0 "${go_on[@]}"
 same_results "$(history_of whole long)" "$(history_of "on signals" long)"
 
-# A time limit goes on while a job stands still, which is no late answer.
+# Time limits count while a job is suspended, but answers are not late then.
 start "$ideotype" run campaigns/long.toml --out timed --threads 2 --wall-time 1
 kill -STOP $job
 sleep 1

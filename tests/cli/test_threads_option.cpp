@@ -11,17 +11,17 @@
 namespace ideotype {
 namespace {
 
-TEST(Threads, AreAsManyAsCoresThatThisProcessMayUse) {
-    cpu_set_t all, one;
-    ASSERT_EQ(sched_getaffinity(0, sizeof all, &all), 0);
-    EXPECT_LE(available_cores(), CPU_COUNT(&all));
+TEST(Threads, DefaultToTheCoresThatThisProcessMayUse) {
+    cpu_set_t allowed, one;
+    ASSERT_EQ(sched_getaffinity(0, sizeof allowed, &allowed), 0);
+    EXPECT_LE(available_cores(), CPU_COUNT(&allowed));
     CPU_ZERO(&one);
     for (int core = 0; core < CPU_SETSIZE && CPU_COUNT(&one) == 0; ++core)
-        if (CPU_ISSET(core, &all)) CPU_SET(core, &one);
+        if (CPU_ISSET(core, &allowed)) CPU_SET(core, &one);
     ASSERT_EQ(sched_setaffinity(0, sizeof one, &one), 0);
     EXPECT_EQ(available_cores(), 1);
     EXPECT_EQ(parse_threads("auto"), 1);
-    sched_setaffinity(0, sizeof all, &all);
+    sched_setaffinity(0, sizeof allowed, &allowed);
 }
 
 TEST(Threads, AreAWholeNumber) {

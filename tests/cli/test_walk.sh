@@ -18,14 +18,14 @@ says "better_millet"
 grep -q '^name = "better_millet"' better_millet.toml || fail "no crop file"
 grep -q '^g sheath' better_millet.obj || fail "no sheaths"
 grep -q '^g stalk_ear' better_millet.obj || fail "no ear"
-# Traits that are bred are within their bounds, and the others keep their
+# Free traits are within their bounds, and the others keep their
 # values.
 expect 0 "$ideotype" export results/dryland/*.h5 --generations --to all.csv
 head -1 all.csv | tr , '\n' | grep -c '_insertion_angle_deg$' | grep -qx 3 ||
     fail "not an angle for each leaf"
 head -1 all.csv | grep -q ',width_profile_1,width_profile_2,width_profile_3,height$' ||
     fail "no profile in $(head -1 all.csv)"
-# A mistake in one's own file is told with its place.
+# An error in a user's file is reported with its position.
 sed 's/leaf.width/leaf.widht/' millet.toml >wrong.toml
 sed 's/millet.toml/wrong.toml/' dryland.toml >wrong_campaign.toml
 expect 3 "$ideotype" check wrong_campaign.toml

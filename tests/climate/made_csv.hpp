@@ -12,11 +12,11 @@
 
 namespace ideotype {
 
-//! A site whose clock shows solar time, but for the equation of time.
+//! A site with a clock on solar time, apart from the equation of time.
 inline const Site middle_west{"middle west", 42.0, -90.0, -6, 300};
 
-//! Rows of a table for a test to break: half of the light outside of the
-//! atmosphere at middle_west, hour by hour from a date.
+//! Rows of a weather table, to be modified by a test: half of the
+//! extraterrestrial light at middle_west, hour by hour from a date.
 class MadeCsv {
   public:
     //! @param stamp the time of each row after the beginning of its hour [h]
@@ -50,12 +50,12 @@ class MadeCsv {
     }
 
     std::string text() const {
-        std::string all = header;
-        for (const std::string& row : rows) all += "\n" + row;
-        return all + "\n";
+        std::string lines = header;
+        for (const std::string& row : rows) lines += "\n" + row;
+        return lines + "\n";
     }
 
-    //! Returns the line of a row, counted from 1.
+    //! Returns the line of a row in the file, from 1.
     static int line(std::size_t row) { return static_cast<int>(row) + 2; }
 
     std::string header = "time,ghi,t,rh";
@@ -65,7 +65,7 @@ class MadeCsv {
     Date first_;
 };
 
-//! Returns a request that reads a MadeCsv.
+//! Makes a request that reads a MadeCsv.
 inline WeatherRequest made_request() {
     ColumnMap columns;
     columns.time = {"time"};
@@ -78,9 +78,9 @@ inline WeatherRequest made_request() {
     return request;
 }
 
-//! Returns the message of the error that a text has, or "".
-inline std::string error_of(const std::string& text,
-                            const WeatherRequest& request) {
+//! Returns the error message of parsing a text, or "".
+inline std::string parse_error(const std::string& text,
+                               const WeatherRequest& request) {
     try {
         parse_weather(text, request);
     } catch (const InputError& error) {

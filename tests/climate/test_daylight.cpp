@@ -19,7 +19,7 @@ constexpr double minute = 1. / 60;
 
 // The hours and the angle at Ames were computed with pvlib 0.16 (NREL SPA,
 // without refraction).
-TEST(Daylight, HasSunriseNoonAndSunsetOnTheLocalClock) {
+TEST(Daylight, SunriseNoonAndSunsetAreOnTheLocalClock) {
     const Daylight day = daylight(ames, august);
     ASSERT_TRUE(day.sunrise && day.sunset);
     EXPECT_NEAR(*day.sunrise, 6.3206, minute);
@@ -28,7 +28,7 @@ TEST(Daylight, HasSunriseNoonAndSunsetOnTheLocalClock) {
     EXPECT_NEAR(day.elevation, 64.1878, 0.01);
 }
 
-TEST(Daylight, MovesWithTheClock) {
+TEST(Daylight, SunriseNoonAndSunsetMoveWithTheClock) {
     const Site winter_time{"Ames", 42.0, -93.6, -6.0};
     const Daylight summer = daylight(ames, august);
     const Daylight winter = daylight(winter_time, august);
@@ -46,14 +46,14 @@ TEST(Daylight, PolarDaysAndNightsHaveNoSunrise) {
     EXPECT_NEAR(day.elevation, 90 - 69.65 + 23.44, 0.02);
 }
 
-TEST(ClockAhead, IsTheOffsetLessFourMinutesPerDegree) {
+TEST(ClockAhead, LeadIsTheOffsetLessFourMinutesPerDegree) {
     EXPECT_NEAR(clock_ahead(ames), 1.24, 1e-12);
     EXPECT_NEAR(clock_ahead(tromso), 1 - 1.264, 1e-12);
-    // The place lies east of the date line in the time zone west of the line.
+    // Kiritimati lies east of the date line, in a time zone west of it.
     EXPECT_NEAR(clock_ahead({"Kiritimati", 1.87, -157.4, 14}), 0.49333, 1e-5);
 }
 
-TEST(ShareLeftOut, IsTheLightBeforeTheStartAndAfterTheEnd) {
+TEST(ShareLeftOut, ShareIsTheLightBeforeTheStartAndAfterTheEnd) {
     EXPECT_EQ(share_left_out(ames, {{august}, 0, 24, 60}), 0);
     EXPECT_EQ(share_left_out(ames, {{august}, 22, 24, 60}), 1);
     const double noon = daylight(ames, august).noon;

@@ -9,9 +9,9 @@
 namespace ideotype {
 namespace {
 
-// Values of equation 1 of Erbs et al. by hand; test_weather_formats.cpp has
-// those of pvlib.
-TEST(DiffuseFraction, IsThatOfErbs) {
+// Expected: equation 1 of Erbs et al. by hand; test_weather_formats.cpp has
+// values of pvlib.
+TEST(DiffuseFraction, FractionAgreesWithErbs) {
     const double normal = 1000 / std::cos(40 * degree);
     EXPECT_DOUBLE_EQ(diffuse_fraction(0, normal, 40), 1);
     EXPECT_NEAR(diffuse_fraction(100, normal, 40), 1 - .009, 1e-12);
@@ -21,10 +21,10 @@ TEST(DiffuseFraction, IsThatOfErbs) {
     EXPECT_NEAR(diffuse_fraction(3000, normal, 40), .165, 1e-12);
 }
 
-TEST(DiffuseFraction, HasNoBeamFromALowSun) {
+TEST(DiffuseFraction, LowSunHasNoBeam) {
     EXPECT_EQ(diffuse_fraction(20, 1361, 87.1), 1);
     EXPECT_EQ(diffuse_fraction(20, 1361, 120), 1);
-    // The equation takes a cosine of at least .065.
+    // The equation uses a cosine of at least 0.065.
     EXPECT_NEAR(diffuse_fraction(.1 * .065 * 1361, 1361, 86.9), 1 - .009,
                 1e-12);
 }

@@ -35,7 +35,7 @@ class ClearDayTotals : public testing::TestWithParam<DailyTotal> {};
 
 }  // namespace
 
-TEST_P(ClearDayTotals, AgreeWithTheReference) {
+TEST_P(ClearDayTotals, DailyTotalsAgreeWithTheReference) {
     const auto& [site, expected_outside, expected_par] = GetParam();
     const LightSeries day = clear_days(site, all_day(), par_fraction);
     double outside = 0;
@@ -60,15 +60,15 @@ INSTANTIATE_TEST_SUITE_P(
                     DailyTotal{{"PeaceRiver", 56.2, -117.3, -6}, 34.50, 10.9}),
     [](const auto& test_case) { return test_case.param.site.name; });
 
-// From pvlib 0.16.1, which is independent code with another position of the
-// sun: solarposition.get_solarposition() with its defaults (NREL's algorithm),
-// `zenith` without refraction; irradiance.get_extra_radiation(day of
-// the year by the local calendar, solar_constant=1361.1) (Spencer);
+// Expected values from pvlib 0.16.1, independent code with another solar
+// position: solarposition.get_solarposition() with its defaults (NREL's
+// algorithm), `zenith` without refraction; irradiance.get_extra_radiation(day
+// of the year by the local calendar, solar_constant=1361.1) (Spencer);
 // atmosphere.get_relative_airmass() with its defaults (Kasten and Young),
 // get_absolute_airmass() at alt2pres(elevation); clearsky.ineichen() with that
 // and our turbidity. Beam is dni cos(zenith), PAR 0.45 of both, summed over the
 // instants of the span with the sun above the horizon, the first and the last
-// with half of a step.
+// with half a step.
 struct PvlibDay {
     std::string name;
     Site site;
@@ -83,7 +83,7 @@ void PrintTo(const PvlibDay& day, std::ostream* out) {
 
 class PvlibDays : public testing::TestWithParam<PvlibDay> {};
 
-TEST_P(PvlibDays, AgreeToATenThousandth) {
+TEST_P(PvlibDays, DailyTotalsAgreeWithPvlibToATenThousandth) {
     const PvlibDay& expected = GetParam();
     const LightSeries day =
         clear_days(expected.site, expected.span, par_fraction);
@@ -127,7 +127,7 @@ INSTANTIATE_TEST_SUITE_P(
                  6.55184}),
     [](const auto& test_case) { return test_case.param.name; });
 
-TEST(ClearDay, HasOneInstantPerStepAndHalfWeightsAtTheEnds) {
+TEST(ClearDay, EndsOfTheDayHaveHalfWeight) {
     const LightSeries day =
         clear_days(ames, {{august}, 7, 20, 60}, par_fraction);
     ASSERT_EQ(day.steps.size(), 14u);
@@ -139,7 +139,7 @@ TEST(ClearDay, HasOneInstantPerStepAndHalfWeightsAtTheEnds) {
     EXPECT_EQ(day.steps.back().seconds, 1800);
 }
 
-TEST(ClearDay, WeighsEachInstantByItsTime) {
+TEST(ClearDay, TotalsWeightEachInstantByItsDuration) {
     const LightSeries day =
         clear_days(ames, {{august}, 7, 20, 60}, par_fraction);
     double beam = 0;
@@ -163,7 +163,7 @@ TEST(ClearDay, HourlyStepsAreCloseToTheIntegral) {
     EXPECT_NEAR(hourly / fine, 1, 0.003);
 }
 
-TEST(ClearDay, HoursBelowTheHorizonCarryNothing) {
+TEST(ClearDay, HoursBelowTheHorizonAreOmitted) {
     const LightSeries whole = clear_days(ames, all_day(60), par_fraction);
     const LightSeries daylight =
         clear_days(ames, {{august}, 5, 22, 60}, par_fraction);
@@ -178,7 +178,7 @@ TEST(ClearDay, HoursBelowTheHorizonCarryNothing) {
         clear_days(ames, {{august}, 0, 4, 30}, par_fraction).steps.empty());
 }
 
-TEST(ClearDay, IsEmptyInThePolarNightAndFullInThePolarDay) {
+TEST(ClearDay, PolarNightIsEmptyAndPolarDayIsFull) {
     const Site north{"north", 78.0, 15.0, 1.0};
     const LightSeries night =
         clear_days(north, {{{2025, 12, 21}}, 0, 24, 60}, par_fraction);
@@ -189,7 +189,7 @@ TEST(ClearDay, IsEmptyInThePolarNightAndFullInThePolarDay) {
     EXPECT_EQ(day.steps.size(), 25u);
 }
 
-TEST(ClearDay, IsPlausibleFromTheEquatorToThePoleAndOnALeapDay) {
+TEST(ClearDay, TotalsArePlausibleAtAllLatitudesAndOnALeapDay) {
     for (const double latitude : {-90.0, -66.6, -42.0, 0.0, 66.6, 90.0})
         for (const Date& date :
              {Date{2024, 2, 29}, {2025, 6, 21}, {2025, 12, 21}}) {
@@ -202,13 +202,13 @@ TEST(ClearDay, IsPlausibleFromTheEquatorToThePoleAndOnALeapDay) {
         }
 }
 
-TEST(ClearDay, SunrisesBetweenTwoStepsCostLessThanOnePercent) {
+TEST(ClearDay, SunriseBetweenStepsCostsLessThanOnePercent) {
     const LightSeries fine = clear_days(ames, all_day(1), par_fraction);
     const LightSeries hourly = clear_days(ames, all_day(60), par_fraction);
     EXPECT_NEAR(hourly.incident() / fine.incident(), 1, 0.01);
 }
 
-TEST(ClearDay, RefusesAStepThatDoesNotDivideTheSpan) {
+TEST(ClearDay, StepThatDoesNotDivideTheSpanIsRefused) {
     EXPECT_THROW(clear_days(ames, {{august}, 7, 20, 50}, par_fraction), Error);
     EXPECT_THROW(clear_days(ames, {{august}, 20, 7, 60}, par_fraction), Error);
     EXPECT_THROW(clear_days(ames, {{august}, 7, 20, 0}, par_fraction), Error);

@@ -39,7 +39,7 @@ LightSeries season(const std::string& unit, double par_fraction) {
 
 }  // namespace
 
-TEST(ParShare, SolvesItsEquation) {
+TEST(ParShare, ShareSolvesTheEquationOfAlados) {
     for (const double zenith : {0., 20., 45., 70., 84.})
         for (const double clearness : {.06, .1, .3, .5, .7, .8, .95}) {
             const double cosine = std::cos(zenith * degree);
@@ -50,20 +50,20 @@ TEST(ParShare, SolvesItsEquation) {
         }
 }
 
-TEST(ParShare, FallsAsTheSkyClears) {
-    const auto share_at = [](double par) { return par_share(par, 1361, 40); };
+TEST(ParShare, ShareFallsAsTheSkyClears) {
+    const auto share = [](double par) { return par_share(par, 1361, 40); };
     double before = 1;
     for (double par = 30; par < 430; par += 10) {
-        EXPECT_LT(share_at(par), before);
-        before = share_at(par);
+        EXPECT_LT(share(par), before);
+        before = share(par);
     }
     // The sky is clear, then half clear, then overcast.
-    EXPECT_NEAR(share_at(340), .43, .01);
-    EXPECT_NEAR(share_at(235), .445, .01);
-    EXPECT_NEAR(share_at(50), .51, .01);
+    EXPECT_NEAR(share(340), .43, .01);
+    EXPECT_NEAR(share(235), .445, .01);
+    EXPECT_NEAR(share(50), .51, .01);
 }
 
-TEST(ParShare, IsBoundedAtNightAndWithLowSun) {
+TEST(ParShare, ShareIsBoundedAtNightAndWithLowSun) {
     for (const double zenith : {0., 60., 86.9, 88., 90., 95., 120., 180.})
         for (const double par : {0., 1e-9, 1., 50., 400., 5000.}) {
             EXPECT_GT(par_share(par, 1361, zenith), .40);
@@ -72,7 +72,7 @@ TEST(ParShare, IsBoundedAtNightAndWithLowSun) {
     EXPECT_EQ(par_share(7, 1361, 89), par_share(7, 1361, 120));
 }
 
-TEST(NearInfrared, IsTheRestOfAClearSky) {
+TEST(NearInfrared, NearInfraredIsTheRestOfAClearSky) {
     const DaySpan span{{{2025, 6, 21}, {2025, 12, 21}}, 4, 20, 60};
     for (const TimeStep& step : clear_days(bondville, span, .48).steps) {
         const Irradiance solar = clear_sky(bondville, step.date, step.sun);
@@ -83,11 +83,11 @@ TEST(NearInfrared, IsTheRestOfAClearSky) {
     }
 }
 
-TEST(NearInfrared, IsTheRestOfSolarRadiation) {
+TEST(NearInfrared, NearInfraredIsTheRestOfSolarRadiation) {
     const MadeCsv made;
     const LightSeries series =
         parse_weather(made.text(), made_request()).series;
-    double most = 0;
+    double largest = 0;
     for (std::size_t i = 0; i < 24; ++i) {
         const TimeStep& step = series.steps[i];
         const double global = made.global(static_cast<int>(i));
@@ -96,17 +96,17 @@ TEST(NearInfrared, IsTheRestOfSolarRadiation) {
         EXPECT_NEAR(sum(step.nir), .55 * global, 1e-6);
         EXPECT_DOUBLE_EQ(step.nir.beam * step.par.diffuse,
                          step.nir.diffuse * step.par.beam);
-        most = std::max(most, sum(step.nir));
+        largest = std::max(largest, sum(step.nir));
     }
-    EXPECT_GT(most, 300);
+    EXPECT_GT(largest, 300);
 }
 
-TEST(NearInfrared, FollowsFromPhotons) {
+TEST(NearInfrared, NearInfraredFollowsFromPhotons) {
     double par = 0, solar = 0;
     for (const TimeStep& step : season("umol/m2/s", .45).steps) {
-        const double all = sum(step.par) + sum(step.nir);
+        const double global = sum(step.par) + sum(step.nir);
         par += sum(step.par);
-        solar += all;
+        solar += global;
         EXPECT_GE(step.nir.beam, 0);
         EXPECT_DOUBLE_EQ(step.nir.beam * step.par.diffuse,
                          step.nir.diffuse * step.par.beam);
@@ -115,31 +115,30 @@ TEST(NearInfrared, FollowsFromPhotons) {
         }
         const double cosine = std::cos(step.sun.zenith * degree);
         const double clearness =
-            all / (extraterrestrial_normal(step.date) * cosine);
+            global / (extraterrestrial_normal(step.date) * cosine);
         if (cosine < .065 || clearness < .05 || clearness > 1) continue;
         EXPECT_NEAR(sum(step.par) * mol_per_mj_par,
-                    photons_per_joule(clearness, cosine) * all, 1e-9);
+                    photons_per_joule(clearness, cosine) * global, 1e-9);
     }
     // Measured ratios are about 1.97 on clear and 2.10 on overcast days.
     EXPECT_NEAR(par * mol_per_mj_par / solar, 2.0, .02);
 }
 
-TEST(NearInfrared, LeavesParAsItWas) {
-    // The program printed these values of noon on 21 July before it had near
-    // infrared.
+TEST(NearInfrared, ParDoesNotDependOnNearInfrared) {
+    // Reference bits: noon of 21 July, computed without near infrared.
     const TimeStep noon = season("umol/m2/s", .45).steps.at(12);
     EXPECT_EQ(noon.par.beam, 0x1.2357f28e48d29p+8);
     EXPECT_EQ(noon.par.diffuse, 0x1.889cd959115d8p+6);
-    // The share of solar radiation that a campaign takes does not matter.
+    // The par_fraction of a campaign has no effect on light in photons.
     const TimeStep other = season("umol/m2/s", .5).steps.at(12);
     EXPECT_DOUBLE_EQ(other.par.beam, noon.par.beam);
     EXPECT_NEAR(other.nir.beam, noon.nir.beam, 1e-9);
     EXPECT_NEAR(other.nir.diffuse, noon.nir.diffuse, 1e-9);
 }
 
-TEST(NearInfrared, TakesTheUnitOfGlobalLight) {
-    // Diffuse light in photons beside global solar radiation does not change
-    // the sum.
+TEST(NearInfrared, DiffuseLightMayHaveAnotherUnitThanGlobalLight) {
+    // Diffuse light in photons does not change the sum if global light is solar
+    // radiation.
     MadeCsv made;
     made.header += ",sky";
     for (std::string& row : made.rows) row += ",0";

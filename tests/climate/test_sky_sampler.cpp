@@ -20,18 +20,18 @@ namespace {
 
 using std::numbers::pi;
 
-SkyRadiance clear_sky_with(double zenith, double azimuth = 200) {
+SkyRadiance make_clear_sky(double zenith, double azimuth = 200) {
     return {SkyModel::clear, {zenith, azimuth}};
 }
 
 std::vector<SkyRadiance> skies() {
     return {{SkyModel::uniform, {}}, {SkyModel::overcast, {}},
-            clear_sky_with(0),       clear_sky_with(1),
-            clear_sky_with(26.2),    clear_sky_with(60),
-            clear_sky_with(86.4),    clear_sky_with(90)};
+            make_clear_sky(0),       make_clear_sky(1),
+            make_clear_sky(26.2),    make_clear_sky(60),
+            make_clear_sky(86.4),    make_clear_sky(90)};
 }
 
-std::string name_of(const SkyRadiance& sky) {
+std::string describe(const SkyRadiance& sky) {
     if (sky.model == SkyModel::uniform) return "uniform";
     if (sky.model == SkyModel::overcast) return "overcast";
     return "clear, sun at " + std::to_string(sky.sun.zenith);
@@ -39,8 +39,8 @@ std::string name_of(const SkyRadiance& sky) {
 
 constexpr std::size_t rings = 20, sectors = 40;
 
-//! Bins of equal extent in zenith angle and azimuth.
-std::size_t bin_of(const glm::dvec3& travel) {
+//! Finds the bin of a direction; bins are equal in zenith angle and azimuth.
+std::size_t find_bin(const glm::dvec3& travel) {
     const double turn = (std::atan2(travel.y, travel.x) + pi) / (2 * pi);
     const auto index = [](double x, std::size_t count) {
         return std::min(
@@ -72,7 +72,7 @@ SkyIntegrals integrate(const SkyRadiance& sky, std::size_t fineness) {
             const glm::dvec3 d{s * std::cos(azimuth), s * std::sin(azimuth),
                                -z};
             const double part = relative_radiance(sky, d) * z * s * dz * da;
-            sum.bins[bin_of(d)] += part;
+            sum.bins[find_bin(d)] += part;
             sum.irradiance += part;
             sum.cosine += part * z;
             sum.travel += part * d;
@@ -98,24 +98,25 @@ double compare(const SkyRadiance& sampled, const SkyRadiance& hypothesis,
     constexpr int count = 400000;
     const SkySampler sampler(sampled);
     RandomStream random(2025, Purpose::scramble, 0, slot);
-    std::vector<double> found(rings * sectors);
+    std::vector<double> counts(rings * sectors);
     for (int i = 0; i < count; ++i) {
         const double u = random.uniform();
-        found[bin_of(sampler.sample(u, random.uniform()))] += 1;
+        counts[find_bin(sampler.sample(u, random.uniform()))] += 1;
     }
     const SkyIntegrals sky = integrate(hypothesis, 10);
     double chi_square = 0;
-    for (std::size_t b = 0; b < found.size(); ++b) {
+    for (std::size_t b = 0; b < counts.size(); ++b) {
         const double expected = count * sky.bins[b] / sky.irradiance;
         EXPECT_GT(expected, 5) << "too few directions in a bin";
-        chi_square += (found[b] - expected) * (found[b] - expected) / expected;
+        chi_square +=
+            (counts[b] - expected) * (counts[b] - expected) / expected;
     }
-    return p_value(chi_square, static_cast<double>(found.size() - 1));
+    return p_value(chi_square, static_cast<double>(counts.size() - 1));
 }
 
 }  // namespace
 
-TEST(RelativeRadiance, FollowsTheStandards) {
+TEST(RelativeRadiance, RadianceFollowsTheStandards) {
     const glm::dvec3 zenith{0, 0, -1}, horizon{1, 0, 0};
     const glm::dvec3 half{std::sqrt(.75), 0, -.5};
     EXPECT_EQ(relative_radiance({SkyModel::uniform, {}}, half), 1);
@@ -124,32 +125,32 @@ TEST(RelativeRadiance, FollowsTheStandards) {
                      1. / 3);
     // Light comes from the west at 60 deg from the zenith; the sun stands
     // there, then in the zenith.
-    EXPECT_NEAR(relative_radiance(clear_sky_with(60, 270), half),
+    EXPECT_NEAR(relative_radiance(make_clear_sky(60, 270), half),
                 11.36 * (1 - std::exp(-.64)), 1e-6);
-    EXPECT_NEAR(relative_radiance(clear_sky_with(0), half),
+    EXPECT_NEAR(relative_radiance(make_clear_sky(0), half),
                 (.91 + 10 * std::exp(-pi) + .45 / 4) * (1 - std::exp(-.64)),
                 1e-12);
     for (const SkyRadiance& sky : skies())
         EXPECT_EQ(relative_radiance(sky, {0, 0, 1}), 0);
 }
 
-TEST(SkySampler, KnowsTheIrradianceOfItsSky) {
+TEST(SkySampler, HorizontalIrradianceAgreesWithIntegration) {
     EXPECT_DOUBLE_EQ(SkySampler(skies()[0]).horizontal_irradiance(), pi);
     EXPECT_DOUBLE_EQ(SkySampler(skies()[1]).horizontal_irradiance(),
                      7 * pi / 9);
     for (const SkyRadiance& sky : skies()) {
         const double integral = integrate(sky, 20).irradiance;
         EXPECT_NEAR(SkySampler(sky).horizontal_irradiance() / integral, 1, 2e-5)
-            << name_of(sky);
+            << describe(sky);
     }
-    // The expected value is that of a finer run of the same scheme.
-    EXPECT_NEAR(SkySampler(clear_sky_with(50)).horizontal_irradiance(),
+    // Expected: a finer discretisation of the same scheme.
+    EXPECT_NEAR(SkySampler(make_clear_sky(50)).horizontal_irradiance(),
                 2.702100010077, 1e-10);
 }
 
 TEST(SkySampler, DensityIsRadianceTimesCosineEverywhere) {
-    // Seen from above, the map of the unit square has the inverse density of
-    // directions, which share the factor cos z.
+    // In horizontal projection the map of the unit square has the inverse
+    // density of directions, which share the factor cos z.
     for (const SkyRadiance& sky : skies()) {
         const bool is_clear = sky.model == SkyModel::clear;
         const SkySampler sampler(sky);
@@ -171,71 +172,71 @@ TEST(SkySampler, DensityIsRadianceTimesCosineEverywhere) {
             const double error =
                 std::abs(area * radiance / sampler.horizontal_irradiance() - 1);
             EXPECT_LT(error, is_clear ? 1e-4 : 1e-7)
-                << name_of(sky) << " at " << u << ", " << v;
+                << describe(sky) << " at " << u << ", " << v;
             mean_error += error / (n * n);
         }
-        EXPECT_LT(mean_error, is_clear ? 1e-6 : 1e-8) << name_of(sky);
+        EXPECT_LT(mean_error, is_clear ? 1e-6 : 1e-8) << describe(sky);
     }
 }
 
 TEST(SkySampler, RandomDirectionsPassTheChiSquareTest) {
-    const std::vector<SkyRadiance> all = skies();
-    for (std::uint32_t i = 0; i < all.size(); ++i)
-        EXPECT_GT(compare(all[i], all[i], i),
-                  0.01 / static_cast<double>(all.size()))
-            << name_of(all[i]);
+    const std::vector<SkyRadiance> sampled = skies();
+    for (std::uint32_t i = 0; i < sampled.size(); ++i)
+        EXPECT_GT(compare(sampled[i], sampled[i], i),
+                  0.01 / static_cast<double>(sampled.size()))
+            << describe(sampled[i]);
 }
 
-TEST(SkySampler, TheChiSquareTestTellsSkiesApart) {
-    const std::vector<SkyRadiance> all = skies();
-    EXPECT_LT(compare(all[0], all[1], 0), 1e-6);
-    EXPECT_LT(compare(all[1], all[0], 0), 1e-6);
-    EXPECT_LT(compare(clear_sky_with(60, 200), clear_sky_with(60, 202), 0),
+TEST(SkySampler, ChiSquareTestDistinguishesSkies) {
+    const std::vector<SkyRadiance> sampled = skies();
+    EXPECT_LT(compare(sampled[0], sampled[1], 0), 1e-6);
+    EXPECT_LT(compare(sampled[1], sampled[0], 0), 1e-6);
+    EXPECT_LT(compare(make_clear_sky(60, 200), make_clear_sky(60, 202), 0),
               1e-6);
-    EXPECT_LT(compare(clear_sky_with(60), clear_sky_with(62), 0), 1e-6);
+    EXPECT_LT(compare(make_clear_sky(60), make_clear_sky(62), 0), 1e-6);
 }
 
-TEST(SkySampler, EvenPointsGiveTheMeanOfTheSky) {
-    constexpr int m = 1024, n = 128, all = m * n;
+TEST(SkySampler, EvenPointsReproduceTheMeanOfTheSky) {
+    constexpr int m = 1024, n = 128, points = m * n;
     for (const SkyRadiance& sky : skies()) {
         const SkySampler sampler(sky);
         const SkyIntegrals expected = integrate(sky, 20);
         glm::dvec3 mean(0);
-        for (int i = 0; i < all; ++i) {
+        for (int i = 0; i < points; ++i) {
             const glm::dvec3 d =
                 sampler.sample((i / n + .5) / m, (i % n + .5) / n);
             EXPECT_NEAR(std::hypot(d.x, d.y, d.z), 1, 1e-14);
-            mean += d / (1. * all);
+            mean += d / (1. * points);
         }
-        EXPECT_NEAR(mean.x, expected.travel.x, 1e-4) << name_of(sky);
-        EXPECT_NEAR(mean.y, expected.travel.y, 1e-4) << name_of(sky);
-        EXPECT_NEAR(-mean.z, expected.cosine, 1e-4) << name_of(sky);
+        EXPECT_NEAR(mean.x, expected.travel.x, 1e-4) << describe(sky);
+        EXPECT_NEAR(mean.y, expected.travel.y, 1e-4) << describe(sky);
+        EXPECT_NEAR(-mean.z, expected.cosine, 1e-4) << describe(sky);
     }
     EXPECT_NEAR(integrate({SkyModel::uniform, {}}, 20).cosine, 2. / 3, 1e-5);
     EXPECT_NEAR(integrate({SkyModel::overcast, {}}, 20).cosine, 5. / 7, 1e-5);
 }
 
 TEST(SkySampler, LightNeverTravelsUpwards) {
-    std::vector<SkyRadiance> all = skies();
+    std::vector<SkyRadiance> sampled = skies();
     for (const double zenith : {1e-9, 45., 89.999999, 90 - 1e-13})
-        all.push_back(clear_sky_with(zenith));
+        sampled.push_back(make_clear_sky(zenith));
     const double last = 1 - 0x1p-53;
-    for (const SkyRadiance& sky : all) {
+    for (const SkyRadiance& sky : sampled) {
         const SkySampler sampler(sky);
         for (const double u : {0., 0x1p-53, 0x1p-32, .3, .5, 1 - 0x1p-32, last})
             for (const double v : {0., 0x1p-32, .25, .5, .75, last}) {
                 const glm::dvec3 d = sampler.sample(u, v);
                 EXPECT_NEAR(std::hypot(d.x, d.y, d.z), 1, 1e-7)
-                    << name_of(sky) << " at " << u << ", " << v;
-                EXPECT_LE(d.z, 0) << name_of(sky) << " at " << u << ", " << v;
+                    << describe(sky) << " at " << u << ", " << v;
+                EXPECT_LE(d.z, 0) << describe(sky) << " at " << u << ", " << v;
             }
     }
 }
 
-TEST(SkySampler, RefusesAClearSkyWithoutASun) {
-    EXPECT_THROW(SkySampler(clear_sky_with(90.01)), Error);
-    EXPECT_THROW(SkySampler(clear_sky_with(-1)), Error);
-    EXPECT_THROW(SkySampler(clear_sky_with(std::nan(""))), Error);
+TEST(SkySampler, ClearSkyWithoutSunIsRefused) {
+    EXPECT_THROW(SkySampler(make_clear_sky(90.01)), Error);
+    EXPECT_THROW(SkySampler(make_clear_sky(-1)), Error);
+    EXPECT_THROW(SkySampler(make_clear_sky(std::nan(""))), Error);
 }
 
 }  // namespace ideotype

@@ -14,13 +14,13 @@ constexpr double tolerance = 0.01;  //!< [deg]
 
 const Site ames{"Ames", 42.0, -93.6, -5.0};
 
-Site at_latitude(double latitude) {
+Site make_site_at(double latitude) {
     return {"somewhere", latitude, 0.0, 0.0};
 }
 
 }  // namespace
 
-TEST(SunPosition, AgreesWithTheTestCaseOfNrelSpa) {
+TEST(SunPosition, PositionAgreesWithTheTestCaseOfNrelSpa) {
     const Site golden{"Golden", 39.742476, -105.1786, -7.0, 1830.14};
     const SunPosition sun =
         sun_position(golden, {2003, 10, 17}, 12 + 30.5 / 60);
@@ -28,7 +28,7 @@ TEST(SunPosition, AgreesWithTheTestCaseOfNrelSpa) {
     EXPECT_NEAR(sun.azimuth, 194.34024, tolerance);
 }
 
-TEST(SunPosition, AgreesWithSpaOverADayAtAmes) {
+TEST(SunPosition, PositionAgreesWithSpaOverADayAtAmes) {
     const SunPosition hourly[] = {
         {82.8404, 74.5338},  {71.9049, 84.1497},  {60.7795, 94.1569},
         {49.8158, 105.5619}, {39.5468, 120.0196}, {31.0020, 140.2981},
@@ -44,7 +44,7 @@ TEST(SunPosition, AgreesWithSpaOverADayAtAmes) {
     }
 }
 
-TEST(SunPosition, DependsOnTheInstantAndNotOnHowItIsWritten) {
+TEST(SunPosition, PositionDependsOnlyOnTheInstant) {
     const SunPosition evening = sun_position(ames, {2025, 8, 7}, 26.5);
     const SunPosition next_day = sun_position(ames, {2025, 8, 8}, 2.5);
     EXPECT_NEAR(evening.zenith, next_day.zenith, 1e-9);
@@ -59,13 +59,13 @@ TEST(SunPosition, DependsOnTheInstantAndNotOnHowItIsWritten) {
     EXPECT_NEAR(universal.azimuth, local.azimuth, 1e-9);
 }
 
-TEST(SunPosition, IsFiniteAtEveryLatitudeAndHour) {
+TEST(SunPosition, PositionIsFiniteAtEveryLatitudeAndHour) {
     for (const double latitude : {-90.0, -66.6, -23.4, 0.0, 42.0, 66.6, 90.0})
         for (const Date& date :
              {Date{2024, 2, 29}, {2025, 3, 20}, {2025, 6, 21}, {2025, 12, 21}})
             for (double hour = 0; hour <= 24; hour += 0.25) {
                 const SunPosition sun =
-                    sun_position(at_latitude(latitude), date, hour);
+                    sun_position(make_site_at(latitude), date, hour);
                 ASSERT_GE(sun.zenith, 0) << latitude << " " << hour;
                 ASSERT_LE(sun.zenith, 180) << latitude << " " << hour;
                 ASSERT_GE(sun.azimuth, 0) << latitude << " " << hour;
@@ -73,40 +73,42 @@ TEST(SunPosition, IsFiniteAtEveryLatitudeAndHour) {
             }
 }
 
-TEST(SunPosition, PassesOverheadAtTheEquatorOnTheEquinox) {
+TEST(SunPosition, SunPassesOverheadAtTheEquatorOnTheEquinox) {
     // The declination crosses zero at 09:01 UTC; the equation of time is
     // -7.4 minutes.
     const double noon = 12 + 7.4 / 60;
-    const SunPosition sun = sun_position(at_latitude(0), {2025, 3, 20}, noon);
+    const SunPosition sun = sun_position(make_site_at(0), {2025, 3, 20}, noon);
     EXPECT_LT(sun.zenith, 0.1);
-    EXPECT_NEAR(sun_position(at_latitude(0), {2025, 3, 20}, noon - 3).azimuth,
+    EXPECT_NEAR(sun_position(make_site_at(0), {2025, 3, 20}, noon - 3).azimuth,
                 90, 0.2);
-    EXPECT_NEAR(sun_position(at_latitude(0), {2025, 3, 20}, noon + 3).azimuth,
+    EXPECT_NEAR(sun_position(make_site_at(0), {2025, 3, 20}, noon + 3).azimuth,
                 270, 0.2);
 }
 
-TEST(SunPosition, StaysLevelAtThePole) {
-    const SunPosition morning = sun_position(at_latitude(90), {2025, 6, 21}, 0);
+TEST(SunPosition, SunStaysLevelAtThePole) {
+    const SunPosition morning =
+        sun_position(make_site_at(90), {2025, 6, 21}, 0);
     const SunPosition evening =
-        sun_position(at_latitude(90), {2025, 6, 21}, 18);
+        sun_position(make_site_at(90), {2025, 6, 21}, 18);
     EXPECT_NEAR(morning.zenith, 90 - 23.436, tolerance);
     EXPECT_NEAR(evening.zenith, morning.zenith, tolerance);
 }
 
-TEST(SunPosition, NeverSetsBeyondThePolarCircleInMidsummer) {
-    EXPECT_LT(sun_position(at_latitude(66.6), {2025, 6, 21}, 0).zenith, 90);
-    EXPECT_GT(sun_position(at_latitude(66.6), {2025, 12, 21}, 12).zenith, 90);
+TEST(SunPosition, SunNeverSetsBeyondThePolarCircleInMidsummer) {
+    EXPECT_LT(sun_position(make_site_at(66.6), {2025, 6, 21}, 0).zenith, 90);
+    EXPECT_GT(sun_position(make_site_at(66.6), {2025, 12, 21}, 12).zenith, 90);
 }
 
-TEST(SunPosition, StandsInTheNorthAtNoonInTheSouth) {
+TEST(SunPosition, SunStandsInTheNorthAtNoonInTheSouthernHemisphere) {
     const double noon = 12 + 1.8 / 60;  // the equation of time on this day
-    const SunPosition sun = sun_position(at_latitude(-35), {2025, 6, 21}, noon);
+    const SunPosition sun =
+        sun_position(make_site_at(-35), {2025, 6, 21}, noon);
     EXPECT_NEAR(std::remainder(sun.azimuth, 360), 0, 0.1);
     EXPECT_NEAR(sun.zenith, 35 + 23.436, tolerance);
 }
 
-TEST(SunPosition, CountsTheLeapDay) {
-    const Site site = at_latitude(42);
+TEST(SunPosition, LeapDayIsCounted) {
+    const Site site = make_site_at(42);
     const double before = sun_position(site, {2024, 2, 28}, 12).zenith;
     const double leap_day = sun_position(site, {2024, 2, 29}, 12).zenith;
     const double after = sun_position(site, {2024, 3, 1}, 12).zenith;
@@ -115,7 +117,7 @@ TEST(SunPosition, CountsTheLeapDay) {
     EXPECT_NEAR(sun_position(site, {2024, 2, 29}, 36).zenith, after, 1e-9);
 }
 
-TEST(BeamDirection, TravelsAwayFromTheSun) {
+TEST(BeamDirection, LightTravelsAwayFromTheSun) {
     const glm::dvec3 down = beam_direction({0, 123});
     EXPECT_NEAR(down.x, 0, 1e-15);
     EXPECT_NEAR(down.y, 0, 1e-15);

@@ -18,35 +18,35 @@ using ::testing::HasSubstr;
 
 const Site greensboro{"greensboro", 36.1, -79.95, -5, 273};
 
-//! The numbers that pvlib reads and computes, by data/weather/make.py.
+//! Values that pvlib reads and computes, by data/weather/make.py.
 struct Expected {
     Date date;
     double hour, zenith, azimuth, ghi, dni, dhi, erbs_dhi, temperature,
         humidity;
 };
 
-std::vector<Expected> expected() {
+std::vector<Expected> read_expected() {
     std::ifstream file(IDEOTYPE_TEST_DATA "/weather/expected.csv");
     std::string line;
     std::getline(file, line);
-    std::vector<Expected> all;
+    std::vector<Expected> rows;
     while (std::getline(file, line)) {
         std::replace(line.begin(), line.end(), ',', ' ');
         std::replace(line.begin(), line.begin() + 10, '-', ' ');
         std::istringstream text(line);
-        Expected& e = all.emplace_back();
+        Expected& e = rows.emplace_back();
         text >> e.date.year >> e.date.month >> e.date.day >> e.hour >>
             e.zenith >> e.azimuth >> e.ghi >> e.dni >> e.dhi >> e.erbs_dhi >>
             e.temperature >> e.humidity;
     }
-    return all;
+    return rows;
 }
 
-//! Returns the days in the form that `ideotype weather` writes.
-std::string table_of(const std::vector<Expected>& all, bool has_parts) {
+//! Writes the days as `ideotype weather` does.
+std::string make_table(const std::vector<Expected>& rows, bool has_parts) {
     std::string text = "time,global,temperature,humidity";
     if (has_parts) text += ",beam_normal,diffuse";
-    for (const Expected& e : all) {
+    for (const Expected& e : rows) {
         text += fmt::format("\n{}T{:02}:30:00-05:00,{},{},{}",
                             to_string(e.date), static_cast<int>(e.hour), e.ghi,
                             e.temperature, e.humidity);
@@ -57,19 +57,19 @@ std::string table_of(const std::vector<Expected>& all, bool has_parts) {
 
 class WeatherLight : public ::testing::TestWithParam<bool> {};
 
-TEST_P(WeatherLight, IsWhatPvlibComputes) {
-    const std::vector<Expected> all = expected();
-    ASSERT_EQ(all.size(), 120U);
+TEST_P(WeatherLight, LightAgreesWithPvlib) {
+    const std::vector<Expected> rows = read_expected();
+    ASSERT_EQ(rows.size(), 120U);
     const Weather weather =
-        parse_weather(table_of(all, GetParam()), {"five.csv", greensboro});
+        parse_weather(make_table(rows, GetParam()), {"five.csv", greensboro});
     EXPECT_TRUE(weather.warnings.empty())
         << to_string(weather.warnings.front());
     EXPECT_EQ(weather.series.utc_offset, -5);
-    ASSERT_EQ(weather.series.steps.size(), all.size());
+    ASSERT_EQ(weather.series.steps.size(), rows.size());
     EXPECT_EQ(weather.series.days, 5);
-    for (std::size_t i = 0; i < all.size(); ++i) {
+    for (std::size_t i = 0; i < rows.size(); ++i) {
         const TimeStep& step = weather.series.steps[i];
-        const Expected& e = all[i];
+        const Expected& e = rows[i];
         EXPECT_EQ(step.date, e.date);
         EXPECT_EQ(step.hour, e.hour);
         EXPECT_EQ(step.seconds, 3600);
@@ -99,17 +99,17 @@ TEST_P(WeatherLight, IsWhatPvlibComputes) {
 
 INSTANTIATE_TEST_SUITE_P(WithParts, WeatherLight, ::testing::Bool());
 
-TEST(Weather, PeriodIsChosenFromAFile) {
+TEST(Weather, PeriodIsSelectedFromAFile) {
     WeatherRequest request{"five.csv", greensboro};
     request.period = Period{{1981, 7, 2}, {1981, 7, 3}};
     const LightSeries series =
-        parse_weather(table_of(expected(), true), request).series;
+        parse_weather(make_table(read_expected(), true), request).series;
     EXPECT_EQ(series.steps.size(), 48U);
     EXPECT_EQ(series.steps.front().date.day, 2);
     EXPECT_EQ(series.steps.back().hour, 23.5);
 }
 
-TEST(Weather, DaysOfALeapYearMayBeLeftOut) {
+TEST(Weather, LeapDayMayBeMissing) {
     MadeCsv made(4, {2024, 2, 26});
     made.rows.resize(24 * 3);
     const MadeCsv march(2, {2024, 3, 1});
@@ -121,7 +121,7 @@ TEST(Weather, DaysOfALeapYearMayBeLeftOut) {
                 HasSubstr("29 February is not in the file"));
 }
 
-TEST(Weather, SeasonOfBondvilleHasItsLight) {
+TEST(Weather, SeasonOfBondvilleHasItsMeasuredLight) {
     WeatherRequest request{"bondville.csv",
                            {"bondville", 40.05, -88.37, -6, 213}};
     ColumnMap& columns = request.columns;

@@ -10,18 +10,18 @@ namespace {
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-TEST(WeatherPlace, AnotherLongitudeIsAnError) {
+TEST(WeatherPlace, WrongLongitudeIsAnError) {
     WeatherRequest request = made_request();
     request.site.longitude = -105;
-    EXPECT_THAT(error_of(MadeCsv().text(), request),
+    EXPECT_THAT(parse_error(MadeCsv().text(), request),
                 HasSubstr("the light comes 1 h earlier than the sun of the "
                           "site"));
     // No part of an hour is 1 h from its middle.
-    EXPECT_THAT(error_of(MadeCsv().text(), request),
+    EXPECT_THAT(parse_error(MadeCsv().text(), request),
                 HasSubstr("; check the place, the clock, and the part of a "
-                          "step that the times of the file are (stamp)"));
+                          "step that the times of the file mark (stamp)"));
     request.site.longitude = -75;
-    EXPECT_THAT(error_of(MadeCsv().text(), request),
+    EXPECT_THAT(parse_error(MadeCsv().text(), request),
                 HasSubstr("the light comes 1 h later"));
     // A difference of half an hour may come from the weather.
     request.site.longitude = -82.5;
@@ -30,7 +30,7 @@ TEST(WeatherPlace, AnotherLongitudeIsAnError) {
     EXPECT_THAT(warnings[0].what, HasSubstr("0.5 h later"));
 }
 
-TEST(WeatherPlace, AWrongStampIsAnError) {
+TEST(WeatherPlace, WrongStampIsAnError) {
     WeatherRequest request = made_request();
     request.columns.stamp = Stamp::end;
     // A difference of half an hour may come from the weather.
@@ -40,29 +40,30 @@ TEST(WeatherPlace, AWrongStampIsAnError) {
     EXPECT_THAT(warnings[0].what, HasSubstr("; set stamp = \"middle\" if "));
     // Ends of hours are taken for beginnings.
     request.columns.stamp = Stamp::beginning;
-    EXPECT_THAT(error_of(MadeCsv(12, {2011, 7, 1}, 1).text(), request),
+    EXPECT_THAT(parse_error(MadeCsv(12, {2011, 7, 1}, 1).text(), request),
                 AllOf(HasSubstr("1 h later"), HasSubstr("stamp = \"end\"")));
 }
 
-TEST(WeatherPlace, FewDaysAreNoProof) {
+TEST(WeatherPlace, ShortPeriodsAreCheckedLessStrictly) {
     WeatherRequest request = made_request();
     request.site.longitude = -105;
     const auto warnings = parse_weather(MadeCsv(3).text(), request).warnings;
     ASSERT_EQ(warnings.size(), 1U);
     request.site.longitude = -125;
-    EXPECT_THAT(error_of(MadeCsv(3).text(), request), HasSubstr("h earlier"));
+    EXPECT_THAT(parse_error(MadeCsv(3).text(), request),
+                HasSubstr("h earlier"));
 }
 
-TEST(WeatherPlace, TheOtherHemisphereIsTooDark) {
+TEST(WeatherPlace, OtherHemisphereIsTooDark) {
     WeatherRequest request = made_request();
     request.site.latitude = -50;
-    EXPECT_THAT(error_of(MadeCsv().text(), request),
-                HasSubstr("more light than the sun of the site outside the "
-                          "atmosphere"));
+    EXPECT_THAT(parse_error(MadeCsv().text(), request),
+                HasSubstr("more light than arrives outside the atmosphere "
+                          "at this site"));
 }
 
-//! Returns the sky of all days with a fraction of the extraterrestrial light.
-Weather with_clearness(double clearness, int days) {
+//! Parses days that all have a fraction of the extraterrestrial light.
+Weather parse_with_clearness(double clearness, int days) {
     MadeCsv made(days);
     for (std::size_t i = 0; i < made.rows.size(); ++i)
         made.rows[i] = fmt::format(
@@ -82,45 +83,45 @@ TEST(WeatherPlace, LightInAWrongUnitIsAnErrorInBothDirections) {
     request.columns.global->unit = "MJ/m2";
     EXPECT_TRUE(parse_weather(made.text(), request).warnings.empty());
     EXPECT_THAT(
-        error_of(made.text(), made_request()),
+        parse_error(made.text(), made_request()),
         HasSubstr("the brightest of 12 days has 0.0018 of the "
                   "light outside the atmosphere (clouds transmit 0.02 or "
                   "more); check the unit"));
     request.columns.global->unit = "kWh/m2";
-    EXPECT_THAT(error_of(made.text(), request), HasSubstr("check the unit"));
-    EXPECT_THAT(error_of(MadeCsv().text(), request),
+    EXPECT_THAT(parse_error(made.text(), request), HasSubstr("check the unit"));
+    EXPECT_THAT(parse_error(MadeCsv().text(), request),
                 HasSubstr("check the unit"));
 }
 
-TEST(WeatherPlace, DaysDarkerThanAnywhereAreDoubted) {
+TEST(WeatherPlace, ImplausiblyDarkPeriodsCauseAWarning) {
     // One day may be as dark as any, but not a month.
-    EXPECT_TRUE(with_clearness(.06, 1).warnings.empty());
-    EXPECT_TRUE(with_clearness(.2, 10).warnings.empty());
-    EXPECT_TRUE(with_clearness(.45, 31).warnings.empty());
+    EXPECT_TRUE(parse_with_clearness(.06, 1).warnings.empty());
+    EXPECT_TRUE(parse_with_clearness(.2, 10).warnings.empty());
+    EXPECT_TRUE(parse_with_clearness(.45, 31).warnings.empty());
     for (const auto& [clearness, days] :
          {std::pair(.03, 1), std::pair(.12, 10), std::pair(.30, 31)}) {
-        const auto warnings = with_clearness(clearness, days).warnings;
+        const auto warnings = parse_with_clearness(clearness, days).warnings;
         ASSERT_EQ(warnings.size(), 1U) << clearness;
         EXPECT_THAT(warnings[0].what,
                     HasSubstr("(even the darkest climates have brighter "
                               "days); check the unit"));
     }
-    EXPECT_THROW(with_clearness(.01, 1), InputError);
+    EXPECT_THROW(parse_with_clearness(.01, 1), InputError);
 }
 
 TEST(WeatherPlace, LightThatDoesNotFollowTheSunIsAnError) {
     MadeCsv made;
     made.header = "time,x,t,ghi";
-    EXPECT_THAT(error_of(made.text(),
-                         [] {
-                             WeatherRequest request = made_request();
-                             request.columns.humidity.reset();
-                             return request;
-                         }()),
+    EXPECT_THAT(parse_error(made.text(),
+                            [] {
+                                WeatherRequest request = made_request();
+                                request.columns.humidity.reset();
+                                return request;
+                            }()),
                 HasSubstr("the light hardly follows the sun"));
 }
 
-TEST(WeatherPlace, LightOfTheNightIsCounted) {
+TEST(WeatherPlace, LightAtNightIsCounted) {
     MadeCsv made;
     made.rows[24] = made.time(24.5) + ",12,20,60";
     const Weather reading = parse_weather(made.text(), made_request());
@@ -132,11 +133,11 @@ TEST(WeatherPlace, LightOfTheNightIsCounted) {
     EXPECT_EQ(reading.series.steps[24].par.beam, 0);
     for (std::size_t day = 1; day < 12; ++day)
         made.rows[24 * day] = made.time(24.0 * double(day) + .5) + ",90,20,60";
-    EXPECT_THAT(error_of(made.text(), made_request()),
+    EXPECT_THAT(parse_error(made.text(), made_request()),
                 HasSubstr("of the light comes at night"));
 }
 
-TEST(WeatherPlace, APolarNightHasNoLight) {
+TEST(WeatherPlace, PolarNightWithoutLightCausesAWarning) {
     MadeCsv made(12, {2011, 12, 15});
     for (std::size_t i = 0; i < made.rows.size(); ++i)
         made.rows[i] = made.time(double(i) + .5) + ",0,-20,80";

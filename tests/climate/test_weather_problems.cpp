@@ -9,12 +9,12 @@ namespace {
 
 using ::testing::HasSubstr;
 
-//! Returns the message of the error that a table has after a change.
+//! Returns the error message of parsing a table after a change.
 template <class Change>
-std::string problem(Change&& change) {
+std::string parse_changed(Change&& change) {
     MadeCsv made;
     change(made);
-    return error_of(made.text(), made_request());
+    return parse_error(made.text(), made_request());
 }
 
 //! Replaces the light of a row.
@@ -28,22 +28,23 @@ constexpr int noon = 36, midnight = 24;  //!< numbers of rows
 TEST(WeatherProblems, MissingLightByDayIsAnError) {
     for (const char* missing : {"-999", "-9999", "9999", "NaN", "NA", ""})
         EXPECT_THAT(
-            problem([&](MadeCsv& made) { set_light(made, noon, missing); }),
+            parse_changed(
+                [&](MadeCsv& made) { set_light(made, noon, missing); }),
             HasSubstr("made.csv:38:1: the light of 2011-07-02 12:30 is not "
                       "known"))
             << missing;
-    // Consecutive hours without light are one problem.
-    const std::string several = problem([](MadeCsv& made) {
+    // Consecutive hours without light are one parse_changed.
+    const std::string several = parse_changed([](MadeCsv& made) {
         for (int i = noon; i < noon + 3; ++i) set_light(made, i, "-999");
     });
     EXPECT_EQ(std::count(several.begin(), several.end(), '\n'), 0);
 }
 
-TEST(WeatherProblems, GapsByDayAreErrorsWithTheLineBefore) {
+TEST(WeatherProblems, GapsByDayAreReportedAtTheLineBefore) {
     const auto erase = [](MadeCsv& made) {
         made.rows.erase(made.rows.begin() + noon, made.rows.begin() + noon + 2);
     };
-    EXPECT_THAT(problem(erase),
+    EXPECT_THAT(parse_changed(erase),
                 HasSubstr("made.csv:37:1: the light of 2011-07-02 12:30"));
 }
 
@@ -64,7 +65,7 @@ TEST(WeatherProblems, GapsAtNightAreFilledAndCounted) {
               "counts as 0 (2 times)");
 }
 
-TEST(WeatherProblems, TemperatureIsInterpolatedOverFewHours) {
+TEST(WeatherProblems, TemperatureIsInterpolatedOverUpToSixHours) {
     MadeCsv made;
     const auto lose = [&](int first, int count) {
         for (int i = first; i < first + count; ++i)
@@ -80,21 +81,22 @@ TEST(WeatherProblems, TemperatureIsInterpolatedOverFewHours) {
     ASSERT_EQ(reading.warnings.size(), 1U);
     EXPECT_EQ(reading.warnings[0].where.line, MadeCsv::line(noon));
     lose(noon, 7);
-    EXPECT_THAT(error_of(made.text(), made_request()),
+    EXPECT_THAT(parse_error(made.text(), made_request()),
                 HasSubstr("made.csv:38:1: the temperature is not known for 7 "
                           "hours"));
 }
 
-TEST(WeatherProblems, OrderAndDuplicatesAreErrors) {
-    EXPECT_THAT(
-        problem([](MadeCsv& made) { std::swap(made.rows[40], made.rows[41]); }),
-        HasSubstr("made.csv:43:1: the time is before that of line 42"));
-    EXPECT_THAT(problem([](MadeCsv& made) {
+TEST(WeatherProblems, WrongOrderAndDuplicatesAreErrors) {
+    EXPECT_THAT(parse_changed([](MadeCsv& made) {
+                    std::swap(made.rows[40], made.rows[41]);
+                }),
+                HasSubstr("made.csv:43:1: the time is before that of line 42"));
+    EXPECT_THAT(parse_changed([](MadeCsv& made) {
                     made.rows.insert(made.rows.begin() + 41, made.rows[40]);
                 }),
                 HasSubstr("made.csv:43:1: the same time as on line 42"));
     EXPECT_THAT(
-        problem([](MadeCsv& made) {
+        parse_changed([](MadeCsv& made) {
             made.rows.insert(made.rows.begin() + 41, made.row(40, .75));
         }),
         HasSubstr("made.csv:43:1: the time is not a whole number of steps"));
@@ -111,11 +113,11 @@ TEST(WeatherProblems, NegativeLightIsCountedOrAnError) {
               "made.csv:26:1: a value of light is slightly negative; it counts "
               "as 0 (2 times)");
     EXPECT_THAT(
-        problem([](MadeCsv& each) { set_light(each, midnight, "-50"); }),
+        parse_changed([](MadeCsv& csv) { set_light(csv, midnight, "-50"); }),
         HasSubstr("made.csv:26:18: -50 means -50 W m-2 (outside -20 to 2000)"));
 }
 
-TEST(WeatherProblems, PartsThatContradictEachOtherAreCounted) {
+TEST(WeatherProblems, ContradictoryPartsOfLightAreCounted) {
     MadeCsv made;
     made.header += ",dhi,dni";
     for (std::size_t i = 0; i < made.rows.size(); ++i)
@@ -147,61 +149,64 @@ TEST(WeatherProblems, PartsThatContradictEachOtherAreCounted) {
     EXPECT_NEAR(light.par.beam, .45 * 2 * made.global(noon), .05);
 }
 
-TEST(WeatherProblems, NumbersAreRead) {
-    EXPECT_THAT(problem([](MadeCsv& made) { set_light(made, 5, "x1"); }),
+TEST(WeatherProblems, MalformedNumbersAndDatesAreErrors) {
+    EXPECT_THAT(parse_changed([](MadeCsv& made) { set_light(made, 5, "x1"); }),
                 HasSubstr("made.csv:7:18: \"x1\" is not a number; correct "
                           "it"));
-    EXPECT_THAT(problem([](MadeCsv& made) { set_light(made, 5, "5000"); }),
-                HasSubstr("check the unit"));
-    EXPECT_THAT(problem([](MadeCsv& made) { made.rows[5] = "2011-02-30"; }),
-                HasSubstr("made.csv:7:1: \"2011-02-30\" is no date and time"));
     EXPECT_THAT(
-        problem([](MadeCsv& made) { made.rows[5] = "2011-257-02 12:30"; }),
-        HasSubstr("is no date and time"));
+        parse_changed([](MadeCsv& made) { set_light(made, 5, "5000"); }),
+        HasSubstr("check the unit"));
+    EXPECT_THAT(
+        parse_changed([](MadeCsv& made) { made.rows[5] = "2011-02-30"; }),
+        HasSubstr("made.csv:7:1: \"2011-02-30\" is not a date and time"));
+    EXPECT_THAT(parse_changed(
+                    [](MadeCsv& made) { made.rows[5] = "2011-257-02 12:30"; }),
+                HasSubstr("is not a date and time"));
     // Centuries between two rows are not filled.
-    EXPECT_THAT(problem([](MadeCsv& made) {
+    EXPECT_THAT(parse_changed([](MadeCsv& made) {
                     made.rows.push_back("9999-07-02 12:30,0,20,60");
                 }),
                 HasSubstr("the file has only 289 of the"));
     // Problems of one kind are one, with their number; other kinds have their
     // lines.
-    EXPECT_EQ(problem([](MadeCsv& made) {
+    EXPECT_EQ(parse_changed([](MadeCsv& made) {
                   for (int i = 0; i < 50; ++i) set_light(made, i, "x");
                   made.rows[50] = made.time(50.5) + ",5000,x,60";
               }),
               "made.csv:2:18: \"x\" is not a number; correct it, or leave the "
               "entry empty (this line and 49 others)\n"
               "made.csv:52:18: 5000 means 5000 W m-2 (outside -20 to 2000); "
-              "check the unit, or what stands for missing values\n"
+              "check the unit, or the code of missing values\n"
               "made.csv:52:23: \"x\" is not a number; correct it, or leave the "
               "entry empty");
     // A row that is too short has no light.
-    EXPECT_THAT(
-        problem([](MadeCsv& made) { made.rows[noon] = made.time(noon + .5); }),
-        HasSubstr("12:30 is not known"));
+    EXPECT_THAT(parse_changed([](MadeCsv& made) {
+                    made.rows[noon] = made.time(noon + .5);
+                }),
+                HasSubstr("12:30 is not known"));
 }
 
-TEST(WeatherProblems, ColumnsAndUnitsAreNamed) {
+TEST(WeatherProblems, UnknownColumnsAndUnitsAreNamed) {
     WeatherRequest request = made_request();
     request.columns.global->name = "ghj";
     EXPECT_THAT(
-        error_of(MadeCsv().text(), request),
+        parse_error(MadeCsv().text(), request),
         HasSubstr("made.csv:1:1: there is no column \"ghj\"; is it \"ghi\"?"));
     request = made_request();
     request.columns.global->unit = "W/ft2";
-    EXPECT_THAT(error_of(MadeCsv().text(), request),
-                HasSubstr("\"W/ft2\" is no unit for the column \"ghi\"; use "
+    EXPECT_THAT(parse_error(MadeCsv().text(), request),
+                HasSubstr("\"W/ft2\" is not a unit for the column \"ghi\"; use "
                           "one of W/m2, kW/m2, Wh/m2"));
     request.columns.time = {"when"};
-    EXPECT_THAT(error_of(MadeCsv().text(), request),
+    EXPECT_THAT(parse_error(MadeCsv().text(), request),
                 HasSubstr("no line has a column \"when\""));
-    EXPECT_THAT(error_of("", WeatherRequest{"x", middle_west}),
+    EXPECT_THAT(parse_error("", WeatherRequest{"x", middle_west}),
                 HasSubstr("ideotype weather"));
-    EXPECT_THAT(error_of("time,ghi,t,rh\n", made_request()),
-                HasSubstr("there are not two rows"));
+    EXPECT_THAT(parse_error("time,ghi,t,rh\n", made_request()),
+                HasSubstr("there are fewer than two rows"));
     MadeCsv twice;
     twice.header = "time,ghi,ghi,rh,t";
-    EXPECT_THAT(error_of(twice.text(), made_request()),
+    EXPECT_THAT(parse_error(twice.text(), made_request()),
                 HasSubstr("two columns have the name \"ghi\""));
 }
 
@@ -222,44 +227,47 @@ TEST(WeatherProblems, WindPressureAndLongwaveHaveUnits) {
     }
     EXPECT_EQ(weather.warnings.size(), 1U);
     request.columns.pressure->unit = "kPa";
-    EXPECT_NE(error_of(csv.text(), request).find("990 means 990 kPa (outside"),
-              std::string::npos);
+    EXPECT_NE(
+        parse_error(csv.text(), request).find("990 means 990 kPa (outside"),
+        std::string::npos);
     request.columns.pressure->unit = "hPa";
     request.columns.longwave->unit = "umol/m2/s";
-    EXPECT_NE(error_of(csv.text(), request).find("is no unit for the column"),
-              std::string::npos);
+    EXPECT_NE(
+        parse_error(csv.text(), request).find("is not a unit for the column"),
+        std::string::npos);
 }
 
-TEST(WeatherProblems, FilesOfOtherFormatsAreConverted) {
+TEST(WeatherProblems, OtherFormatsAreReferredToTheConverter) {
     WeatherRequest request{"weather/mine.epw", middle_west};
     const std::string text = "LOCATION,a,b,c,d,1,42,-90,-6,300\n2011,7,1\n";
-    EXPECT_EQ(error_of(text, request),
-              "weather/mine.epw:1:1: this is no table with columns time and "
-              "global; say which columns hold what, or convert it and name "
-              "what this writes: ideotype weather 'weather/mine.epw' --to "
+    EXPECT_EQ(parse_error(text, request),
+              "weather/mine.epw:1:1: this is not a table with columns time and "
+              "global; map its columns in [[climate]], or convert it and name "
+              "the file that this command writes: ideotype weather "
+              "'weather/mine.epw' --to "
               "'weather/mine_weather.csv' --latitude 42 --longitude -90 "
               "--utc-offset -6");
     request.period = Period{{2011, 7, 5}, {2011, 8, 20}};
-    EXPECT_THAT(error_of(text, request),
+    EXPECT_THAT(parse_error(text, request),
                 HasSubstr("--from 2011-07-05 --until 2011-08-20"));
-    EXPECT_THAT(error_of("time,P,G(i)\n1,2,3\n", request),
+    EXPECT_THAT(parse_error("time,P,G(i)\n1,2,3\n", request),
                 HasSubstr("ideotype weather"));
 }
 
 TEST(WeatherProblems, PeriodMustBeInTheFile) {
     WeatherRequest request = made_request();
     request.period = Period{{2011, 7, 5}, {2011, 7, 20}};
-    EXPECT_EQ(error_of(MadeCsv().text(), request),
+    EXPECT_EQ(parse_error(MadeCsv().text(), request),
               "made.csv: the file has 2011-07-01 to 2011-07-12, but the period "
               "is 2011-07-05 to 2011-07-20; choose days that it has");
     // Mistakes outside of the period do not matter.
     request.period = Period{{2011, 7, 5}, {2011, 7, 9}};
     MadeCsv made;
     set_light(made, noon, "x");
-    EXPECT_EQ(error_of(made.text(), request), "");
+    EXPECT_EQ(parse_error(made.text(), request), "");
 }
 
-TEST(WeatherProblems, DatesInAnotherOrderNameTheOrder) {
+TEST(WeatherProblems, ErrorsOfDatesSuggestTheRightOrder) {
     const auto reordered = [](bool month_first, int days) {
         MadeCsv made(days);
         for (std::string& row : made.rows) {
@@ -268,20 +276,21 @@ TEST(WeatherProblems, DatesInAnotherOrderNameTheOrder) {
             row = (month_first ? month + '/' + day : day + '/' + month) + '/' +
                   year + row.substr(10);
         }
-        return error_of(made.text(), made_request());
+        return parse_error(made.text(), made_request());
     };
     // One message stands for all rows, and names the remedy.
     EXPECT_EQ(reordered(true, 14),
-              "made.csv:2:1: \"07/01/2011 00:30\" is no date and time; set "
+              "made.csv:2:1: \"07/01/2011 00:30\" is not a date and time; set "
               "date_order = \"month_day_year\" (this line and 335 others)");
     EXPECT_THAT(reordered(false, 14), HasSubstr("\"day_month_year\""));
     // Days up to the twelfth could be months, but these would not be days in a
     // row.
     EXPECT_THAT(reordered(true, 9), HasSubstr("\"month_day_year\""));
     EXPECT_THAT(reordered(false, 9), HasSubstr("\"day_month_year\""));
-    EXPECT_THAT(problem([](MadeCsv& made) { made.rows[5] = "noon,1,2,3"; }),
-                HasSubstr("made.csv:7:1: \"noon\" is no date and time; correct "
-                          "it, or check date_order and the columns of time"));
+    EXPECT_THAT(
+        parse_changed([](MadeCsv& made) { made.rows[5] = "noon,1,2,3"; }),
+        HasSubstr("made.csv:7:1: \"noon\" is not a date and time; correct "
+                  "it, or check date_order and the columns of time"));
 }
 
 }  // namespace

@@ -12,11 +12,11 @@ namespace {
 
 using ::testing::HasSubstr;
 
-Weather weather_of(const MadeCsv& made, const WeatherRequest& request) {
+Weather parse(const MadeCsv& made, const WeatherRequest& request) {
     return parse_weather(made.text(), request);
 }
 
-//! Returns whether two weathers are equal within rounding.
+//! Expects two weathers to be equal within rounding.
 void expect_same(const Weather& a, const Weather& b) {
     ASSERT_EQ(a.series.steps.size(), b.series.steps.size());
     for (std::size_t i = 0; i < a.series.steps.size(); ++i) {
@@ -30,34 +30,34 @@ void expect_same(const Weather& a, const Weather& b) {
     }
 }
 
-TEST(WeatherTable, StampsMayNameAnyPartOfTheHour) {
-    const Weather middle = weather_of(MadeCsv(), made_request());
+TEST(WeatherTable, StampsMayMarkAnyPartOfTheHour) {
+    const Weather middle = parse(MadeCsv(), made_request());
     EXPECT_EQ(middle.series.steps.size(), 12U * 24);
     EXPECT_EQ(middle.series.steps[0].hour, .5);
     EXPECT_EQ(middle.series.steps[0].temperature, 20.5);
     EXPECT_EQ(middle.series.steps[0].humidity, .6);
     WeatherRequest request = made_request();
     request.columns.stamp = Stamp::beginning;
-    expect_same(weather_of(MadeCsv(12, {2011, 7, 1}, 0), request), middle);
+    expect_same(parse(MadeCsv(12, {2011, 7, 1}, 0), request), middle);
     request.columns.stamp = Stamp::end;
-    expect_same(weather_of(MadeCsv(12, {2011, 7, 1}, 1), request), middle);
+    expect_same(parse(MadeCsv(12, {2011, 7, 1}, 1), request), middle);
 }
 
-TEST(WeatherTable, TimesMayBeWrittenInManyWays) {
-    const Weather plain = weather_of(MadeCsv(), made_request());
+TEST(WeatherTable, TimesInAllFormatsAreParsed) {
+    const Weather plain = parse(MadeCsv(), made_request());
     const auto written = [](const std::string& header,
                             const std::vector<std::string>& names,
-                            const auto& stamp_of, DateOrder order) {
+                            const auto& make_stamp, DateOrder order) {
         MadeCsv made;
         made.header = header + ",ghi,t,rh";
         for (int i = 0; i < 24 * 12; ++i)
             made.rows[static_cast<std::size_t>(i)] =
-                fmt::format("{},{:.6f},20.5,60", stamp_of(1 + i / 24, i % 24),
+                fmt::format("{},{:.6f},20.5,60", make_stamp(1 + i / 24, i % 24),
                             made.global(i));
         WeatherRequest request = made_request();
         request.columns.time = names;
         request.columns.date_order = order;
-        return weather_of(made, request);
+        return parse(made, request);
     };
     const auto ymd = DateOrder::year_month_day;
     expect_same(plain, written(
@@ -96,7 +96,7 @@ TEST(WeatherTable, TimesMayBeWrittenInManyWays) {
                            ymd));
 }
 
-TEST(WeatherTable, SummerTimeInStampsIsTakenOut) {
+TEST(WeatherTable, SummerTimeInStampsIsRemoved) {
     MadeCsv made;
     for (std::size_t i = 0; i < made.rows.size(); ++i) {
         const int hour = static_cast<int>(i);
@@ -105,22 +105,21 @@ TEST(WeatherTable, SummerTimeInStampsIsTakenOut) {
             "{}{},{:.6f},20.5,60", made.time(hour + .5 + (summer ? 1 : 0)),
             summer ? "-05:00" : "-06:00", made.global(hour));
     }
-    expect_same(weather_of(made, made_request()),
-                weather_of(MadeCsv(), made_request()));
+    expect_same(parse(made, made_request()), parse(MadeCsv(), made_request()));
 }
 
-TEST(WeatherTable, DaysOfAFileInUtcAreThoseOfTheSite) {
+TEST(WeatherTable, FilesInUtcUseDaysOfTheSite) {
     const MadeCsv made(12, {2011, 7, 1}, 6.5);
     WeatherRequest request = made_request();
     request.columns.utc_offset = 0;
-    const Weather weather = weather_of(made, request);
+    const Weather weather = parse(made, request);
     EXPECT_EQ(weather.series.utc_offset, -6);
-    expect_same(weather, weather_of(MadeCsv(), made_request()));
+    expect_same(weather, parse(MadeCsv(), made_request()));
 }
 
 TEST(WeatherTable, UnitsAreConverted) {
-    const Weather plain = weather_of(MadeCsv(), made_request());
-    const auto in = [](const std::string& unit, double factor) {
+    const Weather plain = parse(MadeCsv(), made_request());
+    const auto parse_in = [](const std::string& unit, double factor) {
         MadeCsv made;
         for (std::size_t i = 0; i < made.rows.size(); ++i) {
             const int hour = static_cast<int>(i);
@@ -132,28 +131,29 @@ TEST(WeatherTable, UnitsAreConverted) {
         request.columns.global->unit = unit;
         request.columns.temperature->unit = "K";
         request.columns.humidity->unit = "1";
-        return weather_of(made, request);
+        return parse(made, request);
     };
-    expect_same(plain, in("W/m^2", 1));
-    expect_same(plain, in("Wh/m2", 1));
-    expect_same(plain, in("kJ m-2", 3.6));
-    expect_same(plain, in("MJ/m2", .0036));
-    expect_same(plain, in("umol m-2 s-1", .45 * mol_per_mj_par));
-    expect_same(plain, in("\xC2\xB5mol/m\xC2\xB2/s", .45 * mol_per_mj_par));
+    expect_same(plain, parse_in("W/m^2", 1));
+    expect_same(plain, parse_in("Wh/m2", 1));
+    expect_same(plain, parse_in("kJ m-2", 3.6));
+    expect_same(plain, parse_in("MJ/m2", .0036));
+    expect_same(plain, parse_in("umol m-2 s-1", .45 * mol_per_mj_par));
+    expect_same(plain,
+                parse_in("\xC2\xB5mol/m\xC2\xB2/s", .45 * mol_per_mj_par));
 }
 
-TEST(WeatherTable, HalfHoursAreSteps) {
+TEST(WeatherTable, StepsMayBeHalfHours) {
     MadeCsv made(0);
     for (int i = 0; i < 48 * 10; ++i)
         made.rows.push_back(fmt::format(
             "{},{},20.5,60", made.time(i / 2.0 + .25), made.global(i / 2)));
-    const Weather weather = weather_of(made, made_request());
+    const Weather weather = parse(made, made_request());
     EXPECT_EQ(weather.series.steps.size(), 48U * 10);
     EXPECT_EQ(weather.series.steps[1].seconds, 1800);
     EXPECT_EQ(weather.series.steps[1].hour, .75);
 }
 
-TEST(WeatherTable, GivenPartsOfTheLightAreKept) {
+TEST(WeatherTable, GivenPartsOfTheLightAreUsed) {
     // The step is that around noon.
     const auto with = [](const std::string& parts, auto&& set) {
         MadeCsv made;
@@ -161,7 +161,7 @@ TEST(WeatherTable, GivenPartsOfTheLightAreKept) {
         for (std::string& row : made.rows) row += "," + parts;
         WeatherRequest request = made_request();
         set(request.columns);
-        return weather_of(made, request).series.steps[12];
+        return parse(made, request).series.steps[12];
     };
     const TimeStep fraction = with("0.25,", [](ColumnMap& columns) {
         columns.diffuse_fraction = Column{"x", "1"};
@@ -188,7 +188,7 @@ TEST(WeatherTable, GivenPartsOfTheLightAreKept) {
     EXPECT_GT(erbs.par.beam, .2 * global);
 }
 
-TEST(WeatherTable, BeamAndDiffuseAloneAreEnough) {
+TEST(WeatherTable, BeamAndDiffuseLightAreSufficient) {
     MadeCsv made;
     made.header = "time,diffuse,beam";
     for (std::size_t i = 0; i < made.rows.size(); ++i) {
@@ -201,34 +201,34 @@ TEST(WeatherTable, BeamAndDiffuseAloneAreEnough) {
     request.columns.time = {"time"};
     request.columns.stamp = Stamp::middle;
     request.columns.diffuse = Column{"diffuse", "W/m2"};
-    EXPECT_THAT(error_of(made.text(), request),
-                HasSubstr("no column tells the light"));
+    EXPECT_THAT(parse_error(made.text(), request),
+                HasSubstr("no column contains the light"));
     request.columns.beam_normal = Column{"beam", "W/m2"};
-    const TimeStep noon = weather_of(made, request).series.steps[12];
+    const TimeStep noon = parse(made, request).series.steps[12];
     EXPECT_NEAR(noon.par.beam, .45 * 300 * std::cos(noon.sun.zenith * degree),
                 1e-9);
     EXPECT_FALSE(noon.temperature);
     EXPECT_FALSE(noon.humidity);
 }
 
-TEST(WeatherTable, ColumnsOfTheConverterNeedNoMap) {
+TEST(WeatherTable, ColumnsOfTheConverterNeedNoMapping) {
     MadeCsv made;
-    const Weather mapped = weather_of(made, made_request());
+    const Weather mapped = parse(made, made_request());
     made.header = "# a remark, with a comma\ntime,global,temperature,humidity";
     const WeatherRequest request{"made.csv", middle_west};
-    expect_same(weather_of(made, request), mapped);
+    expect_same(parse(made, request), mapped);
     for (std::string& row : made.rows) row.insert(16, ":00-06:00");
-    expect_same(weather_of(made, request), mapped);
+    expect_same(parse(made, request), mapped);
     WeatherRequest beginning = request;
     beginning.columns.stamp = Stamp::beginning;
-    EXPECT_EQ(weather_of(made, beginning).series.steps[0].hour, 1);
+    EXPECT_EQ(parse(made, beginning).series.steps[0].hour, 1);
     // Values that are not known are empty.
     made.rows[0].resize(made.rows[0].rfind(',') + 1);
-    EXPECT_EQ(weather_of(made, request).warnings.size(), 1U);
+    EXPECT_EQ(parse(made, request).warnings.size(), 1U);
     made.header = "time,diffuse,beam_normal,humidity";
-    EXPECT_EQ(
-        error_of(made.text(), request).find("the light hardly follows the sun"),
-        std::string::npos);
+    EXPECT_EQ(parse_error(made.text(), request)
+                  .find("the light hardly follows the sun"),
+              std::string::npos);
 }
 
 }  // namespace

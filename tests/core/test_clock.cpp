@@ -6,7 +6,7 @@
 namespace ideotype {
 namespace {
 
-TEST(Duration, ComesInSecondsUnitsOrLikeAClock) {
+TEST(Duration, SecondsUnitsAndClockFormatsAreParsed) {
     EXPECT_EQ(parse_duration("90"), 90);
     EXPECT_EQ(parse_duration("90s"), 90);
     EXPECT_EQ(parse_duration("1m"), 60);
@@ -19,14 +19,14 @@ TEST(Duration, ComesInSecondsUnitsOrLikeAClock) {
     EXPECT_EQ(parse_duration("00:00:00"), 0);
 }
 
-TEST(Duration, IsNothingElse) {
+TEST(Duration, OtherTextsAreRejected) {
     for (const char* text : {"", "soon", "-5", "1.5h", "30m1h", "1 h", "1h:30",
                              "00:99:00", "90sec", "12:00", "9999999999"})
         EXPECT_FALSE(parse_duration(text)) << text;
     EXPECT_FALSE(parse_duration(std::string(1 << 20, '1')));
 }
 
-TEST(ClockName, TellsTheOffsetFromUtc) {
+TEST(ClockName, NameShowsTheOffsetFromUtc) {
     EXPECT_EQ(clock_name(0), "UTC");
     EXPECT_EQ(clock_name(2), "UTC+2");
     EXPECT_EQ(clock_name(-5), "UTC-5");
@@ -34,7 +34,7 @@ TEST(ClockName, TellsTheOffsetFromUtc) {
     EXPECT_EQ(clock_name(-3.5), "UTC-3:30");
 }
 
-TEST(ClockTime, IsOfOneDay) {
+TEST(ClockTime, TimeIsWithinOneDay) {
     EXPECT_EQ(clock_time(0), "00:00");
     EXPECT_EQ(clock_time(13.33), "13:20");
     EXPECT_EQ(clock_time(-0.5), "23:30");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Contracts are checked in this file, whatever the build says.
+// Contracts are checked in this file, with any build option.
 #ifndef IDEOTYPE_CONTRACTS
 #define IDEOTYPE_CONTRACTS
 #endif
@@ -15,14 +15,14 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
-TEST(Contract, ThatHoldsDoesNothing) {
-    int looked = 0;
-    IDEOTYPE_EXPECT(++looked == 1);
-    IDEOTYPE_ENSURE(++looked == 2);
-    EXPECT_EQ(looked, 2);
+TEST(Contract, ValidConditionHasNoEffect) {
+    int evaluations = 0;
+    IDEOTYPE_EXPECT(++evaluations == 1);
+    IDEOTYPE_ENSURE(++evaluations == 2);
+    EXPECT_EQ(evaluations, 2);
 }
 
-TEST(Contract, TellsWhereItDoesNotHold) {
+TEST(Contract, ViolationIsReportedWithItsLocation) {
     const int sum = 3;
     const int line = __LINE__ + 1;
     EXPECT_THAT([&] { IDEOTYPE_EXPECT(sum == 4); },
@@ -34,12 +34,12 @@ TEST(Contract, TellsWhereItDoesNotHold) {
                 ThrowsMessage<ContractError>(HasSubstr("a promise")));
 }
 
-TEST(Contract, MayHaveCommas) {
+TEST(Contract, ConditionMayContainCommas) {
     const auto sum = [](int a, int b) { return a + b; };
     EXPECT_THROW(IDEOTYPE_EXPECT(sum(1, 2) == sum(2, 2)), ContractError);
 }
 
-TEST(Contract, IsNoErrorOfAUser) {
+TEST(Contract, ViolationIsNotAnErrorOfTheUser) {
     try {
         IDEOTYPE_EXPECT(false);
         FAIL();
@@ -53,7 +53,8 @@ void never_throw(bool holds) noexcept {
     IDEOTYPE_EXPECT(holds);
 }
 
-TEST(ContractDeathTest, EndsAFunctionThatMayNotThrowWithItsMessage) {
+TEST(ContractDeathTest,
+     ViolationInNoexceptFunctionEndsTheProgramWithItsMessage) {
     never_throw(true);
     EXPECT_DEATH(never_throw(false), "does not hold: holds");
 }

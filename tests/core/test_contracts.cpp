@@ -9,7 +9,7 @@
 
 namespace ideotype {
 
-TEST(Contracts, OfCoreAreChecked) {
+TEST(Contracts, PreconditionsOfCoreAreChecked) {
     EXPECT_THROW(clock_time(48), ContractError);
     Sha256 sum;
     sum.finish();

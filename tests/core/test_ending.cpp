@@ -13,7 +13,7 @@ namespace {
 
 using testing::ExitedWithCode;
 
-TEST(Ending, TellsThatALibraryCallsExit) {
+TEST(Ending, ExitByALibraryIsReported) {
     EXPECT_EXIT(
         {
             watch_for_foreign_end();
@@ -22,7 +22,7 @@ TEST(Ending, TellsThatALibraryCallsExit) {
         ExitedWithCode(1), "^ideotype: a library ended the program");
 }
 
-TEST(Ending, TellsWhyNobodyCatches) {
+TEST(Ending, UncaughtExceptionIsReported) {
     EXPECT_EXIT(
         {
             watch_for_foreign_end();
@@ -35,7 +35,7 @@ TEST(Ending, TellsWhyNobodyCatches) {
         ExitedWithCode(1), "the program \\(not enough memory\\)");
 }
 
-TEST(Ending, TellsOfASegmentationFault) {
+TEST(Ending, SegmentationFaultIsReported) {
     EXPECT_EXIT(
         {
             std::signal(SIGSEGV, SIG_DFL);
@@ -46,7 +46,7 @@ TEST(Ending, TellsOfASegmentationFault) {
         testing::KilledBySignal(SIGSEGV), "the program \\(segmentation fault");
 }
 
-TEST(Ending, IsSilentInOrder) {
+TEST(Ending, RegularEndIsSilent) {
     EXPECT_EXIT(
         {
             watch_for_foreign_end();

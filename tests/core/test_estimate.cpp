@@ -9,37 +9,37 @@
 
 namespace ideotype {
 
-TEST(Estimate, IsTheMeanAndItsStandardError) {
+TEST(Estimate, MeanAndStandardErrorAreEstimated) {
     const std::vector<double> replicates{1, 2, 3, 4};
     const Estimate x = estimate(replicates);
     EXPECT_DOUBLE_EQ(x.mean, 2.5);
     EXPECT_DOUBLE_EQ(x.standard_error, std::sqrt(5.0 / 12));
 }
 
-TEST(Estimate, OfEqualReplicatesIsExact) {
+TEST(Estimate, EqualReplicatesHaveNoError) {
     const std::vector<double> replicates{0.25, 0.25, 0.25};
     const Estimate x = estimate(replicates);
     EXPECT_EQ(x.mean, 0.25);
     EXPECT_EQ(x.standard_error, 0);
 }
 
-TEST(Estimate, KnowsNoErrorFromASingleReplicate) {
+TEST(Estimate, SingleReplicateHasUnknownError) {
     const std::vector<double> replicates{7};
     EXPECT_EQ(estimate(replicates).mean, 7);
     EXPECT_TRUE(std::isnan(estimate(replicates).standard_error));
 }
 
-TEST(Estimate, OfNothingIsNotANumber) {
+TEST(Estimate, EmptySampleIsNaN) {
     EXPECT_TRUE(std::isnan(estimate({}).mean));
     EXPECT_TRUE(std::isnan(estimate({}).standard_error));
 }
 
-TEST(Estimate, KeepsItsDigitsFarFromZero) {
+TEST(Estimate, PrecisionIsKeptFarFromZero) {
     const std::vector<double> replicates{1e9 + 1, 1e9 + 2, 1e9 + 3};
     EXPECT_DOUBLE_EQ(estimate(replicates).standard_error, std::sqrt(1.0 / 3));
 }
 
-TEST(Estimate, ItsErrorIsTheSpreadOfTheMean) {
+TEST(Estimate, StandardErrorIsTheSpreadOfTheMean) {
     // 2,000 means of 8 uniform numbers scatter by sqrt(1 / 12 / 8).
     RandomStream random(1, Purpose::jitter);
     double squared_errors = 0;
@@ -62,9 +62,9 @@ double root_mean_square(const std::vector<double>& values) {
 
 }  // namespace
 
-TEST(RelativeGain, HasTheErrorOfTheRatio) {
-    // The baseline has .171 and a plant four times as much; they share part of
-    // their noise, as carbon balances at 15 x 3 inches do.
+TEST(RelativeGain, StandardErrorIsThatOfTheRatio) {
+    // The baseline has 0.171 and a plant four times as much. Part of their
+    // noise is common, as for net carbon balances at 15 x 3 inches.
     RandomStream random(2, Purpose::jitter);
     const auto noise = [&] { return random.uniform() - 0.5; };
     std::vector<double> gains, paired, independent;
@@ -77,13 +77,14 @@ TEST(RelativeGain, HasTheErrorOfTheRatio) {
         }
         const Randomisations a{estimate(before), before};
         const Randomisations b{estimate(after), after};
-        const Estimate found = relative_gain(a, b);
-        gains.push_back(found.mean - 100 * (0.728 / 0.171 - 1));
-        paired.push_back(found.standard_error);
+        const Estimate gain = relative_gain(a, b);
+        gains.push_back(gain.mean - 100 * (0.728 / 0.171 - 1));
+        paired.push_back(gain.standard_error);
         independent.push_back(
             relative_gain({a.figure, {}}, {b.figure, {}}).standard_error);
-        // The error of the difference without that of the divisor is too small.
-        EXPECT_GT(found.standard_error,
+        // The error of the difference alone, without that of the divisor, is
+        // too small.
+        EXPECT_GT(gain.standard_error,
                   2 * 100 / a.figure.mean * difference(a, b).standard_error);
     }
     const double spread = root_mean_square(gains);
@@ -91,14 +92,14 @@ TEST(RelativeGain, HasTheErrorOfTheRatio) {
     EXPECT_GT(root_mean_square(independent) / spread, 1.1);
 }
 
-TEST(RelativeGain, IsOfTheMagnitudeOfWhatItIsRelativeTo) {
-    const Estimate found = relative_gain({{-2, 0.1}, {}}, {{-1, 0}, {}});
-    EXPECT_DOUBLE_EQ(found.mean, -50);
-    EXPECT_DOUBLE_EQ(found.standard_error, 2.5);
+TEST(RelativeGain, GainOverANegativeValueIsRelativeToItsMagnitude) {
+    const Estimate gain = relative_gain({{-2, 0.1}, {}}, {{-1, 0}, {}});
+    EXPECT_DOUBLE_EQ(gain.mean, -50);
+    EXPECT_DOUBLE_EQ(gain.standard_error, 2.5);
     EXPECT_TRUE(std::isnan(relative_gain({{0, 0}, {}}, {{1, 0}, {}}).mean));
 }
 
-TEST(RelativeGain, ComparesRandomisationsOnlyWhereBothHaveThem) {
+TEST(RelativeGain, RandomisationsArePairedOnlyIfBothAreKnown) {
     const double nan = std::nan("");
     const std::vector<double> unknown{nan, nan}, known{1, 1.2}, more{1, 2, 3};
     const Randomisations b{{2, 0.3}, known};
@@ -106,7 +107,7 @@ TEST(RelativeGain, ComparesRandomisationsOnlyWhereBothHaveThem) {
         EXPECT_DOUBLE_EQ(difference({{1, 0.4}, other}, b).standard_error, 0.5);
 }
 
-TEST(Scaled, ScalesTheErrorByTheMagnitude) {
+TEST(Scaled, ErrorIsScaledByTheMagnitude) {
     const Estimate x = scaled({3, 0.5}, -2);
     EXPECT_EQ(x.mean, -6);
     EXPECT_EQ(x.standard_error, 1);

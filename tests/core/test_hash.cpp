@@ -10,7 +10,7 @@
 namespace ideotype {
 
 // Published examples of FIPS 180-4.
-TEST(Sha256, OfPartsIsThatOfTheWhole) {
+TEST(Sha256, HashOfPartsIsTheHashOfTheWhole) {
     Sha256 sum;
     for (const char* part : {"", "abcdbcdecdefdefgefghfghi", "ghijhijkijkljklm",
                              "klmnlmnomnopnopq"})
@@ -20,7 +20,7 @@ TEST(Sha256, OfPartsIsThatOfTheWhole) {
         sha256("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq"));
 }
 
-TEST(Sha256, AgreesWithThePublishedExamples) {
+TEST(Sha256, HashAgreesWithPublishedExamples) {
     EXPECT_EQ(
         sha256(""),
         "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
@@ -35,11 +35,11 @@ TEST(Sha256, AgreesWithThePublishedExamples) {
         "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
 }
 
-TEST(Sha256, ReadsBeyondANullByte) {
+TEST(Sha256, NullBytesAreHashed) {
     EXPECT_NE(sha256(std::string("a\0b", 3)), sha256("a"));
 }
 
-TEST(DeriveSeed, IsTheStartOfTheHashOfSeedAndName) {
+TEST(DeriveSeed, SeedIsTheStartOfTheHashOfSeedAndName) {
     EXPECT_EQ(sha256("42/ames").substr(0, 16), [] {
         char hex[17];
         std::snprintf(hex, sizeof hex, "%016llx",
@@ -48,7 +48,7 @@ TEST(DeriveSeed, IsTheStartOfTheHashOfSeedAndName) {
     }());
 }
 
-TEST(DeriveSeed, DiffersForEverySeedAndName) {
+TEST(DeriveSeed, SeedsDifferForAllSeedsAndNames) {
     std::set<std::uint64_t> seeds;
     for (std::uint64_t seed = 0; seed < 100; ++seed)
         for (const char* name : {"", "ames", "ames ", "Ames", "1"})

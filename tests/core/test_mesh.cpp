@@ -9,7 +9,7 @@ namespace ideotype {
 
 namespace {
 
-//! Returns a leaf of 2 m x 1 m, a leaf triangle of 1 m2 and a stalk of 3 m x 1
+//! Makes a leaf of 2 m x 1 m, a triangular leaf of 1 m2 and a stalk of 3 m x 1
 //! m.
 Mesh sample_mesh() {
     Mesh mesh;
@@ -23,7 +23,7 @@ Mesh sample_mesh() {
 
 }  // namespace
 
-TEST(FaceAreas, CoverQuadrilateralsAndTriangles) {
+TEST(FaceAreas, AreasOfQuadrilateralsAndTrianglesAreExact) {
     const std::vector<double> areas = face_areas(sample_mesh());
     ASSERT_EQ(areas.size(), 3u);
     EXPECT_DOUBLE_EQ(areas[0], 2);
@@ -31,7 +31,7 @@ TEST(FaceAreas, CoverQuadrilateralsAndTriangles) {
     EXPECT_DOUBLE_EQ(areas[2], 3);
 }
 
-TEST(FaceAreas, FollowATwistedFaceAlongOneDiagonal) {
+TEST(FaceAreas, TwistedFaceIsSplitAlongOneDiagonal) {
     Mesh mesh;
     mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {1, 1, 1}, {0, 1, 0}};
     mesh.faces = {{0, 1, 2, 3}};
@@ -40,14 +40,14 @@ TEST(FaceAreas, FollowATwistedFaceAlongOneDiagonal) {
     EXPECT_DOUBLE_EQ(face_areas(mesh)[0], 0.5 + std::sqrt(3.0) / 2);
 }
 
-TEST(FaceAreas, OfADegenerateFaceIsZero) {
+TEST(FaceAreas, DegenerateFaceHasNoArea) {
     Mesh mesh;
     mesh.vertices = {{0, 0, 0}, {1, 1, 1}};
     mesh.faces = {{0, 1, 1, 1}, {0, 0, 1, 1}};
     for (const double area : face_areas(mesh)) EXPECT_EQ(area, 0);
 }
 
-TEST(LeafArea, CountsLeavesButNotStalks) {
+TEST(LeafArea, LeafAreaExcludesStalks) {
     EXPECT_DOUBLE_EQ(plant_area(sample_mesh()).leaves, 3);
     EXPECT_EQ(plant_area({}).leaves, 0);
 }

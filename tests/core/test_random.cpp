@@ -17,7 +17,7 @@ using Words = std::array<std::uint32_t, 4>;
 
 constexpr std::uint64_t seed = 0x0123456789abcdef;
 
-std::vector<std::uint64_t> first_draws(RandomStream stream) {
+std::vector<std::uint64_t> draw_numbers(RandomStream stream) {
     std::vector<std::uint64_t> draws(100);
     for (std::uint64_t& draw : draws) draw = stream.bits64();
     return draws;
@@ -25,8 +25,9 @@ std::vector<std::uint64_t> first_draws(RandomStream stream) {
 
 }  // namespace
 
-// The known answers published with Random123 (kat_vectors, philox4x32 10).
-TEST(Philox, AgreesWithThePublishedAnswers) {
+// Expected: the known answers published with Random123 (kat_vectors, philox4x32
+// 10).
+TEST(Philox, WordsAgreeWithPublishedAnswers) {
     constexpr std::uint32_t ones = 0xffffffff;
     EXPECT_EQ(philox4x32({0, 0, 0, 0}, {0, 0}),
               (Words{0x6627e8d5, 0xe169c58d, 0xbc57ac4c, 0x9b00dbd8}));
@@ -37,7 +38,7 @@ TEST(Philox, AgreesWithThePublishedAnswers) {
               (Words{0xd16cfe09, 0x94fdcceb, 0x5001e420, 0x24126ea1}));
 }
 
-TEST(RandomStream, DrawsBlocksOfPhiloxInOrder) {
+TEST(RandomStream, BitsAreBlocksOfPhiloxInOrder) {
     RandomStream stream(seed, Purpose::mutation, 7, 9);
     for (std::uint32_t block = 0; block < 3; ++block)
         for (const std::uint32_t word :
@@ -45,16 +46,16 @@ TEST(RandomStream, DrawsBlocksOfPhiloxInOrder) {
             EXPECT_EQ(stream.bits(), word);
 }
 
-TEST(RandomStream, IsAPureFunctionOfItsKey) {
-    EXPECT_EQ(first_draws(RandomStream(seed, Purpose::jitter, 3, 4)),
-              first_draws(RandomStream(seed, Purpose::jitter, 3, 4)));
+TEST(RandomStream, StreamIsAPureFunctionOfItsKey) {
+    EXPECT_EQ(draw_numbers(RandomStream(seed, Purpose::jitter, 3, 4)),
+              draw_numbers(RandomStream(seed, Purpose::jitter, 3, 4)));
 }
 
-TEST(RandomStream, SharesNoDrawBetweenKeys) {
+TEST(RandomStream, StreamsOfDifferentKeysShareNoDraw) {
     std::set<std::uint64_t> draws;
     std::size_t drawn = 0;
     const auto add = [&](const RandomStream& stream) {
-        for (const std::uint64_t draw : first_draws(stream)) {
+        for (const std::uint64_t draw : draw_numbers(stream)) {
             draws.insert(draw);
             ++drawn;
         }
@@ -67,7 +68,7 @@ TEST(RandomStream, SharesNoDrawBetweenKeys) {
     EXPECT_EQ(draws.size(), drawn);
 }
 
-TEST(RandomStream, UniformHasTheRightMomentsAndRange) {
+TEST(RandomStream, UniformNumbersHaveTheRightMomentsAndRange) {
     RandomStream stream(seed, Purpose::jitter);
     constexpr int n = 100'000;
     double sum = 0;
@@ -79,27 +80,27 @@ TEST(RandomStream, UniformHasTheRightMomentsAndRange) {
         sum += x;
         squares += x * x;
     }
-    // The bound is four standard errors.
+    // Tolerances are four standard errors.
     EXPECT_NEAR(sum / n, 1.0 / 2, 4 * std::sqrt(1.0 / 12 / n));
     EXPECT_NEAR(squares / n, 1.0 / 3, 4 * std::sqrt(4.0 / 45 / n));
 }
 
-TEST(RandomStream, UniformStaysInsideItsBounds) {
+TEST(RandomStream, UniformNumbersStayInsideBounds) {
     RandomStream stream(seed, Purpose::jitter);
-    double least = 1e9;
-    double most = -1e9;
+    double smallest = 1e9;
+    double largest = -1e9;
     for (int i = 0; i < 10'000; ++i) {
         const double x = stream.uniform(-10, 30);
-        least = std::min(least, x);
-        most = std::max(most, x);
+        smallest = std::min(smallest, x);
+        largest = std::max(largest, x);
     }
-    EXPECT_GE(least, -10);
-    EXPECT_LT(least, -9.9);
-    EXPECT_LT(most, 30);
-    EXPECT_GT(most, 29.9);
+    EXPECT_GE(smallest, -10);
+    EXPECT_LT(smallest, -9.9);
+    EXPECT_LT(largest, 30);
+    EXPECT_GT(largest, 29.9);
 }
 
-TEST(RandomStream, BelowIsEquallyLikelyEverywhere) {
+TEST(RandomStream, WholeNumbersAreEquallyLikely) {
     for (const std::uint32_t n : {1u, 2u, 7u, 100u}) {
         RandomStream stream(seed, Purpose::selection, n);
         constexpr int draws = 100'000;
@@ -113,14 +114,14 @@ TEST(RandomStream, BelowIsEquallyLikelyEverywhere) {
         double chi_squared = 0;
         for (const double count : counts)
             chi_squared += (count - expected) * (count - expected) / expected;
-        // The mean is n - 1 and the variance 2 (n - 1); bounds are four
+        // The mean is n - 1 and the variance 2 (n - 1); the tolerance is four
         // standard deviations.
         EXPECT_LE(chi_squared, n - 1 + 4 * std::sqrt(2.0 * (n - 1))) << n;
     }
 }
 
-TEST(RandomStream, BelowHasNoBiasNearTheLargestNumber) {
-    // Remainders of a division would draw the lower half twice as often.
+TEST(RandomStream, WholeNumbersHaveNoBiasForLargeRanges) {
+    // The remainder of a division would draw the lower half twice as often.
     constexpr std::uint32_t n = 0xaaaaaaab;
     RandomStream stream(seed, Purpose::selection);
     int lower = 0;

@@ -12,12 +12,12 @@ namespace ideotype {
 
 namespace {
 
-//! Pauses every routine that awaits it until go_on() is called.
+//! Pauses every routine that awaits it until resume() is called.
 struct Gate {
     bool await_ready() const { return false; }
     void await_suspend(std::coroutine_handle<> handle) { awaiting = handle; }
     void await_resume() const {}
-    void go_on() { awaiting.resume(); }
+    void resume() { awaiting.resume(); }
 
     std::coroutine_handle<> awaiting;
 };
@@ -41,7 +41,7 @@ Routine<bool> holding(Gate& gate, std::shared_ptr<int> held) {
 
 }  // namespace
 
-TEST(Routine, WaitsForItsStart) {
+TEST(Routine, RoutineWaitsForItsStart) {
     Gate gate;
     auto routine = outer(gate, 21);
     EXPECT_FALSE(gate.awaiting);
@@ -50,27 +50,27 @@ TEST(Routine, WaitsForItsStart) {
     EXPECT_FALSE(routine.has_ended());
 }
 
-TEST(Routine, PausesAndGoesOnThroughAllThatAwait) {
+TEST(Routine, PauseSuspendsAllAwaitingRoutines) {
     Gate gate;
     auto routine = outer(gate, 21);
     routine.start();
-    gate.go_on();
+    gate.resume();
     EXPECT_FALSE(routine.has_ended());
-    gate.go_on();
+    gate.resume();
     ASSERT_TRUE(routine.has_ended());
     EXPECT_EQ(routine.result(), "42");
 }
 
-TEST(Routine, PassesExceptionsToWhoeverAwaits) {
+TEST(Routine, ExceptionsPassToTheAwaitingRoutine) {
     Gate gate;
     auto routine = outer(gate, -1);
     routine.start();
-    gate.go_on();
+    gate.resume();
     ASSERT_TRUE(routine.has_ended());
     EXPECT_THROW(routine.result(), std::runtime_error);
 }
 
-TEST(Routine, ReleasesWhatItHoldsWhenItIsDestroyedInAPause) {
+TEST(Routine, DestroyedRoutineReleasesItsArguments) {
     const auto held = std::make_shared<int>(1);
     Gate gate;
     {

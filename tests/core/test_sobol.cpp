@@ -8,8 +8,8 @@
 namespace ideotype {
 namespace {
 
-TEST(Sobol, PointsAreThePublishedOnes) {
-    // From scipy 1.17.1, whose i-th point is the one of i ^ (i >> 1).
+TEST(Sobol, PointsAgreeWithSciPy) {
+    // Expected: scipy 1.17.1, whose point i is our point i ^ (i >> 1).
     const std::uint32_t points[] = {1, 7, 442, 540};
     const std::size_t dimensions[] = {0, 1, 2, 5, 63, 100, 200, 336};
     const std::uint32_t expected[][4] = {
@@ -27,7 +27,7 @@ TEST(Sobol, PointsAreThePublishedOnes) {
                 << "point " << points[i] << ", dimension " << dimensions[k];
 }
 
-TEST(Sobol, EveryDimensionIsStratifiedAndNoTwoAreEqual) {
+TEST(Sobol, DimensionsAreStratifiedAndDistinct) {
     constexpr std::uint32_t n = 1024;
     std::set<SobolDirections> seen;
     for (std::size_t d = 0; d < sobol_dimensions; ++d) {

@@ -11,9 +11,9 @@ namespace ideotype {
 
 namespace {
 
-//! Returns the exit status of a child process that runs a function.
+//! Runs a function in a child process and returns its exit status.
 template <class Function>
-int status_of_child(Function run) {
+int run_child(Function run) {
     const pid_t child = fork();
     if (child == 0) {
         run();
@@ -24,7 +24,7 @@ int status_of_child(Function run) {
     return status;
 }
 
-void (*handler_of(int signal))(int) {
+void (*get_handler(int signal))(int) {
     struct sigaction action {};
     sigaction(signal, nullptr, &action);
     return action.sa_handler;
@@ -36,20 +36,20 @@ void some_handler(int) {}
 
 class StopSignal : public testing::TestWithParam<int> {};
 
-TEST(StopFlag, IsDownAtFirst) {
+TEST(StopFlag, StopIsNotRequestedInitially) {
     const StopFlag stop;
     EXPECT_FALSE(stop.requested());
     EXPECT_EQ(stop.signal(), 0);
 }
 
-TEST(StopFlag, RisesOnRequestWithoutASignal) {
+TEST(StopFlag, RequestNeedsNoSignal) {
     StopFlag stop;
     stop.request();
     EXPECT_TRUE(stop.requested());
     EXPECT_EQ(stop.signal(), 0);
 }
 
-TEST(StopFlag, RisesWhenItsTimeIsOver) {
+TEST(StopFlag, StopIsRequestedAfterItsTime) {
     StopFlag stop;
     for (const double endless : {3600.0, 1e10, 1e300}) {
         stop.request_after(endless);
@@ -61,7 +61,7 @@ TEST(StopFlag, RisesWhenItsTimeIsOver) {
     EXPECT_EQ(stop.signal(), 0);
 }
 
-TEST_P(StopSignal, RaisesTheFlagAndIsRemembered) {
+TEST_P(StopSignal, SignalRequestsAStopAndIsReported) {
     const StopFlag stop;
     raise(GetParam());
     EXPECT_TRUE(stop.requested());
@@ -71,7 +71,7 @@ TEST_P(StopSignal, RaisesTheFlagAndIsRemembered) {
 INSTANTIATE_TEST_SUITE_P(StopFlag, StopSignal,
                          testing::Values(SIGINT, SIGTERM, SIGUSR1));
 
-TEST(StopFlag, RemembersTheFirstOfSeveralSignals) {
+TEST(StopFlag, FirstOfSeveralSignalsIsReported) {
     const StopFlag stop;
     raise(SIGUSR1);
     raise(SIGTERM);
@@ -80,7 +80,7 @@ TEST(StopFlag, RemembersTheFirstOfSeveralSignals) {
     EXPECT_EQ(stop.signal(), SIGUSR1);
 }
 
-TEST(StopFlag, IsDownAgainAfterAnotherOneWasUp) {
+TEST(StopFlag, NewFlagIsIndependentOfAnEarlierOne) {
     {
         const StopFlag stop;
         raise(SIGINT);
@@ -93,22 +93,22 @@ TEST(StopFlag, IsDownAgainAfterAnotherOneWasUp) {
     EXPECT_EQ(stop.signal(), SIGINT);
 }
 
-TEST(StopFlag, GivesTheFormerHandlersBack) {
+TEST(StopFlag, FormerHandlersAreRestored) {
     const auto original = signal(SIGUSR1, some_handler);
-    const auto of_interrupt = handler_of(SIGINT);
-    const auto of_termination = handler_of(SIGTERM);
+    const auto interrupt_handler = get_handler(SIGINT);
+    const auto termination_handler = get_handler(SIGTERM);
     {
         const StopFlag stop;
-        EXPECT_NE(handler_of(SIGUSR1), some_handler);
+        EXPECT_NE(get_handler(SIGUSR1), some_handler);
     }
-    EXPECT_EQ(handler_of(SIGUSR1), some_handler);
+    EXPECT_EQ(get_handler(SIGUSR1), some_handler);
     signal(SIGUSR1, original);
-    EXPECT_EQ(handler_of(SIGINT), of_interrupt);
-    EXPECT_EQ(handler_of(SIGTERM), of_termination);
+    EXPECT_EQ(get_handler(SIGINT), interrupt_handler);
+    EXPECT_EQ(get_handler(SIGTERM), termination_handler);
 }
 
-TEST(StopFlag, ASecondInterruptEndsTheProcessAtOnce) {
-    const int once = status_of_child([] {
+TEST(StopFlag, SecondInterruptEndsTheProcessAtOnce) {
+    const int once = run_child([] {
         const StopFlag stop;
         raise(SIGINT);
         _exit(stop.requested() ? 5 : 6);
@@ -116,7 +116,7 @@ TEST(StopFlag, ASecondInterruptEndsTheProcessAtOnce) {
     ASSERT_TRUE(WIFEXITED(once));
     EXPECT_EQ(WEXITSTATUS(once), 5);
 
-    const int twice = status_of_child([] {
+    const int twice = run_child([] {
         const StopFlag stop;
         raise(SIGINT);
         raise(SIGINT);
@@ -126,7 +126,7 @@ TEST(StopFlag, ASecondInterruptEndsTheProcessAtOnce) {
     EXPECT_EQ(WEXITSTATUS(twice), 128 + SIGINT);
 }
 
-TEST(StopFlag, AnInterruptedReadGoesOn) {
+TEST(StopFlag, InterruptedReadContinues) {
     int pipe_ends[2];
     ASSERT_EQ(pipe(pipe_ends), 0);
     const StopFlag stop;

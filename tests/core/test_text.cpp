@@ -6,18 +6,18 @@
 namespace ideotype {
 namespace {
 
-TEST(Text, IsCutBetweenCharacters) {
+TEST(Text, TextIsCutBetweenCharacters) {
     EXPECT_EQ(first_bytes("K\u00f6ln", 2), "K");
     EXPECT_EQ(first_bytes("K\u00f6ln", 3), "K\u00f6");
     EXPECT_EQ(first_bytes("K\u00f6ln", 9), "K\u00f6ln");
 }
 
 TEST(Text, ColumnsAreCharactersRatherThanBytes) {
-    EXPECT_EQ(columns_of(""), 0U);
-    EXPECT_EQ(columns_of("1.5 \u00b1 0.1"), 9U);
+    EXPECT_EQ(count_columns(""), 0U);
+    EXPECT_EQ(count_columns("1.5 \u00b1 0.1"), 9U);
 }
 
-TEST(Text, ControlsNoTerminal) {
+TEST(Text, ControlCharactersAreEscaped) {
     EXPECT_EQ(printable("a\x1b[1Ab\a\x7f\r\n"),
               "a\\x1b[1Ab\\x07\\x7f\\x0d\\x0a");
     // U+009B begins a control sequence, as one character and as one byte.
@@ -28,7 +28,7 @@ TEST(Text, ControlsNoTerminal) {
     EXPECT_EQ(printable_lines("a\n\tb\x1b"), "a\n\tb\\x1b");
 }
 
-TEST(Text, OfAnyLanguageStaysAsItIs) {
+TEST(Text, TextInAnyLanguageIsUnchanged) {
     const std::string text = "K\u00f6ln \u20ac \U0001F33D";
     EXPECT_EQ(printable(text), text);
 }

@@ -9,7 +9,7 @@
 namespace ideotype {
 namespace {
 
-TEST(Version, MacrosAreThoseOfTheLibrary) {
+TEST(Version, MacrosAgreeWithTheLibrary) {
     const std::string release = std::to_string(IDEOTYPE_VERSION_MAJOR) + "." +
                                 std::to_string(IDEOTYPE_VERSION_MINOR) + "." +
                                 std::to_string(IDEOTYPE_VERSION_PATCH);

@@ -5,7 +5,7 @@
 
 namespace ideotype {
 
-//! Three unlike leaves on a pole that is taller than they are.
+//! Makes a plant with three different leaves on a stalk taller than the leaves.
 inline Plant sample_plant() {
     Plant plant;
     plant.name = "sample";
@@ -16,6 +16,15 @@ inline Plant sample_plant() {
                                   1.149943, 0.379696, 0.0};
     plant.stalk = {{}, true, 2.0, 0.027};
     return plant;
+}
+
+//! Sums the area of the faces of a group [m2].
+inline double group_area(const Mesh& mesh, const std::string& group) {
+    const std::vector<double> areas = face_areas(mesh);
+    double sum = 0;
+    for (std::size_t f = 0; f < areas.size(); ++f)
+        if (mesh.groups[mesh.face_group[f]].name == group) sum += areas[f];
+    return sum;
 }
 
 }  // namespace ideotype

@@ -32,7 +32,7 @@ const Crop crop{
      trait("diameter", TraitNumbers::plant, TraitEffect::sets,
            {"stalk.base_diameter"})}};
 
-TEST(Crop, NumbersAreThoseOfLeavesThenOfThePlant) {
+TEST(Crop, GenesAreTraitValuesOfLeavesThenOfThePlant) {
     const auto numbers = trait_numbers(crop);
     ASSERT_EQ(numbers.size(), 3 * 2 + 1 + 3 + 1u);
     EXPECT_EQ(numbers[0].trait, 0u);
@@ -44,7 +44,7 @@ TEST(Crop, NumbersAreThoseOfLeavesThenOfThePlant) {
     EXPECT_EQ(numbers[10].trait, 4u);
 }
 
-TEST(Crop, TheNumbersOfTheBaselineMakeTheBaseline) {
+TEST(Crop, BaselineTraitValuesReproduceTheBaseline) {
     const std::vector<double> baseline = baseline_numbers(crop);
     EXPECT_EQ(baseline, (std::vector<double>{.651, 34, .822, 24.5, .484, 80, 1,
                                              0, 0, 0, .027}));
@@ -73,14 +73,14 @@ TEST(Crop, MeasuresStayInTheirLimits) {
     EXPECT_EQ(plant.leaves[2].insertion_angle, 90);
 }
 
-TEST(Crop, RefusesAWrongNumberOfNumbersAndUnknownMeasures) {
+TEST(Crop, WrongGeneCountsAndUnknownMeasuresAreRefused) {
     EXPECT_THROW(grow(crop, {1, 2, 3}), Error);
     Crop wrong = crop;
     wrong.traits[0].measures = {"leaf.colour"};
     EXPECT_THROW(baseline_numbers(wrong), Error);
 }
 
-TEST(Profile, PassesThroughItsValues) {
+TEST(Profile, CurvePassesThroughItsValues) {
     const std::vector<double> values{1, 3, 2, 2.5};
     for (std::size_t i = 0; i < values.size(); ++i)
         EXPECT_NEAR(profile(values, static_cast<double>(i) / 3), values[i],
@@ -89,8 +89,9 @@ TEST(Profile, PassesThroughItsValues) {
     EXPECT_DOUBLE_EQ(profile({1, 2}, .25), 1.25);
 }
 
-// scipy.interpolate.PchipInterpolator of SciPy 1.17.1 at .1, .3, .5, .8.
-TEST(Profile, IsTheMonotoneCubicOfSciPy) {
+// Expected: scipy.interpolate.PchipInterpolator of SciPy 1.17.1 at 0.1, 0.3,
+// 0.5, 0.8.
+TEST(Profile, CurveAgreesWithPchipOfSciPy) {
     const double expected[][4] = {
         {1.9464999999999997, 2.9755000000000003, 2.5, 2.056},
         {0.05600000000000001, 0.43200000000000005, 1.0, 2.512},
@@ -103,7 +104,7 @@ TEST(Profile, IsTheMonotoneCubicOfSciPy) {
             EXPECT_NEAR(profile(values[v], at[i]), expected[v][i], 1e-12);
 }
 
-TEST(Profile, StaysBetweenNeighbours) {
+TEST(Profile, CurveStaysBetweenNeighbouringValues) {
     const std::vector<double> values{0, 1, 1, -2, 5};
     for (int k = 0; k <= 1000; ++k) {
         const double x = k / 1000., y = profile(values, x);

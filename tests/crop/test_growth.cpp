@@ -23,7 +23,7 @@ double green_area(double thermal_time) {
     return sum;
 }
 
-TEST(Growth, HasTheGreenAreaTipsAndCollarsOfTheReference) {
+TEST(Growth, GreenAreaTipsAndCollarsAgreeWithTheReference) {
     std::ifstream file(IDEOTYPE_TEST_DATA "/growth/growth_given.json");
     const auto given = nlohmann::json::parse(file);
     EXPECT_EQ(silking_time(hybrid), given["silking"]);
@@ -53,7 +53,7 @@ TEST(Growth, DevelopmentIsOneAtSilkingAndTwoAtMaturity) {
     EXPECT_EQ(development_stage(hybrid, 1e5), 2);
     for (const double stage : {0., 0.3, 1., 1.4, 2.})
         EXPECT_DOUBLE_EQ(
-            development_stage(hybrid, thermal_time_of(hybrid, stage)), stage);
+            development_stage(hybrid, find_thermal_time(hybrid, stage)), stage);
 }
 
 TEST(Growth, LeavesAndOrgansAgeFromSilkingOn) {
@@ -66,7 +66,7 @@ TEST(Growth, LeavesAndOrgansAgeFromSilkingOn) {
         {1.25, {1, 1}},      {1.375, {0.95, 1}},  {1.5, {0.9, 1}},
         {1.75, {0.7, 0.75}}, {1.875, {0.5, 0.5}}, {2, {0.3, 0.25}}};
     for (const auto& [stage, factor] : factors) {
-        const double time = thermal_time_of(growth, stage);
+        const double time = find_thermal_time(growth, stage);
         EXPECT_NEAR(capacity_factor(growth, time), factor.first, 1e-12)
             << stage;
         EXPECT_NEAR(maintenance_factor(growth, time), factor.second, 1e-12)
@@ -80,7 +80,7 @@ TEST(Growth, LeavesAndOrgansAgeFromSilkingOn) {
     }
 }
 
-TEST(Growth, ABladeIsGreenAndThenDeadAndKeepsItsArea) {
+TEST(Growth, FadingMovesBladeAreaFromGreenToDead) {
     const LeafDates leaf = leaf_dates(hybrid)[11];
     EXPECT_EQ(blade_area(hybrid, leaf, leaf.tip).green, 0);
     EXPECT_EQ(blade_area(hybrid, leaf, leaf.collar).green, leaf.area);
@@ -92,7 +92,7 @@ TEST(Growth, ABladeIsGreenAndThenDeadAndKeepsItsArea) {
     EXPECT_EQ(blade_area(hybrid, leaf, 1e4).dead, leaf.area);
 }
 
-TEST(Growth, StemsGrowToTheHeightsOfThePlant) {
+TEST(Growth, StemsReachTheFinalCollarHeights) {
     const Plant plant = sample_plant();
     const std::vector<double> final_heights =
         final_collar_heights(hybrid, plant);
@@ -124,7 +124,7 @@ double mesh_area(const Mesh& mesh, bool are_leaves) {
     return sum;
 }
 
-TEST(Growth, TheMeshOfAPlantHasItsGreenAndDeadAreaAtEachAge) {
+TEST(Growth, MeshHasTheGreenAndDeadAreaOfThePlantAtEveryAge) {
     const Plant plant = complete_plant(hybrid, sample_plant());
     ASSERT_EQ(plant.leaves.size(), 19u);
     // A complete blade has the area 0.7455 length x width.
@@ -140,13 +140,13 @@ TEST(Growth, TheMeshOfAPlantHasItsGreenAndDeadAreaAtEachAge) {
             dead += area * faded;
         }
         const Mesh mesh =
-            build_plant(plant_at(hybrid, sample_plant(), tau), {48, 8});
+            build_plant(age_plant(hybrid, sample_plant(), tau), {48, 8});
         EXPECT_NEAR(mesh_area(mesh, true) / green, 1, 0.01) << tau;
         EXPECT_NEAR(mesh_area(mesh, false), dead, 0.01 * (green + dead)) << tau;
     }
 }
 
-TEST(Growth, APlantWithAllLeavesFullAndGreenIsTheGrownOneToTheBit) {
+TEST(Growth, PlantWithAllLeavesGreenEqualsTheFullGrownPlantBitForBit) {
     Growth growth = hybrid;
     growth.leaves = 3;
     growth.lower_death = 3000;
@@ -156,15 +156,15 @@ TEST(Growth, APlantWithAllLeavesFullAndGreenIsTheGrownOneToTheBit) {
     plant.organs.back().length = 0.2;
     plant.organs.back().base_diameter = 0.02;
     const Mesh grown = build_plant(plant, {});
-    const Mesh at = build_plant(plant_at(growth, plant, 2000), {});
+    const Mesh at = build_plant(age_plant(growth, plant, 2000), {});
     EXPECT_EQ(at.vertices, grown.vertices);
     EXPECT_EQ(at.faces, grown.faces);
     EXPECT_EQ(at.face_group, grown.face_group);
-    const Mesh young = build_plant(plant_at(growth, plant, 100), {});
+    const Mesh young = build_plant(age_plant(growth, plant, 100), {});
     EXPECT_NE(young.vertices, grown.vertices);
 }
 
-TEST(Growth, ATasselDiesSomeTimeAfterSilking) {
+TEST(Growth, TasselDiesAtItsSenescence) {
     Plant plant = sample_plant();
     Organ tassel;
     tassel.material = PlantMaterial::sheath;
@@ -174,40 +174,40 @@ TEST(Growth, ATasselDiesSomeTimeAfterSilking) {
     tassel.senescence = 100;
     plant.organs = {tassel};
     const double silking = silking_time(hybrid);
-    const Organ green = plant_at(hybrid, plant, silking + 99).organs[0];
+    const Organ green = age_plant(hybrid, plant, silking + 99).organs[0];
     EXPECT_EQ(green.material, PlantMaterial::sheath);
     EXPECT_EQ(green.capacity, 0.1);
-    const Organ dead = plant_at(hybrid, plant, silking + 100).organs[0];
+    const Organ dead = age_plant(hybrid, plant, silking + 100).organs[0];
     EXPECT_EQ(dead.material, PlantMaterial::stalk);
     EXPECT_EQ(dead.capacity, 0);
     EXPECT_EQ(dead.maintenance, 0);
 }
 
-TEST(Growth, APlantWithMoreLeavesThanGrowIsRefused) {
+TEST(Growth, PlantWithMoreLeavesThanGrowthIsRefused) {
     Growth growth = hybrid;
     growth.leaves = 2;
     const Plant plant = sample_plant();
     ASSERT_GT(plant.leaves.size(), 2u);
-    EXPECT_THROW(plant_at(growth, plant, 500), Error);
+    EXPECT_THROW(age_plant(growth, plant, 500), Error);
     EXPECT_THROW(complete_plant(growth, plant), Error);
     growth.leaves = static_cast<int>(plant.leaves.size());
-    EXPECT_EQ(plant_at(growth, plant, 500).leaves.size(), plant.leaves.size());
+    EXPECT_EQ(age_plant(growth, plant, 500).leaves.size(), plant.leaves.size());
 }
 
-TEST(Growth, AnUnfoldingBladeIsErectAndItsTipIsTheGrownOne) {
+TEST(Growth, UnfoldingBladeIsErectAndKeepsItsTip) {
     const LeafDates dates = leaf_dates(hybrid)[18];
     const double half = (dates.tip + dates.collar) / 2;
-    const Plant young = plant_at(hybrid, sample_plant(), half);
+    const Plant young = age_plant(hybrid, sample_plant(), half);
     const Leaf leaf = young.leaves[18], grown = sample_plant().leaves[2];
     EXPECT_NEAR(leaf.insertion_angle, grown.insertion_angle * 0.65, 1e-12);
     EXPECT_GT(leaf.hidden, 0.2);
     EXPECT_LT(leaf.hidden, 0.6);
     EXPECT_EQ(leaf.length, grown.length);
     EXPECT_LT(young.stalk.height, sample_plant().stalk.height);
-    EXPECT_EQ(plant_at(hybrid, sample_plant(), 0).leaves[18].hidden, 1);
+    EXPECT_EQ(age_plant(hybrid, sample_plant(), 0).leaves[18].hidden, 1);
 }
 
-TEST(Growth, ThermalTimeIsTheMeanOfHoursBetweenBaseAndCap) {
+TEST(Growth, DailyThermalTimeIsTheHourlyMeanBetweenBaseAndCap) {
     std::array<double, 24> hours{};
     hours.fill(5);
     EXPECT_EQ(daily_thermal_time(hybrid, hours), 0);

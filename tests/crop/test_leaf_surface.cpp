@@ -29,7 +29,7 @@ LeafSurface sample_leaf(std::size_t i, double folding_angle) {
 class EveryLeaf : public ::testing::TestWithParam<std::size_t> {};
 INSTANTIATE_TEST_SUITE_P(Sample, EveryLeaf, ::testing::Values(0u, 1u, 2u));
 
-TEST_P(EveryLeaf, LengthAndWidthAreMetByTheTessellation) {
+TEST_P(EveryLeaf, TessellationHasTheLengthAndWidthOfTheLeaf) {
     const Plant sample = sample_plant();
     for (const int cells : {4, 12, 40}) {
         const auto rows = sample_leaf(GetParam(), 10).tessellate(cells);
@@ -43,7 +43,7 @@ TEST_P(EveryLeaf, LengthAndWidthAreMetByTheTessellation) {
     }
 }
 
-TEST_P(EveryLeaf, SurfaceItselfNeedsHardlyAnyStretching) {
+TEST_P(EveryLeaf, SurfaceHasNearlyTheLengthAndWidthOfTheLeaf) {
     const Plant sample = sample_plant();
     const LeafSurface leaf = sample_leaf(GetParam(), 10);
     double length = 0, width = 0;
@@ -56,7 +56,7 @@ TEST_P(EveryLeaf, SurfaceItselfNeedsHardlyAnyStretching) {
     EXPECT_NEAR(width / sample.leaves[GetParam()].width, 1, 2e-3);
 }
 
-TEST_P(EveryLeaf, MidribFollowsItsAngles) {
+TEST_P(EveryLeaf, MidribFollowsTheAnglesOfTheLeaf) {
     const Plant sample = sample_plant();
     const Leaf& traits = sample.leaves[GetParam()];
     const LeafSurface leaf = sample_leaf(GetParam(), 0);
@@ -74,9 +74,10 @@ TEST_P(EveryLeaf, MidribFollowsItsAngles) {
     }
 }
 
-TEST(LeafSurface, WidthProfileIsThatOfMaize) {
+TEST(LeafSurface, WidthProfileMatchesPublishedMaize) {
     // Relative widths at tenths of the length and the area factor of a maize
-    // blade; the six-point spline trades 0.023 of width for exact area.
+    // blade; the six-point spline is exact in area and off by up to 0.023 in
+    // width.
     const double published[] = {.28, .70, .88, .935, .97, .98,
                                 .96, .88, .66, .35,  0};
     const LeafSurface leaf({1, 0.1, 45, 0, 0, 0.5}, sample_plant().blade);
@@ -88,7 +89,7 @@ TEST(LeafSurface, WidthProfileIsThatOfMaize) {
     EXPECT_NEAR(area / 0.1, 0.7455, 1e-5);
 }
 
-TEST(LeafSurface, FoldRaisesTheEdgesTowardsTheUpperSide) {
+TEST(LeafSurface, FoldingRaisesTheEdgesTowardsTheUpperSide) {
     const BladeRow flat = sample_leaf(2, 0).row(0.3);
     const BladeRow folded = sample_leaf(2, 20).row(0.3);
     EXPECT_NEAR(flat.left.z, flat.midrib.z, 1e-12);
@@ -96,7 +97,7 @@ TEST(LeafSurface, FoldRaisesTheEdgesTowardsTheUpperSide) {
     EXPECT_NEAR(blade_width(folded), blade_width(flat), 1e-9);
 }
 
-//! Returns a leaf whose blade is rolled and twisted.
+//! Makes a leaf with a rolled and twisted blade.
 Leaf rolled_leaf() {
     Leaf leaf = sample_plant().leaves[1];
     leaf.roll = 40;
@@ -174,8 +175,9 @@ TEST(LeafSurface, DigitisedMidribsAreFollowed) {
     // A trait that adds 10 deg to the insertion turns the whole midrib.
     leaf.insertion_angle += 10;
     const LeafSurface turned(leaf, sample_plant().blade, 0.01);
-    const auto direction = [](const LeafSurface& each) {
-        const glm::dvec3 chord = each.row(1).midrib - each.row(0).midrib;
+    const auto direction = [](const LeafSurface& leaf_surface) {
+        const glm::dvec3 chord =
+            leaf_surface.row(1).midrib - leaf_surface.row(0).midrib;
         return std::atan2(chord.y, chord.z) * 180 / std::numbers::pi;
     };
     EXPECT_NEAR(direction(turned) - direction(surface), 10, 1e-6);
@@ -187,7 +189,7 @@ TEST(LeafSurface, MidribsOfOnePointAreRefused) {
     EXPECT_THROW(LeafSurface(leaf, sample_plant().blade), Error);
 }
 
-TEST(LeafSurface, RefusesAWrongNumberOfWidthControls) {
+TEST(LeafSurface, WrongNumberOfWidthControlsIsRefused) {
     EXPECT_THROW(LeafSurface({1, 0.1, 45, 0, 0, 0.5}, {{1, 1}, 0, 1.5}), Error);
 }
 

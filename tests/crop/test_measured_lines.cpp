@@ -10,8 +10,8 @@
 namespace ideotype {
 namespace {
 
-//! Lines with two traits, the angle of the leaf below the highest one and the
-//! height of the stalk, whose means are those of the sample.
+//! Makes lines with two traits, the angle of the leaf below the highest one and
+//! the height of the stalk, with the sample plant as their mean.
 MeasuredLines two_traits(double correlation) {
     const Plant plant = sample_plant();
     return {
@@ -20,7 +20,7 @@ MeasuredLines two_traits(double correlation) {
         {correlation}};
 }
 
-TEST(MeasuredLines, TheirMeanHasNoDistance) {
+TEST(MeasuredLines, MeanPlantHasNoDistance) {
     EXPECT_EQ(distance(two_traits(.5), sample_plant()).from_mean, 0);
 }
 
@@ -37,15 +37,15 @@ TEST(MeasuredLines, DistanceIsInStandardDeviations) {
                 std::sqrt((4 + 3 + 2.25) / .75), 1e-12);
 }
 
-TEST(MeasuredLines, TheNearestLineIsFound) {
+TEST(MeasuredLines, NearestLineIsIdentified) {
     MeasuredLines known = two_traits(0);
     const double angle = known.traits[0].mean, height = known.traits[1].mean;
     known.lines = {{"far", {angle + 20, height}},
                    {"near", {angle + 5, height}},
                    {"wide", {angle - 10, height}}};
-    const LineDistance found = distance(known, sample_plant());
-    EXPECT_EQ(found.line, 2u);
-    EXPECT_NEAR(found.from_line, 1, 1e-12);
+    const LineDistance nearest = distance(known, sample_plant());
+    EXPECT_EQ(nearest.line, 2u);
+    EXPECT_NEAR(nearest.from_line, 1, 1e-12);
 }
 
 TEST(MeasuredLines, LeavesAreCountedFromTheEarOrTheTop) {
@@ -70,7 +70,7 @@ TEST(MeasuredLines, LeavesAreCountedFromTheEarOrTheTop) {
         EXPECT_FALSE(names_leaf(wrong)) << wrong;
 }
 
-TEST(MeasuredLines, ImpossibleCorrelationsAreKnown) {
+TEST(MeasuredLines, ImpossibleCorrelationsAreDetected) {
     MeasuredLines known = two_traits(0);
     EXPECT_TRUE(are_correlations(known));
     known.traits.push_back({"stalk.base_diameter", "", 0.02, 0.01});
@@ -78,7 +78,7 @@ TEST(MeasuredLines, ImpossibleCorrelationsAreKnown) {
     EXPECT_FALSE(are_correlations(known));
 }
 
-TEST(MeasuredLines, MeasuresThatAPlantDoesNotHaveAreRefused) {
+TEST(MeasuredLines, UnknownMeasuresAreRefused) {
     EXPECT_THROW(
         distance({{{"spikelet.length", "", 0, 1}}, {}}, sample_plant()), Error);
 }

@@ -27,7 +27,7 @@ double area(const ObjMesh& obj) {
     return std::accumulate(areas.begin(), areas.end(), 0.0);
 }
 
-std::string error_of(const std::string& text) {
+std::string parse_error(const std::string& text) {
     try {
         parse(text);
     } catch (const InputError& error) {
@@ -50,7 +50,7 @@ TEST(ObjReader, TrianglesQuadsAndLargerPolygonsKeepTheirArea) {
     EXPECT_TRUE(hexagon.warnings.empty());
 }
 
-TEST(ObjReader, ConcavePolygonsAreNeitherFilledNorFolded) {
+TEST(ObjReader, ConcavePolygonsKeepTheirArea) {
     // An arrow head: the corner (1, 1) points inwards.
     const std::string arrow = "v 0 0 0\nv 2 1 0\nv 0 2 0\nv 1 1 0\n";
     for (const char* face : {"f 1 2 3 4\n", "f 2 3 4 1\n", "f 3 4 1 2\n",
@@ -99,7 +99,7 @@ TEST(ObjReader, GroupsNamedAsExportedStalksAreStalks) {
     }
 }
 
-TEST(ObjReader, AMillionFacesTakeLittleMemory) {
+TEST(ObjReader, MillionFacesTakeLittleMemory) {
     constexpr std::size_t faces = 1'000'000;
     std::string text = square;
     for (std::size_t i = 0; i < faces; ++i) text += "f 1 2 3\n";
@@ -128,7 +128,7 @@ TEST(ObjReader, GroupAndObjectNamesGatherTheirFaces) {
               (std::vector<std::uint32_t>{0, 1, 2, 2, 1, 0}));
 }
 
-TEST(ObjReader, AcceptsWhatTheFormatAllows) {
+TEST(ObjReader, UnusualButValidSyntaxIsAccepted) {
     // The text has a byte order mark, CR LF, continuation, forward, backward
     // and compound indices, colours, signs and exponents.
     const ObjMesh obj = parse(
@@ -158,7 +158,7 @@ TEST(ObjReader, FacesWithoutAreaAreCountedAndLeftOut) {
               "3 faces without area are left out (the first in line 6)");
 }
 
-TEST(ObjReader, LinesNotUnderstoodAreCounted) {
+TEST(ObjReader, UnknownStatementsAreCountedAndSkipped) {
     const ObjMesh obj =
         parse(std::string(square) + "f 1 2 3\nhello there\nfaces 3\n");
     ASSERT_EQ(obj.warnings.size(), 1u);
@@ -166,53 +166,53 @@ TEST(ObjReader, LinesNotUnderstoodAreCounted) {
               "2 lines are not understood and left out (the first in line 6)");
 }
 
-TEST(ObjReader, BrokenFilesAreErrorsWithTheirPlace) {
+TEST(ObjReader, BrokenFilesAreErrorsWithTheirLocation) {
     const std::string v = square;
-    EXPECT_EQ(error_of(""),
+    EXPECT_EQ(parse_error(""),
               "a.obj: there are no faces (lines that begin with f); add some");
-    EXPECT_EQ(error_of(v),
+    EXPECT_EQ(parse_error(v),
               "a.obj: there are no faces (lines that begin with f); add some");
-    EXPECT_EQ(error_of(v + "f 1 1 1\n"),
+    EXPECT_EQ(parse_error(v + "f 1 1 1\n"),
               "a.obj: no face has an area (the corners of each are on a line); "
               "export the mesh again");
-    EXPECT_EQ(error_of("v 0 nan 0\n"),
+    EXPECT_EQ(parse_error("v 0 nan 0\n"),
               "a.obj:1:5: 'nan' is not a finite coordinate; correct it");
-    EXPECT_EQ(error_of("v 0 0 -inf\n"),
+    EXPECT_EQ(parse_error("v 0 0 -inf\n"),
               "a.obj:1:7: '-inf' is not a finite coordinate; correct it");
-    EXPECT_EQ(error_of("v 1e999 0 0\n"),
+    EXPECT_EQ(parse_error("v 1e999 0 0\n"),
               "a.obj:1:3: '1e999' is not a finite coordinate; correct it");
-    EXPECT_EQ(error_of("v 0 0 0\nv 1,5 0 0\n"),
+    EXPECT_EQ(parse_error("v 0 0 0\nv 1,5 0 0\n"),
               "a.obj:2:3: '1,5' is not a number; write coordinates with a "
               "decimal point");
-    EXPECT_EQ(error_of("v 0 +-1 0\n"),
+    EXPECT_EQ(parse_error("v 0 +-1 0\n"),
               "a.obj:1:5: '+-1' is not a number; write coordinates with a "
               "decimal point");
-    EXPECT_EQ(error_of("v 0 0\n"),
+    EXPECT_EQ(parse_error("v 0 0\n"),
               "a.obj:1:1: a vertex has fewer than three coordinates; give x, y "
               "and z");
     EXPECT_EQ(
-        error_of(v + "f 1 2\n"),
+        parse_error(v + "f 1 2\n"),
         "a.obj:5:1: a face has fewer than three corners; give three or more");
     EXPECT_EQ(
-        error_of(v + "f 1 2 a\n"),
+        parse_error(v + "f 1 2 a\n"),
         "a.obj:5:7: 'a' is not the number of a vertex; write a whole number");
-    EXPECT_EQ(error_of(v + "f 1 2 99999999999\n"),
+    EXPECT_EQ(parse_error(v + "f 1 2 99999999999\n"),
               "a.obj:5:7: '99999999999' is not the number of a vertex; write a "
               "whole number");
-    EXPECT_EQ(error_of(v + "f 1 2 0\n"),
+    EXPECT_EQ(parse_error(v + "f 1 2 0\n"),
               "a.obj:5:1: a corner is vertex 0 (vertices are counted from 1); "
               "correct it");
     EXPECT_EQ(
-        error_of(v + "\nf 1 2 5\n"),
+        parse_error(v + "\nf 1 2 5\n"),
         "a.obj:6:1: a corner is vertex 5, but there are only 4; correct it");
-    EXPECT_EQ(error_of(v + "f 1 2 -5\n"),
+    EXPECT_EQ(parse_error(v + "f 1 2 -5\n"),
               "a.obj:5:1: a corner lies before the first vertex; correct it");
-    EXPECT_EQ(error_of("v 2e6 0 0\n"),
+    EXPECT_EQ(parse_error("v 2e6 0 0\n"),
               "a.obj:1:1: the coordinate 2e+06 is not within 1e+06 m of the "
               "origin (the unit is the metre); scale the mesh");
 }
 
-TEST(ObjReader, AFileThatCannotBeReadIsAnError) {
+TEST(ObjReader, UnreadableFileIsAnError) {
     EXPECT_THROW(read_obj("/no/such/file.obj"), Error);
     try {
         read_obj("/");
@@ -225,7 +225,7 @@ TEST(ObjReader, AFileThatCannotBeReadIsAnError) {
     EXPECT_THROW(read_obj("/dev/zero"), Error);
 }
 
-TEST(ObjReader, PolygonsOfVeryManyCornersAreSplitOrRefusedSoon) {
+TEST(ObjReader, PolygonsOfManyCornersAreSplitOrRefusedQuickly) {
     // A star and a disc.
     const auto polygon = [](int corners, double inner) {
         std::string text, face = "f";
@@ -238,7 +238,7 @@ TEST(ObjReader, PolygonsOfVeryManyCornersAreSplitOrRefusedSoon) {
         }
         return text + face + "\n";
     };
-    EXPECT_EQ(error_of(polygon(100'000, .9)),
+    EXPECT_EQ(parse_error(polygon(100'000, .9)),
               "a.obj:100001:1: a polygon of 100000 corners is too intricate "
               "to be split; give it as triangles");
     EXPECT_EQ(parse_obj(polygon(10'000, 1), "a.obj").mesh.faces.size(), 9998u);

@@ -11,19 +11,11 @@
 namespace ideotype {
 namespace {
 
-double area_of(const Mesh& mesh, const std::string& group) {
-    const std::vector<double> areas = face_areas(mesh);
-    double sum = 0;
-    for (std::size_t f = 0; f < areas.size(); ++f)
-        if (mesh.groups[mesh.face_group[f]].name == group) sum += areas[f];
-    return sum;
-}
-
 struct Box {
     glm::dvec3 lower{9, 9, 9}, upper{-9, -9, -9};
 };
 
-Box box_of(const Mesh& mesh, std::uint32_t group) {
+Box find_box(const Mesh& mesh, std::uint32_t group) {
     Box box;
     for (std::size_t f = 0; f < mesh.faces.size(); ++f)
         for (const std::uint32_t v : mesh.faces[f])
@@ -74,7 +66,7 @@ TEST(Plant, AzimuthZeroIsAlongTheRowAndNinetyAcross) {
     }
 }
 
-TEST(Plant, StalkHasTheSideOfItsCylinder) {
+TEST(Plant, StalkHasTheLateralAreaOfACylinder) {
     const Plant sample = sample_plant();
     const Mesh mesh = build_plant(sample, {});
     const auto areas = face_areas(mesh);
@@ -99,7 +91,7 @@ TEST(Plant, StalksTaper) {
     // The side of a truncated cone has the area pi (r + R) times its slant
     // height.
     const double slant = std::hypot(1.6, 0.0065);
-    EXPECT_NEAR(area_of(build_plant(sample, {12, 200}), "stalk") /
+    EXPECT_NEAR(group_area(build_plant(sample, {12, 200}), "stalk") /
                     (std::numbers::pi * 0.0175 * slant +
                      std::numbers::pi * 0.0055 * 0.0055),
                 1, 1e-3);
@@ -120,14 +112,14 @@ TEST(Plant, LeavesBeginAtTheSurfaceOfTheStalk) {
     EXPECT_NEAR(plant_area(mesh).leaves / plant_area(bare).leaves, 1, 1e-9);
 }
 
-TEST(Plant, TheMassOfSheathsDoesNotShrinkWithTheStalk) {
+TEST(Plant, SheathMassDoesNotShrinkWithTheStalk) {
     Plant sample = sample_plant();
     sample.leaves[0].insertion_height = 0.5;
     sample.stalk = {{}, true, 2, 0.03, 0.01};
     sample.sheath = {{}, true, 0.2, 0.001};
     sample.stalk.density = 100;
     sample.sheath.density = 90;
-    const std::vector<PlantOrgan> organs = organs_of(sample);
+    const std::vector<PlantOrgan> organs = list_organs(sample);
     ASSERT_EQ(organs.size(), 4u);
     EXPECT_EQ(organs[2].name, "petiole");
     EXPECT_FALSE(organs[2].is_present);
@@ -138,13 +130,13 @@ TEST(Plant, TheMassOfSheathsDoesNotShrinkWithTheStalk) {
     Plant shorter = sample;
     shorter.stalk.height *= 0.7;
     for (Leaf& leaf : shorter.leaves) leaf.insertion_height *= 0.7;
-    EXPECT_NEAR(organs_of(shorter)[0].mass, 0.7 * organs[0].mass, 1e-12);
-    EXPECT_NEAR(organs_of(shorter)[1].mass, organs[1].mass, 1e-12);
+    EXPECT_NEAR(list_organs(shorter)[0].mass, 0.7 * organs[0].mass, 1e-12);
+    EXPECT_NEAR(list_organs(shorter)[1].mass, organs[1].mass, 1e-12);
     sample.sheath.is_present = false;
-    EXPECT_EQ(organs_of(sample)[1].mass, 0);
+    EXPECT_EQ(list_organs(sample)[1].mass, 0);
 }
 
-TEST(Plant, EachGreenSheathHasFacesOfItsOwn) {
+TEST(Plant, GreenSheathsHaveSeparateFaces) {
     Plant sample = sample_plant();
     sample.stalk = {{}, true, 1.6, 0.02, 0.02};
     sample.sheath = {{}, true, 0.81, 0.001};
@@ -157,7 +149,7 @@ TEST(Plant, EachGreenSheathHasFacesOfItsOwn) {
     EXPECT_TRUE(dead.groups.front().assimilates());
 }
 
-TEST(Plant, SheathsCoverTheStalkBelowEachLeafAndAreNoLeaves) {
+TEST(Plant, SheathsCoverTheStalkBelowEachLeafAndAreNotLeaves) {
     Plant sample = sample_plant();
     const double leaves = plant_area(build_plant(sample, {})).leaves;
     sample.stalk = {{}, true, 1.6, 0.02, 0.02};
@@ -169,8 +161,8 @@ TEST(Plant, SheathsCoverTheStalkBelowEachLeafAndAreNoLeaves) {
     EXPECT_EQ(mesh.groups.back().material, 2u);
     EXPECT_EQ(mesh.groups.back().id.organ, 2u);
     EXPECT_NEAR(plant_area(mesh).leaves, leaves, 1e-9);
-    // Leaves at .1, .9 and 1.6 m: .1, .5 and .5 m of sheath show, and .3 and .2
-    // m of stalk; only sheaths are closed by flat tops.
+    // Leaves at 0.1, 0.9 and 1.6 m: 0.1, 0.5 and 0.5 m of sheath show, and 0.3
+    // and 0.2 m of stalk; only sheaths are closed by flat tops.
     const auto tops = [](double radius, int count) {
         return count * 8 * std::sin(std::numbers::pi / 8) *
                std::cos(std::numbers::pi / 8) *
@@ -178,12 +170,12 @@ TEST(Plant, SheathsCoverTheStalkBelowEachLeafAndAreNoLeaves) {
                             std::sin(std::numbers::pi / 8),
                         2);
     };
-    EXPECT_NEAR(area_of(mesh, "sheath"),
+    EXPECT_NEAR(group_area(mesh, "sheath"),
                 std::numbers::pi * 0.022 * 1.1 + tops(0.011, 3), 1e-9);
-    EXPECT_NEAR(area_of(mesh, "stalk"), std::numbers::pi * 0.02 * 0.5, 1e-9);
+    EXPECT_NEAR(group_area(mesh, "stalk"), std::numbers::pi * 0.02 * 0.5, 1e-9);
     // Sheaths that are longer than all internodes leave no stalk bare.
     sample.sheath.length = 0.81;
-    EXPECT_EQ(area_of(build_plant(sample, {}), "stalk"), 0);
+    EXPECT_EQ(group_area(build_plant(sample, {}), "stalk"), 0);
 }
 
 TEST(Plant, OtherOrgansStandOnTheStalkOrAtALeaf) {
@@ -209,7 +201,7 @@ TEST(Plant, OtherOrgansStandOnTheStalkOrAtALeaf) {
     ASSERT_EQ(mesh.groups.size(), 6u);
     EXPECT_EQ(mesh.groups[4].name, "stalk_branches");
     EXPECT_EQ(mesh.groups[5].name, "sheath_ear");
-    const Box top = box_of(mesh, 4), side = box_of(mesh, 5);
+    const Box top = find_box(mesh, 4), side = find_box(mesh, 5);
     // Branches at 1.8, 1.85 and 1.9 m, level, 120 deg apart from +y.
     EXPECT_NEAR(top.lower.z, 1.8, 0.003);
     EXPECT_NEAR(top.upper.z, 1.9, 0.003);

@@ -22,7 +22,7 @@ struct Spread {
 };
 
 template <class Measure>
-Spread spread_of(const PlantVariation& variation, Measure measure) {
+Spread estimate_spread(const PlantVariation& variation, Measure measure) {
     constexpr int plants = 4000;
     RandomStream random = stream();
     std::vector<double> values;
@@ -32,14 +32,14 @@ Spread spread_of(const PlantVariation& variation, Measure measure) {
     return {mean.mean, mean.standard_error * std::sqrt(plants)};
 }
 
-TEST(PlantVariation, HasTheMeansAndDeviationsThatItIsGiven) {
+TEST(PlantVariation, PlantsHaveTheGivenMeansAndDeviations) {
     const PlantVariation variation{.1,  .2,   {8},        {15},
                                    .05, {12}, {1, 20, 1}, {86}};
     const Plant line = sample_plant();
     const auto expect = [&](auto measure, double mean, double deviation) {
-        const Spread found = spread_of(variation, measure);
-        EXPECT_NEAR(found.mean, mean, .07 * deviation);
-        EXPECT_NEAR(found.deviation / deviation, 1, .04);
+        const Spread spread = estimate_spread(variation, measure);
+        EXPECT_NEAR(spread.mean, mean, .07 * deviation);
+        EXPECT_NEAR(spread.deviation / deviation, 1, .04);
     };
     const Leaf& second = line.leaves[1];
     expect([](const Plant& p) { return p.leaves[1].length; }, second.length,
@@ -61,7 +61,7 @@ TEST(PlantVariation, HasTheMeansAndDeviationsThatItIsGiven) {
            .05 * line.stalk.height);
 }
 
-TEST(PlantVariation, OfNoneChangesNothing) {
+TEST(PlantVariation, ZeroVariationLeavesThePlantUnchanged) {
     RandomStream random = stream();
     const Plant line = sample_plant();
     const Plant same = deviating(line, {}, random);
@@ -75,7 +75,7 @@ TEST(PlantVariation, OfNoneChangesNothing) {
     EXPECT_TRUE((PlantVariation{.azimuth = {0, 1}}.is_any()));
 }
 
-TEST(PlantVariation, OfOneMeasureKeepsTheOthersDeviations) {
+TEST(PlantVariation, VariationOfOneMeasureKeepsRandomNumbersOfTheOthers) {
     RandomStream few = stream(), many = stream();
     const PlantVariation only{.length = .1}, more{.1, .1, {8}, {8}, .1};
     for (int i = 0; i < 5; ++i) {
@@ -87,7 +87,7 @@ TEST(PlantVariation, OfOneMeasureKeepsTheOthersDeviations) {
     }
 }
 
-TEST(PlantVariation, LeansNoLeafToTheOtherSideOfTheStalk) {
+TEST(PlantVariation, NoLeafLeansToTheOppositeSideOfTheStalk) {
     Plant upright = sample_plant();
     for (Leaf& leaf : upright.leaves) leaf.insertion_angle = 2;
     RandomStream random = stream();
@@ -97,7 +97,7 @@ TEST(PlantVariation, LeansNoLeafToTheOtherSideOfTheStalk) {
             EXPECT_GE(leaf.insertion_angle, 0);
 }
 
-TEST(PlantVariation, MostBladesAreHardlyTwistedAndSomeAlot) {
+TEST(PlantVariation, TwistIsSmallForMostBladesAndLargeForSome) {
     // The measured standard deviation is 86 deg, and 43 deg for half of the
     // plants.
     RandomStream random = stream();
@@ -123,7 +123,7 @@ TEST(PlantVariation, ScaledPlantsAreSimilar) {
     EXPECT_EQ(half.leaves[0].azimuth, line.leaves[0].azimuth);
 }
 
-TEST(PlantVariation, KeepsTheFacesOfTheLine) {
+TEST(PlantVariation, PlantsHaveTheFacesOfTheirLine) {
     // Each sheath ends where the leaf below begins, but for rounding.
     Plant line = sample_plant();
     line.stalk.base_diameter = .02;

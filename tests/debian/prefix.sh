@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Builds, installs and runs ideotype as a user with libraries that are unpacked in
 # folders, as on a cluster where nobody installs packages; HDF5 is the one with MPI,
-# in a folder of its own, as Spack has it by default. run.sh runs it in a root of its
+# in a separate folder, as Spack has it by default. run.sh runs it in a root of its
 # own, where none of these libraries is installed:
 #
 #     tests/debian/run.sh bookworm /tmp/ideotype-prefix tests/debian/prefix.sh
@@ -29,7 +29,7 @@ if [ "$(id -u)" -eq 0 ]; then
         env HOME=$work "$0"
 fi
 
-# As modules of a cluster set them: Debian's libraries have no paths of their own.
+# As modules of a cluster set them: Debian's libraries have no separate paths.
 export PATH=$prefix/bin:$PATH OPAL_PREFIX=$prefix
 export LD_LIBRARY_PATH=$libraries:/opt/prefix/lib/$machine
 export CPATH=$prefix/include/$machine

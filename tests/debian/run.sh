@@ -11,7 +11,7 @@
 # (/tmp/ideotype-SUITE) and stays there: a second run begins with it and
 # fetches what has been committed since. Packages come from the mirror that
 # apt uses here. Mounts and processes end with the script, however it ends,
-# because they are in name spaces of their own.
+# because they are in separate name spaces.
 set -euo pipefail
 suite=${1:?usage: tests/debian/run.sh SUITE [DIRECTORY]}
 root=${2:-/tmp/ideotype-$suite}

@@ -93,12 +93,14 @@ void* __libc_calloc(std::size_t, std::size_t);
 void* __libc_realloc(void*, std::size_t);
 // NOLINTEND(readability-identifier-naming)
 
-// NOLINTNEXTLINE(readability-identifier-naming): what begins a program.
-int __libc_start_main(Main* own, int count, char** words, void (*first)(),
-                      void (*last)(), void (*loader)(), void* stack) {
+// NOLINTNEXTLINE(readability-identifier-naming): the entry point of the C
+// library.
+int __libc_start_main(Main* main_function, int count, char** words,
+                      void (*first)(), void (*last)(), void (*loader)(),
+                      void* stack) {
     static auto* const real =
         hidden<decltype(__libc_start_main)>("__libc_start_main");
-    real_main = own;
+    real_main = main_function;
     return real(counted_main, count, words, first, last, loader, stack);
 }
 
@@ -147,11 +149,11 @@ ssize_t pread64(int file, void* bytes, std::size_t size, off64_t at) {
                     [&](std::size_t n) { return real(file, bytes, n, at); });
 }
 
-int fallocate(int file, int mode, off_t from, off_t size) {
+int fallocate(int file, int mode, off_t offset, off_t size) {
     static auto* const real = hidden<decltype(fallocate)>("fallocate");
     return fails(next_of_file(Kind::reserve, file))
                ? -1
-               : real(file, mode, from, size);
+               : real(file, mode, offset, size);
 }
 
 int fallocate64(int file, int mode, off64_t from, off64_t size) {
@@ -220,14 +222,14 @@ FILE* fopen64(const char* path, const char* mode) {
     return fopen(path, mode);
 }
 
-int rename(const char* from, const char* to) {
+int rename(const char* old_path, const char* to) {
     static auto* const real = hidden<decltype(rename)>("rename");
-    return fails(next(Kind::rename, to)) ? -1 : real(from, to);
+    return fails(next(Kind::rename, to)) ? -1 : real(old_path, to);
 }
 
-int link(const char* from, const char* to) {
+int link(const char* old_path, const char* to) {
     static auto* const real = hidden<decltype(link)>("link");
-    return fails(next(Kind::rename, to)) ? -1 : real(from, to);
+    return fails(next(Kind::rename, to)) ? -1 : real(old_path, to);
 }
 
 int unlink(const char* path) {
@@ -236,12 +238,12 @@ int unlink(const char* path) {
 }
 
 void* mmap(void* where, std::size_t size, int protection, int flags, int file,
-           off_t from) {
+           off_t offset) {
     static auto* const real = hidden<decltype(mmap)>("mmap");
     const Fault fault =
         file < 0 ? next(Kind::map, "") : next_of_file(Kind::map, file);
     return fails(fault) ? MAP_FAILED
-                        : real(where, size, protection, flags, file, from);
+                        : real(where, size, protection, flags, file, offset);
 }
 
 void* mmap64(void* where, std::size_t size, int protection, int flags, int file,

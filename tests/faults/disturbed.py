@@ -41,18 +41,18 @@ class Fault:
     def environment(self, note: Path) -> dict[str, str]:
         """Returns the variables that the library of faults reads."""
         plus = "+" if self.lasting else ""
-        found = {"FAULT": f"{self.kind}:{self.mode}:{self.n}{plus}"}
+        environment = {"FAULT": f"{self.kind}:{self.mode}:{self.n}{plus}"}
         if self.file is not None:
-            found["FAULT_FILE"] = self.file
-        return found | place(self.rank, note)
+            environment["FAULT_FILE"] = self.file
+        return environment | place(self.rank, note)
 
 
 def place(rank: int | None, note: Path) -> dict[str, str]:
     """Returns the variables that tell where calls are counted."""
-    found = {"FAULT_NOTE": str(note)}
+    environment = {"FAULT_NOTE": str(note)}
     if rank is not None:
-        found["FAULT_RANK"] = str(rank)
-    return found
+        environment["FAULT_RANK"] = str(rank)
+    return environment
 
 
 @dataclass
@@ -137,11 +137,11 @@ class Setup:
             variables["FAULT_FILE"] = file
         ended = self.run("counted", variables)
         assert ended.code == 0, ended.output
-        found = re.findall(
+        counts = re.findall(
             r"^count (\w+) (\d+)$", note.read_text(), re.MULTILINE
         )
         shutil.rmtree(self.folder / "counted")
-        return {kind: int(count) for kind, count in found}
+        return {kind: int(count) for kind, count in counts}
 
     def judge(self, fault: Fault, out: str) -> Verdict:
         """Runs with a fault, checks the remaining files, and resumes the
@@ -177,14 +177,14 @@ class Setup:
 
     def _look(self, history: Path, ended: Ended) -> list[str]:
         try:
-            found = numbers_of(history)
+            values = numbers_of(history)
         except (OSError, KeyError, RuntimeError, Error) as error:
             return [f"unreadable: {error}"]
         if ended.code == 0:
-            return differences(self.whole, found)
-        wrong = lost_rows(found, ended.output)
+            return differences(self.whole, values)
+        wrong = lost_rows(values, ended.output)
         for group in ("evaluations", "final"):
-            wrong += wrong_rows(group, self.whole, found)
+            wrong += wrong_rows(group, self.whole, values)
         return wrong
 
 
@@ -218,23 +218,23 @@ def outcome_of(ended: Ended) -> str:
 
 def numbers_of(path: Path) -> Numbers:
     """Returns all data of a history that no disturbance may change."""
-    found = {}
+    arrays = {}
     with open_file(path) as file:
         for group, free in _FREE.items():
             for name, data in file[group].items():
                 if name not in free and hasattr(data, "shape"):
-                    found[f"{group}/{name}"] = data[()]
-    return found
+                    arrays[f"{group}/{name}"] = data[()]
+    return arrays
 
 
-def differences(whole: Numbers, found: Numbers) -> list[str]:
+def differences(whole: Numbers, disturbed: Numbers) -> list[str]:
     """Returns the differences from the undisturbed history."""
-    if whole.keys() != found.keys():
+    if whole.keys() != disturbed.keys():
         return ["other data"]
     return [
         f"differs: {name}"
         for name, data in whole.items()
-        if not _is_same(data, found[name])
+        if not _is_same(data, disturbed[name])
     ]
 
 
@@ -244,24 +244,24 @@ def _is_same(a: np.ndarray, b: np.ndarray) -> bool:
     return a.tobytes() == b.tobytes()
 
 
-def wrong_rows(group: str, whole: Numbers, found: Numbers) -> list[str]:
+def wrong_rows(group: str, whole: Numbers, disturbed: Numbers) -> list[str]:
     """Returns data of complete rows that differ from the undisturbed rows."""
-    rows = np.isin(found[f"{group}/status"], _DONE)
+    rows = np.isin(disturbed[f"{group}/status"], _DONE)
     return [
         f"wrong: {name}"
         for name, data in whole.items()
         if name.startswith(f"{group}/")
         and len(data) == len(rows)
-        and not _is_same(data[rows], found[name][rows])
+        and not _is_same(data[rows], disturbed[name][rows])
     ]
 
 
-def lost_rows(found: Numbers, output: str) -> list[str]:
+def lost_rows(disturbed: Numbers, output: str) -> list[str]:
     """Returns the rows that were reported but are missing."""
     reported = [
         int(n)
         for n in re.findall(r"generation \d+, (\d+) of \d+ plants", output)
     ]
     rows = max(reported, default=0)
-    done = np.isin(found["evaluations/status"][:rows], _DONE)
+    done = np.isin(disturbed["evaluations/status"][:rows], _DONE)
     return [] if done.all() else ["a reported row is lost"]

@@ -65,23 +65,23 @@ def prepared(program: Path, library: Path, name: str, folder: Path) -> Setup:
     return Setup(program, library, path, folder, ranks)
 
 
-def numbers(count: int, most: int, sample: int, seed: str) -> list[int]:
+def numbers(count: int, upper: int, sample: int, seed: str) -> list[int]:
     """Returns each number up to MOST, and a sample of larger numbers up to
     COUNT."""
-    rest = range(most + 1, count + 1)
+    rest = range(upper + 1, count + 1)
     chosen = random.Random(seed).sample(rest, min(sample, len(rest)))
-    return [*range(1, min(count, most) + 1), *sorted(chosen)]
+    return [*range(1, min(count, upper) + 1), *sorted(chosen)]
 
 
 def faults_of(
-    name: str, counts: dict[str, int], most: int, sample: int, seed: int
+    name: str, counts: dict[str, int], upper: int, sample: int, seed: int
 ) -> Iterator[Fault]:
     """Yields the faults of a setup whose undisturbed run makes COUNTS calls."""
     _, calls, rank, file = SETUPS[name]
     for kind, modes in calls.items():
         for mode in modes:
             chosen = f"{seed} {name} {kind} {mode}"
-            for n in numbers(counts[kind], most, sample, chosen):
+            for n in numbers(counts[kind], upper, sample, chosen):
                 lasting = mode.endswith("+")
                 yield Fault(kind, mode.rstrip("+"), n, lasting, rank, file)
 
@@ -101,12 +101,12 @@ def mode_of(fault: Fault) -> str:
 
 
 def report(
-    name: str, counts: dict[str, int], found: list[tuple[Fault, Verdict]]
+    name: str, counts: dict[str, int], verdicts: list[tuple[Fault, Verdict]]
 ) -> list[str]:
     """Prints a row for each kind and mode; returns the errors."""
     outcomes: dict[tuple[str, str], Counter[str]] = {}
     wrong = []
-    for fault, verdict in found:
+    for fault, verdict in verdicts:
         at = (fault.kind, mode_of(fault))
         outcomes.setdefault(at, Counter())[verdict.outcome] += 1
         if verdict.wrong:
@@ -150,11 +150,11 @@ def main() -> int:
             _, _, rank, file = SETUPS[name]
             counts = setup.counts(rank, file)
             faults = [
-                each
-                for each in faults_of(
+                fault
+                for fault in faults_of(
                     name, counts, words.most, words.sample, words.seed
                 )
-                if only_kind in ("", each.kind)
+                if only_kind in ("", fault.kind)
             ]
             found = list(tried(setup, faults, words.jobs))
             wrong += report(name, counts, found)

@@ -57,26 +57,28 @@ int MPI_Ibcast(void* bytes, int count, MPI_Datatype type, int root,
                      type, root, ranks, request);
 }
 
-int MPI_Igather(const void* bytes, int count, MPI_Datatype type, void* all,
+int MPI_Igather(const void* bytes, int count, MPI_Datatype type, void* received,
                 int all_count, MPI_Datatype all_type, int root, MPI_Comm ranks,
                 MPI_Request* request) {
     return passed_on(Kind::send, MPI_Igather, "MPI_Igather", ranks, bytes,
-                     count, type, all, all_count, all_type, root, ranks,
+                     count, type, received, all_count, all_type, root, ranks,
                      request);
 }
 
-int MPI_Igatherv(const void* bytes, int count, MPI_Datatype type, void* all,
-                 const int* counts, const int* starts, MPI_Datatype all_type,
-                 int root, MPI_Comm ranks, MPI_Request* request) {
+int MPI_Igatherv(const void* bytes, int count, MPI_Datatype type,
+                 void* received, const int* counts, const int* starts,
+                 MPI_Datatype all_type, int root, MPI_Comm ranks,
+                 MPI_Request* request) {
     return passed_on(Kind::send, MPI_Igatherv, "MPI_Igatherv", ranks, bytes,
-                     count, type, all, counts, starts, all_type, root, ranks,
-                     request);
+                     count, type, received, counts, starts, all_type, root,
+                     ranks, request);
 }
 
-int MPI_Iallreduce(const void* own, void* all, int count, MPI_Datatype type,
-                   MPI_Op operation, MPI_Comm ranks, MPI_Request* request) {
-    return passed_on(Kind::send, MPI_Iallreduce, "MPI_Iallreduce", ranks, own,
-                     all, count, type, operation, ranks, request);
+int MPI_Iallreduce(const void* sent, void* received, int count,
+                   MPI_Datatype type, MPI_Op operation, MPI_Comm ranks,
+                   MPI_Request* request) {
+    return passed_on(Kind::send, MPI_Iallreduce, "MPI_Iallreduce", ranks, sent,
+                     received, count, type, operation, ranks, request);
 }
 
 }  // extern "C"

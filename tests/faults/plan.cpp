@@ -6,7 +6,7 @@
 //                           delay.
 //     FAULT_RANK=R          only in this rank of an MPI job
 //     FAULT_FILE=TEXT       only calls on files whose path has this in it
-//     FAULT_NOTE=FILE       is told what was hit, and at the end of the
+//     FAULT_NOTE=FILE       lists the calls hit, and at the end of the
 //                           process how many calls there were of each kind
 #include "plan.hpp"
 
@@ -131,12 +131,12 @@ void begin_main() {
     has_begun = true;
 }
 
-Fault next(Kind kind, const char* what) {
+Fault next(Kind kind, const char* path) {
     if (!is_ready() || !plan.counts) return {};
     const bool is_memory = kind == Kind::allocate || kind == Kind::grow;
     if (is_memory && !has_begun) return {};
     if (plan.file != nullptr &&
-        (what == nullptr || std::strstr(what, plan.file) == nullptr))
+        (path == nullptr || std::strstr(path, plan.file) == nullptr))
         return {};
     const auto index = static_cast<std::size_t>(kind);
     const long n = ++calls[index];
@@ -145,7 +145,7 @@ Fault next(Kind kind, const char* what) {
     if (!is_hit) return {};
     if (n == plan.at) {
         note("hit ");
-        note(what == nullptr ? "" : what);
+        note(path == nullptr ? "" : path);
         note("\n");
     }
     return plan.fault;

@@ -30,13 +30,13 @@ struct Fault {
     }
 };
 
-//! Tells that main() begins. Allocations before main() are not counted: no
+//! Records that main() begins. Allocations before main() are not counted: no
 //! program can report that constructors of static objects lack memory.
 void begin_main();
 
 //! Counts a call of this kind and returns its treatment.
-//! \param what the path of the call's file; null if it has none
-Fault next(Kind kind, const char* what = nullptr);
+//! \param path path of the file of the call; null if it has none
+Fault next(Kind kind, const char* path = nullptr);
 
 //! Counts a call on an open file as next() does, and asks for the file's name
 //! only if the plan needs it.

@@ -18,8 +18,8 @@
 
 namespace ideotype {
 
-//! 3 genes, 1 objective, a quantity along leaves; 4 slots, 5 generations, 3
-//! finalists.
+//! Makes a header with 3 genes, 1 objective, a quantity along leaves; 4 slots,
+//! 5 generations, 3 finalists.
 inline HistoryHeader sample_header() {
     HistoryHeader header;
     header.text = {{"case", "ames-all-1"}, {"isa", "avx2"}, {"empty", ""}};
@@ -45,7 +45,7 @@ inline HistoryHeader sample_header() {
     return header;
 }
 
-//! Returns numbers that follow from generation and slot alone.
+//! Makes a candidate that is a function of generation and slot.
 inline Candidate sample_candidate(std::uint32_t generation,
                                   std::uint32_t slot) {
     Candidate candidate;
@@ -83,9 +83,10 @@ inline std::size_t propose(History& history, std::uint32_t generation,
     return history.propose(generation, candidates.size(), 0, candidates);
 }
 
-//! Returns slots of a generation that are proposed, and not done or failed yet.
-inline std::vector<std::uint32_t> pending(const History& history,
-                                          std::uint32_t generation) {
+//! Lists the slots of a generation that are proposed but neither done nor
+//! failed.
+inline std::vector<std::uint32_t> list_pending(const History& history,
+                                               std::uint32_t generation) {
     std::vector<std::uint32_t> slots;
     for (std::uint32_t slot = 0; slot < history.size(generation); ++slot)
         if (history.row(generation, slot).outcome.status == Status::proposed)
@@ -95,7 +96,7 @@ inline std::vector<std::uint32_t> pending(const History& history,
 
 //! Records all pending slots of a generation.
 inline void record_pending(History& history, std::uint32_t generation) {
-    for (const std::uint32_t slot : pending(history, generation))
+    for (const std::uint32_t slot : list_pending(history, generation))
         history.record(generation, slot, sample_outcome(generation, slot), 1);
 }
 
@@ -106,10 +107,11 @@ inline void complete(History& history, std::uint32_t generation) {
     history.commit(generation, {.best_slot = 3, .best = generation + 0.5});
 }
 
-//! Returns the exit code of a process that runs an action, or 99 if the action
-//! threw. HDF5 does not let one process have a file open to read and to write.
+//! Runs an action in another process and returns its exit code, or 99 if the
+//! action threw. HDF5 cannot have a file open for reading and for writing in
+//! one process.
 template <class Action>
-int in_other_process(Action action) {
+int run_in_other_process(Action action) {
     const pid_t child = fork();
     if (child == 0) {
         try {
@@ -123,10 +125,10 @@ int in_other_process(Action action) {
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
-//! A history of this header in a folder of its own.
+//! A new history with the sample header in a temporary folder.
 class HistoryTest : public testing::Test {
   protected:
-    //! Closes the history and opens it to go on.
+    //! Closes the history and opens it to continue.
     void reopen() {
         close();
         history = std::make_unique<History>(History::resume(path));
@@ -141,7 +143,7 @@ class HistoryTest : public testing::Test {
 };
 
 //! Returns the message with which an action is refused.
-inline std::string refusal(const std::function<void()>& action) {
+inline std::string catch_refusal(const std::function<void()>& action) {
     try {
         action();
     } catch (const Error& error) {

@@ -8,7 +8,7 @@
 
 namespace ideotype {
 
-TEST(Contracts, OfHistoriesAreChecked) {
+TEST(Contracts, PreconditionsOfHistoriesAreChecked) {
     const Folder folder;
     HistoryHeader header = sample_header();
     History history = History::create(folder / "case.h5", header);

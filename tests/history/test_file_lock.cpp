@@ -19,12 +19,12 @@
 
 namespace {
 
-// The errno of locks on a file system without locks; 0 if locks work.
+// Error number of locks on a file system without locks; 0 if locks work.
 int lock_failure = 0;
 
 }  // namespace
 
-// Stands in for the C library's fcntl.
+// Replaces fcntl of the C library.
 extern "C" int fcntl(int descriptor, int command, ...) {
     va_list arguments;
     va_start(arguments, command);
@@ -41,7 +41,7 @@ extern "C" int fcntl(int descriptor, int command, ...) {
 namespace ideotype {
 namespace {
 
-int code_of(const std::function<void()>& action) {
+int catch_exit_code(const std::function<void()>& action) {
     try {
         action();
     } catch (const Error& error) {
@@ -61,30 +61,30 @@ class WithoutLocks : public testing::TestWithParam<int> {
     std::string path = folder / "case.h5";
 };
 
-TEST_P(WithoutLocks, ASecondWriterOfThisHostIsRefused) {
+TEST_P(WithoutLocks, SecondWriterOnThisHostIsRefused) {
     const History history = History::create(path, sample_header());
-    EXPECT_EQ(in_other_process([&] {
-                  if (writer_of(path) != Writer::alive) return 1;
-                  return code_of([&] { History::resume(path); });
+    EXPECT_EQ(run_in_other_process([&] {
+                  if (find_writer(path) != Writer::alive) return 1;
+                  return catch_exit_code([&] { History::resume(path); });
               }),
               refused);
 }
 
-TEST_P(WithoutLocks, AKilledRunIsResumedAndTheUserIsWarned) {
-    EXPECT_EQ(in_other_process([&] {
+TEST_P(WithoutLocks, KilledRunIsResumedWithAWarning) {
+    EXPECT_EQ(run_in_other_process([&] {
                   History history = History::create(path, sample_header());
                   complete(history, 0);
                   return raise(SIGKILL);
               }),
               128 + SIGKILL);
-    EXPECT_EQ(writer_of(path), Writer::killed);
+    EXPECT_EQ(find_writer(path), Writer::killed);
     {
         History history = History::resume(path);
         history.begin_session({"2025-08-07T12:00:00Z", "node", "run", 1});
         complete(history, 1);
         EXPECT_EQ(history.next_generation(), 2U);
     }
-    EXPECT_EQ(writer_of(path), Writer::closed);
+    EXPECT_EQ(find_writer(path), Writer::closed);
     const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
     const hid_t messages = H5Dopen2(file, "messages/text", H5P_DEFAULT);
     const hid_t type = H5Dget_type(messages);
@@ -103,12 +103,12 @@ TEST_P(WithoutLocks, AKilledRunIsResumedAndTheUserIsWarned) {
 INSTANTIATE_TEST_SUITE_P(FileLock, WithoutLocks,
                          testing::Values(ENOLCK, EOPNOTSUPP, ENOSYS));
 
-std::string text_of(const std::string& path) {
+std::string read_text(const std::string& path) {
     std::ifstream file(path);
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-TEST(FileLock, IsOfTheHistoryAloneAndOfAnyNameOfIt) {
+TEST(FileLock, LockAppliesToTheHistoryUnderAnyName) {
     const Folder folder;
     const std::string path = folder / "case.h5";
     const std::string link = folder / "link.h5";
@@ -118,26 +118,27 @@ TEST(FileLock, IsOfTheHistoryAloneAndOfAnyNameOfIt) {
                             std::filesystem::directory_iterator()),
               2);
     for (const std::string& name : {path, link}) {
-        EXPECT_EQ(writer_of(name), Writer::alive);
-        EXPECT_EQ(in_other_process(
-                      [&] { return code_of([&] { History::resume(name); }); }),
+        EXPECT_EQ(find_writer(name), Writer::alive);
+        EXPECT_EQ(run_in_other_process([&] {
+                      return catch_exit_code([&] { History::resume(name); });
+                  }),
                   refused);
     }
 }
 
-TEST(FileLock, OneOfTwoThatCreateAHistoryIsRefused) {
+TEST(FileLock, SecondCreatorOfAHistoryIsRefused) {
     const Folder folder;
     const std::string path = folder / "case.h5";
-    const FileLock first = FileLock::of_new(path);
-    EXPECT_EQ(
-        in_other_process([&] {
-            return code_of([&] { History::create(path, sample_header()); });
-        }),
-        refused);
+    const FileLock first = FileLock::create_new(path);
+    EXPECT_EQ(run_in_other_process([&] {
+                  return catch_exit_code(
+                      [&] { History::create(path, sample_header()); });
+              }),
+              refused);
     EXPECT_FALSE(history_exists(path));
 }
 
-TEST(FileLock, WhatAKilledProcessLeftIsUsedAgain) {
+TEST(FileLock, FileLeftByAKilledProcessIsReused) {
     const Folder folder;
     const std::string path = folder / "case.h5";
     std::ofstream(path + ".new") << "unfinished";
@@ -146,16 +147,17 @@ TEST(FileLock, WhatAKilledProcessLeftIsUsedAgain) {
     EXPECT_FALSE(std::filesystem::exists(path + ".new"));
 }
 
-TEST(FileLock, OverwritesNothingThatAnotherNameLeadsTo) {
+TEST(FileLock, LinkedFilesAreNotOverwritten) {
     const Folder folder;
     const std::string path = folder / "case.h5";
     const std::string precious = folder / "precious";
     const std::string unfinished = path + ".new";
     std::ofstream(precious) << "hi";
     const auto expect_refused = [&] {
-        EXPECT_EQ(code_of([&] { History::create(path, sample_header()); }),
-                  refused);
-        EXPECT_EQ(text_of(precious), "hi");
+        EXPECT_EQ(
+            catch_exit_code([&] { History::create(path, sample_header()); }),
+            refused);
+        EXPECT_EQ(read_text(precious), "hi");
         EXPECT_FALSE(history_exists(path));
         std::filesystem::remove(unfinished);
     };
@@ -165,13 +167,13 @@ TEST(FileLock, OverwritesNothingThatAnotherNameLeadsTo) {
     expect_refused();
     ASSERT_EQ(mkfifo(unfinished.c_str(), 0600), 0);
     expect_refused();
-    // Version 0.2.0 followed this link.
+    // A link with the name of the locks of version 0.2.0 must not be followed.
     std::filesystem::create_symlink(precious, path + ".lock");
     History::create(path, sample_header());
-    EXPECT_EQ(text_of(precious), "hi");
+    EXPECT_EQ(read_text(precious), "hi");
 }
 
-TEST(FileLock, OfTheNextWriterIsLeftWhenTheFolderWasRemoved) {
+TEST(FileLock, LockOfTheNextWriterSurvivesRemovalOfTheFolder) {
     const Folder folder;
     const std::string path = folder / "results/case.h5";
     const std::string results = folder / "results";
@@ -181,18 +183,19 @@ TEST(FileLock, OfTheNextWriterIsLeftWhenTheFolderWasRemoved) {
     std::filesystem::create_directory(results);
     const History second = History::create(path, sample_header());
     first.reset();
-    EXPECT_EQ(writer_of(path), Writer::alive);
-    EXPECT_EQ(in_other_process(
-                  [&] { return code_of([&] { History::resume(path); }); }),
+    EXPECT_EQ(find_writer(path), Writer::alive);
+    EXPECT_EQ(run_in_other_process([&] {
+                  return catch_exit_code([&] { History::resume(path); });
+              }),
               refused);
 }
 
-TEST(FileLock, FolderThatCannotBeWrittenIsNamedWithARemedy) {
+TEST(FileLock, ReadOnlyFolderIsNamedWithARemedy) {
     const Folder folder;
     const std::string path = folder / "case.h5";
     History::create(path, sample_header());
     chmod((folder / "").c_str(), 0555);
-    const int code = in_other_process([&] {
+    const int code = run_in_other_process([&] {
         // No folder is read-only to root.
         if (geteuid() == 0 && setuid(65534) != 0) return 1;
         if (History::read(path).next_generation() != 0) return 2;
@@ -203,12 +206,12 @@ TEST(FileLock, FolderThatCannotBeWrittenIsNamedWithARemedy) {
                 open();
                 return 3;
             } catch (const Error& error) {
-                const std::string what = error.what();
+                const std::string message = error.what();
                 if (error.exit_code() != ExitCode::runtime) return 4;
                 for (const std::string& part :
                      {std::string("Permission denied"), std::string("--out"),
                       std::filesystem::path(path).parent_path().string()})
-                    if (what.find(part) == std::string::npos) return 5;
+                    if (message.find(part) == std::string::npos) return 5;
             }
         }
         return 0;

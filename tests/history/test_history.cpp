@@ -11,7 +11,7 @@
 namespace ideotype {
 namespace {
 
-TEST_F(HistoryTest, HeaderComesBack) {
+TEST_F(HistoryTest, HeaderIsReadBack) {
     reopen();
     const HistoryHeader was = sample_header();
     const HistoryHeader& is = history->header();
@@ -52,7 +52,7 @@ TEST_F(HistoryTest, HeaderComesBack) {
     EXPECT_EQ(is.schema.objectives[0].sense, Sense::maximise);
 }
 
-TEST_F(HistoryTest, RowsComeBackBitForBit) {
+TEST_F(HistoryTest, RowsAreReadBackBitForBit) {
     propose(*history, 0, sample_candidates(0));
     record_pending(*history, 0);
     reopen();
@@ -80,7 +80,7 @@ TEST_F(HistoryTest, RowsComeBackBitForBit) {
     }
 }
 
-TEST_F(HistoryTest, WhatIsNotKnownIsNaN) {
+TEST_F(HistoryTest, UnknownNumbersAreNaN) {
     propose(*history, 0, sample_candidates(0));
     const Row proposed = history->row(0, 2);
     EXPECT_EQ(proposed.outcome.status, Status::proposed);
@@ -98,8 +98,8 @@ TEST_F(HistoryTest, FailedRowKeepsItsReasonAndNoNumbers) {
     propose(*history, 0, sample_candidates(0));
     Outcome outcome = sample_outcome(0, 1);
     outcome.status = Status::failed;
-    // The message has 159 bytes and a character of two bytes, which the end of
-    // the field would split.
+    // The message has 159 bytes and then a character of two bytes, which does
+    // not fit in the field.
     outcome.message = std::string(159, 'x') + "\u00e9";
     history->record(0, 1, outcome, 3);
     reopen();
@@ -112,7 +112,7 @@ TEST_F(HistoryTest, FailedRowKeepsItsReasonAndNoNumbers) {
     EXPECT_EQ(row.attempt, 3U);
 }
 
-TEST_F(HistoryTest, SummaryComesBack) {
+TEST_F(HistoryTest, SummaryIsReadBack) {
     const GenerationSummary was{3, 1.5, 0.25, 1.25, 0.125, 0.5, 2, 4, 60.5};
     propose(*history, 0, sample_candidates(0));
     record_pending(*history, 0);
@@ -134,14 +134,15 @@ TEST_F(HistoryTest, RecordedRowNeverChanges) {
     propose(*history, 0, sample_candidates(0));
     history->record(0, 0, sample_outcome(0, 0), 1);
     const auto again = [&] { history->record(0, 0, sample_outcome(0, 1), 2); };
-    EXPECT_NE(refusal(again).find("generation 0 slot 0 is recorded already"),
-              std::string::npos);
+    EXPECT_NE(
+        catch_refusal(again).find("generation 0 slot 0 is recorded already"),
+        std::string::npos);
     EXPECT_EQ(history->row(0, 0).outcome.worker, 0U);
     EXPECT_THROW(history->record(1, 0, sample_outcome(1, 0), 1), Error);
     EXPECT_THROW(history->record(0, 4, sample_outcome(0, 0), 1), Error);
 }
 
-TEST_F(HistoryTest, WrongShapesAreRejectedAndDoNoHarm) {
+TEST_F(HistoryTest, WrongShapesAreRejectedWithoutDamage) {
     EXPECT_THROW(propose(*history, 0, sample_candidates(0, 21)), Error);
     auto candidates = sample_candidates(0);
     candidates[0].genome.pop_back();
@@ -160,7 +161,7 @@ TEST_F(HistoryTest, WrongShapesAreRejectedAndDoNoHarm) {
     EXPECT_EQ(history->next_generation(), 2U);
 }
 
-TEST_F(HistoryTest, FinalistsAreKeptApart) {
+TEST_F(HistoryTest, FinalistsAreStoredSeparately) {
     history->propose_final(sample_candidates(7, 2));
     history->record_final(1, sample_outcome(7, 1, 3));
     reopen();
@@ -199,16 +200,16 @@ TEST_F(HistoryTest, ReaderDoesNotWrite) {
     History reader = History::read(path);
     EXPECT_THROW(reader.record(0, 0, sample_outcome(0, 0), 1), Error);
     EXPECT_THROW(reader.finish("generations"), Error);
-    EXPECT_EQ(pending(reader, 0).size(), 4U);
+    EXPECT_EQ(list_pending(reader, 0).size(), 4U);
 }
 
-TEST_F(HistoryTest, ClockThatJumpsDoesNoHarm) {
+TEST_F(HistoryTest, JumpingClockDoesNoDamage) {
     std::uint32_t g = 0;
     for (const char* started :
          {"2025-08-07T12:00:00Z", "1970-01-01T00:00:00Z",
           "2125-08-07T12:00:00Z", "2025-08-07T12:00:01Z"}) {
         history->begin_session({started, "node", "run", 1});
-        // A time that runs backwards does no harm either.
+        // A wall time that runs backwards is accepted too.
         history->set_wall_time(100.0 - g);
         complete(*history, g++);
         reopen();
@@ -218,7 +219,7 @@ TEST_F(HistoryTest, ClockThatJumpsDoesNoHarm) {
     EXPECT_EQ(history->wall_time(), 97.0);
 }
 
-TEST_F(HistoryTest, OnlyValuesChange) {
+TEST_F(HistoryTest, FileSizeNeverChanges) {
     // If the file grew, HDF5 would have to change its own structures, and a
     // kill could leave them unreadable.
     const auto size = std::filesystem::file_size(path);
@@ -233,7 +234,7 @@ TEST_F(HistoryTest, OnlyValuesChange) {
     EXPECT_EQ(std::filesystem::file_size(path), size);
 }
 
-TEST(History, WorksWithoutQuantitiesAndFinalists) {
+TEST(History, QuantitiesAndFinalistsAreOptional) {
     const Folder folder;
     HistoryHeader header = sample_header();
     header.schema.measured = {};

@@ -7,7 +7,7 @@
 namespace ideotype {
 namespace {
 
-// Returns all texts of a list, as analysis/FORMAT.md lays them out.
+// Reads all entries of a list, as laid out in analysis/FORMAT.md.
 std::vector<std::string> read_texts(const std::string& path, const char* name,
                                     std::size_t size) {
     const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
@@ -32,7 +32,7 @@ std::vector<std::string> read_texts(const std::string& path, const char* name,
     return texts;
 }
 
-TEST(Journal, KeepsSessionsOfAllStarts) {
+TEST(Journal, SessionsOfAllStartsAreStored) {
     const Folder folder;
     const std::string path = folder / "case.h5";
     History::create(path, sample_header())
@@ -54,7 +54,7 @@ TEST(Journal, KeepsSessionsOfAllStarts) {
     EXPECT_EQ(read_texts(path, "sessions/libraries", 256)[0], "Embree");
 }
 
-TEST(Journal, TellsTheLastStart) {
+TEST(Journal, LastStartIsReported) {
     const Folder folder;
     const std::string path = folder / "case.h5";
     {
@@ -72,7 +72,7 @@ TEST(Journal, TellsTheLastStart) {
     EXPECT_EQ(last->ranks, 8);
 }
 
-TEST(Journal, KeepsMessagesInOrder) {
+TEST(Journal, MessagesAreStoredInOrder) {
     const Folder folder;
     const std::string path = folder / "case.h5";
     {
@@ -88,7 +88,7 @@ TEST(Journal, KeepsMessagesInOrder) {
     EXPECT_EQ(rows[3], "");
 }
 
-TEST(Journal, KeepsTheOldestMessagesWhenFull) {
+TEST(Journal, OldestMessagesAreKeptWhenFull) {
     const Folder folder;
     const std::string path = folder / "case.h5";
     {

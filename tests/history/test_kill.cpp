@@ -23,16 +23,16 @@ HistoryHeader long_header() {
     return header;
 }
 
-// A report of a durable row, or of a committed generation, whose slot is -1.
+// Reports a durable row or, with slot -1, a committed generation.
 struct Report {
     std::uint32_t generation = 0;
     std::int32_t slot = -1;
 };
 
-// Evolves until the end or a kill, and reports through a pipe.
+// Evolves until the end or until it is killed, and reports through a pipe.
 [[noreturn]] void write_history(const std::string& path, int pipe) {
-    const auto report = [&](const Report& what) {
-        if (write(pipe, &what, sizeof what) != sizeof what) _exit(3);
+    const auto report = [&](const Report& entry) {
+        if (write(pipe, &entry, sizeof entry) != sizeof entry) _exit(3);
     };
     try {
         History history = std::filesystem::exists(path)
@@ -41,7 +41,7 @@ struct Report {
         history.begin_session({"2025-08-07T12:00:00Z", "node", "run", 1});
         for (auto g = history.next_generation(); g < generations; ++g) {
             propose(history, g, sample_candidates(g, population));
-            for (const std::uint32_t slot : pending(history, g)) {
+            for (const std::uint32_t slot : list_pending(history, g)) {
                 history.record(g, slot, sample_outcome(g, slot), 1);
                 report({g, static_cast<std::int32_t>(slot)});
             }
@@ -62,7 +62,7 @@ struct Killed {
 };
 
 Killed write_and_kill(const std::string& path,
-                      std::chrono::microseconds after) {
+                      std::chrono::microseconds delay) {
     int ends[2];
     if (pipe(ends) != 0) return {};
     const pid_t writer = fork();
@@ -71,9 +71,9 @@ Killed write_and_kill(const std::string& path,
         write_history(path, ends[1]);
     }
     close(ends[1]);
-    // The pipe is emptied while the writer runs, so that it never waits.
+    // Reading the pipe while the writer runs keeps the writer from waiting.
     std::thread killer([&] {
-        std::this_thread::sleep_for(after);
+        std::this_thread::sleep_for(delay);
         kill(writer, SIGKILL);
     });
     Killed killed;
@@ -115,7 +115,7 @@ void expect_sound(const History& history) {
         EXPECT_EQ(summaries[g].best_slot, g % population);
 }
 
-TEST(Kill, LosesNothingThatWasReported) {
+TEST(Kill, ReportedRowsSurvive) {
     const Folder folder;
     std::mt19937 random(20250807);
     std::uniform_int_distribution<int> microseconds(300, 25000);

@@ -10,13 +10,13 @@
 namespace ideotype {
 namespace {
 
-//! A function that is called before each read of a file, also by HDF5.
+//! Called before each read of a file, including reads by HDF5.
 std::function<void()> before_read;
 
 }  // namespace
 }  // namespace ideotype
 
-//! Stands in for the system's pread.
+//! Replaces pread of the system.
 extern "C" [[gnu::visibility("default")]] ssize_t pread(int file, void* bytes,
                                                         std::size_t count,
                                                         off_t first) {
@@ -27,9 +27,9 @@ extern "C" [[gnu::visibility("default")]] ssize_t pread(int file, void* bytes,
 namespace ideotype {
 namespace {
 
-// A writer in a process of its own that goes on step by step. The reader is the
-// test's process: a copy of a process that has the file open would not read the
-// file but inherit HDF5's memory of it.
+// A writer in another process that proceeds step by step. The test's process is
+// the reader: a fork of a process with the open file would not read the file
+// but inherit HDF5's memory of it.
 class Writer {
   public:
     using Step = std::function<void(History&)>;
@@ -100,7 +100,7 @@ TEST(Live, FileIsReadWhileItIsWritten) {
     writer.step();
     const History live = History::read(path);
     EXPECT_EQ(live.next_generation(), 1U);
-    EXPECT_EQ(pending(live, 1), (std::vector<std::uint32_t>{0, 1, 2}));
+    EXPECT_EQ(list_pending(live, 1), (std::vector<std::uint32_t>{0, 1, 2}));
     expect_row(live.row(1, 3), 1, 3);
     expect_row(live.row(0, 2), 0, 2);
     EXPECT_EQ(live.generation(0).size(), 4U);
@@ -108,7 +108,7 @@ TEST(Live, FileIsReadWhileItIsWritten) {
     EXPECT_EQ(live.finished(), std::nullopt);
 }
 
-TEST(Live, ReaderThatStaysOpenSeesWhatIsWrittenLater) {
+TEST(Live, OpenReaderSeesLaterRows) {
     const Folder folder;
     const std::string path = folder / "case.h5";
     std::vector<Writer::Step> steps{[](History&) {}};
@@ -131,10 +131,10 @@ TEST(Live, ReaderThatStaysOpenSeesWhatIsWrittenLater) {
     EXPECT_EQ(live.finished(), "generations");
 }
 
-TEST(Live, CaseMayBeOverBetweenTwoReads) {
-    constexpr int apart = 5;  // a small history, so that the test is quick
+TEST(Live, CaseMayFinishBetweenTwoReads) {
+    constexpr int stride = 5;  // keeps the test short
     int reads = 0;
-    for (int at = 0; at <= reads; at += apart) {
+    for (int position = 0; position <= reads; position += stride) {
         const Folder folder;
         const std::string path = folder / "case.h5";
         Writer writer(path, {[](History& history) { complete(history, 0); },
@@ -148,9 +148,9 @@ TEST(Live, CaseMayBeOverBetweenTwoReads) {
         writer.step();
         reads = 0;
         before_read = [&] {
-            if (reads++ == at) writer.step();
+            if (reads++ == position) writer.step();
         };
-        EXPECT_NO_THROW(History::read(path)) << "before read " << at;
+        EXPECT_NO_THROW(History::read(path)) << "before read " << position;
         before_read = nullptr;
     }
     EXPECT_GT(reads, 100);

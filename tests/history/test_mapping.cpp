@@ -25,8 +25,8 @@ class MappingTest : public testing::Test {
     Handle file_;
 };
 
-TEST_F(MappingTest, MovesTheSameBytesAsHdf5) {
-    const auto mapping = Mapping::of(file_);
+TEST_F(MappingTest, MappedBytesEqualThoseOfHdf5) {
+    const auto mapping = Mapping::create(file_);
     ASSERT_TRUE(mapping);
     for (const char* name : {"evaluations/absorbed_by_leaf", "final/seconds"}) {
         Dataset by_hdf5(file_, name), by_memory(file_, name);
@@ -46,8 +46,8 @@ TEST_F(MappingTest, MovesTheSameBytesAsHdf5) {
               (std::vector<std::string>{"", "too tall"}));
 }
 
-TEST_F(MappingTest, RefusesRowsThatAreNotThere) {
-    const auto mapping = Mapping::of(file_);
+TEST_F(MappingTest, MissingRowsAreRefused) {
+    const auto mapping = Mapping::create(file_);
     Dataset seconds(file_, "evaluations/seconds");
     seconds.use(*mapping);
     const std::vector<double> two{1, 2};
@@ -56,24 +56,25 @@ TEST_F(MappingTest, RefusesRowsThatAreNotThere) {
     EXPECT_THROW(seconds.read<double>(seconds.rows(), 1), Hdf5Error);
 }
 
-TEST_F(MappingTest, IsNotDoneWhereAWriteMayFindTheDiskFull) {
+TEST_F(MappingTest, FileWithHolesIsNotMapped) {
     const auto size = std::filesystem::file_size(path_);
     ASSERT_EQ(
-        fallocate(descriptor_of(file_),
+        fallocate(get_descriptor(file_),
                   FALLOC_FL_PUNCH_HOLE | FALLOC_FL_KEEP_SIZE,
                   static_cast<off_t>(size / 2), static_cast<off_t>(size / 2)),
         0);
-    EXPECT_FALSE(Mapping::of(file_));
+    EXPECT_FALSE(Mapping::create(file_));
 }
 
-TEST_F(MappingTest, EndsWithTheLastBlockOfTheFile) {
+TEST_F(MappingTest, MappingEndsWithTheLastBlock) {
     haddr_t end = 0;
     ASSERT_GE(H5Fget_eoa(file_, &end), 0);
     const auto cut = [&](haddr_t size) {
-        ASSERT_EQ(ftruncate(descriptor_of(file_), static_cast<off_t>(size)), 0);
+        ASSERT_EQ(ftruncate(get_descriptor(file_), static_cast<off_t>(size)),
+                  0);
     };
     cut(end + 4096);
-    const auto mapping = Mapping::of(file_);
+    const auto mapping = Mapping::create(file_);
     ASSERT_TRUE(mapping);
     cut(end);
     EXPECT_TRUE(mapping->is_whole());
@@ -81,7 +82,7 @@ TEST_F(MappingTest, EndsWithTheLastBlockOfTheFile) {
     EXPECT_FALSE(mapping->is_whole());
 }
 
-TEST_F(MappingTest, RowSurvivesAKillRightAfterItsRecord) {
+TEST_F(MappingTest, RecordedRowSurvivesAnImmediateKill) {
     file_ = {};
     const pid_t child = fork();
     if (child == 0) {

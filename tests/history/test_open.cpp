@@ -20,7 +20,7 @@ struct Failure {
     ExitCode exit_code = ExitCode::ok;
 };
 
-Failure failure_of(const std::function<void()>& action) {
+Failure catch_failure(const std::function<void()>& action) {
     try {
         action();
     } catch (const Error& error) {
@@ -29,11 +29,11 @@ Failure failure_of(const std::function<void()>& action) {
     return {};
 }
 
-// Expects that opening in either way is refused with the file's name and this
-// reason.
+// Expects that opening for reading and for writing is refused with the file's
+// name and this reason.
 void expect_refused(const std::string& path, const std::string& reason) {
     for (const auto open : {History::read, History::resume}) {
-        const Failure failure = failure_of([&] { open(path); });
+        const Failure failure = catch_failure([&] { open(path); });
         EXPECT_EQ(failure.exit_code, ExitCode::refused) << failure.message;
         EXPECT_TRUE(failure.message.starts_with(path + ": "))
             << failure.message;
@@ -43,7 +43,7 @@ void expect_refused(const std::string& path, const std::string& reason) {
     }
 }
 
-std::string contents(const std::string& path) {
+std::string read_contents(const std::string& path) {
     std::ifstream stream(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(stream), {}};
 }
@@ -52,38 +52,38 @@ void write_contents(const std::string& path, const std::string& bytes) {
     std::ofstream(path, std::ios::binary) << bytes;
 }
 
-TEST(Open, NeverOverwrites) {
+TEST(Open, ExistingFileIsNotOverwritten) {
     const Folder folder;
     const std::string path = folder / "case.h5";
     History::create(path, sample_header());
-    const std::string before = contents(path);
+    const std::string before = read_contents(path);
     const Failure failure =
-        failure_of([&] { History::create(path, sample_header()); });
+        catch_failure([&] { History::create(path, sample_header()); });
     EXPECT_EQ(failure.exit_code, ExitCode::refused);
     EXPECT_NE(failure.message.find("--resume"), std::string::npos);
-    EXPECT_EQ(contents(path), before);
+    EXPECT_EQ(read_contents(path), before);
 }
 
 TEST(Open, MissingFileIsNamed) {
     const Folder folder;
     const std::string path = folder / "missing.h5";
     for (const auto open : {History::read, History::resume}) {
-        const Failure failure = failure_of([&] { open(path); });
+        const Failure failure = catch_failure([&] { open(path); });
         EXPECT_EQ(failure.exit_code, ExitCode::runtime);
         EXPECT_NE(failure.message.find(path), std::string::npos);
     }
     EXPECT_TRUE(std::filesystem::is_empty(folder / ""));
 }
 
-TEST(Open, FolderThatIsMissingIsNamed) {
+TEST(Open, MissingFolderIsNamed) {
     const Folder folder;
-    const Failure failure = failure_of(
+    const Failure failure = catch_failure(
         [&] { History::create(folder / "none/case.h5", sample_header()); });
     EXPECT_EQ(failure.exit_code, ExitCode::runtime);
     EXPECT_NE(failure.message.find("/none: "), std::string::npos);
 }
 
-TEST(Open, RefusesWhatIsNotAHistory) {
+TEST(Open, OtherFilesAreRefused) {
     const Folder folder;
     const std::string path = folder / "case.h5";
     write_contents(path, "");
@@ -92,7 +92,7 @@ TEST(Open, RefusesWhatIsNotAHistory) {
     expect_refused(path, "not a history");
 }
 
-TEST(Open, RefusesATruncatedFile) {
+TEST(Open, TruncatedFileIsRefused) {
     const Folder folder;
     const std::string path = folder / "case.h5";
     {
@@ -120,7 +120,7 @@ TEST(Open, GenerationsBeforeTheCutAreSalvaged) {
             history.commit(g, {});
         }
     }
-    const std::string whole = contents(path);
+    const std::string whole = read_contents(path);
     EXPECT_EQ(History::salvage(path).missing_bytes(), 0U);
     EXPECT_EQ(History::salvage(path).next_generation(), 4U);
     std::uint32_t left = 4;
@@ -145,18 +145,19 @@ TEST(Open, GenerationsBeforeTheCutAreSalvaged) {
                 EXPECT_EQ(one.objectives[0].standard_error,
                           outcome.objectives[0].standard_error);
             }
-        EXPECT_EQ(contents(cut), whole.substr(0, size)) << "it was changed";
+        EXPECT_EQ(read_contents(cut), whole.substr(0, size))
+            << "it was changed";
     }
     EXPECT_TRUE(is_partly_left);
     EXPECT_EQ(left, 0U);
     write_contents(cut, whole.substr(0, 1000));
-    const Failure failure = failure_of([&] { History::salvage(cut); });
+    const Failure failure = catch_failure([&] { History::salvage(cut); });
     EXPECT_EQ(failure.exit_code, ExitCode::refused);
     EXPECT_NE(failure.message.find("truncated: 1000 of"), std::string::npos)
         << failure.message;
 }
 
-// Writes a string attribute as another program version would.
+// Writes a string attribute, to imitate another version of the program.
 void set_attribute(const std::string& path, const std::string& name,
                    const std::string& value) {
     const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
@@ -169,7 +170,7 @@ void set_attribute(const std::string& path, const std::string& name,
     H5Fclose(file);
 }
 
-TEST(Open, RefusesAnotherFormat) {
+TEST(Open, OtherFormatIsRefused) {
     const Folder folder;
     const std::string path = folder / "case.h5";
     History::create(path, sample_header());
@@ -177,20 +178,20 @@ TEST(Open, RefusesAnotherFormat) {
     expect_refused(path, "not a history");
 }
 
-TEST(Open, RefusesAnotherMajorVersion) {
+TEST(Open, OtherMajorVersionIsRefused) {
     const Folder folder;
     const std::string path = folder / "case.h5";
     History::create(path, sample_header());
     set_attribute(path, "format_version", "3.0");
     expect_refused(path, "format version 3.0");
     set_attribute(path, "format_version", "1.0");
-    EXPECT_NE(failure_of([&] {
+    EXPECT_NE(catch_failure([&] {
                   History::read(path);
               }).message.find("ideotype 0.2.1 reads it"),
               std::string::npos);
 }
 
-TEST(Open, ReadsButDoesNotResumeAnotherMinorVersion) {
+TEST(Open, OtherMinorVersionIsReadButNotResumed) {
     const Folder folder;
     const std::string path = folder / "case.h5";
     History::create(path, sample_header());
@@ -201,23 +202,23 @@ TEST(Open, ReadsButDoesNotResumeAnotherMinorVersion) {
     file.close("close");
     set_attribute(path, "checksum", checksum);
     EXPECT_EQ(History::read(path).header().text.at("format_version"), "2.1");
-    const Failure failure = failure_of([&] { History::resume(path); });
+    const Failure failure = catch_failure([&] { History::resume(path); });
     EXPECT_EQ(failure.exit_code, ExitCode::refused);
     EXPECT_NE(failure.message.find("resumes only 2.0"), std::string::npos)
         << failure.message;
 }
 
-TEST(Open, DamagedFileIsNamedSoon) {
+TEST(Open, DamagedFileIsNamedQuickly) {
     const Folder folder;
     const std::string path = folder / "case.h5";
     History::create(path, sample_header());
-    std::string bytes = contents(path);
+    std::string bytes = read_contents(path);
     const std::size_t at = bytes.find("format_version");
     ASSERT_NE(at, std::string::npos);
     bytes[at] = 'F';
     write_contents(path, bytes);
     for (const auto open : {History::read, History::resume}) {
-        const Failure failure = failure_of([&] { open(path); });
+        const Failure failure = catch_failure([&] { open(path); });
         EXPECT_EQ(failure.exit_code, ExitCode::runtime);
         EXPECT_TRUE(failure.message.starts_with(path + ": "))
             << failure.message;
@@ -228,13 +229,13 @@ TEST(Open, SecondWriterIsRefusedWhileTheFirstLives) {
     const Folder folder;
     const std::string path = folder / "case.h5";
     History history = History::create(path, sample_header());
-    EXPECT_EQ(in_other_process([&] {
+    EXPECT_EQ(run_in_other_process([&] {
                   const std::string who =
                       "in use by process " + std::to_string(getppid());
                   for (const auto& open : std::vector<std::function<void()>>{
                            [&] { History::resume(path); },
                            [&] { History::create(path, sample_header()); }}) {
-                      const Failure failure = failure_of(open);
+                      const Failure failure = catch_failure(open);
                       if (failure.exit_code != ExitCode::refused) return 1;
                       if (failure.message.find(who) == std::string::npos)
                           return 2;
@@ -260,7 +261,7 @@ TEST(Open, ClosedHistoryLeavesOnlyItsFile) {
 TEST(Open, KilledFileIsReadAndResumed) {
     const Folder folder;
     const std::string path = folder / "case.h5";
-    EXPECT_EQ(in_other_process([&] {
+    EXPECT_EQ(run_in_other_process([&] {
                   History history = History::create(path, sample_header());
                   complete(history, 0);
                   propose(history, 1, sample_candidates(1));
@@ -268,7 +269,7 @@ TEST(Open, KilledFileIsReadAndResumed) {
                   return raise(SIGKILL);
               }),
               128 + SIGKILL);
-    EXPECT_EQ(pending(History::read(path), 1).size(), 3U);
+    EXPECT_EQ(list_pending(History::read(path), 1).size(), 3U);
     // A reader changes nothing: the file can be read again.
     EXPECT_EQ(History::read(path).next_generation(), 1U);
     {

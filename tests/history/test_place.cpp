@@ -13,7 +13,8 @@
 namespace ideotype {
 namespace {
 
-// Opening the path must say that there is such a thing instead of a history.
+// Expects that opening the path fails and names what it is instead of a
+// history.
 void expect_no_history(const std::string& path, const std::string& thing) {
     for (const auto& open : std::vector<std::function<void()>>{
              [&] { History::create(path, sample_header()); },
@@ -23,13 +24,13 @@ void expect_no_history(const std::string& path, const std::string& thing) {
             open();
             ADD_FAILURE() << path << " was taken for a history";
         } catch (const Error& error) {
-            const std::string what = error.what();
-            EXPECT_TRUE(what.starts_with(path + ": ")) << what;
-            EXPECT_NE(what.find(thing), std::string::npos) << what;
+            const std::string message = error.what();
+            EXPECT_TRUE(message.starts_with(path + ": ")) << message;
+            EXPECT_NE(message.find(thing), std::string::npos) << message;
         }
 }
 
-TEST(Place, ThatIsNoFileIsNamedWithoutWaitingForIt) {
+TEST(Place, SpecialFilesAreRefusedWithoutWaiting) {
     const Folder folder;
     const std::string path = folder / "case.h5";
     ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
@@ -39,7 +40,7 @@ TEST(Place, ThatIsNoFileIsNamedWithoutWaitingForIt) {
     expect_no_history(path, "a folder");
     std::filesystem::remove(path);
     std::filesystem::create_symlink(path, path);
-    expect_no_history(path, "symbolic links lead in a circle");
+    expect_no_history(path, "symbolic links form a loop");
     expect_no_history("/dev/null", "a device");
 }
 

@@ -6,8 +6,8 @@
 
 #include "sample_history.hpp"
 
-// A history that version 0.2.0 wrote: see tests/data/history. If a test here
-// fails, the format has changed.
+// Reads a history written by version 0.2.0, see tests/data/history. If a test
+// here fails, the format has changed.
 
 namespace ideotype {
 namespace {
@@ -70,7 +70,7 @@ TEST(Sample, RowsAreRead) {
     EXPECT_EQ(finalists[2].outcome.objectives[0].mean, 10.274444431028046);
 }
 
-std::string unit_of(hid_t dataset) {
+std::string read_unit(hid_t dataset) {
     if (H5Aexists(dataset, "units") <= 0) return "NO UNIT";
     const hid_t attribute = H5Aopen(dataset, "units", H5P_DEFAULT);
     const hid_t type = H5Aget_type(attribute);
@@ -81,7 +81,7 @@ std::string unit_of(hid_t dataset) {
     return unit.c_str();
 }
 
-std::string type_name(hid_t type) {
+std::string describe_type(hid_t type) {
     std::string name = std::to_string(H5Tget_class(type)) + ":" +
                        std::to_string(H5Tget_size(type));
     const H5T_class_t kind = H5Tget_class(type);
@@ -89,7 +89,7 @@ std::string type_name(hid_t type) {
     const int members = H5Tget_nmembers(type);
     for (int i = 0; i < members; ++i) {
         char* member = H5Tget_member_name(type, static_cast<unsigned>(i));
-        // Where genomes come from has grown since the sample.
+        // The origin "sample" is newer than the sample.
         if (member != std::string("sample")) name += std::string(" ") + member;
         H5free_memory(member);
     }
@@ -103,7 +103,7 @@ herr_t describe(hid_t file, const char* path, const H5O_info_t* info,
         const hid_t dataset = H5Dopen2(file, path, H5P_DEFAULT);
         const hid_t type = H5Dget_type(dataset);
         const hid_t space = H5Dget_space(dataset);
-        text += " " + type_name(type) + " [" + unit_of(dataset) + "]";
+        text += " " + describe_type(type) + " [" + read_unit(dataset) + "]";
         hsize_t sizes[3] = {0, 0, 0};
         const int rank = H5Sget_simple_extent_dims(space, sizes, nullptr);
         for (int i = 0; i < rank; ++i) text += " " + std::to_string(sizes[i]);
@@ -115,15 +115,15 @@ herr_t describe(hid_t file, const char* path, const H5O_info_t* info,
     return 0;
 }
 
-// Every object with its type, unit and shape.
-std::set<std::string> descriptions(const std::string& path) {
-    std::set<std::string> found;
+// Describes every object by its path, type, unit and shape.
+std::set<std::string> describe_objects(const std::string& path) {
+    std::set<std::string> objects;
     const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
     EXPECT_GE(file, 0);
-    H5Ovisit2(file, H5_INDEX_NAME, H5_ITER_INC, describe, &found,
+    H5Ovisit2(file, H5_INDEX_NAME, H5_ITER_INC, describe, &objects,
               H5O_INFO_BASIC);
     H5Fclose(file);
-    return found;
+    return objects;
 }
 
 TEST(Sample, NewFilesHaveTheSameObjects) {
@@ -135,11 +135,11 @@ TEST(Sample, NewFilesHaveTheSameObjects) {
             header.text.erase(name);
         History::create(path, header);
     }
-    const auto expected = descriptions(sample);
-    const auto found = descriptions(path);
+    const auto expected = describe_objects(sample);
+    const auto objects = describe_objects(path);
     EXPECT_GT(expected.size(), 50U);
-    EXPECT_EQ(found, expected);
-    for (const std::string& object : found)
+    EXPECT_EQ(objects, expected);
+    for (const std::string& object : objects)
         EXPECT_EQ(object.find("NO UNIT"), std::string::npos) << object;
 }
 

@@ -20,7 +20,7 @@ HistoryHeader large_header() {
     return header;
 }
 
-// A limit on the size of files stands in for a full disk.
+// Imitates a full disk by a limit on the size of files.
 void limit_file_size(std::uintmax_t bytes) {
     signal(SIGXFSZ, SIG_IGN);
     const rlimit limit{bytes, bytes};
@@ -33,11 +33,11 @@ std::intmax_t hole_bytes(const std::string& path) {
     return status.st_size - status.st_blocks * 512;
 }
 
-// Returns the message of an action in a process with a limit on the size of
-// files.
-std::string message_under_limit(const Folder& folder, std::uintmax_t bytes,
-                                const std::function<void()>& action) {
-    const int code = in_other_process([&] {
+// Returns the error message of an action in a process with a limit on the size
+// of files.
+std::string fail_under_limit(const Folder& folder, std::uintmax_t bytes,
+                             const std::function<void()>& action) {
+    const int code = run_in_other_process([&] {
         std::ofstream out(folder / "message");
         limit_file_size(bytes);
         try {
@@ -49,8 +49,8 @@ std::string message_under_limit(const Folder& folder, std::uintmax_t bytes,
         return 0;
     });
     EXPECT_EQ(code, 0);
-    std::ifstream in(folder / "message");
-    return {std::istreambuf_iterator<char>(in), {}};
+    std::ifstream message(folder / "message");
+    return {std::istreambuf_iterator<char>(message), {}};
 }
 
 void expect_needed_and_free(const std::string& message) {
@@ -59,7 +59,7 @@ void expect_needed_and_free(const std::string& message) {
         EXPECT_NE(message.find(part), std::string::npos) << message;
 }
 
-TEST(Space, IsTakenAtOnceForTheWholeRun) {
+TEST(Space, SpaceForTheWholeRunIsReservedAtOnce) {
     const Folder folder;
     const std::string path = folder / "case.h5";
     History::create(path, large_header());
@@ -67,11 +67,11 @@ TEST(Space, IsTakenAtOnceForTheWholeRun) {
     EXPECT_LE(hole_bytes(path), 0);
 }
 
-TEST(Space, IsKnownBeforeTheFileIsWritten) {
-    for (const int most : {1, 5, 16, 17, 24, 1000})
+TEST(Space, SpaceIsPredictedBeforeTheFileIsWritten) {
+    for (const int generations : {1, 5, 16, 17, 24, 1000})
         for (const int size : {4, 7, 1000}) {
             HistoryHeader header = sample_header();
-            header.generations = most;
+            header.generations = generations;
             header.population = size;
             const Folder folder;
             const std::string path = folder / "case.h5";
@@ -79,14 +79,14 @@ TEST(Space, IsKnownBeforeTheFileIsWritten) {
             const auto bytes =
                 static_cast<double>(std::filesystem::file_size(path));
             EXPECT_NEAR(static_cast<double>(history_bytes(header)), bytes, 128)
-                << most << " x " << size;
+                << generations << " x " << size;
         }
 }
 
-TEST(Space, LackOfItIsToldBeforeARunBegins) {
+TEST(Space, LackOfSpaceIsReportedBeforeARunStarts) {
     const Folder folder;
     const std::string path = folder / "case.h5";
-    const std::string message = message_under_limit(
+    const std::string message = fail_under_limit(
         folder, 3'000'000, [&] { History::create(path, large_header()); });
     expect_needed_and_free(message);
     EXPECT_TRUE(message.starts_with(path + ": ")) << message;
@@ -94,7 +94,7 @@ TEST(Space, LackOfItIsToldBeforeARunBegins) {
     EXPECT_TRUE(std::filesystem::is_empty(folder / "")) << "left something";
 }
 
-TEST(Space, IsTakenAnewForACopyWithHoles) {
+TEST(Space, SpaceIsReservedForACopyWithHoles) {
     const Folder folder;
     const std::string path = folder / "case.h5";
     const std::string copy = folder / "copy.h5";
@@ -102,12 +102,12 @@ TEST(Space, IsTakenAnewForACopyWithHoles) {
         History history = History::create(path, large_header());
         propose(history, 0, sample_candidates(0, 1000));
     }
-    // Only written parts are copied: the rest of the copy is a hole.
+    // Only written parts are copied; the rest of the copy is a hole.
     constexpr std::uintmax_t written = 2'000'000;
     {
-        std::ifstream in(path, std::ios::binary);
+        std::ifstream source(path, std::ios::binary);
         std::string start(written, '\0');
-        in.read(start.data(), written);
+        source.read(start.data(), written);
         std::ofstream(copy, std::ios::binary) << start;
     }
     std::filesystem::resize_file(copy, std::filesystem::file_size(path));

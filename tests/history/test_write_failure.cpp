@@ -10,7 +10,7 @@
 namespace ideotype {
 namespace {
 
-// A limit on the size of files stands in for a full disk.
+// Imitates a full disk by a limit on the size of files.
 void limit_file_size(std::uintmax_t bytes) {
     signal(SIGXFSZ, SIG_IGN);
     const rlimit limit{bytes, bytes};
@@ -23,10 +23,10 @@ HistoryHeader large_header() {
     return header;
 }
 
-TEST(WriteFailure, NamesTheFileAndKeepsWhatWasRecorded) {
+TEST(WriteFailure, FailureNamesTheFileAndKeepsRecordedRows) {
     const Folder folder;
     const std::string path = folder / "case.h5";
-    const int result = in_other_process([&] {
+    const int result = run_in_other_process([&] {
         History history = History::create(path, large_header());
         propose(history, 0, sample_candidates(0, 1000));
         for (std::uint32_t slot = 0; slot < 1000; ++slot)
@@ -37,12 +37,11 @@ TEST(WriteFailure, NamesTheFileAndKeepsWhatWasRecorded) {
             propose(history, 1, sample_candidates(1, 1000));
             return 1;
         } catch (const Error& error) {
-            const std::string what = error.what();
-            if (!what.starts_with(path)) return 2;
-            if (what.find("File too large") == std::string::npos) return 3;
+            const std::string message = error.what();
+            if (!message.starts_with(path)) return 2;
+            if (message.find("File too large") == std::string::npos) return 3;
         }
-        // After the failure the history stores nothing more, and does not
-        // pretend to.
+        // After the failure the history stores nothing more and reports so.
         try {
             history.message("still here?");
             return 4;
@@ -56,14 +55,14 @@ TEST(WriteFailure, NamesTheFileAndKeepsWhatWasRecorded) {
     EXPECT_EQ(history.next_generation(), 1U);
     EXPECT_EQ(history.row(0, 999).outcome.worker, 999U);
     propose(history, 1, sample_candidates(1, 1000));
-    for (const std::uint32_t slot : pending(history, 1))
+    for (const std::uint32_t slot : list_pending(history, 1))
         history.record(1, slot, sample_outcome(1, slot), 1);
     history.commit(1, {});
     EXPECT_EQ(history.next_generation(), 2U);
 }
 
-// Returns the message of a history that fails to commit a generation, or "".
-std::string message_of_commit(History& history) {
+// Returns the error message of committing a generation, or "".
+std::string commit_and_catch(History& history) {
     try {
         complete(history, 0);
     } catch (const Error& error) {
@@ -73,19 +72,19 @@ std::string message_of_commit(History& history) {
     return "";
 }
 
-TEST(WriteFailure, DeletedFileTakesNoMore) {
+TEST(WriteFailure, DeletedFileAcceptsNoMoreRows) {
     const Folder folder;
     const std::string path = folder / "case.h5";
     History history = History::create(path, sample_header());
     EXPECT_NO_THROW(history.require_in_place());
     std::filesystem::remove(path);
     EXPECT_THROW(history.require_in_place(), Error);
-    const std::string message = message_of_commit(history);
+    const std::string message = commit_and_catch(history);
     EXPECT_TRUE(message.starts_with(path + ": this file was deleted"))
         << message;
 }
 
-TEST(WriteFailure, FileThatIsCutShortTakesNoMore) {
+TEST(WriteFailure, TruncatedFileAcceptsNoMoreRows) {
     const Folder folder;
     const std::string path = folder / "case.h5";
     History history = History::create(path, sample_header());
@@ -96,26 +95,27 @@ TEST(WriteFailure, FileThatIsCutShortTakesNoMore) {
         FAIL() << "it was recorded";
     } catch (const Error& error) {
         EXPECT_EQ(error.exit_code(), ExitCode::refused);
-        const std::string what = error.what();
-        EXPECT_TRUE(what.starts_with(path + ": this file was cut")) << what;
+        const std::string message = error.what();
+        EXPECT_TRUE(message.starts_with(path + ": this file was cut"))
+            << message;
     }
 }
 
-TEST(WriteFailure, ReplacedFileTakesNoMoreAndTheNewOneIsLeftAlone) {
+TEST(WriteFailure, ReplacedFileAcceptsNoRowsAndIsLeftUnchanged) {
     const Folder folder;
     const std::string path = folder / "case.h5";
     History history = History::create(path, sample_header());
     std::filesystem::rename(path, folder / "away.h5");
     std::filesystem::copy_file(folder / "away.h5", path);
-    EXPECT_NE(message_of_commit(history), "");
+    EXPECT_NE(commit_and_catch(history), "");
     EXPECT_EQ(History::read(path).evaluated(), 0U);
-    // Once the file is back in its place, the history goes on.
+    // The history continues once the file is back in place.
     std::filesystem::rename(folder / "away.h5", path);
-    EXPECT_EQ(message_of_commit(history), "");
+    EXPECT_EQ(commit_and_catch(history), "");
     EXPECT_EQ(history.next_generation(), 1U);
 }
 
-TEST(WriteFailure, DoesNotCrashAtExit) {
+TEST(WriteFailure, ProgramDoesNotCrashAtExit) {
     const Folder folder;
     const std::string path = folder / "case.h5";
     const pid_t child = fork();
@@ -134,10 +134,10 @@ TEST(WriteFailure, DoesNotCrashAtExit) {
     EXPECT_EQ(WEXITSTATUS(status), 0);
 }
 
-TEST(WriteFailure, UnfinishedFileNeverHasItsName) {
+TEST(WriteFailure, UnfinishedFileNeverHasTheFinalName) {
     const Folder folder;
     const std::string path = folder / "case.h5";
-    EXPECT_EQ(in_other_process([&] {
+    EXPECT_EQ(run_in_other_process([&] {
                   limit_file_size(2000);
                   try {
                       History::create(path, large_header());

@@ -10,7 +10,7 @@
 
 namespace ideotype {
 
-//! Starts some routines one after the other, and keeps all messages.
+//! Starts routines one after the other, and stores all messages.
 class FakeDirector : public Director {
   public:
     void add(Routine<bool> routine) { waiting_.push_back(std::move(routine)); }
@@ -22,8 +22,8 @@ class FakeDirector : public Director {
         started.back().start();
         return true;
     }
-    void on_silence(const Task&, const std::string& what) override {
-        silences.push_back(what);
+    void on_silence(const Task&, const std::string& message) override {
+        silences.push_back(message);
     }
     void on_stop(int in_flight) override { stops.push_back(in_flight); }
 
@@ -35,18 +35,18 @@ class FakeDirector : public Director {
     std::deque<Routine<bool>> waiting_;
 };
 
-//! Returns a routine that awaits one batch.
-inline Routine<bool> batch_routine(Dispatcher& dispatcher,
-                                   std::vector<Work> work, Record record) {
+//! Makes a routine that awaits one batch.
+inline Routine<bool> make_routine(Dispatcher& dispatcher,
+                                  std::vector<Work> work, Record record) {
     co_await dispatcher.evaluate(std::move(work), std::move(record));
     co_return true;
 }
 
-//! Evaluates one batch and nothing else; rethrows the errors of its record.
+//! Evaluates a single batch; rethrows errors of its record.
 inline void evaluate(Dispatcher& dispatcher, std::vector<Work> work,
                      Record record) {
     FakeDirector director;
-    director.add(batch_routine(dispatcher, std::move(work), std::move(record)));
+    director.add(make_routine(dispatcher, std::move(work), std::move(record)));
     dispatcher.run(director);
     for (auto& routine : director.started) routine.result();
 }

@@ -20,18 +20,18 @@ inline OutcomeSchema fake_schema() {
     return schema;
 }
 
-//! An evaluator that is quick, a pure function of task and genome, and faulty
-//! in some slots.
+//! A quick evaluator, a pure function of task and genome, that fails in some
+//! slots.
 class FakeEvaluator : public Evaluator {
   public:
     static constexpr std::uint32_t throwing_slot = 1001;
     static constexpr std::uint32_t oddly_throwing_slot = 1002;
     static constexpr std::uint32_t not_a_number_slot = 1003;
 
-    //! The slot in which the machine fails, not the plant.
+    //! The slot in which the machine fails rather than the plant.
     static constexpr std::uint32_t starved_slot = 1006;
 
-    //! Slots that take long at the first attempt only, and at any attempt.
+    //! Slots that take long: only at the first attempt, and at every attempt.
     static constexpr std::uint32_t slow_once_slot = 1004;
     static constexpr std::uint32_t slow_slot = 1005;
 

@@ -14,7 +14,7 @@
 
 namespace ideotype {
 
-//! A clock that runs only when a test, or a fake worker, lets time pass.
+//! A clock that advances only when a test or a fake worker naps.
 class FakeClock : public RankClock {
   public:
     double now() const override { return now_; }
@@ -24,7 +24,7 @@ class FakeClock : public RankClock {
     mutable double now_ = 100;
 };
 
-//! Workers that answer after a time on a fake clock that a test decides.
+//! Workers that answer after a time, chosen by a test, on a fake clock.
 class FakeWorkers : public Workers {
   public:
     //! The time that a worker takes for this work [s].
@@ -50,7 +50,7 @@ class FakeWorkers : public Workers {
     }
 
     std::optional<Answer> wait(double seconds) override {
-        // A clock never stands still between two readings.
+        // A real clock advances between two readings.
         const double latest = clock_.now() + std::max(seconds, 1e-6);
         int first = -1;
         double end = latest;
@@ -86,8 +86,7 @@ class FakeWorkers : public Workers {
     std::vector<Seat> seats_;
 };
 
-//! A dispatcher of fake workers, whose evaluations take 10 ms unless a test
-//! says otherwise.
+//! Makes dispatchers of fake workers; evaluations take 10 ms by default.
 class WithFakeWorkers : public testing::Test {
   protected:
     Dispatcher make(int width, const AnswerRules& rules = {}) {

@@ -5,7 +5,8 @@
 
 #include "parallel/session.hpp"
 
-//! Ends one rank by an error while the other ranks would go on for long.
+//! Ends one rank by an error while the other ranks would continue for a long
+//! time.
 int main() {
     const ideotype::Session session;
     if (session.rank() != 1) {

@@ -22,7 +22,7 @@ class OnAllRanks : public testing::Test {
     static inline const Session* shared_ = nullptr;
 };
 
-//! Returns the seconds that this process has computed.
+//! Returns the processor time that this process has used [s].
 inline double cpu_seconds() {
     return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }

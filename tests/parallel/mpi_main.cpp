@@ -5,7 +5,7 @@
 
 namespace {
 
-//! A listener that reports failures on the ranks that are otherwise silent.
+//! Reports failures on ranks that are otherwise silent.
 class FailuresOnly : public testing::EmptyTestEventListener {
   public:
     explicit FailuresOnly(int rank) : rank_(rank) {}

@@ -11,7 +11,7 @@
 
 namespace ideotype {
 
-//! Returns work of one generation; every fifth candidate is a finalist.
+//! Makes work of one generation; every fifth candidate is a finalist.
 inline std::vector<Work> sample_work(std::uint32_t count,
                                      std::size_t genes = 40) {
     std::vector<Work> work;
@@ -24,8 +24,8 @@ inline std::vector<Work> sample_work(std::uint32_t count,
     return work;
 }
 
-//! Expects the outcome that any number of workers gives, bit for bit.
-inline void expect_right_numbers(const Work& work, const Outcome& outcome) {
+//! Expects the outcome of a single evaluator, bit for bit.
+inline void expect_same_outcome(const Work& work, const Outcome& outcome) {
     const Outcome expected = FakeEvaluator().evaluate(work.task, work.genome);
     EXPECT_EQ(outcome.status, Status::done) << outcome.message;
     ASSERT_EQ(outcome.objectives.size(), expected.objectives.size());
@@ -41,7 +41,7 @@ inline void expect_right_numbers(const Work& work, const Outcome& outcome) {
     compare(outcome.quantities, expected.quantities);
 }
 
-//! Keeps all outcomes, and notices an outcome that arrives twice.
+//! Stores all outcomes, and detects outcomes that arrive twice.
 class Kept {
   public:
     Record keep() {
@@ -51,11 +51,11 @@ class Kept {
         };
     }
 
-    //! Expects the outcomes of all of the work, and no others.
-    void expect_all_of(const std::vector<Work>& work) const {
+    //! Expects the outcomes of all work, and no others.
+    void expect_all(const std::vector<Work>& work) const {
         ASSERT_EQ(outcomes.size(), work.size());
-        for (const Work& each : work)
-            expect_right_numbers(each, outcomes.at(each.task.slot));
+        for (const Work& item : work)
+            expect_same_outcome(item, outcomes.at(item.task.slot));
     }
 
     std::map<std::uint32_t, Outcome> outcomes;  //!< outcomes by slot

@@ -9,9 +9,9 @@ namespace ideotype {
 
 namespace {
 
-std::vector<Work> generation_of(std::uint32_t case_index,
-                                std::uint32_t generation,
-                                std::uint32_t population) {
+std::vector<Work> make_generation(std::uint32_t case_index,
+                                  std::uint32_t generation,
+                                  std::uint32_t population) {
     std::vector<Work> work;
     for (std::uint32_t slot = 0; slot < population; ++slot)
         work.push_back({{case_index, generation, slot}, {1.0, 2.0}});
@@ -20,17 +20,18 @@ std::vector<Work> generation_of(std::uint32_t case_index,
 
 }  // namespace
 
-//! Several routines in one run, as cases of a sweep.
+//! Several routines in one run, like the cases of a sweep.
 class Cases : public WithAnyWorkers {
   protected:
-    //! Gives orders to a new dispatcher of fake workers.
+    //! Runs commands with a new dispatcher of fake workers.
     template <class Command>
     void command(Command give_orders) {
         Dispatcher dispatcher = make(GetParam());
         give_orders(dispatcher);
     }
 
-    //! Awaits one generation after the other, and notes the order of outcomes.
+    //! Evaluates one generation after the other, and stores the order of
+    //! outcomes.
     Routine<bool> evolve(Dispatcher& dispatcher, std::uint32_t case_index,
                          std::uint32_t generations, std::uint32_t population) {
         for (std::uint32_t g = 0; g < generations; ++g) {
@@ -42,7 +43,7 @@ class Cases : public WithAnyWorkers {
                 ++arrived;
             };
             co_await dispatcher.evaluate(
-                generation_of(case_index, g, population), record);
+                make_generation(case_index, g, population), record);
             if (stop_.requested()) co_return false;
             EXPECT_EQ(arrived, population);
         }
@@ -59,7 +60,7 @@ class Cases : public WithAnyWorkers {
 
 INSTANTIATE_TEST_SUITE_P(Workers, Cases, testing::Values(1, 2, 8));
 
-TEST_P(Cases, AllAreEvaluatedCompletely) {
+TEST_P(Cases, AllCasesAreEvaluatedCompletely) {
     command([&](Dispatcher& dispatcher) {
         for (std::uint32_t c = 0; c < 4; ++c)
             director_.add(evolve(dispatcher, c, 3, 5 + c));
@@ -69,8 +70,8 @@ TEST_P(Cases, AllAreEvaluatedCompletely) {
     });
 }
 
-// A row becomes known only when the row three before it has arrived.
-TEST_P(Cases, GoOnWithWorkThatFollowsFromOutcomes) {
+// A row becomes available only when the row three before it has arrived.
+TEST_P(Cases, WorkMayDependOnOutcomes) {
     constexpr std::uint32_t rows = 40, cases = 4;
     std::vector<std::uint32_t> given(cases), answered(cases);
     const auto evolve_rows = [&](Dispatcher& dispatcher,
@@ -97,7 +98,7 @@ TEST_P(Cases, GoOnWithWorkThatFollowsFromOutcomes) {
     });
 }
 
-TEST_P(Cases, AFailingSourceEndsItsRoutineAlone) {
+TEST_P(Cases, FailingSourceEndsOnlyItsRoutine) {
     command([&](Dispatcher& dispatcher) {
         const auto failing = [&]() -> Routine<bool> {
             std::uint32_t slot = 0;
@@ -118,7 +119,7 @@ TEST_P(Cases, AFailingSourceEndsItsRoutineAlone) {
     });
 }
 
-TEST_P(Cases, StartWhenWorkersWouldBeIdleAndNotBefore) {
+TEST_P(Cases, CasesStartOnlyWhenWorkersWouldBeIdle) {
     command([&](Dispatcher& dispatcher) {
         const std::size_t width = static_cast<std::size_t>(dispatcher.width());
         std::size_t started_at_first = 0;
@@ -129,14 +130,14 @@ TEST_P(Cases, StartWhenWorkersWouldBeIdleAndNotBefore) {
         // Each case keeps two workers busy.
         for (std::uint32_t c = 0; c < 9; ++c)
             director_.add(
-                batch_routine(dispatcher, generation_of(c, 0, 2), record));
+                make_routine(dispatcher, make_generation(c, 0, 2), record));
         dispatcher.run(director_);
         EXPECT_EQ(started_at_first, (width + 1) / 2);
         EXPECT_EQ(director_.started.size(), 9u);
     });
 }
 
-TEST_P(Cases, ThoseBegunTogetherEndTogether) {
+TEST_P(Cases, CasesStartedTogetherEndTogether) {
     command([&](Dispatcher& dispatcher) {
         for (std::uint32_t c = 0; c < 3; ++c)
             director_.add(evolve(dispatcher, c, 4, 24));
@@ -152,13 +153,13 @@ TEST_P(Cases, ThoseBegunTogetherEndTogether) {
     });
 }
 
-TEST_P(Cases, AFailingOneLeavesTheOthersAlone) {
+TEST_P(Cases, FailingCaseDoesNotAffectTheOthers) {
     command([&](Dispatcher& dispatcher) {
         const Record disk_full = [](const Work&, const Outcome&) {
             throw Error("no space left on device");
         };
         director_.add(
-            batch_routine(dispatcher, generation_of(0, 0, 20), disk_full));
+            make_routine(dispatcher, make_generation(0, 0, 20), disk_full));
         director_.add(evolve(dispatcher, 1, 2, 10));
         dispatcher.run(director_);
         EXPECT_EQ(count(1), 20u);
@@ -167,14 +168,14 @@ TEST_P(Cases, AFailingOneLeavesTheOthersAlone) {
     });
 }
 
-TEST_P(Cases, AStopIsToldOnceAndDrainsAll) {
+TEST_P(Cases, StopIsReportedOnceAndDrainsAllCases) {
     command([&](Dispatcher& dispatcher) {
         const Record stop_at_once = [&](const Work&, const Outcome&) {
             stop_.request();
         };
         for (std::uint32_t c = 0; c < 3; ++c)
-            director_.add(batch_routine(dispatcher, generation_of(c, 0, 30),
-                                        stop_at_once));
+            director_.add(make_routine(dispatcher, make_generation(c, 0, 30),
+                                       stop_at_once));
         dispatcher.run(director_);
         EXPECT_EQ(director_.stops, std::vector{dispatcher.width() - 1});
         for (auto& routine : director_.started)

@@ -8,7 +8,7 @@
 
 namespace ideotype {
 
-TEST(Contracts, OfWorkersAreChecked) {
+TEST(Contracts, PreconditionsOfWorkersAreChecked) {
     FakeEvaluator evaluator;
     const Session session = Session::alone();
     EXPECT_THROW(make_thread_workers(session, {}), ContractError);

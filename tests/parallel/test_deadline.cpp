@@ -7,7 +7,7 @@
 
 namespace ideotype {
 
-//! Workers that do not answer in time. Slow work takes 6 deadlines.
+//! Workers that do not answer in time; slow work takes 6 deadlines.
 class Deadline : public WithFakeWorkers {
   protected:
     static constexpr std::uint32_t slow_once = 4, slow = 5;
@@ -23,13 +23,13 @@ class Deadline : public WithFakeWorkers {
         };
     }
 
-    //! Evaluates these slots, and keeps the answers.
+    //! Evaluates these slots, and stores the answers.
     void run(Dispatcher& dispatcher, const std::vector<std::uint32_t>& slots) {
         answers_.clear();
         std::vector<Work> work;
         for (const std::uint32_t slot : slots)
             work.push_back({{0, 0, slot}, {1.0, 2.0}});
-        director_.add(batch_routine(
+        director_.add(make_routine(
             dispatcher, work, [this](const Work& item, const Outcome& outcome) {
                 EXPECT_TRUE(
                     answers_.emplace(item.task.slot, Answered{item, outcome})
@@ -46,7 +46,7 @@ class Deadline : public WithFakeWorkers {
     std::map<std::uint32_t, Answered> answers_;  //!< answers by slot
 };
 
-TEST_F(Deadline, ALateEvaluationIsTriedElsewhere) {
+TEST_F(Deadline, LateEvaluationIsRetriedElsewhere) {
     Dispatcher dispatcher = make(2, impatient);
     run(dispatcher, {slow_once, 1, 2, 3});
     ASSERT_EQ(answers_.size(), 4u);
@@ -61,7 +61,7 @@ TEST_F(Deadline, ALateEvaluationIsTriedElsewhere) {
                                        "trying again"});
 }
 
-TEST_F(Deadline, ALateAnswerIsDroppedAndItsWorkerIsBack) {
+TEST_F(Deadline, LateAnswerIsDroppedAndItsWorkerReturns) {
     Dispatcher dispatcher = make(2, impatient);
     run(dispatcher, {slow_once, 1});
     // The late worker gets no work until it answers.
@@ -79,7 +79,7 @@ TEST_F(Deadline, ALateAnswerIsDroppedAndItsWorkerIsBack) {
     EXPECT_TRUE(dispatcher.dismiss());
 }
 
-TEST_F(Deadline, AfterTheLastAttemptTheRowSaysSo) {
+TEST_F(Deadline, RowFailsAfterTheLastAttempt) {
     Dispatcher dispatcher = make(4, impatient);
     run(dispatcher, {slow, 1, 2});
     ASSERT_EQ(answers_.size(), 3u);
@@ -91,7 +91,7 @@ TEST_F(Deadline, AfterTheLastAttemptTheRowSaysSo) {
     EXPECT_FALSE(dispatcher.dismiss());
 }
 
-TEST_F(Deadline, TheFirstAnswerCountsEvenIfLate) {
+TEST_F(Deadline, FirstAnswerCountsEvenIfLate) {
     duration_ = [](int, const Work& work) {
         return work.task.slot == slow ? 0.3 : 0.001;
     };
@@ -104,14 +104,14 @@ TEST_F(Deadline, TheFirstAnswerCountsEvenIfLate) {
     EXPECT_EQ(answers_.at(slow).outcome.worker, 0u);
 }
 
-TEST_F(Deadline, EndsWithAnErrorWhenNobodyAnswers) {
+TEST_F(Deadline, RunEndsWithAnErrorWhenNoWorkerAnswers) {
     for (const int width : {1, 2, 3}) {
         director_.silences.clear();
-        // There are no more attempts than workers: still no row fails.
+        // With no more attempts than workers, still no row fails.
         Dispatcher dispatcher = make(width, {0.1, 1});
         try {
             run(dispatcher, {slow});
-            ADD_FAILURE() << "went on without workers";
+            ADD_FAILURE() << "continued without workers";
         } catch (const Error& error) {
             EXPECT_NE(std::string(error.what()).find("parallel.deadline"),
                       std::string::npos);
@@ -124,7 +124,7 @@ TEST_F(Deadline, EndsWithAnErrorWhenNobodyAnswers) {
     }
 }
 
-TEST_F(Deadline, ADrainWaitsForAHungWorkerUntilItsDeadlineOnly) {
+TEST_F(Deadline, DrainWaitsForAHungWorkerOnlyUntilItsDeadline) {
     Dispatcher dispatcher = make(2, impatient);
     duration_ = [this](int, const Work&) {
         stop_.request();
@@ -138,19 +138,19 @@ TEST_F(Deadline, ADrainWaitsForAHungWorkerUntilItsDeadlineOnly) {
     EXPECT_FALSE(dispatcher.dismiss());
 }
 
-TEST_F(Deadline, GrowsWithWhatTheLongestTook) {
+TEST_F(Deadline, DeadlineGrowsWithTheLongestEvaluation) {
     duration_ = [](int, const Work& work) {
         return work.task.slot == slow ? 0.6 : 0.06;
     };
     Dispatcher dispatcher = make(2, impatient);
     run(dispatcher, {1, 2});
-    // The deadline is 20 times 60 ms, more than the 200 ms that were asked for.
+    // The deadline is 20 times 60 ms, more than the 200 ms requested.
     run(dispatcher, {slow});
     EXPECT_TRUE(director_.silences.empty());
     EXPECT_EQ(answers_.at(slow).work.task.attempt, 1u);
 }
 
-TEST_F(Deadline, DoesNotPassWhileTheJobStandsStill) {
+TEST_F(Deadline, DeadlineDoesNotPassWhileTheJobIsPaused) {
     duration_ = [this](int, const Work& work) {
         if (work.task.slot == 2) clock_.nap(3600);  // as after Ctrl-Z
         return 1.5;

@@ -12,18 +12,18 @@ class DispatcherOfFakes : public WithAnyWorkers, public Kept {};
 
 INSTANTIATE_TEST_SUITE_P(Workers, DispatcherOfFakes, testing::Values(1, 2, 8));
 
-TEST_P(DispatcherOfFakes, RecordsEveryTaskOnce) {
+TEST_P(DispatcherOfFakes, EveryTaskIsRecordedOnce) {
     Dispatcher dispatcher = make(GetParam());
     EXPECT_EQ(dispatcher.width(), GetParam());
     const std::vector<Work> work = sample_work(50);
     evaluate(dispatcher, work, keep());
-    expect_all_of(work);
+    expect_all(work);
     EXPECT_NEAR(clock_.now(), 100 + 0.01 * ((49 + GetParam()) / GetParam()),
                 1e-9);
     EXPECT_TRUE(dispatcher.dismiss());
 }
 
-TEST_P(DispatcherOfFakes, ManagesWithLessWorkThanWorkers) {
+TEST_P(DispatcherOfFakes, LessWorkThanWorkersIsEvaluated) {
     Dispatcher dispatcher = make(GetParam());
     evaluate(dispatcher, {}, keep());
     EXPECT_TRUE(outcomes.empty());
@@ -31,7 +31,7 @@ TEST_P(DispatcherOfFakes, ManagesWithLessWorkThanWorkers) {
     EXPECT_EQ(outcomes.size(), 1u);
 }
 
-TEST_P(DispatcherOfFakes, GivesWorkToAllWorkers) {
+TEST_P(DispatcherOfFakes, AllWorkersGetWork) {
     Dispatcher dispatcher = make(GetParam());
     evaluate(dispatcher, sample_work(20), keep());
     std::set<std::uint32_t> workers;
@@ -39,30 +39,31 @@ TEST_P(DispatcherOfFakes, GivesWorkToAllWorkers) {
     EXPECT_EQ(static_cast<int>(workers.size()), GetParam());
 }
 
-TEST_P(DispatcherOfFakes, EndsWithoutARowWhereTheMachineFails) {
+TEST_P(DispatcherOfFakes, FailureOfTheMachineRecordsNoRow) {
     Dispatcher dispatcher = make(GetParam());
     std::vector<Work> work = sample_work(100);
     work[20].task.slot = FakeEvaluator::starved_slot;
     try {
         evaluate(dispatcher, work, keep());
-        ADD_FAILURE() << "nothing was said";
+        ADD_FAILURE() << "no error was thrown";
     } catch (const Error& error) {
-        EXPECT_NE(std::string(error.what())
-                      .find(" could not evaluate finalist 1006 on " +
-                            host_name() + ": not enough memory; that is not"),
-                  std::string::npos)
+        EXPECT_NE(
+            std::string(error.what())
+                .find(" could not evaluate finalist 1006 on " + host_name() +
+                      ": not enough memory; the machine failed"),
+            std::string::npos)
             << error.what();
     }
     EXPECT_FALSE(outcomes.contains(FakeEvaluator::starved_slot));
-    // Work that was in flight is recorded, and no work was begun later.
+    // Work in flight was recorded, and no work was started later.
     EXPECT_GE(outcomes.size(), 20u);
     EXPECT_LE(static_cast<int>(outcomes.size()), 20 + 2 * GetParam());
     for (const auto& [slot, outcome] : outcomes)
-        expect_right_numbers(work[slot], outcome);
+        expect_same_outcome(work[slot], outcome);
     EXPECT_TRUE(dispatcher.dismiss());
 }
 
-TEST_P(DispatcherOfFakes, FinishesOnlyWhatIsInFlightWhenToldToStop) {
+TEST_P(DispatcherOfFakes, StopFinishesOnlyWorkInFlight) {
     Dispatcher dispatcher = make(GetParam());
     const Record keep_outcome = keep();
     evaluate(dispatcher, sample_work(100),
@@ -76,7 +77,7 @@ TEST_P(DispatcherOfFakes, FinishesOnlyWhatIsInFlightWhenToldToStop) {
     });
 }
 
-TEST_P(DispatcherOfFakes, SurvivesARecordThatThrows) {
+TEST_P(DispatcherOfFakes, DispatcherSurvivesARecordThatThrows) {
     Dispatcher dispatcher = make(GetParam());
     const auto disk_full = [](const Work&, const Outcome&) {
         throw Error("no space left on device");
@@ -85,7 +86,7 @@ TEST_P(DispatcherOfFakes, SurvivesARecordThatThrows) {
     // No late reply of the failed batch may arrive in this batch.
     const std::vector<Work> work = sample_work(20, 3);
     evaluate(dispatcher, work, keep());
-    expect_all_of(work);
+    expect_all(work);
 }
 
 }  // namespace ideotype

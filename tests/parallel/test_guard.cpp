@@ -11,7 +11,8 @@ namespace ideotype {
 
 namespace {
 
-Outcome guarded(std::uint32_t slot, std::chrono::milliseconds duration = {}) {
+Outcome evaluate_slot(std::uint32_t slot,
+                      std::chrono::milliseconds duration = {}) {
     FakeEvaluator evaluator(duration);
     Work work;
     work.task.slot = slot;
@@ -32,8 +33,8 @@ void expect_failed_everywhere(const Outcome& outcome) {
 
 }  // namespace
 
-TEST(EvaluateGuarded, PassesAResultOn) {
-    const Outcome outcome = guarded(5);
+TEST(EvaluateGuarded, ResultIsPassedOn) {
+    const Outcome outcome = evaluate_slot(5);
     EXPECT_EQ(outcome.status, Status::done);
     EXPECT_EQ(outcome.message, "");
     EXPECT_EQ(outcome.worker, 7u);
@@ -42,25 +43,25 @@ TEST(EvaluateGuarded, PassesAResultOn) {
         FakeEvaluator().evaluate({0, 0, 5}, {1, 2, 3}).objectives.at(0).mean);
 }
 
-TEST(EvaluateGuarded, MeasuresTheWallTime) {
-    const Outcome outcome = guarded(5, std::chrono::milliseconds(20));
+TEST(EvaluateGuarded, WallTimeIsMeasured) {
+    const Outcome outcome = evaluate_slot(5, std::chrono::milliseconds(20));
     EXPECT_GE(outcome.seconds, 0.02);
     EXPECT_LT(outcome.seconds, 10);
 }
 
-TEST(EvaluateGuarded, TurnsAnErrorIntoAFailureWithItsMessage) {
-    const Outcome outcome = guarded(FakeEvaluator::throwing_slot);
+TEST(EvaluateGuarded, ErrorBecomesAFailureWithItsMessage) {
+    const Outcome outcome = evaluate_slot(FakeEvaluator::throwing_slot);
     expect_failed_everywhere(outcome);
     EXPECT_EQ(outcome.message, "leaf 3 is longer than the row");
     EXPECT_EQ(outcome.worker, 7u);
 }
 
-TEST(EvaluateGuarded, LeavesARowProposedWhereTheMachineFails) {
+TEST(EvaluateGuarded, FailureOfTheMachineLeavesTheRowProposed) {
     for (const auto& [slot, reason] :
          {std::pair{FakeEvaluator::starved_slot, "not enough memory"},
           std::pair{FakeEvaluator::oddly_throwing_slot,
                     "an exception of unknown type"}}) {
-        const Outcome outcome = guarded(slot);
+        const Outcome outcome = evaluate_slot(slot);
         EXPECT_EQ(outcome.status, Status::proposed);
         EXPECT_EQ(outcome.message, "on " + host_name() + ": " + reason);
         EXPECT_TRUE(outcome.quantities.empty());
@@ -68,8 +69,8 @@ TEST(EvaluateGuarded, LeavesARowProposedWhereTheMachineFails) {
     }
 }
 
-TEST(EvaluateGuarded, NamesTheColumnThatIsNotANumber) {
-    const Outcome outcome = guarded(FakeEvaluator::not_a_number_slot);
+TEST(EvaluateGuarded, NonFiniteColumnIsNamed) {
+    const Outcome outcome = evaluate_slot(FakeEvaluator::not_a_number_slot);
     expect_failed_everywhere(outcome);
     EXPECT_NE(outcome.message.find("height is not finite"), std::string::npos)
         << outcome.message;

@@ -36,18 +36,18 @@ void expect_same_bits(const std::vector<Estimate>& a,
 
 }  // namespace
 
-TEST(Messages, WorkComesBackAsItWas) {
+TEST(Messages, WorkIsDecodedUnchanged) {
     for (const Work& work :
          {Work{{1, 2, 3, 4, false}, {}}, Work{{0, 0, 0, 1, true}, {-0.0}},
           Work{{largest, largest, largest, largest, true}, Genome(5000, 0.1)}})
         EXPECT_EQ(decode_work(encode_work(work)), work);
 }
 
-TEST(Messages, AGenomeOfFortyTakesAHeaderOf32BytesAnd320) {
+TEST(Messages, WorkOfFortyGenesTakes392Bytes) {
     EXPECT_EQ(encode_work({{}, Genome(40)}).size(), 72u + 320u);
 }
 
-TEST(Messages, AReplyComesBackAsItWas) {
+TEST(Messages, ReplyIsDecodedUnchanged) {
     const Reply reply = sample_reply("almost too dense");
     const Reply copy = decode_reply(encode_reply(reply), fake_schema());
     EXPECT_EQ(copy.task, reply.task);
@@ -61,7 +61,7 @@ TEST(Messages, AReplyComesBackAsItWas) {
     EXPECT_EQ(copy.outcome.violation, reply.outcome.violation);
 }
 
-TEST(Messages, AFailureComesBackWithItsReason) {
+TEST(Messages, FailureIsDecodedWithItsReason) {
     const Reply reply{{1, 2, 3}, failed_outcome(fake_schema(), "no leaves")};
     const Reply copy = decode_reply(encode_reply(reply), fake_schema());
     EXPECT_EQ(copy.outcome.status, Status::failed);
@@ -70,7 +70,7 @@ TEST(Messages, AFailureComesBackWithItsReason) {
     expect_same_bits(copy.outcome.quantities, reply.outcome.quantities);
 }
 
-TEST(Messages, AMachineThatFailsSendsNoNumbers) {
+TEST(Messages, FailedMachineSendsNoNumbers) {
     Outcome outcome;
     outcome.status = Status::proposed;
     outcome.message = "on node7: not enough memory";
@@ -82,12 +82,12 @@ TEST(Messages, AMachineThatFailsSendsNoNumbers) {
     EXPECT_EQ(copy.outcome.message, "on node7: not enough memory");
 }
 
-TEST(Messages, AReplyHasTheSameSizeWhateverTheReason) {
+TEST(Messages, SizeOfAReplyDoesNotDependOnTheReason) {
     EXPECT_EQ(encode_reply(sample_reply()).size(),
               encode_reply(sample_reply(std::string(1000, 'x'))).size());
 }
 
-TEST(Messages, ALongReasonIsCutBetweenCharacters) {
+TEST(Messages, LongReasonIsCutBetweenCharacters) {
     const auto received = [](const std::string& message) {
         return decode_reply(encode_reply(sample_reply(message)), fake_schema())
             .outcome.message;
@@ -95,14 +95,14 @@ TEST(Messages, ALongReasonIsCutBetweenCharacters) {
     const std::string fitting(reply_message_capacity, 'a');
     EXPECT_EQ(received(fitting), fitting);
     EXPECT_EQ(received(fitting + "b"), fitting);
-    // The limit splits the two bytes of this letter.
-    const std::string all_but_one(reply_message_capacity - 1, 'a');
-    EXPECT_EQ(received(all_but_one + "\u00e4"), all_but_one);
-    const std::string all_but_two(reply_message_capacity - 2, 'a');
-    EXPECT_EQ(received(all_but_two + "\u00e4b"), all_but_two + "\u00e4");
+    // The limit splits the two bytes of this character.
+    const std::string one_short(reply_message_capacity - 1, 'a');
+    EXPECT_EQ(received(one_short + "\u00e4"), one_short);
+    const std::string two_short(reply_message_capacity - 2, 'a');
+    EXPECT_EQ(received(two_short + "\u00e4b"), two_short + "\u00e4");
 }
 
-TEST(Messages, SomethingElseIsAnError) {
+TEST(Messages, OtherBytesAreAnError) {
     const Bytes work = encode_work({{1, 2, 3}, {0.5, 1.5}});
     const Bytes reply = encode_reply(sample_reply());
     EXPECT_THROW(decode_work({}), Error);
@@ -113,7 +113,7 @@ TEST(Messages, SomethingElseIsAnError) {
     EXPECT_THROW(decode_reply(Bytes(5000), fake_schema()), Error);
 }
 
-TEST(Messages, OfTheWrongLengthAreAnError) {
+TEST(Messages, WrongLengthIsAnError) {
     Bytes work = encode_work({{1, 2, 3}, {0.5, 1.5}});
     work.pop_back();
     EXPECT_THROW(decode_work(work), Error);

@@ -14,39 +14,39 @@ using std::chrono::milliseconds;
 
 class RankWorkersOnAllRanks : public Commanded, public Kept {
   protected:
-    void evaluations_take(milliseconds duration) {
+    void set_duration(milliseconds duration) {
         evaluator_ = FakeEvaluator(duration);
     }
 };
 
-TEST_F(RankWorkersOnAllRanks, HasOneSeatPerWorker) {
+TEST_F(RankWorkersOnAllRanks, WidthIsTheNumberOfWorkers) {
     command([&](Dispatcher& dispatcher) {
         EXPECT_EQ(dispatcher.width(),
                   session().size() == 1 ? 1 : session().size() - 1);
     });
 }
 
-TEST_F(RankWorkersOnAllRanks, RecordsEveryTaskOnceWithTheSameNumbers) {
+TEST_F(RankWorkersOnAllRanks, EveryTaskIsRecordedOnceWithTheSameNumbers) {
     command([&](Dispatcher& dispatcher) {
         const std::vector<Work> work = sample_work(203);
         evaluate(dispatcher, work, keep());
-        expect_all_of(work);
+        expect_all(work);
     });
 }
 
-TEST_F(RankWorkersOnAllRanks, CarriesGenomesOfAnyLength) {
+TEST_F(RankWorkersOnAllRanks, GenomesMayHaveAnyLength) {
     command([&](Dispatcher& dispatcher) {
         for (const std::size_t genes : {0u, 1u, 20'000u}) {
             const std::vector<Work> work = sample_work(12, genes);
             outcomes.clear();
             evaluate(dispatcher, work, keep());
-            expect_all_of(work);
+            expect_all(work);
         }
     });
 }
 
-TEST_F(RankWorkersOnAllRanks, GivesWorkToAllWorkers) {
-    evaluations_take(milliseconds(5));
+TEST_F(RankWorkersOnAllRanks, AllWorkersGetWork) {
+    set_duration(milliseconds(5));
     command([&](Dispatcher& dispatcher) {
         evaluate(dispatcher, sample_work(20), keep());
         std::set<std::uint32_t> workers;
@@ -59,7 +59,7 @@ TEST_F(RankWorkersOnAllRanks, GivesWorkToAllWorkers) {
     });
 }
 
-TEST_F(RankWorkersOnAllRanks, PassesFailuresOnWithTheirReasons) {
+TEST_F(RankWorkersOnAllRanks, FailuresArePassedOnWithTheirReasons) {
     command([&](Dispatcher& dispatcher) {
         std::vector<Work> work = sample_work(10);
         work[2].task.slot = FakeEvaluator::throwing_slot;
@@ -77,7 +77,7 @@ TEST_F(RankWorkersOnAllRanks, PassesFailuresOnWithTheirReasons) {
     });
 }
 
-TEST_F(RankWorkersOnAllRanks, ALateEvaluationIsTriedElsewhere) {
+TEST_F(RankWorkersOnAllRanks, LateEvaluationIsRetriedElsewhere) {
     evaluator_ = FakeEvaluator(milliseconds(0), milliseconds(600));
     command(
         [&](Dispatcher& dispatcher) {
@@ -90,12 +90,12 @@ TEST_F(RankWorkersOnAllRanks, ALateEvaluationIsTriedElsewhere) {
         {0.2, 3, 1});
 }
 
-TEST_F(RankWorkersOnAllRanks, AreDividedAmongMasters) {
-    evaluations_take(milliseconds(2));
+TEST_F(RankWorkersOnAllRanks, WorkersAreDividedAmongMasters) {
+    set_duration(milliseconds(2));
     const int part = session().rank() % 2;
-    const Session own = session().split(part);
-    if (own.rank() != 0) return serve(own, {&evaluator_});
-    const auto dispatcher = make_dispatcher(own, {&evaluator_}, stop_);
+    const Session half = session().split(part);
+    if (half.rank() != 0) return serve(half, {&evaluator_});
+    const auto dispatcher = make_dispatcher(half, {&evaluator_}, stop_);
     evaluate(*dispatcher, sample_work(40), keep());
     std::set<std::uint32_t> ranks;
     for (const auto& [slot, outcome] : outcomes) ranks.insert(outcome.worker);
@@ -104,7 +104,7 @@ TEST_F(RankWorkersOnAllRanks, AreDividedAmongMasters) {
         EXPECT_EQ(static_cast<int>(rank % 2), part);
 }
 
-TEST_F(RankWorkersOnAllRanks, MayHaveSeveralThreadsEach) {
+TEST_F(RankWorkersOnAllRanks, RanksMayHaveSeveralThreads) {
     FakeEvaluator one(milliseconds(5)), other(milliseconds(5));
     const Evaluators evaluators{&one, &other};
     if (!is_master()) return serve(session(), evaluators);
@@ -112,15 +112,15 @@ TEST_F(RankWorkersOnAllRanks, MayHaveSeveralThreadsEach) {
     EXPECT_EQ(dispatcher->width(), 2 * session().size());
     const std::vector<Work> work = sample_work(200);
     evaluate(*dispatcher, work, keep());
-    expect_all_of(work);
+    expect_all(work);
     std::set<std::uint32_t> workers;
     for (const auto& [slot, outcome] : outcomes) workers.insert(outcome.worker);
     EXPECT_EQ(static_cast<int>(workers.size()), dispatcher->width());
     EXPECT_EQ(static_cast<int>(*workers.rbegin()), dispatcher->width() - 1);
 }
 
-TEST_F(RankWorkersOnAllRanks, SleepsWhileItWaits) {
-    evaluations_take(milliseconds(1000));
+TEST_F(RankWorkersOnAllRanks, MasterSleepsWhileItWaits) {
+    set_duration(milliseconds(1000));
     const double before = cpu_seconds();
     command([&](Dispatcher& dispatcher) {
         evaluate(dispatcher, sample_work(1), keep());
@@ -128,7 +128,7 @@ TEST_F(RankWorkersOnAllRanks, SleepsWhileItWaits) {
     EXPECT_LT(cpu_seconds() - before, 0.25);
 }
 
-TEST_F(RankWorkersOnAllRanks, WorkersRefuseWhatTheyDoNotKnow) {
+TEST_F(RankWorkersOnAllRanks, WorkersRefuseUnknownMessages) {
     if (!is_master()) {
         EXPECT_THROW(serve(session(), {&evaluator_}), Error);
         EXPECT_THROW(serve(session(), {&evaluator_}), Error);

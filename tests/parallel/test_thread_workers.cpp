@@ -11,10 +11,10 @@ namespace ideotype {
 
 using std::chrono::milliseconds;
 
-//! Tests of one process without MPI, on several threads.
+//! Several threads of one process without MPI.
 class ThreadWorkers : public testing::TestWithParam<int>, public Kept {
   protected:
-    //! Makes an evaluator like this one for each thread.
+    //! Copies an evaluator for each thread.
     std::unique_ptr<Dispatcher> make(const FakeEvaluator& evaluator,
                                      const AnswerRules& rules = {}) {
         Evaluators evaluators;
@@ -30,12 +30,12 @@ class ThreadWorkers : public testing::TestWithParam<int>, public Kept {
 
 INSTANTIATE_TEST_SUITE_P(Threads, ThreadWorkers, testing::Values(1, 2, 7));
 
-TEST_P(ThreadWorkers, GiveTheSameNumbersOnAllThreads) {
+TEST_P(ThreadWorkers, OutcomesDoNotDependOnTheThread) {
     const auto dispatcher = make(FakeEvaluator(milliseconds(1)));
     EXPECT_EQ(dispatcher->width(), GetParam());
     const std::vector<Work> work = sample_work(203);
     evaluate(*dispatcher, work, keep());
-    expect_all_of(work);
+    expect_all(work);
     std::set<std::uint32_t> workers;
     for (const auto& [slot, outcome] : outcomes) {
         workers.insert(outcome.worker);
@@ -45,7 +45,7 @@ TEST_P(ThreadWorkers, GiveTheSameNumbersOnAllThreads) {
     EXPECT_EQ(static_cast<int>(*workers.rbegin()), GetParam() - 1);
 }
 
-TEST_P(ThreadWorkers, TellAFaultOfThePlantFromOneOfTheMachine) {
+TEST_P(ThreadWorkers, FailuresOfPlantAndMachineAreDistinguished) {
     const auto dispatcher = make(FakeEvaluator());
     std::vector<Work> work = sample_work(10);
     work[2].task.slot = FakeEvaluator::throwing_slot;
@@ -60,13 +60,13 @@ TEST_P(ThreadWorkers, TellAFaultOfThePlantFromOneOfTheMachine) {
     EXPECT_TRUE(dispatcher->dismiss());
 }
 
-TEST_P(ThreadWorkers, AreLeftOutWhileTheyHang) {
+TEST_P(ThreadWorkers, HangingWorkersGetNoWork) {
     const auto dispatcher =
         make(FakeEvaluator(milliseconds(0), milliseconds(500)), {0.1, 3, 1});
     std::vector<Work> work = sample_work(20);
     work[0].task.slot = FakeEvaluator::slow_once_slot;
     FakeDirector director;
-    director.add(batch_routine(*dispatcher, work, keep()));
+    director.add(make_routine(*dispatcher, work, keep()));
     if (GetParam() == 1) {
         EXPECT_THROW(dispatcher->run(director), Error);
     } else {
@@ -78,24 +78,24 @@ TEST_P(ThreadWorkers, AreLeftOutWhileTheyHang) {
     EXPECT_FALSE(dispatcher->dismiss());
 }
 
-TEST_P(ThreadWorkers, CostNothingWhileTheyWait) {
+TEST_P(ThreadWorkers, WaitingWorkersUseNoProcessorTime) {
     const auto dispatcher = make(FakeEvaluator(milliseconds(500)));
     const std::clock_t before = std::clock();
     evaluate(*dispatcher, sample_work(1), keep());
     EXPECT_LT(std::clock() - before, CLOCKS_PER_SEC / 10);
 }
 
-TEST(SessionAlone, EndsAtOnceWhateverItsThreadsDo) {
+TEST(SessionAlone, AbortEndsTheProcessDespiteRunningThreads) {
     const Session session = Session::alone();
     EXPECT_EQ(session.gather("own"), std::vector<std::string>{"own"});
     EXPECT_EQ(session.split(3).rank_in_job(0), 0);
-    const auto end_beside_a_thread = [&] {
+    const auto end_with_running_thread = [&] {
         std::thread([] {
             std::this_thread::sleep_for(milliseconds(10'000));
         }).detach();
         session.abort(5);
     };
-    EXPECT_EXIT(end_beside_a_thread(), testing::ExitedWithCode(5), "");
+    EXPECT_EXIT(end_with_running_thread(), testing::ExitedWithCode(5), "");
 }
 
 }  // namespace ideotype

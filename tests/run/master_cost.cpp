@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-//! Measures what an evaluation costs rank 0: evolves a case with workers that
-//! only sleep, with the real loop, messages and history. Prints one line per
-//! duration of an evaluation; nothing is asserted.
-//! Usage: mpirun -n RANKS master_cost FOLDER
+//! Measures the cost of an evaluation for rank 0: evolves a case with workers
+//! that only sleep, with the real loop, messages and history. Prints one line
+//! per duration of an evaluation; nothing is asserted. Usage: mpirun -n RANKS
+//! master_cost FOLDER
 #include <algorithm>
 #include <chrono>
 #include <filesystem>

@@ -28,15 +28,16 @@ BoundCount count_of(const std::vector<Genome>& plants) {
 }
 
 TEST(Bounds, AreNamedByGene) {
-    const auto found = genes_at_bounds(gene_space(), plant(0.701, 1, 1.349));
-    ASSERT_EQ(found.size(), 2U);
-    EXPECT_EQ(found[0].gene, "height");
-    EXPECT_EQ(found[0].bound, Bound::lower);
-    EXPECT_EQ(found[0].value, 0.701);
-    EXPECT_EQ(found[0].limit, 0.7);
-    EXPECT_EQ(found[1].gene, "width_profile_5");
-    EXPECT_EQ(found[1].bound, Bound::upper);
-    EXPECT_EQ(found[1].limit, 1.35);
+    const auto at_bounds =
+        genes_at_bounds(gene_space(), plant(0.701, 1, 1.349));
+    ASSERT_EQ(at_bounds.size(), 2U);
+    EXPECT_EQ(at_bounds[0].gene, "height");
+    EXPECT_EQ(at_bounds[0].bound, Bound::lower);
+    EXPECT_EQ(at_bounds[0].value, 0.701);
+    EXPECT_EQ(at_bounds[0].limit, 0.7);
+    EXPECT_EQ(at_bounds[1].gene, "width_profile_5");
+    EXPECT_EQ(at_bounds[1].bound, Bound::upper);
+    EXPECT_EQ(at_bounds[1].limit, 1.35);
 }
 
 TEST(Bounds, AreCountedOverSearches) {
@@ -53,7 +54,7 @@ TEST(Bounds, AreCountedOverSearches) {
     EXPECT_EQ(count_of({plant(0.74, 1, 1), plant(1, 1, 1)}).in_words(), "");
 }
 
-TEST(Bounds, AreNotReportedOfFewValues) {
+TEST(Bounds, AreNotReportedForFewValues) {
     // One of five values is a fifth, one of ten is less.
     EXPECT_NE(count_of({plant(1, 1, 1.35)}).in_words(), "");
     EXPECT_EQ(count_of({plant(1, 1, 1.35), plant(1, 1, 1)}).in_words(), "");

@@ -12,23 +12,23 @@ class Ames : public ::testing::Test {
   protected:
     const Campaign campaign =
         read_campaign(std::string(IDEOTYPE_CAMPAIGNS) + "/ames_quick.toml");
-    const Cases all = cases(campaign);
+    const Cases campaign_cases = cases(campaign);
     const Genome baseline = baseline_genome(campaign);
     CanopyEvaluator evaluator{campaign, Device::supported_isas().back()};
 
     const OutcomeSchema schema =
-        outcome_schema(campaign, all[0], campaign.sampling);
+        outcome_schema(campaign, campaign_cases[0], campaign.sampling);
 
     double quantity(const Outcome& outcome, const std::string& name) const {
         return find(schema, outcome, name).value().mean;
     }
 };
 
-TEST_F(Ames, BaselineAbsorbsWhatASparseReferenceSays) {
+TEST_F(Ames, TheBaselineAbsorbsAsMuchAsASparseReference) {
     Task task;
     task.is_final = true;
     const Outcome outcome = evaluator.evaluate(task, baseline);
-    // Leaves and stalks of a B73-like stand take about .93 of the light.
+    // Leaves and stalks of a B73-like stand take about 0.93 of the light.
     const double leaves = quantity(outcome, "absorbed_fraction");
     const double stalks = quantity(outcome, "stalk_fraction");
     EXPECT_NEAR(leaves + stalks, .93, .015);
@@ -54,7 +54,7 @@ TEST_F(Ames, FractionsSumToOneAndLeavesToTheTotal) {
     EXPECT_NEAR(sum / outcome.objectives[0].mean, 1, 1e-12);
 }
 
-TEST_F(Ames, ExtinctionFollowsFromTheLightThatAllOrgansLeave) {
+TEST_F(Ames, ExtinctionFollowsFromTheLightTransmittedByAllOrgans) {
     const Outcome outcome = evaluator.evaluate({}, baseline);
     const Estimate fapar = find(schema, outcome, "fapar").value();
     EXPECT_NEAR(fapar.mean,
@@ -71,11 +71,11 @@ TEST_F(Ames, ExtinctionFollowsFromTheLightThatAllOrgansLeave) {
                 1, 1e-6);
     Campaign plot = campaign;
     plot.spec.field.boundary = Boundary::isolated;
-    EXPECT_FALSE(outcome_schema(plot, all[0], plot.sampling)
+    EXPECT_FALSE(outcome_schema(plot, campaign_cases[0], plot.sampling)
                      .measured.has("extinction_coefficient"));
 }
 
-TEST_F(Ames, CandidatesOfAGenerationShareTheirRandomNumbers) {
+TEST_F(Ames, CandidatesOfAGenerationHaveCommonRandomNumbers) {
     Task first, second, later;
     second.slot = 17;
     later.generation = 1;
@@ -88,8 +88,9 @@ TEST_F(Ames, TheElitePlantAbsorbsMoreThanTheBaseline) {
     const Device device(Device::supported_isas().back());
     const auto absorbed = [&](const Plant& plant) {
         return evaluate(
-                   request_of(sampling_of(Task{}, campaign, all[0]), campaign,
-                              all[0], scene_of(campaign, all[0]), {plant}),
+                   request_of(sampling_of(Task{}, campaign, campaign_cases[0]),
+                              campaign, campaign_cases[0],
+                              scene_of(campaign, campaign_cases[0]), {plant}),
                    device)
             .par()
             .light.day.leaves;
@@ -102,7 +103,7 @@ TEST_F(Ames, TheElitePlantAbsorbsMoreThanTheBaseline) {
               4 * std::hypot(b.standard_error, e.standard_error));
 }
 
-TEST_F(Ames, AToleranceIsMetAndTheRowSaysHow) {
+TEST_F(Ames, AToleranceIsMetAndTheRowStatesItsPaths) {
     Campaign exact = campaign;
     exact.sampling = {1 << 14, 16, 2e-3};
     CanopyEvaluator to_tolerance(exact, Device::supported_isas().back());
@@ -136,7 +137,7 @@ TEST_F(Ames, ObjectivesAreTheMeansOfTheirRandomisations) {
     }
 }
 
-TEST_F(Ames, EqualRandomNumbersMakeDifferencesCertain) {
+TEST_F(Ames, CommonRandomNumbersReduceTheErrorOfDifferences) {
     Genome other = baseline;
     other[0] *= 1.02;
     Task task;
@@ -151,7 +152,7 @@ TEST_F(Ames, EqualRandomNumbersMakeDifferencesCertain) {
               b.objectives[0].mean - a.objectives[0].mean);
 }
 
-TEST_F(Ames, ViolationsAreKeptApartFromTheObjective) {
+TEST_F(Ames, ViolationsDoNotAffectTheObjective) {
     const Outcome feasible = evaluator.evaluate({}, baseline);
     EXPECT_EQ(feasible.violation, 0);
 
@@ -163,7 +164,7 @@ TEST_F(Ames, ViolationsAreKeptApartFromTheObjective) {
     EXPECT_NEAR(outcome.violation, (3.435 - 2) / 2, .01);
 }
 
-TEST_F(Ames, LightPerLeafAreaIsThatOfTheGroundOverLai) {
+TEST_F(Ames, LightPerLeafAreaIsLightPerGroundAreaOverLai) {
     Campaign thrifty = campaign;
     thrifty.spec.objective.maximised = {"absorbed_par_per_leaf_area"};
     CanopyEvaluator other(thrifty, Device::supported_isas().back());
@@ -171,25 +172,26 @@ TEST_F(Ames, LightPerLeafAreaIsThatOfTheGroundOverLai) {
     const Outcome b = other.evaluate({}, baseline);
     EXPECT_NEAR(b.objectives[0].mean * quantity(b, "lai"), a.objectives[0].mean,
                 1e-9);
-    EXPECT_EQ(outcome_schema(thrifty, all[0], {}).objectives[0].name,
+    EXPECT_EQ(outcome_schema(thrifty, campaign_cases[0], {}).objectives[0].name,
               "absorbed_par_per_leaf_area");
 }
 
-TEST_F(Ames, AssimilationIsToldInMolAndInGramsAndPerLeafArea) {
+TEST_F(Ames, AssimilationIsReportedInMolInGramsAndPerLeafArea) {
     Campaign net = campaign;
     net.spec.objective.maximised = {"net_assimilation"};
     net.photosynthesis = Photosynthesis{};
     CanopyEvaluator other(net, Device::supported_isas().back());
     const Outcome outcome = other.evaluate({}, baseline);
     ASSERT_EQ(outcome.status, Status::done) << outcome.message;
-    const OutcomeSchema told = outcome_schema(net, all[0], net.sampling);
+    const OutcomeSchema changed_schema =
+        outcome_schema(net, campaign_cases[0], net.sampling);
     const auto value = [&](const char* name) {
-        return find(told, outcome, name).value();
+        return find(changed_schema, outcome, name).value();
     };
     constexpr double grams_of_co2 = 44.0095;
-    for (const std::string of : {"gross", "net"}) {
-        const Estimate mol = value((of + "_assimilation").c_str());
-        const Estimate grams = value((of + "_co2").c_str());
+    for (const std::string kind : {"gross", "net"}) {
+        const Estimate mol = value((kind + "_assimilation").c_str());
+        const Estimate grams = value((kind + "_co2").c_str());
         EXPECT_GT(mol.mean, 0.5);
         EXPECT_NEAR(grams.mean / mol.mean, grams_of_co2, 1e-9);
         EXPECT_NEAR(grams.standard_error / mol.standard_error, grams_of_co2,
@@ -201,19 +203,20 @@ TEST_F(Ames, AssimilationIsToldInMolAndInGramsAndPerLeafArea) {
         value("net_assimilation").mean, 1e-12);
 }
 
-TEST_F(Ames, APlotAloneTakesMoreThanItsGroundReceives) {
+TEST_F(Ames, AnIsolatedPlotAbsorbsMoreLightThanItsGroundReceives) {
     Campaign alone = campaign;
     alone.spec.field.boundary = Boundary::isolated;
     alone.spec.field.border_rows = 1;
     CanopyEvaluator plot(alone, Device::supported_isas().back());
     const Outcome outcome = plot.evaluate({}, baseline);
     ASSERT_EQ(outcome.status, Status::done) << outcome.message;
-    const OutcomeSchema told = outcome_schema(alone, all[0], alone.sampling);
-    EXPECT_GT(find(told, outcome, "absorbed_fraction")->mean, 1);
-    EXPECT_LT(find(told, outcome, "balance_error")->mean, 1e-12);
+    const OutcomeSchema changed_schema =
+        outcome_schema(alone, campaign_cases[0], alone.sampling);
+    EXPECT_GT(find(changed_schema, outcome, "absorbed_fraction")->mean, 1);
+    EXPECT_LT(find(changed_schema, outcome, "balance_error")->mean, 1e-12);
 }
 
-TEST(Canopy, InThePolarNightAllFiguresAreZero) {
+TEST(Canopy, InThePolarNightAllQuantitiesAreZero) {
     Campaign campaign =
         read_campaign(std::string(IDEOTYPE_CAMPAIGNS) + "/ames_quick.toml");
     for (const double pole : {90., -90.}) {
@@ -262,7 +265,7 @@ class Study : public ::testing::Test {
     }
 };
 
-TEST_F(Study, KeysOfARowAreThoseOfACampaignWithThem) {
+TEST_F(Study, KeysOfARowActLikeThoseOfACampaign) {
     const Campaign other = read_study(
         std::string(IDEOTYPE_CAMPAIGNS) + "/ames_quick.toml",
         {"optics.soil_albedo=0.4", "spacing.row=0.6", "spacing.name=762x152"});

@@ -239,7 +239,7 @@ TEST_F(EvolveCase, LateGenerationsReadNoMoreThanEarlyOnes) {
     EXPECT_LE(reading.bytes.back(), early + 1000);
 }
 
-TEST_F(EvolveCase, StopAndResumeGiveWhatAnUninterruptedRunGives) {
+TEST_F(EvolveCase, StopAndResumeGiveTheSameAsAnUninterruptedRun) {
     expect_same_after_stops();
 }
 
@@ -248,7 +248,7 @@ TEST_F(EvolveCase, StopAndResumeGiveTheSameWithStreams) {
     expect_same_after_stops();
 }
 
-TEST_F(EvolveCase, StopAndResumeGiveTheSameByChance) {
+TEST_F(EvolveCase, StopAndResumeGiveTheSameByRandomSearch) {
     campaign.search.optimizer = OptimizerKind::random;
     expect_same_after_stops();
 }
@@ -293,7 +293,7 @@ TEST_F(EvolveCase, AStopRuleEndsStreamsAtTheSameRow) {
 
 // All proposed rows are complete when the stop comes, and the rule holds, but
 // another stream has gone further.
-TEST_F(EvolveCase, AStopBeforeTheEndOfStreamsIsNoEnd) {
+TEST_F(EvolveCase, AStopBeforeTheEndOfStreamsLeavesTheCaseUnfinished) {
     campaign.search.streams = 2;
     campaign.stop.evaluations = 20;
     const HistoryHeader h = header();
@@ -315,7 +315,7 @@ TEST_F(EvolveCase, AStopBeforeTheEndOfStreamsIsNoEnd) {
     EXPECT_EQ(resumed.next_generation(), 3U);
 }
 
-TEST_F(EvolveCase, ASearchEndsWhereItsHistoryHasNoRoom) {
+TEST_F(EvolveCase, ASearchEndsWhenItsHistoryIsFull) {
     campaign.search.optimizer = OptimizerKind::automatic;
     const HistoryHeader h = header();
     History history = History::create(path("room.h5"), h);
@@ -343,7 +343,7 @@ TEST_F(EvolveCase, EqualGenomesAreEvaluatedOnce) {
         EXPECT_EQ(history.row(5, s).outcome.status, Status::done);
 }
 
-TEST_F(EvolveCase, AFewFailuresAreRowsWithAReason) {
+TEST_F(EvolveCase, AFewFailuresAreStoredAsRowsWithAReason) {
     const HistoryHeader h = header();
     History history = History::create(path("few.h5"), h);
     SumEvaluator evaluator(h.schema, stop);
@@ -362,7 +362,7 @@ TEST_F(EvolveCase, TooManyFailuresEndTheRunWithTheReason) {
     evaluator.failing_slots = 6;
     try {
         evolve(history, evaluator);
-        FAIL() << "went on";
+        FAIL() << "continued";
     } catch (const CaseError& error) {
         EXPECT_NE(std::string(error.what()).find("the sun went out"),
                   std::string::npos);

@@ -86,7 +86,7 @@ TEST_F(FaceLight, FacesOfAFieldSumToItsEvaluation) {
     expect_totals_of_field();
 }
 
-TEST_F(FaceLight, FacesOfACutPlotSumToItsEvaluation) {
+TEST_F(FaceLight, FacesOfAnIsolatedPlotSumToItsEvaluation) {
     stand_in({.rows = 3,
               .plants = 3,
               .spacing = chosen.spacing,
@@ -100,7 +100,7 @@ TEST_F(FaceLight, FacesOfACutPlotSumToItsEvaluation) {
                 1, .2);
 }
 
-TEST_F(FaceLight, StandardErrorsOfFacesAreHonestAndSmall) {
+TEST_F(FaceLight, StandardErrorsOfFacesAreUnbiasedAndSmall) {
     request.scene.components[0].jitter = 0;
     request.accuracy = face_accuracy({16, 16}, plant.faces.size());
     const std::vector<Estimate> one = of_faces();

@@ -10,7 +10,7 @@
 namespace ideotype {
 namespace {
 
-TEST(Format, ShowsHalfOfTheIntervalWithTwoDigits) {
+TEST(Format, PrintsHalfOfTheConfidenceIntervalWithTwoDigits) {
     EXPECT_EQ(format({11.12345, 0.0234}), "11.123 ± 0.046");
     EXPECT_EQ(format({1234.5, 67}), "1234 ± 131");
     EXPECT_EQ(format({3, 0}), "3");
@@ -18,7 +18,7 @@ TEST(Format, ShowsHalfOfTheIntervalWithTwoDigits) {
     EXPECT_EQ(format({std::numeric_limits<double>::quiet_NaN(), 1}), "unknown");
 }
 
-TEST(Format, ZerosAndSmallNumbersHaveNoTailOfDigits) {
+TEST(Format, ZerosAndSmallNumbersHaveFewDigits) {
     EXPECT_EQ(format({0, 0}), "0");
     EXPECT_EQ(format({-0., 0}), "0");
     EXPECT_EQ(format({3e-16, 0}), "0");
@@ -38,31 +38,31 @@ TEST(Format, DurationsReadLikeAClock) {
 }
 
 const std::vector<std::string> clauses{"12 of 40 cases done",
-                                       "0:37 left",
+                                       "time left 0:37",
                                        "best 10.35 ± 0.12 MJ m-2 day-1",
                                        "10 of 30 plants",
-                                       "28.8 evaluations/s",
+                                       "28.8 evaluations per second",
                                        "lat0_0807_300x140_all_r1"};
 
 TEST(LineWithBar, NeverIsWiderThanTheTerminal) {
     for (std::size_t width = 1; width < 250; ++width) {
         const std::string line = line_with_bar(0.5, clauses, width);
-        EXPECT_LE(columns_of(line), width);
+        EXPECT_LE(count_columns(line), width);
         EXPECT_EQ(line[0] == '[', width >= 31) << line;
     }
 }
 
-TEST(LineWithBar, LeavesOutWhatMattersLessAndCutsNothing) {
+TEST(LineWithBar, OmitsLessImportantPartsAndCutsNone) {
     EXPECT_EQ(
         line_with_bar(0.5, clauses, 79),
-        "[#######.......] 12 of 40 cases done, 0:37 left, best 10.35 ± 0.12 "
+        "[####.....] 12 of 40 cases done, time left 0:37, best 10.35 ± 0.12 "
         "MJ m-2 day-1");
     const std::string wide = line_with_bar(0.5, clauses, 200);
     for (const std::string& part : clauses)
         EXPECT_NE(wide.find(part), std::string::npos) << part;
 }
 
-TEST(LineWithBar, FillsTheBarAsFarAsIsDone) {
+TEST(LineWithBar, FillsTheBarInProportionToProgress) {
     EXPECT_EQ(line_with_bar(0, {"x"}, 14), "[..........] x");
     EXPECT_EQ(line_with_bar(0.25, {"x"}, 14), "[##........] x");
     EXPECT_EQ(line_with_bar(1, {"x"}, 14), "[##########] x");

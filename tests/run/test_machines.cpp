@@ -27,11 +27,11 @@ std::string refusal(const std::function<void()>& action) {
     return "";
 }
 
-TEST(Machines, ComeBackFromTheirText) {
+TEST(Machines, RoundTripThroughText) {
     EXPECT_EQ(machine_of(to_text(this_machine())), this_machine());
 }
 
-TEST(Machines, TakeTheWidestInstructionSetThatAllHave) {
+TEST(Machines, UseTheWidestCommonInstructionSet) {
     const auto choose = [](std::vector<Machine> machines) {
         return choose_isa(machines, {}, "");
     };
@@ -43,7 +43,7 @@ TEST(Machines, TakeTheWidestInstructionSetThatAllHave) {
         "avx");
 }
 
-TEST(Machines, TakeTheInstructionSetThatIsWanted) {
+TEST(Machines, UseTheRequestedInstructionSet) {
     EXPECT_EQ(choose_isa({machine("a", wide), machine("b", usual)}, "avx", ""),
               "avx");
 }
@@ -57,7 +57,7 @@ TEST(Machines, NameTheHostThatLacksAnInstructionSet) {
               "avx2); take another");
 }
 
-TEST(Machines, MustRunOneProgramWithOneMaths) {
+TEST(Machines, MustRunTheSameProgramAndMathsLibrary) {
     std::vector<Machine> machines{machine("a", wide), machine("b", usual)};
     EXPECT_EQ(refusal([&] { require_same_program(machines); }), "");
     machines[1].program["maths"] = "2";

@@ -45,7 +45,7 @@ TEST(Masters, HaveRanksInProportionToTheirCases) {
     EXPECT_EQ(next, 75U);
 }
 
-TEST(Masters, SayWhatKeepsWorkersBusy) {
+TEST(Masters, AdviseOnIdleWorkers) {
     Campaign campaign;
     campaign.search.optimizer = OptimizerKind::automatic;
     campaign.search.population = 40;
@@ -54,8 +54,8 @@ TEST(Masters, SayWhatKeepsWorkersBusy) {
     EXPECT_EQ(advice_for(campaign, 1, 10), std::nullopt);
     EXPECT_EQ(advice_for(campaign, 2, 20), std::nullopt);
     EXPECT_EQ(advice_for(campaign, 1, 64),
-              "64 workers wait for each other at the end of a generation; 64 "
-              "are busy with search.streams = 7");
+              "some of the 64 workers are idle at the end of each generation; "
+              "64 stay busy with search.streams = 7");
     campaign.search.streams = 7;
     EXPECT_EQ(advice_for(campaign, 1, 64), std::nullopt);
     campaign.stop.evaluations = 3200;
@@ -64,9 +64,10 @@ TEST(Masters, SayWhatKeepsWorkersBusy) {
               "learns little from fewer than 40; use search.streams = 2, or "
               "more generations");
     campaign.search.streams = 2;
-    EXPECT_EQ(advice_for(campaign, 1, 64),
-              "64 workers are more than this case can keep busy, which is some "
-              "20; use fewer, or more generations and streams");
+    EXPECT_EQ(
+        advice_for(campaign, 1, 64),
+        "64 workers are more than this case can keep busy (about 20); use "
+        "fewer workers, or more generations and streams");
     campaign.search.streams = 1;
     campaign.search.population = 1024;
     campaign.stop.evaluations = 2500;

@@ -43,7 +43,7 @@ TEST_F(Provenance, OfAnotherProgramIsRefusedWithBothValues) {
     }
 }
 
-TEST_F(Provenance, NamesAllThatDiffersAtOnce) {
+TEST_F(Provenance, NamesAllDifferencesAtOnce) {
     HistoryHeader changed = header;
     changed.text.at("compiler") = "another";
     changed.text.at("maths") = "another";
@@ -52,7 +52,7 @@ TEST_F(Provenance, NamesAllThatDiffersAtOnce) {
     EXPECT_NE(text.find("maths was"), std::string::npos) << text;
 }
 
-TEST_F(Provenance, OfAProgramThatDidNotTellItsMathsIsResumed) {
+TEST_F(Provenance, OfAProgramWithUnknownMathsIsAccepted) {
     header.text.erase("maths");
     EXPECT_EQ(refusal(header), "");
 }

@@ -56,15 +56,15 @@ class Summary : public testing::Test {
                      ("ideotype_summary_" + std::to_string(getpid()) + ".h5");
 };
 
-TEST_F(Summary, PutsLeafAreaBesideTheGain) {
+TEST_F(Summary, PrintsLeafAreaWithTheGain) {
     const std::string text = of({10, 0.03}, 2.5, {11, 0.04}, 5);
     EXPECT_NE(text.find(", gain 1.000 ± 0.098 MJ m-2 day-1 = 10.0 ± "
-                        "1.0 %, with LAI 5.00 instead of 2.50"),
+                        "1.0 %, LAI 5.00 (baseline 2.50)"),
               std::string::npos)
         << text;
 }
 
-TEST_F(Summary, WarnsOfMoreLeavesThanFieldsHave) {
+TEST_F(Summary, WarnsAboutTooManyLeaves) {
     EXPECT_EQ(of({10, 0.03}, 3.4, {11, 0.04}, 8).find("leaf area index"),
               std::string::npos);
     const std::string text = of({10, 0.03}, 3.4, {11, 0.04}, 8.5);
@@ -77,21 +77,20 @@ TEST_F(Summary, WarnsOfMoreLeavesThanFieldsHave) {
 
 TEST_F(Summary, CountsFinalistsThatFailed) {
     EXPECT_EQ(of({10, 0.03}, 2.5, {std::nan(""), 0}, 5),
-              "a.h5: finished by stop.generations, 0 of 480 plants in 0 "
+              "a.h5: finished (reached stop.generations), 0 of 480 plants in 0 "
               "generations, 1 of 2 finalists failed (no leaves)");
 }
 
-TEST_F(Summary, NeverDividesByNothing) {
+TEST_F(Summary, NeverDividesByZero) {
     const std::string text = of({0, 0}, 0, {0, 0}, 0);
-    EXPECT_NE(text.find(", gain 0 MJ m-2 day-1, with LAI 0.00 instead of "
-                        "0.00"),
+    EXPECT_NE(text.find(", gain 0 MJ m-2 day-1, LAI 0.00 (baseline 0.00)"),
               std::string::npos)
         << text;
     EXPECT_EQ(text.find("nan"), std::string::npos) << text;
     EXPECT_EQ(text.find("inf\n"), std::string::npos) << text;
 }
 
-TEST_F(Summary, SeveralScenariosHaveNoCeilingInCommon) {
+TEST_F(Summary, SeveralScenariosHaveNoCommonCeiling) {
     const std::string alone = of({9, 0.01}, 3, {10, 0.01}, 4);
     EXPECT_NE(alone.find("\nat most "), std::string::npos);
     campaign_.spec.objective.over = {"site"};

@@ -13,7 +13,7 @@ TEST(WayOn, IsQuotedForTheShell) {
               "'my run' '' 'it'\\''s' '$x' 'a*'");
 }
 
-TEST(WayOn, StartsAsTheRunWasStarted) {
+TEST(WayOn, ResumesAsTheRunWasStarted) {
     EXPECT_EQ(way_on("ideotype run a.toml", 1), "ideotype run a.toml --resume");
     EXPECT_EQ(way_on("ideotype run a.toml", 4),
               "mpirun -n 4 ideotype run a.toml --resume");
@@ -28,7 +28,7 @@ TEST(WayOn, StartsAsTheRunWasStarted) {
               "mpirun -n 2 ideotype run a--resume.toml --resume");
 }
 
-TEST(WayOn, KnowsAStartOfThisProgram) {
+TEST(WayOn, RecognisesAStartOfThisProgram) {
     for (const std::vector<std::string>& words :
          {std::vector<std::string>{"/a b/ideotype", "run", "it's $x.toml"},
           {"ideotype", "sensitivity", "a.toml"}})

@@ -155,9 +155,9 @@ struct Simulation {
         cases.assign(static_cast<std::size_t>(options.cases),
                      ideotype::cases(campaign).front());
         for (int i = 0; i < options.cases; ++i) {
-            Case& each = cases[static_cast<std::size_t>(i)];
-            each.index = i;
-            each.seed += static_cast<std::uint64_t>(i);
+            Case& simulated = cases[static_cast<std::size_t>(i)];
+            simulated.index = i;
+            simulated.seed += static_cast<std::uint64_t>(i);
         }
         header = header_of(campaign, cases.front(), "none");
         evaluator =

@@ -17,7 +17,7 @@ void SimulatedClock::nap(double seconds) const {
     spend(seconds + slack_);
 }
 
-// SMPI's own sleep tells naps from computations that it measures.
+// The sleep of SMPI is not counted as computation, which it measures.
 void SimulatedClock::spend(double seconds) {
     if (seconds <= 0) return;
     std::timespec time{};

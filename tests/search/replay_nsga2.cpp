@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// `sort`: reads the number of points, that of objectives, and the points, which
-// are minimised; prints the front of each point and its crowding distance
-// there. `volume`: reads the same; prints the hypervolume relative to the last
-// point. `search PROBLEM POPULATION GENERATIONS SEED`: prints the objectives of
-// the first front that NSGA-II finds on zdt1, zdt2 or dtlz2 (three objectives).
+// `sort`: reads the numbers of points and objectives, and the points, which are
+// minimised; prints the front of each point and its crowding distance in it.
+// `volume`: reads the same; prints the hypervolume relative to the last point.
+// `search PROBLEM POPULATION GENERATIONS SEED`: prints the objectives of the
+// first front that NSGA-II finds on zdt1, zdt2 or dtlz2 (three objectives).
 
 #include <cmath>
 #include <cstdio>
@@ -20,13 +20,14 @@ namespace {
 
 using namespace ideotype;
 
-Individual individual(Candidate candidate, const std::vector<double>& values) {
+Individual make_individual(Candidate candidate,
+                           const std::vector<double>& values) {
     Individual result{std::move(candidate), Status::done, {}, 0};
     for (const double x : values) result.objectives.push_back({x, 0});
     return result;
 }
 
-std::vector<Sense> minimised(std::size_t count) {
+std::vector<Sense> make_senses(std::size_t count) {
     return std::vector<Sense>(count, Sense::minimise);
 }
 
@@ -44,7 +45,7 @@ int volume() {
     const std::vector<double> reference = points.back();
     points.pop_back();
     std::printf("%.17g\n",
-                hypervolume(points, reference, minimised(reference.size())));
+                hypervolume(points, reference, make_senses(reference.size())));
     return std::cin ? 0 : 1;
 }
 
@@ -54,18 +55,18 @@ int sort() {
     const std::size_t objectives = points.front().size();
     Population population;
     for (const std::vector<double>& values : points)
-        population.push_back(individual({}, values));
-    const auto front = fronts(population, minimised(objectives));
+        population.push_back(make_individual({}, values));
+    const auto front = fronts(population, make_senses(objectives));
     for (std::size_t i = 0; i < count; ++i) {
         std::vector<std::size_t> members;
-        std::size_t own = 0;
+        std::size_t position = 0;
         for (std::size_t j = 0; j < count; ++j) {
             if (front[j] != front[i]) continue;
-            if (j == i) own = members.size();
+            if (j == i) position = members.size();
             members.push_back(j);
         }
         std::printf("%zu %.17g\n", front[i],
-                    crowding(population, members, objectives)[own]);
+                    crowding(population, members, objectives)[position]);
     }
     return std::cin ? 0 : 1;
 }
@@ -96,26 +97,26 @@ int search(const std::string& problem, int population, int generations,
     const auto optimizer = make_genetic_algorithm(
         settings,
         SearchSpace{GeneSpace(dimension, {"x", "1", 0, 1, false, true}),
-                    Genome(dimension, 0.5), minimised(objectives)},
+                    Genome(dimension, 0.5), make_senses(objectives)},
         seed);
-    const auto evaluated = [&](const Candidate& each) {
-        return individual(each, values(problem, each.genome));
+    const auto evaluate = [&](const Candidate& candidate) {
+        return make_individual(candidate, values(problem, candidate.genome));
     };
     for (int g = 0; g < generations; ++g) {
         Population rows;
-        for (const Candidate& each : optimizer->ask())
-            rows.push_back(evaluated(each));
+        for (const Candidate& candidate : optimizer->ask())
+            rows.push_back(evaluate(candidate));
         optimizer->tell(rows);
     }
     Population parents;
-    for (const Candidate& each :
+    for (const Candidate& candidate :
          optimizer->best(static_cast<std::size_t>(population)))
-        parents.push_back(evaluated(each));
-    const auto front = fronts(parents, minimised(objectives));
+        parents.push_back(evaluate(candidate));
+    const auto front = fronts(parents, make_senses(objectives));
     for (std::size_t i = 0; i < parents.size(); ++i) {
         if (front[i] != 0) continue;
-        for (const Estimate& each : parents[i].objectives)
-            std::printf("%.17g ", each.mean);
+        for (const Estimate& objective : parents[i].objectives)
+            std::printf("%.17g ", objective.mean);
         std::printf("\n");
     }
     return 0;

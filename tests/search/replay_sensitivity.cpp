@@ -26,7 +26,8 @@ int main(int, char** words) {
         space, 1);
     for (std::uint32_t i = 0; i < design.samples(); ++i)
         for (std::size_t k = 0; k < design.rows_per_sample(); ++k) {
-            for (const double x : design.row(i, k)) std::printf("%.17g ", x);
+            for (const double x : design.make_row(i, k))
+                std::printf("%.17g ", x);
             std::printf("\n");
         }
     return 0;

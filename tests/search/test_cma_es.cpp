@@ -20,19 +20,19 @@ GeneSpace genes(std::size_t count, bool is_circular = false) {
     return GeneSpace(count, {"x", "1", -5, 5, is_circular, true});
 }
 
-Population evaluated(const std::vector<Candidate>& candidates,
-                     const Function& f) {
+Population evaluate(const std::vector<Candidate>& candidates,
+                    const Function& f) {
     Population population;
-    for (const Candidate& each : candidates)
-        population.push_back({each, Status::done, {{f(each.genome), 0}}, 0});
+    for (const Candidate& candidate : candidates)
+        population.push_back(
+            {candidate, Status::done, {{f(candidate.genome), 0}}, 0});
     return population;
 }
 
-//! Returns the number of evaluations that a search took to bring f down to a
-//! value.
-std::size_t evaluations(const Function& f, std::size_t dimension, double target,
-                        std::uint64_t seed,
-                        OptimizerKind kind = OptimizerKind::cma_es) {
+//! Counts the evaluations that a search needs to reduce f to a target.
+std::size_t count_evaluations(const Function& f, std::size_t dimension,
+                              double target, std::uint64_t seed,
+                              OptimizerKind kind = OptimizerKind::cma_es) {
     SearchSettings settings;
     settings.optimizer = kind;
     settings.population =
@@ -43,9 +43,9 @@ std::size_t evaluations(const Function& f, std::size_t dimension, double target,
         SearchSpace{genes(dimension), Genome(dimension, 3), {Sense::minimise}},
         seed);
     std::size_t count = 0;
-    constexpr std::size_t most = 1000000;
-    for (double best = 1e300; best > target && count < most;) {
-        const Population rows = evaluated(optimizer->ask(), f);
+    constexpr std::size_t limit = 1000000;
+    for (double best = 1e300; best > target && count < limit;) {
+        const Population rows = evaluate(optimizer->ask(), f);
         count += rows.size();
         for (const Individual& row : rows)
             best = std::min(best, row.objectives[0].mean);
@@ -56,7 +56,7 @@ std::size_t evaluations(const Function& f, std::size_t dimension, double target,
 
 double sphere(const Genome& x) {
     double sum = 0;
-    for (const double each : x) sum += each * each;
+    for (const double value : x) sum += value * value;
     return sum;
 }
 
@@ -78,28 +78,30 @@ double rosenbrock(const Genome& x) {
 
 double rastrigin(const Genome& x) {
     double sum = 0;
-    for (const double each : x)
-        sum += each * each + 10 * (1 - std::cos(2 * std::numbers::pi * each));
+    for (const double value : x)
+        sum +=
+            value * value + 10 * (1 - std::cos(2 * std::numbers::pi * value));
     return sum;
 }
 
-// The bounds are the evaluations that pycma 4.4 needs (median of 7 seeds, with
-// equal start, step and target, without bounds) plus half for luck:
+// Bounds: the evaluations that pycma 4.4 needs (median of 7 seeds, with equal
+// start, step and target, without bounds) plus half for luck;
 // tests/search/published_cma.py prints them.
-TEST(CmaEs, SolvesStandardFunctionsWithinPublishedEvaluations) {
-    EXPECT_LT(evaluations(sphere, 10, 1e-8, 1), 1.5 * 1490);
-    EXPECT_LT(evaluations(ellipsoid, 10, 1e-8, 1), 1.5 * 4330);
+TEST(CmaEs, StandardFunctionsAreSolvedWithinPublishedEvaluations) {
+    EXPECT_LT(count_evaluations(sphere, 10, 1e-8, 1), 1.5 * 1490);
+    EXPECT_LT(count_evaluations(ellipsoid, 10, 1e-8, 1), 1.5 * 4330);
     // Some searches end in the local minimum near x_1 = -1.
-    EXPECT_LT(evaluations(rosenbrock, 10, 1e-8, 4), 1.5 * 5520);
-    EXPECT_LT(evaluations(sphere, 40, 1e-8, 1), 1.5 * 5235);
+    EXPECT_LT(count_evaluations(rosenbrock, 10, 1e-8, 4), 1.5 * 5520);
+    EXPECT_LT(count_evaluations(sphere, 40, 1e-8, 1), 1.5 * 5235);
 }
 
-TEST(AutoSearch, FindsTheLowestOfManyMinimaByRestarts) {
-    EXPECT_LT(evaluations(rastrigin, 10, 1e-8, 1, OptimizerKind::automatic),
-              400000U);
+TEST(AutoSearch, RestartsFindTheLowestOfManyMinima) {
+    EXPECT_LT(
+        count_evaluations(rastrigin, 10, 1e-8, 1, OptimizerKind::automatic),
+        400000U);
 }
 
-TEST(CmaEs, ComesNearTheMinimumUnderNoise) {
+TEST(CmaEs, MinimumIsApproachedUnderNoise) {
     SearchSettings settings;
     settings.optimizer = OptimizerKind::cma_es;
     settings.population = 14;
@@ -107,16 +109,16 @@ TEST(CmaEs, ComesNearTheMinimumUnderNoise) {
         settings, SearchSpace{genes(10), Genome(10, 3), {Sense::minimise}}, 4);
     RandomStream noise(5, Purpose::jitter);
     for (int g = 0; g < 200; ++g)
-        optimizer->tell(evaluated(optimizer->ask(), [&](const Genome& x) {
+        optimizer->tell(evaluate(optimizer->ask(), [&](const Genome& x) {
             return sphere(x) + noise.uniform(-1, 1);
         }));
     EXPECT_LT(sphere(optimizer->best(1).front().genome), 1.5);
 }
 
-Population searched(GenerationalOptimizer& optimizer, int generations) {
+Population run_search(GenerationalOptimizer& optimizer, int generations) {
     Population last;
     for (int g = 0; g < generations; ++g)
-        optimizer.tell(last = evaluated(optimizer.ask(), rosenbrock));
+        optimizer.tell(last = evaluate(optimizer.ask(), rosenbrock));
     return last;
 }
 
@@ -127,22 +129,22 @@ SearchSettings small() {
     return settings;
 }
 
-TEST(CmaEs, ContinuesWithTheSameBitsFromWhatItWasTold) {
+TEST(CmaEs, SearchIsAPureFunctionOfSeedAndEvaluations) {
     const SearchSpace space{genes(5), Genome(5, 1), {Sense::minimise}};
     const auto whole = make_cma_es(small(), space, 3),
                again = make_cma_es(small(), space, 3);
     for (int g = 0; g < 20; ++g) {
-        const Population rows = evaluated(whole->ask(), rosenbrock);
+        const Population rows = evaluate(whole->ask(), rosenbrock);
         whole->tell(rows);
         again->tell(rows);
         EXPECT_EQ(whole->ask(), again->ask());
     }
     const auto other = make_cma_es(small(), space, 4);
-    searched(*other, 20);
+    run_search(*other, 20);
     EXPECT_NE(whole->ask(), other->ask());
 }
 
-TEST(CmaEs, BeginsAroundTheBaseline) {
+TEST(CmaEs, SearchStartsAroundTheBaseline) {
     const Genome baseline{1, 2, 3, -4, 4};
     SearchSettings settings = small();
     settings.population = 4000;
@@ -150,8 +152,8 @@ TEST(CmaEs, BeginsAroundTheBaseline) {
     const auto candidates = search->ask();
     for (std::size_t i = 0; i < 2; ++i) {
         std::vector<double> values;
-        for (const Candidate& each : candidates)
-            values.push_back(each.genome[i]);
+        for (const Candidate& candidate : candidates)
+            values.push_back(candidate.genome[i]);
         std::ranges::sort(values);
         // Numbers beyond a bound turn back, which leaves quartiles in place.
         // The standard deviation is a fifth of the range of 10.
@@ -161,17 +163,17 @@ TEST(CmaEs, BeginsAroundTheBaseline) {
 }
 
 // The optimum is at the seam, 90 deg from the start on either side.
-TEST(CmaEs, MovesSmoothlyAcrossTheSeamOfACircle) {
+TEST(CmaEs, MeanMovesSmoothlyAcrossTheSeamOfACircle) {
     GeneSpace circle(3, {"azimuth", "deg", 0, 360, true, true});
     SearchSettings settings = small();
     const auto search =
         make_cma_es(settings, {circle, {20, 340, 350}, {Sense::minimise}}, 1);
     Genome before{20, 340, 350};
     for (int g = 0; g < 150; ++g) {
-        search->tell(evaluated(search->ask(), [](const Genome& x) {
+        search->tell(evaluate(search->ask(), [](const Genome& x) {
             double sum = 0;
-            for (const double each : x)
-                sum += 2 - 2 * std::cos((each - 355 + 8 * (each < 180)) *
+            for (const double angle : x)
+                sum += 2 - 2 * std::cos((angle - 355 + 8 * (angle < 180)) *
                                         std::numbers::pi / 180);
             return sum;
         }));
@@ -180,16 +182,16 @@ TEST(CmaEs, MovesSmoothlyAcrossTheSeamOfACircle) {
             EXPECT_LT(std::abs(std::remainder(mean[i] - before[i], 360)), 30);
         before = mean;
     }
-    for (const double each : before)
-        EXPECT_LT(std::abs(std::remainder(each - 355, 360)), 12);
+    for (const double angle : before)
+        EXPECT_LT(std::abs(std::remainder(angle - 355, 360)), 12);
 }
 
-TEST(CmaEs, PutsFeasiblePlantsFirst) {
+TEST(CmaEs, FeasiblePlantsRankFirst) {
     const auto search =
         make_cma_es(small(), {genes(4), Genome(4, 2), {Sense::minimise}}, 2);
     for (int g = 0; g < 150; ++g) {
-        Population rows = evaluated(search->ask(), sphere);
-        // The four genes have to sum to at least 2: then each is .5.
+        Population rows = evaluate(search->ask(), sphere);
+        // The four genes have to sum to at least 2: then each is 0.5.
         for (Individual& row : rows) {
             double sum = 0;
             for (const double x : row.candidate.genome) sum += x;
@@ -204,25 +206,26 @@ TEST(CmaEs, PutsFeasiblePlantsFirst) {
     EXPECT_LT(sphere(best), 1.05);
 }
 
-TEST(CmaEs, SurvivesAGenerationThatFailed) {
+TEST(CmaEs, SearchSurvivesFailedGenerations) {
     const auto search =
         make_cma_es(small(), {genes(4), Genome(4, 2), {Sense::minimise}}, 2);
     for (int g = 0; g < 30; ++g) {
-        Population rows = evaluated(search->ask(), sphere);
+        Population rows = evaluate(search->ask(), sphere);
         if (g % 3 == 0)
             for (Individual& row : rows) row.status = Status::failed;
         search->tell(rows);
-        for (const Candidate& each : search->ask())
-            for (const double x : each.genome) EXPECT_TRUE(std::isfinite(x));
+        for (const Candidate& candidate : search->ask())
+            for (const double x : candidate.genome)
+                EXPECT_TRUE(std::isfinite(x));
     }
 }
 
-//! Returns sizes of generations, each once until the size changes.
-std::vector<std::size_t> sizes(GenerationalOptimizer& search, int generations,
-                               const Function& f) {
+//! Lists the sizes of generations, each once until the size changes.
+std::vector<std::size_t> list_sizes(GenerationalOptimizer& search,
+                                    int generations, const Function& f) {
     std::vector<std::size_t> sizes;
     for (int g = 0; g < generations; ++g) {
-        const Population rows = evaluated(search.ask(), f);
+        const Population rows = evaluate(search.ask(), f);
         if (sizes.empty() || sizes.back() != rows.size())
             sizes.push_back(rows.size());
         search.tell(rows);
@@ -230,16 +233,16 @@ std::vector<std::size_t> sizes(GenerationalOptimizer& search, int generations,
     return sizes;
 }
 
-TEST(AutoSearch, RacesGrowsAndBeginsAnewWithMorePlants) {
+TEST(AutoSearch, CyclesRaceGrowAndRestartWithMorePlants) {
     const auto search = make_auto_search(
         small(), {genes(4), Genome(4, 2), {Sense::minimise}}, 2);
     RandomStream noise(5, Purpose::jitter);
-    EXPECT_EQ(
-        sizes(*search, 190, [&](const Genome&) { return noise.uniform(); }),
-        (std::vector<std::size_t>{24, 8, 4, 8, 16, 32, 36, 12, 6}));
+    EXPECT_EQ(list_sizes(*search, 190,
+                         [&](const Genome&) { return noise.uniform(); }),
+              (std::vector<std::size_t>{24, 8, 4, 8, 16, 32, 36, 12, 6}));
 }
 
-TEST(AutoSearch, DesignsTheFirstGenerationAroundTheBaseline) {
+TEST(AutoSearch, FirstGenerationIsADesignAroundTheBaseline) {
     GeneSpace space = genes(4);
     space[0].trait = space[1].trait = "a";
     space[2].trait = space[3].trait = "b";
@@ -266,7 +269,7 @@ TEST(AutoSearch, DesignsTheFirstGenerationAroundTheBaseline) {
     EXPECT_EQ(mixtures.size(), 4U);
 }
 
-TEST(AutoSearch, OffersWhereEarlierCyclesEnded) {
+TEST(AutoSearch, BestIncludesTheEndsOfEarlierCycles) {
     const auto search = make_auto_search(
         small(), {genes(4), Genome(4, 2), {Sense::minimise}}, 2);
     RandomStream noise(5, Purpose::jitter);
@@ -275,15 +278,16 @@ TEST(AutoSearch, OffersWhereEarlierCyclesEnded) {
         const std::vector<Candidate> asked = search->ask();
         if (asked.size() == 36) champion = asked[0].genome;
         search->tell(
-            evaluated(asked, [&](const Genome&) { return noise.uniform(); }));
+            evaluate(asked, [&](const Genome&) { return noise.uniform(); }));
     }
     const auto best = search->best(4);
     ASSERT_EQ(best.size(), 4U);
     EXPECT_TRUE(best[0].genome == champion || best[1].genome == champion);
 }
 
-//! An optimizer that learns only the rows that it needs proposes the same.
-TEST(Streams, WaitForTheirOwnGenerationsAlone) {
+//! An optimizer that learns only the rows it needs proposes the same
+//! candidates.
+TEST(Streams, StreamsWaitOnlyForTheirOwnGenerations) {
     SearchSettings settings = small();
     settings.optimizer = OptimizerKind::ga;
     settings.streams = 3;
@@ -297,7 +301,7 @@ TEST(Streams, WaitForTheirOwnGenerationsAlone) {
         EXPECT_EQ(whole->needs(generation),
                   generation < 3 ? 0 : 8 * (generation - 2));
         const Candidate candidate = whole->propose(generation, slot);
-        rows.push_back(evaluated({candidate}, sphere)[0]);
+        rows.push_back(evaluate({candidate}, sphere)[0]);
         whole->learn(rows.back());
         // The rows that the optimizer needs suffice.
         const std::size_t known = generation < 3 ? 0 : 8 * (generation - 2);
@@ -314,7 +318,7 @@ TEST(Streams, WaitForTheirOwnGenerationsAlone) {
     EXPECT_EQ(whole->best(5).size(), 5U);
 }
 
-TEST(RandomSearch, OffersTheBestOfAllGenerations) {
+TEST(RandomSearch, BestIsOverAllGenerations) {
     SearchSettings settings = small();
     settings.optimizer = OptimizerKind::random;
     const auto search = make_optimizer(
@@ -323,7 +327,7 @@ TEST(RandomSearch, OffersTheBestOfAllGenerations) {
     for (std::uint32_t row = 0; row < 80; ++row) {
         EXPECT_EQ(search->needs(row / 8), row < 16 ? 0 : row / 8 * 8 - 8);
         const Population one =
-            evaluated({search->propose(row / 8, row % 8)}, sphere);
+            evaluate({search->propose(row / 8, row % 8)}, sphere);
         values.push_back(one[0].objectives[0].mean);
         search->learn(one[0]);
     }

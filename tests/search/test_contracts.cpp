@@ -10,7 +10,7 @@
 
 namespace ideotype {
 
-TEST(Contracts, OfSearchesAreChecked) {
+TEST(Contracts, PreconditionsOfSearchesAreChecked) {
     using Eigen::VectorXd;
     EXPECT_THROW(DdCma(VectorXd::Zero(2), VectorXd::Ones(2), 3), ContractError);
     EXPECT_THROW(SobolSequence(1, 2).at(0, 2), ContractError);

@@ -24,25 +24,26 @@ SearchSettings small() {
     return settings;
 }
 
-//! Returns a generation whose objective is the first gene.
-Population evaluated(const std::vector<Candidate>& candidates) {
+//! Evaluates a generation; the objective is the first gene.
+Population evaluate(const std::vector<Candidate>& candidates) {
     Population population;
     for (const Candidate& c : candidates)
         population.push_back({c, Status::done, {{c.genome[0], 0.01}}});
     return population;
 }
 
-std::vector<Candidate> candidates_of(const Population& population) {
+std::vector<Candidate> list_candidates(const Population& population) {
     std::vector<Candidate> candidates;
     for (const Individual& i : population) candidates.push_back(i.candidate);
     return candidates;
 }
 
-//! Returns the proposals of a new optimizer for this generation; all
-//! generations before were equal to the last one.
-std::vector<Candidate> proposed(const SearchSettings& settings,
-                                std::uint64_t seed, std::uint32_t generation,
-                                const Population& parents) {
+//! Returns the proposals of a new optimizer for a generation, when all earlier
+//! generations were equal to `parents`.
+std::vector<Candidate> propose_generation(const SearchSettings& settings,
+                                          std::uint64_t seed,
+                                          std::uint32_t generation,
+                                          const Population& parents) {
     const auto optimizer =
         make_genetic_algorithm(settings, SearchSpace{genes, baseline}, seed);
     for (std::uint32_t g = 0; g < generation; ++g) optimizer->tell(parents);
@@ -50,19 +51,19 @@ std::vector<Candidate> proposed(const SearchSettings& settings,
 }
 
 Population first_generation() {
-    return evaluated(proposed(small(), 7, 0, {}));
+    return evaluate(propose_generation(small(), 7, 0, {}));
 }
 
-//! Returns the generations of one search.
-std::vector<Population> searched(std::size_t generations) {
+//! Returns the evaluated generations of one search.
+std::vector<Population> run_search(std::size_t generations) {
     const auto optimizer =
         make_genetic_algorithm(small(), SearchSpace{genes, baseline}, 7);
-    std::vector<Population> all;
-    while (all.size() < generations) {
-        all.push_back(evaluated(optimizer->ask()));
-        optimizer->tell(all.back());
+    std::vector<Population> history;
+    while (history.size() < generations) {
+        history.push_back(evaluate(optimizer->ask()));
+        optimizer->tell(history.back());
     }
-    return all;
+    return history;
 }
 
 TEST(GeneticAlgorithm, FirstGenerationIsTheBaselineAndRandomGenomes) {
@@ -79,21 +80,22 @@ TEST(GeneticAlgorithm, FirstGenerationIsTheBaselineAndRandomGenomes) {
     EXPECT_EQ(first[40].candidate.origin, Origin::random);
 }
 
-TEST(GeneticAlgorithm, IsAPureFunctionOfItsArguments) {
+TEST(GeneticAlgorithm, ProposalsAreAPureFunctionOfSeedGenerationAndParents) {
     const Population parents = first_generation();
     const auto genomes = [&](std::uint64_t seed, std::uint32_t generation) {
-        std::vector<Genome> all;
-        for (const Candidate& c : proposed(small(), seed, generation, parents))
-            all.push_back(c.genome);
-        return all;
+        std::vector<Genome> list;
+        for (const Candidate& c :
+             propose_generation(small(), seed, generation, parents))
+            list.push_back(c.genome);
+        return list;
     };
     EXPECT_EQ(genomes(7, 1), genomes(7, 1));
     EXPECT_NE(genomes(7, 1), genomes(8, 1));
     EXPECT_NE(genomes(7, 1), genomes(7, 2));
 }
 
-// Contract C3: another order of random numbers or of operations would make
-// other children. Write new values only with a change that is meant to do so.
+// Contract C3: another order of random numbers or operations would make other
+// children. Replace the values only with a change that intends this.
 TEST(GeneticAlgorithm, ChildrenOfASeedStayTheSame) {
     struct Child {
         std::array<std::int64_t, 2> parents;
@@ -108,7 +110,7 @@ TEST(GeneticAlgorithm, ChildrenOfASeedStayTheSame) {
                            {{24, 0}, 0.90261582956160313, 107.82840498340637},
                            {{0, 24}, 0.68144722408303704, 88.834526711629408},
                            {{19, 11}, 1.0258171986935358, 180.32462170641767}};
-    const auto children = proposed(small(), 7, 1, first_generation());
+    const auto children = propose_generation(small(), 7, 1, first_generation());
     std::size_t slot = 3;
     for (const Child& child : expected) {
         EXPECT_EQ(children[slot].parents, child.parents) << slot;
@@ -119,26 +121,26 @@ TEST(GeneticAlgorithm, ChildrenOfASeedStayTheSame) {
     }
 }
 
-// Contract C3: a resumed case goes on as if it had not been interrupted.
-TEST(GeneticAlgorithm, ToldTheSameGenerationsProposesTheSame) {
-    const std::vector<Population> all = searched(12);
-    for (std::size_t g = 0; g < all.size(); ++g) {
+// Contract C3: a resumed case continues as if it had not been interrupted.
+TEST(GeneticAlgorithm, ResumedSearchProposesTheSame) {
+    const std::vector<Population> history = run_search(12);
+    for (std::size_t g = 0; g < history.size(); ++g) {
         const auto optimizer =
             make_genetic_algorithm(small(), SearchSpace{genes, baseline}, 7);
-        for (std::size_t told = 0; told < g; ++told) optimizer->tell(all[told]);
-        EXPECT_EQ(candidates_of(all[g]), optimizer->ask()) << g;
+        for (std::size_t k = 0; k < g; ++k) optimizer->tell(history[k]);
+        EXPECT_EQ(list_candidates(history[g]), optimizer->ask()) << g;
         EXPECT_EQ(optimizer->ask(), optimizer->ask()) << g;
     }
 }
 
-TEST(GeneticAlgorithm, TakesGenerationsOfAnySize) {
+TEST(GeneticAlgorithm, GenerationsMayHaveAnySize) {
     const auto optimizer =
         make_genetic_algorithm(small(), SearchSpace{genes, baseline}, 7);
     std::int64_t first = 0;
     for (const std::int64_t size : {17, 41, 3, 60}) {
-        Population told = first_generation();
-        told.resize(static_cast<std::size_t>(size), told.back());
-        optimizer->tell(told);
+        Population rows = first_generation();
+        rows.resize(static_cast<std::size_t>(size), rows.back());
+        optimizer->tell(rows);
         const auto candidates = optimizer->ask();
         EXPECT_EQ(candidates.size(), 41u);
         for (const Candidate& c : candidates) {
@@ -151,7 +153,7 @@ TEST(GeneticAlgorithm, TakesGenerationsOfAnySize) {
 }
 
 TEST(GeneticAlgorithm, ChildrenStayInsideBounds) {
-    for (const Population& generation : searched(60))
+    for (const Population& generation : run_search(60))
         for (const Individual& i : generation) {
             EXPECT_GE(i.candidate.genome[0], 0.4);
             EXPECT_LE(i.candidate.genome[0], 1.1);
@@ -161,7 +163,7 @@ TEST(GeneticAlgorithm, ChildrenStayInsideBounds) {
 }
 
 TEST(GeneticAlgorithm, GenesThatAreNotFreeKeepTheBaseline) {
-    for (const Population& generation : searched(10))
+    for (const Population& generation : run_search(10))
         for (const Individual& i : generation)
             EXPECT_EQ(i.candidate.genome[2], baseline[2]);
 }
@@ -171,7 +173,7 @@ TEST(GeneticAlgorithm, ElitesAreTheBestDistinctParents) {
     parents[5].candidate.genome[0] = parents[9].candidate.genome[0] = 1.09;
     parents[5].candidate.genome[1] = parents[9].candidate.genome[1] = 11;
     parents[5].objectives = parents[9].objectives = {{1.09, 0}};
-    const auto children = proposed(small(), 7, 1, parents);
+    const auto children = propose_generation(small(), 7, 1, parents);
     EXPECT_EQ(children[0].genome, parents[5].candidate.genome);
     EXPECT_EQ(children[0].parents[0], 5);
     EXPECT_NE(children[1].genome, children[0].genome);
@@ -179,7 +181,7 @@ TEST(GeneticAlgorithm, ElitesAreTheBestDistinctParents) {
     EXPECT_EQ(children[3].origin, Origin::child);
 }
 
-TEST(GeneticAlgorithm, ParentsOfAFrontKeepTheirValuesUntilChildrenAreBetter) {
+TEST(GeneticAlgorithm, ParentsStayUntilChildrenDominateThem) {
     SearchSettings settings = small();
     settings.optimizer = OptimizerKind::nsga2;
     settings.population = 20;
@@ -189,9 +191,9 @@ TEST(GeneticAlgorithm, ParentsOfAFrontKeepTheirValuesUntilChildrenAreBetter) {
     // a lower level.
     const auto tell = [&](double level) {
         Population rows;
-        for (const Candidate& each : search->ask()) {
+        for (const Candidate& candidate : search->ask()) {
             const auto slot = static_cast<double>(rows.size());
-            rows.push_back({each,
+            rows.push_back({candidate,
                             Status::done,
                             {{slot + 100 * level, 0}, {slot - 100 * level, 0}},
                             0});
@@ -201,37 +203,37 @@ TEST(GeneticAlgorithm, ParentsOfAFrontKeepTheirValuesUntilChildrenAreBetter) {
     tell(1);
     tell(0);
     ASSERT_EQ(search->best(20).size(), 20u);
-    for (const Candidate& each : search->best(20))
-        EXPECT_LT(each.parents[0], 20);
-    for (const Candidate& each : search->ask()) {
-        EXPECT_EQ(each.origin, Origin::child);
-        EXPECT_LT(each.parents[0], 20);
+    for (const Candidate& candidate : search->best(20))
+        EXPECT_LT(candidate.parents[0], 20);
+    for (const Candidate& candidate : search->ask()) {
+        EXPECT_EQ(candidate.origin, Origin::child);
+        EXPECT_LT(candidate.parents[0], 20);
     }
     tell(2);
-    for (const Candidate& each : search->best(20))
-        EXPECT_GE(each.parents[0], 40);
+    for (const Candidate& candidate : search->best(20))
+        EXPECT_GE(candidate.parents[0], 40);
 }
 
 TEST(GeneticAlgorithm, SelectionImprovesThePopulation) {
-    const Population last = searched(40).back();
+    const Population last = run_search(40).back();
     double mean = 0;
     for (const Individual& i : last) mean += i.objectives[0].mean / 41;
     EXPECT_GT(mean, 1.05);
 }
 
-TEST(GeneticAlgorithm, AFailedParentIsNeverChosenOverAnother) {
+TEST(GeneticAlgorithm, FailedParentIsNeverPreferred) {
     Population parents = first_generation();
     for (std::size_t i = 1; i < parents.size(); ++i)
         parents[i].status = Status::failed;
     SearchSettings settings = small();
     settings.ga.tournament = 200;
-    const auto children = proposed(settings, 7, 1, parents);
+    const auto children = propose_generation(settings, 7, 1, parents);
     EXPECT_EQ(children[0].genome, baseline);
     for (std::size_t i = 1; i < children.size(); ++i)
         EXPECT_EQ(children[i].parents[0], 0);
 }
 
-TEST(GeneticAlgorithm, AzimuthCrossesTheNorthByTheShortWay) {
+TEST(GeneticAlgorithm, AzimuthCrossesNorthAlongTheShorterArc) {
     EXPECT_DOUBLE_EQ(difference(genes[1], 359, 1), 2);
     EXPECT_DOUBLE_EQ(difference(genes[1], 1, 359), -2);
     EXPECT_DOUBLE_EQ(wrapped(genes[1], 361), 1);
@@ -246,7 +248,7 @@ TEST(GeneticAlgorithm, AzimuthCrossesTheNorthByTheShortWay) {
         i.candidate.genome[1] = wrapped(genes[1], stream.uniform(-5, 5));
     SearchSettings settings = small();
     settings.ga.mutations_per_child = 0;
-    for (const Candidate& c : proposed(settings, 7, 1, parents))
+    for (const Candidate& c : propose_generation(settings, 7, 1, parents))
         EXPECT_GT(std::cos(c.genome[1] * std::acos(-1.) / 180), 0.5);
 }
 
@@ -254,9 +256,9 @@ TEST(GeneticAlgorithm, MutationMovesGenesAtTheGivenRate) {
     SearchSettings settings = small();
     settings.population = 2003;
     settings.ga.crossover_probability = 0;
-    const auto first = evaluated(proposed(settings, 7, 0, {}));
+    const auto first = evaluate(propose_generation(settings, 7, 0, {}));
     int changed = 0;
-    const auto children = proposed(settings, 7, 1, first);
+    const auto children = propose_generation(settings, 7, 1, first);
     for (std::size_t i = 3; i < children.size(); ++i) {
         const auto& parent =
             first[static_cast<std::size_t>(children[i].parents[0])];

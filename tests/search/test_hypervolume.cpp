@@ -11,7 +11,7 @@ namespace {
 
 const std::vector<Sense> both{Sense::maximise, Sense::minimise};
 
-TEST(Hypervolume, IsTheAreaBetweenAFrontAndItsReference) {
+TEST(Hypervolume, VolumeIsTheAreaBetweenFrontAndReference) {
     // The boxes are 3 x 1 and 1 x 3 and share an area of 1.
     const std::vector<std::vector<double>> points{{3, 2}, {1, 0}};
     EXPECT_DOUBLE_EQ(hypervolume(points, {0, 3}, both), 5);
@@ -25,9 +25,9 @@ TEST(Hypervolume, IsTheAreaBetweenAFrontAndItsReference) {
 
 constexpr int randomisations = 8;
 
-//! Eleven plants on a front, with noise that is half shared as under common
-//! random numbers.
-Population noisy_front(std::uint32_t draw) {
+//! Makes eleven plants on a front, with noise that is half shared, as under
+//! common random numbers.
+Population make_noisy_front(std::uint32_t draw) {
     Population population;
     // The noise has a standard deviation of 1.
     const auto noise = [&](std::uint32_t slot) {
@@ -43,10 +43,10 @@ Population noisy_front(std::uint32_t draw) {
         Individual one;
         one.status = Status::done;
         one.objectives = {{std::sqrt(x), 0}, {x, 0}};
-        const std::vector<double> own = noise(i);
+        const std::vector<double> unshared = noise(i);
         double sum = 0;
         for (std::size_t r = 0; r < randomisations; ++r) {
-            const double error = .02 * (own[r] + shared[r]);
+            const double error = .02 * (unshared[r] + shared[r]);
             one.randomisations.push_back(std::sqrt(x) + error);
             sum += error;
         }
@@ -57,14 +57,15 @@ Population noisy_front(std::uint32_t draw) {
     return population;
 }
 
-TEST(Hypervolume, ItsErrorIsTheSpreadOfRepeatedEvaluations) {
+TEST(Hypervolume, StandardErrorIsTheSpreadOfRepeatedEvaluations) {
     constexpr std::uint32_t repeats = 400;
     std::vector<double> volumes;
     double variance = 0;
     for (std::uint32_t draw = 0; draw < repeats; ++draw) {
-        const Estimate found = hypervolume(noisy_front(draw), {0, 1.1}, both);
-        volumes.push_back(found.mean);
-        variance += found.standard_error * found.standard_error / repeats;
+        const Estimate volume =
+            hypervolume(make_noisy_front(draw), {0, 1.1}, both);
+        volumes.push_back(volume.mean);
+        variance += volume.standard_error * volume.standard_error / repeats;
     }
     const double spread =
         estimate(volumes).standard_error * std::sqrt(double{repeats});
@@ -72,19 +73,19 @@ TEST(Hypervolume, ItsErrorIsTheSpreadOfRepeatedEvaluations) {
     EXPECT_GT(spread, .005);
 }
 
-TEST(Hypervolume, IsOfThoseThatKeepTheConstraints) {
-    Population population = noisy_front(0);
-    const double all = hypervolume(population, {0, 1.1}, both).mean;
+TEST(Hypervolume, InfeasiblePlantsDoNotContribute) {
+    Population population = make_noisy_front(0);
+    const double volume = hypervolume(population, {0, 1.1}, both).mean;
     population[10].violation = .1;
     population[9].status = Status::failed;
-    EXPECT_LT(hypervolume(population, {0, 1.1}, both).mean, all);
-    for (Individual& each : population) each.violation = 1;
+    EXPECT_LT(hypervolume(population, {0, 1.1}, both).mean, volume);
+    for (Individual& individual : population) individual.violation = 1;
     EXPECT_EQ(hypervolume(population, {0, 1.1}, both).mean, 0);
 }
 
-TEST(Hypervolume, IsRelativeToTheWorstOfTheFirstGeneration) {
-    const Population first = noisy_front(0), second = noisy_front(1);
-    const std::vector<double> worst = worst_of(first, both);
+TEST(Hypervolume, DefaultReferenceIsTheWorstOfTheFirstGeneration) {
+    const Population first = make_noisy_front(0), second = make_noisy_front(1);
+    const std::vector<double> worst = find_worst(first, both);
     EXPECT_EQ(worst[0], first[0].objectives[0].mean);
     EXPECT_EQ(worst[1], 1);
     Summarizer summarized({}, both, {});
@@ -92,9 +93,10 @@ TEST(Hypervolume, IsRelativeToTheWorstOfTheFirstGeneration) {
               hypervolume(first, worst, both).mean);
     const GenerationSummary summary = summarized(second);
     // The summary has the hypervolume of all rows up to here.
-    Population all = first;
-    all.insert(all.end(), second.begin(), second.end());
-    EXPECT_DOUBLE_EQ(summary.hypervolume, hypervolume(all, worst, both).mean);
+    Population combined = first;
+    combined.insert(combined.end(), second.begin(), second.end());
+    EXPECT_DOUBLE_EQ(summary.hypervolume,
+                     hypervolume(combined, worst, both).mean);
     EXPECT_GT(summary.hypervolume_standard_error, 0);
     EXPECT_EQ(Summarizer({}, both, {0, 2})(second).hypervolume,
               hypervolume(second, {0, 2}, both).mean);

@@ -15,14 +15,14 @@ Individual plant(double light, double area, double violation = 0) {
     return {{}, Status::done, {{light, 0}, {area, 0}}, violation};
 }
 
-TEST(Pareto, FrontsAreWhatIsLeftWithoutTheFrontsBefore) {
+TEST(Pareto, FrontsAreNonDominatedWithoutEarlierFronts) {
     const Population population{plant(10, 5), plant(8, 3),  plant(9, 5),
                                 plant(8, 4),  plant(10, 5), plant(7, 6)};
     EXPECT_EQ(fronts(population, senses),
               (std::vector<std::size_t>{0, 0, 1, 1, 0, 2}));
 }
 
-TEST(Pareto, PlantsThatFailConstraintsComeAfterAllThatMeetThem) {
+TEST(Pareto, InfeasiblePlantsComeAfterFeasibleOnes) {
     Population population{plant(99, 1, 0.1), plant(5, 9), plant(99, 1, 0.01),
                           plant(99, 1)};
     population[3].status = Status::failed;
@@ -32,7 +32,7 @@ TEST(Pareto, PlantsThatFailConstraintsComeAfterAllThatMeetThem) {
               (std::vector<std::size_t>{2, 0, 1, 3}));
 }
 
-TEST(Pareto, TheLeastCrowdedOfAFrontComeFirst) {
+TEST(Pareto, LeastCrowdedOfAFrontComeFirst) {
     const Population population{plant(0, 0), plant(1, 1), plant(2, 2),
                                 plant(9, 9), plant(10, 10)};
     const auto distance = crowding(population, {0, 1, 2, 3, 4}, 2);
@@ -48,7 +48,7 @@ TEST(Pareto, TheLeastCrowdedOfAFrontComeFirst) {
               (std::vector<std::uint32_t>{0, 4, 2, 3, 1}));
 }
 
-TEST(Pareto, OneObjectiveNeedsNoFronts) {
+TEST(Pareto, SingleObjectiveRanksWithoutFronts) {
     const Population population{plant(1, 0), plant(3, 0), plant(2, 0),
                                 plant(3, 0)};
     EXPECT_EQ(places(population, {Sense::maximise}),

@@ -35,7 +35,8 @@ TEST(Sensitivity, GroupsChangeTogetherAndFixedGenesStay) {
         EXPECT_EQ(design.factors()[0].genes, (std::vector<std::size_t>{0, 2}));
         for (std::uint32_t i = 0; i < design.samples(); ++i)
             for (std::size_t k = 0; k < 2; ++k) {
-                const Genome a = design.row(i, k), b = design.row(i, k + 1);
+                const Genome a = design.make_row(i, k),
+                             b = design.make_row(i, k + 1);
                 EXPECT_EQ(b[1], 0.5);
                 EXPECT_EQ(a[0] == b[0], a[2] == b[2]);
                 const bool is_one = (a[0] == b[0]) != (a[3] == b[3]);
@@ -52,7 +53,7 @@ TEST(Sensitivity, PathsStepOnAGridAndTwoEndsOfACircleAreOneLevel) {
     std::set<double> plain, circular;
     for (std::uint32_t i = 0; i < design.samples(); ++i)
         for (std::size_t k = 0; k < design.rows_per_sample(); ++k) {
-            const Genome x = design.row(i, k);
+            const Genome x = design.make_row(i, k);
             plain.insert(std::round(1e9 * x[0]));
             circular.insert(std::round(1e9 * x[1]));
         }
@@ -62,7 +63,7 @@ TEST(Sensitivity, PathsStepOnAGridAndTwoEndsOfACircleAreOneLevel) {
     EXPECT_NEAR(*circular.rbegin(), 1e9 * std::numbers::pi / 2, 2);
 }
 
-TEST(Sensitivity, ItProposesItsRowsInTheirOrder) {
+TEST(Sensitivity, RowsAreProposedInOrder) {
     const SensitivitySettings settings{.samples = 20};
     SensitivityDesign design(settings, angles(), 3);
     std::size_t rows = 0;
@@ -71,12 +72,12 @@ TEST(Sensitivity, ItProposesItsRowsInTheirOrder) {
                   generation_size(settings, angles().genes));
         for (std::uint32_t slot = 0; slot < design.size(g); ++slot, ++rows) {
             EXPECT_EQ(design.needs(g), 0U);
-            EXPECT_EQ(
-                design.propose(g, slot).genome,
-                design.row(static_cast<std::uint32_t>(rows / 6), rows % 6));
+            EXPECT_EQ(design.propose(g, slot).genome,
+                      design.make_row(static_cast<std::uint32_t>(rows / 6),
+                                      rows % 6));
         }
     }
-    EXPECT_EQ(generations_of(settings), 2);
+    EXPECT_EQ(count_generations(settings), 2);
     EXPECT_EQ(rows, 120U);
     EXPECT_TRUE(design.best(5).empty());
 }

@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::size_t dimensions = sobol_dimensions + 4;
 
-//! Returns the mean over 16 scrambled sequences of means over 1024 points.
-Estimate mean_over_seeds(double (*function)(double, double)) {
+//! Integrates with 16 scrambled sequences of 1024 points each.
+Estimate integrate(double (*function)(double, double)) {
     constexpr std::uint32_t points = 1024;
     std::vector<double> means;
     for (std::uint64_t seed = 1; seed <= 16; ++seed) {
@@ -26,17 +26,17 @@ Estimate mean_over_seeds(double (*function)(double, double)) {
     return estimate(means);
 }
 
-TEST(SobolSequence, IntegratesBetterThanRandomNumbers) {
-    const Estimate found = mean_over_seeds(
+TEST(SobolSequence, IntegrationIsMoreAccurateThanRandomNumbers) {
+    const Estimate integral = integrate(
         [](double x, double y) { return std::sin(3 * x) * std::exp(y); });
     const double exact = (1 - std::cos(3)) / 3 * (std::exp(1) - 1);
     // Random numbers would have a standard error of 0.005 with this many
     // points.
-    EXPECT_LT(found.standard_error, 1e-4);
-    EXPECT_NEAR(found.mean, exact, 4 * found.standard_error);
+    EXPECT_LT(integral.standard_error, 1e-4);
+    EXPECT_NEAR(integral.mean, exact, 4 * integral.standard_error);
 }
 
-TEST(SobolSequence, GoesOnWithRandomNumbersBeyondItsDimensions) {
+TEST(SobolSequence, FurtherDimensionsAreRandomNumbers) {
     const SobolSequence sequence(3, dimensions);
     double sum = 0;
     constexpr std::uint32_t points = 4096;

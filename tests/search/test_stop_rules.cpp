@@ -8,16 +8,17 @@ namespace {
 
 constexpr Sense maximise = Sense::maximise, minimise = Sense::minimise;
 
-//! Returns the progress after generations with these means, also their bests.
-Progress after(const std::vector<double>& means) {
+//! Makes the progress after generations with these means, which are also the
+//! best values.
+Progress make_progress(const std::vector<double>& means) {
     Progress progress;
     for (const double mean : means)
         progress.generations.push_back({.best = mean, .mean = mean});
     return progress;
 }
 
-//! Returns the progress after generations whose plants violate constraints.
-Progress violating(const std::vector<double>& violations) {
+//! Makes the progress after generations of infeasible plants.
+Progress make_infeasible(const std::vector<double>& violations) {
     Progress progress;
     for (const double violation : violations)
         progress.generations.push_back(
@@ -33,36 +34,46 @@ StopRules only_generations(int count = 5) {
 
 TEST(StopRules, GenerationsEndTheEvolution) {
     const StopRules rules = only_generations();
-    EXPECT_EQ(finished(rules, after({1, 1, 1, 1}), maximise), std::nullopt);
-    EXPECT_EQ(finished(rules, after({1, 1, 1, 1, 1}), maximise), "generations");
+    EXPECT_EQ(finished(rules, make_progress({1, 1, 1, 1}), maximise),
+              std::nullopt);
+    EXPECT_EQ(finished(rules, make_progress({1, 1, 1, 1, 1}), maximise),
+              "generations");
 }
 
-//! Returns values on a line with scatter to both sides.
-std::vector<double> rising(double slope, int count) {
+//! Makes values on a line, with scatter to both sides.
+std::vector<double> make_line(double slope, int count) {
     std::vector<double> means;
     for (int i = 0; i < count; ++i)
         means.push_back(10 + slope * i + (i % 3 == 0 ? 1 : -0.5));
     return means;
 }
 
-TEST(StopRules, NoGainIsASlopeThatItsErrorHides) {
+TEST(StopRules, NoGainIsASlopeBelowTwiceItsError) {
     StopRules rules = only_generations(1000);
     rules.no_gain = 9;
-    EXPECT_EQ(finished(rules, after(rising(0, 8)), maximise), std::nullopt);
-    EXPECT_EQ(finished(rules, after(rising(0, 9)), maximise), "no_gain");
-    EXPECT_EQ(finished(rules, after(rising(-1, 9)), maximise), "no_gain");
-    EXPECT_EQ(finished(rules, after(rising(-1, 9)), minimise), std::nullopt);
-    // The scatter alone has a slope of -.075 +- .0996.
-    EXPECT_EQ(finished(rules, after(rising(0.2, 9)), maximise), "no_gain");
-    EXPECT_EQ(finished(rules, after(rising(0.4, 9)), maximise), std::nullopt);
-    EXPECT_EQ(finished(rules, after(std::vector<double>(9, 3)), maximise),
-              "no_gain");
-    EXPECT_EQ(finished(rules, violating({1, 1, 1, 1, 1, 1, 1, 1, 1}), maximise),
+    EXPECT_EQ(finished(rules, make_progress(make_line(0, 8)), maximise),
               std::nullopt);
+    EXPECT_EQ(finished(rules, make_progress(make_line(0, 9)), maximise),
+              "no_gain");
+    EXPECT_EQ(finished(rules, make_progress(make_line(-1, 9)), maximise),
+              "no_gain");
+    EXPECT_EQ(finished(rules, make_progress(make_line(-1, 9)), minimise),
+              std::nullopt);
+    // The scatter alone has a slope of -0.075, standard error 0.0996.
+    EXPECT_EQ(finished(rules, make_progress(make_line(0.2, 9)), maximise),
+              "no_gain");
+    EXPECT_EQ(finished(rules, make_progress(make_line(0.4, 9)), maximise),
+              std::nullopt);
+    EXPECT_EQ(
+        finished(rules, make_progress(std::vector<double>(9, 3)), maximise),
+        "no_gain");
+    EXPECT_EQ(
+        finished(rules, make_infeasible({1, 1, 1, 1, 1, 1, 1, 1, 1}), maximise),
+        std::nullopt);
 }
 
 TEST(StopRules, SeveralObjectivesAreJudgedByTheirHypervolume) {
-    Progress progress = after({5, 4, 3, 2, 1, 0});
+    Progress progress = make_progress({5, 4, 3, 2, 1, 0});
     const std::vector<double> volumes{1, 2, 2.5, 2.9, 3, 3.1};
     for (std::size_t i = 0; i < volumes.size(); ++i) {
         progress.generations[i].hypervolume = volumes[i];
@@ -79,7 +90,7 @@ TEST(StopRules, EvaluationsAndWallTimeAreTotals) {
     StopRules rules = only_generations();
     rules.evaluations = 100;
     rules.wall_time = 60;
-    Progress progress = after({1, 1});
+    Progress progress = make_progress({1, 1});
     progress.generations[0].evaluations = 60;
     progress.generations[1].evaluations = 39;
     progress.wall_time = 59;

@@ -9,13 +9,13 @@
 namespace ideotype {
 namespace {
 
-TEST(Summary, DescribesWhatDidNotFail) {
+TEST(Summary, StatisticsExcludeFailures) {
     const GeneSpace genes{{"length", "m", 0, 10, false, true},
                           {"azimuth", "deg", 0, 360, true, true},
                           {"width", "m", 0, 1, false, false}};
-    const Population population{individual({2, 359, 0}, 10),
-                                individual({4, 1, 0}, 20),
-                                failed_individual({9, 90, 0}, 99)};
+    const Population population{make_individual({2, 359, 0}, 10),
+                                make_individual({4, 1, 0}, 20),
+                                make_failed_individual({9, 90, 0}, 99)};
     const GenerationSummary s = summarize(population, genes, Sense::maximise);
     EXPECT_EQ(s.best_slot, 1u);
     EXPECT_DOUBLE_EQ(s.best, 20);
@@ -27,9 +27,9 @@ TEST(Summary, DescribesWhatDidNotFail) {
     EXPECT_NEAR(s.diversity, (0.1 + 1 / 360.) / 2, 1e-12);
 }
 
-TEST(Summary, IsOfPlantsThatMeetTheirConstraintsOnceAnyDoes) {
-    const Population mixed{individual({1}, 30, 3), individual({2}, -4),
-                           individual({3}, -6)};
+TEST(Summary, StatisticsAreOfFeasiblePlantsIfAny) {
+    const Population mixed{make_individual({1}, 30, 3),
+                           make_individual({2}, -4), make_individual({3}, -6)};
     const GenerationSummary s = summarize(mixed, {}, Sense::maximise);
     EXPECT_EQ(s.best_slot, 1u);
     EXPECT_DOUBLE_EQ(s.best, -4);
@@ -38,9 +38,10 @@ TEST(Summary, IsOfPlantsThatMeetTheirConstraintsOnceAnyDoes) {
     EXPECT_EQ(s.violation, 0);
 }
 
-TEST(Summary, IsOfTheObjectiveAlsoWhereNoneMeetsThem) {
-    const Population none{individual({1}, 30, 3), individual({2}, 10, 1),
-                          failed_individual({3}, 99)};
+TEST(Summary, StatisticsAreOfInfeasiblePlantsIfNoneIsFeasible) {
+    const Population none{make_individual({1}, 30, 3),
+                          make_individual({2}, 10, 1),
+                          make_failed_individual({3}, 99)};
     const GenerationSummary s = summarize(none, {}, Sense::maximise);
     EXPECT_EQ(s.best_slot, 1u);
     EXPECT_DOUBLE_EQ(s.best, 10);
@@ -50,23 +51,25 @@ TEST(Summary, IsOfTheObjectiveAlsoWhereNoneMeetsThem) {
     EXPECT_EQ(s.violation, 1);
 }
 
-TEST(Summary, OfAnObjectiveThatIsMinimisedHasTheSmallestAsBest) {
-    const Population population{individual({1}, 5), individual({2}, -7)};
+TEST(Summary, BestIsTheSmallestOfAMinimisedObjective) {
+    const Population population{make_individual({1}, 5),
+                                make_individual({2}, -7)};
     const auto s = summarize(population, {}, Sense::minimise);
     EXPECT_EQ(s.best_slot, 1u);
     EXPECT_DOUBLE_EQ(s.best, -7);
     EXPECT_DOUBLE_EQ(s.mean, -1);
 }
 
-TEST(Summary, CountsDuplicatesOnce) {
-    const Population population{individual({1}, 5), individual({2}, 7),
-                                individual({1}, 5)};
+TEST(Summary, DuplicatesCountAsOneEvaluation) {
+    const Population population{make_individual({1}, 5),
+                                make_individual({2}, 7),
+                                make_individual({1}, 5)};
     EXPECT_EQ(summarize(population, {}, Sense::maximise).evaluations, 2u);
 }
 
-TEST(Summary, OfNothingButFailuresIsNotANumber) {
+TEST(Summary, StatisticsAreNaNIfAllFailed) {
     const GenerationSummary s =
-        summarize({failed_individual({1}, 1)}, {}, Sense::maximise);
+        summarize({make_failed_individual({1}, 1)}, {}, Sense::maximise);
     EXPECT_TRUE(std::isnan(s.best));
     EXPECT_EQ(s.failures, 1u);
 }

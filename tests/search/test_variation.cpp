@@ -8,8 +8,8 @@
 #include "ideotype/core/random.hpp"
 #include "search/optimizer.hpp"
 
-// Tests how far children are from their parents, against the densities that
-// were published for simulated binary crossover and polynomial mutation.
+// Tests the distribution of children about their parents against the published
+// densities of simulated binary crossover and polynomial mutation.
 
 namespace ideotype {
 namespace {
@@ -41,15 +41,14 @@ double chi_square(const std::vector<double>& values,
     return sum;
 }
 
-//! Returns the part of a distribution below a bound, normalised to 1.
-Distribution up_to(double bound, const Distribution& distribution) {
+//! Truncates a distribution at an upper bound, normalised to 1.
+Distribution truncate(double bound, const Distribution& distribution) {
     return [=](double x) { return distribution(x) / distribution(bound); };
 }
 
-//! Returns a distribution on a circle, from -period / 2 to period / 2: values
-//! on a line that whole turns separate fall together.
-Distribution on_circle(double period, int turns,
-                       const Distribution& distribution) {
+//! Wraps a distribution around a circle, from -period / 2 to period / 2: values
+//! that differ by whole turns coincide.
+Distribution wrap(double period, int turns, const Distribution& distribution) {
     double before = 0;
     for (int turn = -turns; turn <= turns; ++turn)
         before += distribution((turn - 0.5) * period);
@@ -81,9 +80,9 @@ Distribution step(double index) {
     };
 }
 
-//! Returns all children of parents with these values of one gene.
-std::vector<Candidate> children(const Gene& gene, const GaSettings& ga,
-                                const std::vector<double>& parents) {
+//! Makes all children of parents with these values of one gene.
+std::vector<Candidate> make_children(const Gene& gene, const GaSettings& ga,
+                                     const std::vector<double>& parents) {
     SearchSettings settings;
     settings.population = 200000;
     settings.ga = ga;
@@ -99,9 +98,9 @@ std::vector<Candidate> children(const Gene& gene, const GaSettings& ga,
     return optimizer->ask();
 }
 
-//! Distances of the two children of each crossed couple from the couple's mean,
-//! relative to half of the distance between the parents, the smaller first:
-//! positive on the side where the child belongs.
+//! Distances of the two children of each crossed couple from the mean of their
+//! parents, relative to half of the distance between the parents; positive on
+//! the child's side.
 struct Spreads {
     std::vector<double> below, above;
 };
@@ -109,26 +108,26 @@ struct Spreads {
 //! Returns whether the two children of a couple swap the crossed gene.
 bool is_swapped(std::uint32_t slot) {
     RandomStream stream(7, Purpose::crossover, 1, slot);
-    // Random numbers decide whether the couple is crossed, whether the gene is
-    // crossed, and how far.
+    // The first three random numbers decide whether the couple and the gene are
+    // crossed, and the spread factor.
     for (int i = 0; i < 3; ++i) stream.uniform();
     return stream.uniform() < 0.5;
 }
 
-Spreads crossed(const Gene& gene, double index, double low, double high) {
+Spreads cross_parents(const Gene& gene, double index, double low, double high) {
     GaSettings ga;
     ga.crossover_probability = 1;
     ga.crossover_index = index;
     ga.mutations_per_child = 0;
-    const auto all = children(gene, ga, {low, high});
+    const auto pool = make_children(gene, ga, {low, high});
     const double half = difference(gene, low, high) / 2;
     Spreads spreads;
-    for (std::size_t i = 0; i < all.size(); i += 2) {
-        if (all[i].parents[0] == all[i].parents[1]) continue;
+    for (std::size_t i = 0; i < pool.size(); i += 2) {
+        if (pool[i].parents[0] == pool[i].parents[1]) continue;
         const bool is_turned =
-            (all[i].parents[0] == 1) != is_swapped(static_cast<unsigned>(i));
-        const double first = all[is_turned ? i + 1 : i].genome[0];
-        const double second = all[is_turned ? i : i + 1].genome[0];
+            (pool[i].parents[0] == 1) != is_swapped(static_cast<unsigned>(i));
+        const double first = pool[is_turned ? i + 1 : i].genome[0];
+        const double second = pool[is_turned ? i : i + 1].genome[0];
         // The gene is not crossed, and therefore not swapped.
         if (std::minmax(first, second) == std::minmax(low, high)) continue;
         spreads.below.push_back(difference(gene, first, low + half) / half);
@@ -137,9 +136,9 @@ Spreads crossed(const Gene& gene, double index, double low, double high) {
     return spreads;
 }
 
-TEST(Crossover, HalfOfTheGenesOfUnlikeParentsAreCrossed) {
+TEST(Crossover, HalfOfTheGenesOfDifferentParentsAreCrossed) {
     // Half of 100000 couples have unlike parents: binomial(100000, 1/4).
-    const auto n = crossed(length, 15, 0.7, 0.8).above.size();
+    const auto n = cross_parents(length, 15, 0.7, 0.8).above.size();
     EXPECT_NEAR(static_cast<double>(n), 25000, 4 * std::sqrt(1e5 * 3 / 16));
 }
 
@@ -147,74 +146,75 @@ TEST(Crossover, CrossedGenesGoToEitherChild) {
     GaSettings ga;
     ga.crossover_probability = 1;
     ga.mutations_per_child = 0;
-    const auto all = children(length, ga, {0.7, 0.8});
-    int own = 0, other = 0;
-    for (const Candidate& each : all) {
-        if (each.parents[0] == each.parents[1]) continue;
-        const bool is_near_high = each.genome[0] > 0.75;
-        ++(is_near_high == (each.parents[0] == 1) ? own : other);
+    const auto pool = make_children(length, ga, {0.7, 0.8});
+    int kept = 0, swapped = 0;
+    for (const Candidate& child : pool) {
+        if (child.parents[0] == child.parents[1]) continue;
+        const bool is_near_high = child.genome[0] > 0.75;
+        ++(is_near_high == (child.parents[0] == 1) ? kept : swapped);
     }
     // Half of the genes are crossed, and half of the crossed ones swapped.
-    EXPECT_NEAR(other / static_cast<double>(own + other), 0.25, 0.01);
+    EXPECT_NEAR(swapped / static_cast<double>(kept + swapped), 0.25, 0.01);
 }
 
-TEST(Crossover, SpreadsAsPublishedFarFromBounds) {
+TEST(Crossover, SpreadFollowsThePublishedDensityFarFromBounds) {
     for (const double index : {2.0, 15.0}) {
-        const Spreads found = crossed(length, index, 0.749, 0.751);
-        EXPECT_LT(chi_square(found.below, spread(index)), critical) << index;
-        EXPECT_LT(chi_square(found.above, spread(index)), critical) << index;
-        // The test distinguishes another index.
-        EXPECT_GT(chi_square(found.above, spread(index + 1)), critical);
+        const Spreads spreads = cross_parents(length, index, 0.749, 0.751);
+        EXPECT_LT(chi_square(spreads.below, spread(index)), critical) << index;
+        EXPECT_LT(chi_square(spreads.above, spread(index)), critical) << index;
+        // The test rejects another index.
+        EXPECT_GT(chi_square(spreads.above, spread(index + 1)), critical);
     }
 }
 
-TEST(Crossover, SpreadsAsPublishedUpToABound) {
+TEST(Crossover, SpreadFollowsThePublishedDensityAtABound) {
     constexpr double index = 2;
     // The mean is 0.11 above the lower bound; half of the distance is 0.09.
-    const Spreads low = crossed(length, index, 0.42, 0.60);
-    EXPECT_LT(chi_square(low.below, up_to(0.11 / 0.09, spread(index))),
+    const Spreads low = cross_parents(length, index, 0.42, 0.60);
+    EXPECT_LT(chi_square(low.below, truncate(0.11 / 0.09, spread(index))),
               critical);
-    EXPECT_LT(chi_square(low.above, up_to(0.59 / 0.09, spread(index))),
+    EXPECT_LT(chi_square(low.above, truncate(0.59 / 0.09, spread(index))),
               critical);
     EXPECT_GT(chi_square(low.below, spread(index)), critical);
 
     // A parent stands at the bound: children do not pass the bound, nor gather
     // there.
-    const Spreads at = crossed(length, index, 1.0, 1.1);
-    EXPECT_LT(chi_square(at.above, up_to(1, spread(index))), critical);
-    EXPECT_LT(chi_square(at.below, up_to(0.65 / 0.05, spread(index))),
+    const Spreads at = cross_parents(length, index, 1.0, 1.1);
+    EXPECT_LT(chi_square(at.above, truncate(1, spread(index))), critical);
+    EXPECT_LT(chi_square(at.below, truncate(0.65 / 0.05, spread(index))),
               critical);
 }
 
-TEST(Crossover, SpreadsAsPublishedOnTheCircle) {
-    // The couple's mean is 5 deg; with index 0 many children go round more than
-    // once.
+TEST(Crossover, SpreadFollowsThePublishedDensityOnTheCircle) {
+    // The mean of the parents is 5 deg; with index 0 many children go around
+    // more than once.
     for (const double index : {0.0, 2.0, 15.0}) {
-        const Spreads found = crossed(azimuth, index, 350, 20);
-        const Distribution expected = on_circle(360 / 15., 100, spread(index));
-        EXPECT_LT(chi_square(found.below, expected), critical) << index;
-        EXPECT_LT(chi_square(found.above, expected), critical) << index;
+        const Spreads spreads = cross_parents(azimuth, index, 350, 20);
+        const Distribution expected = wrap(360 / 15., 100, spread(index));
+        EXPECT_LT(chi_square(spreads.below, expected), critical) << index;
+        EXPECT_LT(chi_square(spreads.above, expected), critical) << index;
     }
-    EXPECT_GT(chi_square(crossed(azimuth, 0, 350, 20).above, spread(0)),
+    EXPECT_GT(chi_square(cross_parents(azimuth, 0, 350, 20).above, spread(0)),
               critical);
 }
 
-TEST(Mutation, LeavesAGeneWithoutARangeAsItIs) {
+TEST(Mutation, GeneWithoutARangeDoesNotMutate) {
     const Gene fixed{"fixed", "m", 0.5, 0.5, false, true};
     GaSettings ga;
     ga.mutations_per_child = 1;
-    for (const Candidate& each : children(fixed, ga, {0.5, 0.5}))
-        ASSERT_EQ(each.genome[0], 0.5);
+    for (const Candidate& child : make_children(fixed, ga, {0.5, 0.5}))
+        ASSERT_EQ(child.genome[0], 0.5);
 }
 
 //! Returns steps of mutation relative to the gene's range.
-std::vector<double> mutated(const Gene& gene, double index, double parent) {
+std::vector<double> mutate_parent(const Gene& gene, double index,
+                                  double parent) {
     GaSettings ga;
     ga.crossover_probability = 0;
     ga.mutations_per_child = 1;
     ga.mutation_index = index;
     std::vector<double> steps;
-    for (const Candidate& child : children(gene, ga, {parent}))
+    for (const Candidate& child : make_children(gene, ga, {parent}))
         steps.push_back(difference(gene, parent, child.genome[0]) /
                         (gene.upper - gene.lower));
     return steps;
@@ -229,11 +229,11 @@ Distribution either_way(double index, double down, double up) {
     };
 }
 
-TEST(Mutation, StepsAsPublishedUpToTheBounds) {
+TEST(Mutation, StepsFollowThePublishedDensityUpToTheBounds) {
     for (const double index : {2.0, 20.0})
         for (const double room : {0.05, 0.3, 0.5, 0.9}) {
             const auto steps =
-                mutated(length, index, length.lower + room * 0.7);
+                mutate_parent(length, index, length.lower + room * 0.7);
             EXPECT_LT(chi_square(steps, either_way(index, room, 1 - room)),
                       critical)
                 << index << " " << room;
@@ -243,11 +243,11 @@ TEST(Mutation, StepsAsPublishedUpToTheBounds) {
         }
 }
 
-TEST(Mutation, AtABoundHalfOfTheStepsLeaveIt) {
+TEST(Mutation, HalfOfTheStepsLeaveABound) {
     constexpr double index = 20;
     for (const double bound : {length.lower, length.upper}) {
         std::vector<double> inwards;
-        for (const double way : mutated(length, index, bound))
+        for (const double way : mutate_parent(length, index, bound))
             if (way != 0) inwards.push_back(std::abs(way));
         EXPECT_NEAR(static_cast<double>(inwards.size()), 100000,
                     4 * std::sqrt(5e4));
@@ -255,15 +255,15 @@ TEST(Mutation, AtABoundHalfOfTheStepsLeaveIt) {
     }
 }
 
-TEST(Mutation, StepsAsPublishedOnTheCircle) {
-    // The parent is one degree from north; with index 0 children are even all
-    // around.
+TEST(Mutation, StepsFollowThePublishedDensityOnTheCircle) {
+    // The parent is one degree from north; with index 0 children are uniform on
+    // the circle.
     for (const double index : {0.0, 2.0, 20.0}) {
-        const auto steps = mutated(azimuth, index, 1);
+        const auto steps = mutate_parent(azimuth, index, 1);
         const Distribution line = either_way(index, 1, 1);
-        EXPECT_LT(chi_square(steps, on_circle(1, 1, line)), critical) << index;
+        EXPECT_LT(chi_square(steps, wrap(1, 1, line)), critical) << index;
     }
-    EXPECT_GT(chi_square(mutated(azimuth, 2, 1), either_way(2, 1, 1)),
+    EXPECT_GT(chi_square(mutate_parent(azimuth, 2, 1), either_way(2, 1, 1)),
               critical);
 }
 

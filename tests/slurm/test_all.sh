@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # All tests on clusters side by side, since they mostly wait for SLURM: each
-# has a cluster, ports and a folder of its own.
+# has a cluster, separate ports and a folder.
 # test_all.sh IDEOTYPE PROJECT FOLDER
 set -euo pipefail
 here=$(readlink -f "$(dirname "$0")")

@@ -72,10 +72,10 @@ has ": start 1 on node\[1-2\]" "ideotype-chain-$(job_of limit 2).log"
 has ": complete$" ideotype-chain-*.log
 has "drained; the next job" "ideotype-tasks-${tasks}_0.log"
 has ": complete$" "ideotype-tasks-$(job_of tasks 2)_0.log"
-has "everything is finished" "ideotype-tasks-$(job_of tasks 2)_1.log"
-has "the program ended with 1" "ideotype-chain-$(job_of wrong 1).log"
+has "all cases are finished" "ideotype-tasks-$(job_of tasks 2)_1.log"
+has "the program ended with exit code 1" "ideotype-chain-$(job_of wrong 1).log"
 second=$(job_of wrong 2)
-[ ! -e "ideotype-chain-$second.log" ] || fail "a chain goes on after a failure"
+[ ! -e "ideotype-chain-$second.log" ] || fail "a chain continues after a failure"
 sacct -c -j "$second" --format=State | grep -q CANCELLED ||
     fail "SLURM keeps the rest of a chain that failed"
 has "ranks were lost (137); the next job" \

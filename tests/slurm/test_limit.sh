@@ -32,6 +32,6 @@ for replicate in 1 2; do
 done
 log=$(cat ideotype-*.log)
 grep -q "time is up" <<<"$log" || fail "no time limit came: $log"
-grep -q "drained; back into the queue" <<<"$log" || fail "no requeue: $log"
+grep -q "drained; requeued" <<<"$log" || fail "no requeue: $log"
 grep -q "start 2 on" <<<"$log" || fail "no second start: $log"
 grep -q ": complete$" <<<"$log" || fail "not complete: $log"

@@ -68,4 +68,4 @@ grep -q "start 2 on" "ideotype-losses-${jobs[2]}.log" ||
     fail "no second start: $(cat "ideotype-losses-${jobs[2]}.log")"
 grep -q "1 starts did not complete one evaluation" \
     "ideotype-losses-$dying.log" ||
-    fail "an idle job goes on: $(cat "ideotype-losses-$dying.log")"
+    fail "an idle job continues: $(cat "ideotype-losses-$dying.log")"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Without a cluster slurm/submit says and refuses what it should.
+# Messages of slurm/submit where there is no cluster.
 . "$(dirname "$0")/../cli/common.sh"
 
 # $1 the expected exit code, the rest arguments.
@@ -42,7 +42,7 @@ says "IDEOTYPE"
 IDEOTYPE=$ideotype
 
 submit 0 --dry-run campaigns/sweep.toml
-says "^queue     out of reach"
+says "^queue     squeue is not available"
 says "^cases     3: 0 finished, 0 queued, 3 to submit"
 says "'--signal=B:USR1@120' .*/campaign.sbatch'"
 submit 0 --dry-run --form sweep --throttle 2 --lead 60 campaigns/sweep.toml \

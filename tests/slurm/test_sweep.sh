@@ -35,7 +35,7 @@ for replicate in 1 2 3; do
         "out/sweep/ames_0807_762x152_all_r$replicate.h5"
 done
 grep -qi "requeuing" "$cluster/log/slurmctld.log" || fail "nothing was requeued"
-grep -q "drained; back into the queue" ideotype-*_1.log ||
+grep -q "drained; requeued" ideotype-*_1.log ||
     fail "no drain: $(cat ideotype-*_1.log)"
 submit last "${arguments[@]}"
 grep -q "3 finished" submit-last.log || fail "$(cat submit-last.log)"

@@ -13,7 +13,7 @@
 
 namespace ideotype {
 
-TEST(Documentation, OfKeysIsThatOfTheTables) {
+TEST(Documentation, OfKeysMatchesTheirDeclarations) {
     const std::string page = IDEOTYPE_CAMPAIGNS "/../docs/campaign_files.md";
     const std::string text = read_file(page, most_input_bytes).text;
     const std::string fresh = with_key_tables(text);
@@ -30,7 +30,7 @@ TEST(Documentation, NeedsEachTableOnce) {
                  Error);
 }
 
-TEST(Documentation, EveryKeySaysWhatItMeans) {
+TEST(Documentation, EveryKeyHasAMeaning) {
     std::size_t keys = 0;
     for (const Documented& table : documented_tables())
         for (const Key& key : table.description->keys()) {

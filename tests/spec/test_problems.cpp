@@ -31,14 +31,14 @@ TEST(Problems, RulesReportTheirFirstKey) {
     problems.rule({"row", "plant"}, false, "is fine");
     problems.rule(
         {"plant", "row"}, [] { return true; }, "is {}", "wide");
-    const std::vector<Problem> found = reported(problems);
-    ASSERT_EQ(found.size(), 1U);
-    EXPECT_EQ(to_string(found[0]), "a.toml:5:9: is wide");
-    EXPECT_EQ(found[0].key, "spacing.plant");
-    EXPECT_EQ(found[0].code, ProblemCode::contradiction);
+    const std::vector<Problem> listed = reported(problems);
+    ASSERT_EQ(listed.size(), 1U);
+    EXPECT_EQ(to_string(listed[0]), "a.toml:5:9: is wide");
+    EXPECT_EQ(listed[0].key, "spacing.plant");
+    EXPECT_EQ(listed[0].code, ProblemCode::contradiction);
 }
 
-TEST(Problems, RulesOfSpoiltKeysAreNotEvaluated) {
+TEST(Problems, RulesOfExcludedKeysAreNotEvaluated) {
     const Problems problems = spacing();
     problems.rule(ProblemCode::duplicate, {"row"}, true, "was given");
     const auto fail = []() -> bool { throw Error("evaluated"); };
@@ -47,9 +47,9 @@ TEST(Problems, RulesOfSpoiltKeysAreNotEvaluated) {
     problems.rule({"plant", "row"}, fault);
     problems.rule({"plant", "absent"}, fail, "of a key without a place");
     problems.doubt({"plant", "row"}, fail, "of a spoilt key");
-    const std::vector<Problem> found = reported(problems);
-    ASSERT_EQ(found.size(), 1U);
-    EXPECT_EQ(found[0].code, ProblemCode::duplicate);
+    const std::vector<Problem> listed = reported(problems);
+    ASSERT_EQ(listed.size(), 1U);
+    EXPECT_EQ(listed[0].code, ProblemCode::duplicate);
     EXPECT_TRUE(problems.usable({"plant"}));
     EXPECT_TRUE(problems.warnings().empty());
 }

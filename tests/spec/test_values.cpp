@@ -33,58 +33,58 @@ struct Declared {
     bool has_limits() const { return key->values.lower < key->values.upper; }
 };
 
-void append(std::vector<Declared>& all, const std::string& section,
+void append(std::vector<Declared>& declared, const std::string& section,
             const Description& description) {
     for (const Key& key : description.keys())
-        all.push_back({section, &key, description.usual()});
+        declared.push_back({section, &key, description.usual()});
 }
 
 //! Returns all keys of campaigns, crop files, and `light` with its scenes.
 std::vector<Declared> declared_keys() {
-    std::vector<Declared> all;
+    std::vector<Declared> declared;
     for (const Documented& table : documented_tables())
-        append(all, table.section, *table.description);
+        append(declared, table.section, *table.description);
     for (const Description* table : {&mesh_table, &mesh_scene_table}) {
         const std::string top = table == &mesh_table ? "light mesh" : "scene";
-        append(all, top, *table);
+        append(declared, top, *table);
         for (const Table& part : table->tables())
-            append(all, top + ' ' + part.name, *part.description);
+            append(declared, top + ' ' + part.name, *part.description);
     }
-    return all;
+    return declared;
 }
 
 //! Returns a range and a default as the record has them; names of quantities
 //! are those that the library declares.
-std::string stated(const Declared& each) {
+std::string stated(const Declared& declared) {
     return fmt::format(
         "{} | {}",
-        each.key->values.known ? "quantities" : range_text(*each.key),
-        default_text(*each.key, each.usual));
+        declared.key->values.known ? "quantities" : range_text(*declared.key),
+        default_text(*declared.key, declared.usual));
 }
 
 //! Returns the numbers of the default that a record of all defaults has.
-std::vector<double> default_numbers(const Declared& each) {
-    if (!each.usual || each.key->initial.is_required) return {};
+std::vector<double> default_numbers(const Declared& declared) {
+    if (!declared.usual || declared.key->initial.is_required) return {};
     // Places are not constant, but nothing is written there.
-    const Target place = each.key->place(const_cast<void*>(each.usual));
-    std::vector<double> all;
+    const Target place = declared.key->place(const_cast<void*>(declared.usual));
+    std::vector<double> values;
     std::visit(
         [&](const auto& value) {
             using Value = std::remove_cvref_t<decltype(value)>;
             if constexpr (std::is_same_v<Value, Range*>)
-                all = {value->lower, value->upper};
+                values = {value->lower, value->upper};
             else if constexpr (std::is_same_v<Value, std::vector<double>*>)
-                all = *value;
+                values = *value;
             else if constexpr (std::is_same_v<Value, std::optional<double>*> ||
                                std::is_same_v<Value, std::optional<int>*>) {
-                if (*value) all = {static_cast<double>(**value)};
+                if (*value) values = {static_cast<double>(**value)};
             } else if constexpr (std::is_same_v<Value, double*> ||
                                  std::is_same_v<Value, int*> ||
                                  std::is_same_v<Value, long long*>)
-                all = {static_cast<double>(*value)};
+                values = {static_cast<double>(*value)};
         },
         place);
-    return all;
+    return values;
 }
 
 //! Limits that values of a unit, or of a quantity by the end of its name, have
@@ -135,7 +135,7 @@ constexpr Natural natural[] = {
 
 }  // namespace
 
-TEST(KeyValues, AreThoseOfTheRecordThatNoCommandWrites) {
+TEST(KeyValues, MatchTheRecordedRangesAndDefaults) {
     std::map<std::string, std::string> record;
     std::ifstream file(IDEOTYPE_TEST_DATA "/keys.txt");
     for (std::string line; std::getline(file, line);) {
@@ -146,32 +146,33 @@ TEST(KeyValues, AreThoseOfTheRecordThatNoCommandWrites) {
             record.emplace(line.substr(0, end), line.substr(end + 3)).second)
             << "twice: " << line;
     }
-    for (const Declared& each : declared_keys()) {
-        const auto found = record.extract(each.name());
-        EXPECT_EQ(stated(each), found.empty() ? "no line" : found.mapped())
-            << each.name() << ": the table of src/spec/tables and the line of "
+    for (const Declared& declared : declared_keys()) {
+        const auto entry = record.extract(declared.name());
+        EXPECT_EQ(stated(declared), entry.empty() ? "no line" : entry.mapped())
+            << declared.name()
+            << ": the table of src/spec/tables and the line of "
             << "tests/data/keys.txt differ. Look up the source of the value, "
                "and correct by hand the one that is wrong; the line is\n"
-            << each.name() << " | " << stated(each);
+            << declared.name() << " | " << stated(declared);
     }
     for (const auto& [name, values] : record)
         ADD_FAILURE() << name << " in tests/data/keys.txt is no key";
 }
 
-TEST(KeyValues, OfDefaultsLieInTheirRanges) {
+TEST(KeyValues, DefaultsLieInTheirRanges) {
     std::size_t numbers = 0;
-    const auto expect_in_range = [&](const Declared& each, double value) {
-        EXPECT_GE(value, each.key->values.lower) << each.name();
-        EXPECT_LE(value, each.key->values.upper) << each.name();
+    const auto expect_in_range = [&](const Declared& declared, double value) {
+        EXPECT_GE(value, declared.key->values.lower) << declared.name();
+        EXPECT_LE(value, declared.key->values.upper) << declared.name();
         ++numbers;
     };
-    for (const Declared& each : declared_keys()) {
-        if (!each.has_limits()) continue;
-        const std::vector<double> usual = default_numbers(each);
-        const auto& [words, example, is_required] = each.key->initial;
-        // The record has a mark where words say what follows from other keys.
+    for (const Declared& declared : declared_keys()) {
+        if (!declared.has_limits()) continue;
+        const std::vector<double> usual = default_numbers(declared);
+        const auto& [words, example, is_required] = declared.key->initial;
+        // The record marks defaults that follow from other keys.
         if (!words)
-            for (const double value : usual) expect_in_range(each, value);
+            for (const double value : usual) expect_in_range(declared, value);
         for (const char* text : {words, example}) {
             if (!text) continue;
             char* end = nullptr;
@@ -180,31 +181,31 @@ TEST(KeyValues, OfDefaultsLieInTheirRanges) {
             if (end == text || *end == ':' ||
                 std::string_view(end).starts_with(" amax"))
                 continue;
-            expect_in_range(each, value);
+            expect_in_range(declared, value);
             if (text == words && *end == '\0' && usual.size() == 1) {
-                EXPECT_EQ(value, usual[0]) << each.name();
+                EXPECT_EQ(value, usual[0]) << declared.name();
             }
         }
     }
     EXPECT_GT(numbers, 150u);
 }
 
-TEST(KeyValues, HaveLimitsThatTheirQuantitiesHaveInNature) {
+TEST(KeyValues, HavePhysicalLimits) {
     std::set<std::string_view> used;
-    for (const Declared& each : declared_keys()) {
-        if (!each.has_limits()) continue;
-        const std::string name = each.name();
-        const std::string unit = fmt::format(" {}", each.key->values.unit);
+    for (const Declared& declared : declared_keys()) {
+        if (!declared.has_limits()) continue;
+        const std::string name = declared.name();
+        const std::string unit = fmt::format(" {}", declared.key->values.unit);
         for (const Natural& limit : natural) {
             const bool is_unit = *limit.end == ' ';
             if (is_unit ? unit != limit.end : !name.ends_with(limit.end))
                 continue;
             used.insert(limit.end);
-            EXPECT_GE(each.key->values.lower, limit.lower) << name;
-            EXPECT_LE(each.key->values.upper, limit.upper) << name;
+            EXPECT_GE(declared.key->values.lower, limit.lower) << name;
+            EXPECT_LE(declared.key->values.upper, limit.upper) << name;
             if (!limit.is_whole) continue;
-            EXPECT_EQ(each.key->values.lower, limit.lower) << name;
-            EXPECT_EQ(each.key->values.upper, limit.upper) << name;
+            EXPECT_EQ(declared.key->values.lower, limit.lower) << name;
+            EXPECT_EQ(declared.key->values.upper, limit.upper) << name;
         }
     }
     for (const Natural& limit : natural)
@@ -215,21 +216,21 @@ TEST(KeyValues, HaveLimitsThatTheirQuantitiesHaveInNature) {
 //! plants of another kind, which may be left out, and for measures of organs.
 TEST(KeyValues, OfTheSameKeyAreTheSameInAllTables) {
     std::map<std::string, Declared> first;
-    for (const Declared& each : declared_keys()) {
-        const std::string name = each.key->name;
+    for (const Declared& declared : declared_keys()) {
+        const std::string name = declared.key->name;
         static const std::set<std::string> shared{
             "utc_offset",  "paths",        "randomisations", "density",
             "maintenance", "construction", "capacity",       "soil_albedo"};
-        if (!shared.contains(name) || !each.has_limits() ||
-            each.section.starts_with("light mesh"))
+        if (!shared.contains(name) || !declared.has_limits() ||
+            declared.section.starts_with("light mesh"))
             continue;
         const auto [found, is_new] =
-            first.emplace(name + ' ' + each.key->values.unit, each);
+            first.emplace(name + ' ' + declared.key->values.unit, declared);
         if (is_new) continue;
-        EXPECT_EQ(each.key->values.lower, found->second.key->values.lower)
-            << each.name();
-        EXPECT_EQ(each.key->values.upper, found->second.key->values.upper)
-            << each.name();
+        EXPECT_EQ(declared.key->values.lower, found->second.key->values.lower)
+            << declared.name();
+        EXPECT_EQ(declared.key->values.upper, found->second.key->values.upper)
+            << declared.name();
     }
     EXPECT_GT(first.size(), 5u);
 }

@@ -48,10 +48,10 @@ class Mixtures : public ::testing::Test {
                                          "optics.leaf_transmittance=0.03"};
 };
 
-inline void expect_equal(Estimate a, Estimate b, const std::string& what) {
+inline void expect_equal(Estimate a, Estimate b, const std::string& subject) {
     EXPECT_NEAR(a.mean, b.mean,
                 4 * std::hypot(a.standard_error, b.standard_error))
-        << what;
+        << subject;
 }
 
 }  // namespace ideotype

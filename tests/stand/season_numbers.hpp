@@ -23,12 +23,12 @@ inline std::map<std::string, double> numbers(const Campaign& campaign) {
     const QuantitySet measured =
         outcome_schema(campaign, cases(campaign).at(0), campaign.sampling)
             .measured;
-    std::map<std::string, double> all;
-    for (const Quantity& each : measured.quantities)
-        for (std::size_t i = 0; i < measured.size(each); ++i)
-            all[each.name + '_' + std::to_string(i)] =
-                outcome.quantities.at(measured.offset(each.name) + i).mean;
-    return all;
+    std::map<std::string, double> numbers;
+    for (const Quantity& quantity : measured.quantities)
+        for (std::size_t i = 0; i < measured.size(quantity); ++i)
+            numbers[quantity.name + '_' + std::to_string(i)] =
+                outcome.quantities.at(measured.offset(quantity.name) + i).mean;
+    return numbers;
 }
 
 }  // namespace ideotype

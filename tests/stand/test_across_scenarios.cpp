@@ -47,33 +47,34 @@ Outcome evaluated(const Campaign& campaign, const Task& task = {}) {
 std::vector<Outcome> separately(const Case& robust) {
     const Campaign campaign = changed(south, "");
     const Device device(Device::supported_isas().back());
-    std::vector<Outcome> each;
+    std::vector<Outcome> outcomes;
     for (Case one : cases(campaign)) {
         one.seed = robust.seed;
         const Plant& plant = campaign.crop.baseline;
-        each.push_back(to_outcome(
+        outcomes.push_back(to_outcome(
             campaign, plant,
             evaluate(request_of(sampling_of(Task{}, campaign, one), campaign,
                                 one, scene_of(campaign, one), {plant}),
                      device)));
     }
-    return each;
+    return outcomes;
 }
 
-TEST(AcrossScenarios, TheMeanIsThatOfSeparateEvaluationsWithTheSameSeeds) {
+TEST(AcrossScenarios, TheMeanEqualsThatOfSeparateEvaluationsWithTheSameSeeds) {
     const Campaign campaign = over_sites("mean");
     const Case robust = cases(campaign).at(0);
-    const std::vector<Outcome> each = separately(robust);
-    ASSERT_EQ(each.size(), 2u);
+    const std::vector<Outcome> outcomes = separately(robust);
+    ASSERT_EQ(outcomes.size(), 2u);
     const Outcome mean = evaluated(campaign);
     EXPECT_DOUBLE_EQ(
         mean.objectives[0].mean,
-        (each[0].objectives[0].mean + each[1].objectives[0].mean) / 2);
-    ASSERT_EQ(mean.randomisations.size(), each[0].randomisations.size());
+        (outcomes[0].objectives[0].mean + outcomes[1].objectives[0].mean) / 2);
+    ASSERT_EQ(mean.randomisations.size(), outcomes[0].randomisations.size());
     for (std::size_t r = 0; r < mean.randomisations.size(); ++r)
         EXPECT_DOUBLE_EQ(
             mean.randomisations[r],
-            (each[0].randomisations[r] + each[1].randomisations[r]) / 2);
+            (outcomes[0].randomisations[r] + outcomes[1].randomisations[r]) /
+                2);
     EXPECT_DOUBLE_EQ(mean.objectives[0].standard_error,
                      estimate(mean.randomisations).standard_error);
 
@@ -84,26 +85,27 @@ TEST(AcrossScenarios, TheMeanIsThatOfSeparateEvaluationsWithTheSameSeeds) {
               mean.objectives[0].mean);
     const std::size_t by = schema.measured.offset("absorbed_par_by_scenario");
     for (std::size_t s = 0; s < 2; ++s)
-        EXPECT_EQ(mean.quantities.at(by + s).mean, each[s].objectives[0].mean);
+        EXPECT_EQ(mean.quantities.at(by + s).mean,
+                  outcomes[s].objectives[0].mean);
     EXPECT_EQ(std::get<std::vector<std::string>>(
                   schema.measured.axis("scenario").coordinates),
               (std::vector<std::string>{"ames", "south"}));
 }
 
-TEST(AcrossScenarios, TheWorstIsTheSmallerOfWhatIsMaximised) {
+TEST(AcrossScenarios, TheWorstValueIsTheSmallestOfAMaximisedObjective) {
     const Campaign campaign = over_sites("worst");
-    const std::vector<Outcome> each = separately(cases(campaign).at(0));
+    const std::vector<Outcome> outcomes = separately(cases(campaign).at(0));
     const std::size_t smaller =
-        each[0].objectives[0].mean < each[1].objectives[0].mean ? 0 : 1;
+        outcomes[0].objectives[0].mean < outcomes[1].objectives[0].mean ? 0 : 1;
     const Outcome worst = evaluated(campaign);
-    EXPECT_EQ(worst.objectives[0].mean, each[smaller].objectives[0].mean);
+    EXPECT_EQ(worst.objectives[0].mean, outcomes[smaller].objectives[0].mean);
     EXPECT_EQ(worst.objectives[0].standard_error,
-              each[smaller].objectives[0].standard_error);
-    EXPECT_EQ(worst.randomisations, each[smaller].randomisations);
-    EXPECT_NE(each[0].objectives[0].mean, each[1].objectives[0].mean);
+              outcomes[smaller].objectives[0].standard_error);
+    EXPECT_EQ(worst.randomisations, outcomes[smaller].randomisations);
+    EXPECT_NE(outcomes[0].objectives[0].mean, outcomes[1].objectives[0].mean);
 }
 
-TEST(AcrossScenarios, ConstraintsHoldInTheScenarioWhereTheyFailMost) {
+TEST(AcrossScenarios, TheViolationIsThatOfTheWorstScenario) {
     Campaign campaign = changed(narrow, "over = [\"spacing\"]\n");
     const OutcomeSchema schema =
         outcome_schema(campaign, cases(campaign).at(0), campaign.sampling);
@@ -115,7 +117,7 @@ TEST(AcrossScenarios, ConstraintsHoldInTheScenarioWhereTheyFailMost) {
 }
 
 //! Constraints leave variation out, so that no plant meets them by chance.
-TEST(PlantVariation, IsNotWhatConstraintsAreAbout) {
+TEST(PlantVariation, DoesNotAffectConstraints) {
     Campaign campaign = changed("", "");
     campaign.spec.constraints.lai = {0, 3};
     const Outcome alike = evaluated(campaign);
@@ -126,7 +128,7 @@ TEST(PlantVariation, IsNotWhatConstraintsAreAbout) {
     EXPECT_NE(differing.objectives[0].mean, alike.objectives[0].mean);
 }
 
-TEST(AcrossScenarios, AxesOfScenariosAreNoAxesOfCases) {
+TEST(AcrossScenarios, ScenarioAxesDoNotMultiplyCases) {
     const Campaign both = changed(std::string(south) + narrow,
                                   "over = [\"site\", \"spacing\"]\n");
     ASSERT_EQ(cases(both).size(), 1u);
@@ -136,9 +138,9 @@ TEST(AcrossScenarios, AxesOfScenariosAreNoAxesOfCases) {
     EXPECT_EQ(only.site_name, "all");
     ASSERT_EQ(only.scenarios.size(), 4u);
     std::vector<std::string> names;
-    for (const Case& each : only.scenarios) {
-        names.push_back(each.name);
-        EXPECT_EQ(each.seed, only.seed);
+    for (const Case& scenario : only.scenarios) {
+        names.push_back(scenario.name);
+        EXPECT_EQ(scenario.seed, only.seed);
     }
     EXPECT_EQ(names[1], "ames_0807_762x152_all_r1");
     EXPECT_EQ(names[2], "south_0807_narrow_all_r1");
@@ -155,7 +157,7 @@ TEST(AcrossScenarios, AxesOfScenariosAreNoAxesOfCases) {
     EXPECT_THROW(changed("", "over = [\"traits\"]\n"), InputError);
 }
 
-TEST(AcrossScenarios, HoursThatDifferHaveNoMean) {
+TEST(AcrossScenarios, QuantitiesWithDifferentHoursAreNotAveraged) {
     const Campaign campaign = changed(
         "[[day]]\ndate = 2025-06-21\nname = \"june\"\nstart = 05:00:00\n"
         "end = 21:00:00\n",

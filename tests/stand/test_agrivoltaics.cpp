@@ -56,7 +56,7 @@ void expect_equal(const Estimate& a, const Estimate& b) {
                 4 * std::hypot(a.standard_error, b.standard_error));
 }
 
-TEST(Agrivoltaics, PanelsTakeLightAndAreNoLeaves) {
+TEST(Agrivoltaics, PanelsAbsorbLightButAreNotLeaves) {
     const CanopyReport open = light_of_field(Settings{});
     const CanopyReport below = light_of_field({panel});
     EXPECT_EQ(below.lai, open.lai);
@@ -84,7 +84,7 @@ TEST(Agrivoltaics, PanelsTakeLightAndAreNoLeaves) {
 
 //! PAR and near infrared are parts of the light without overlap, each of which
 //! counts once.
-TEST(Agrivoltaics, LightOnPanelsIsThatOfAllBandsTogether) {
+TEST(Agrivoltaics, LightOnPanelsIsSummedOverBands) {
     const Settings both{panel, "band=[{name=\"nir\"}]"};
     const CanopyReport report = light_of_field(both);
     ASSERT_EQ(report.bands.size(), 2u);
@@ -122,7 +122,7 @@ TEST(Agrivoltaics, TheCellMayBeMuchNarrowerThanPanelsAreHigh) {
 
 //! Fixed panels give the light of tracking panels at the hour at which both
 //! stand alike.
-TEST(Agrivoltaics, PanelsThatTrackStandAsTheirAngleTells) {
+TEST(Agrivoltaics, TrackingPanelsHaveTheAngleOfTheTracker) {
     const std::string rows =
         "pitch=3.048, height=4, width=1.5, offset=1.524, transmittance=0.2, ";
     const Settings day{
@@ -130,9 +130,9 @@ TEST(Agrivoltaics, PanelsThatTrackStandAsTheirAngleTells) {
         "end=17:00:00, step_minutes=240}]",
         "spacing.row_direction=0", "light.paths=32768", "light.tolerance=0"};
     const auto with = [&](const std::string& panels) {
-        Settings all = day;
-        all.push_back("panel=[{" + rows + panels + "}]");
-        return all;
+        Settings settings = day;
+        settings.push_back("panel=[{" + rows + panels + "}]");
+        return settings;
     };
     const Settings tracked = with("azimuth=90, tracks=true");
     const Campaign campaign = campaign_with(tracked);
@@ -167,7 +167,7 @@ TEST(Agrivoltaics, PanelsThatTrackStandAsTheirAngleTells) {
 
 //! Paths that are followed back, and sensors, meet panels in their position at
 //! each instant.
-TEST(Agrivoltaics, LightIsFollowedBackBelowPanelsThatTrack) {
+TEST(Agrivoltaics, LightIsTracedBackwardsBelowTrackingPanels) {
     const Settings tracked{
         "day=[{date=2025-08-07, start=09:00:00, end=17:00:00, "
         "step_minutes=240}]",
@@ -200,13 +200,14 @@ TEST(Agrivoltaics, LightIsFollowedBackBelowPanelsThatTrack) {
     // Just above the ground, sensors at all places measure the light on the
     // ground.
     const Sensor level{1e-3, std::numeric_limits<double>::quiet_NaN()};
-    const auto found =
+    const auto quantity =
         light_on_sensors(request, device, std::span(&level, 1), 512);
     for (std::size_t h = 0; h < 3; ++h) {
         const StepReport& step = pieces.par().light.steps[h];
         const double factor = .9 * step.budget.incident;
-        expect_equal(scaled(step.budget.soil, 1 / factor), found[0][h]);
-        EXPECT_LT(found[0][h].standard_error, .05 * found[0][h].mean) << h;
+        expect_equal(scaled(step.budget.soil, 1 / factor), quantity[0][h]);
+        EXPECT_LT(quantity[0][h].standard_error, .05 * quantity[0][h].mean)
+            << h;
     }
 }
 
@@ -231,8 +232,8 @@ TEST(Agrivoltaics, ObjectsAreKeptInTheResolvedCampaign) {
     std::filesystem::remove(obj);
     const Campaign again = parse_campaign(campaign.resolved, "again");
     EXPECT_EQ(again.resolved, campaign.resolved);
-    for (const Campaign* each : {&campaign, &again}) {
-        const Scene scene = scene_of(*each, cases(*each).front());
+    for (const Campaign* checked : {&campaign, &again}) {
+        const Scene scene = scene_of(*checked, cases(*checked).front());
         ASSERT_EQ(scene.objects.size(), 1u);
         const Mesh& mesh = scene.objects[0].mesh;
         ASSERT_EQ(mesh.vertices.size(), 4u);
@@ -247,27 +248,27 @@ TEST(Agrivoltaics, ObjectsAreKeptInTheResolvedCampaign) {
     }
 }
 
-TEST(Agrivoltaics, RowsOfPanelsMayBeAsFarApartAsTheFieldIsWide) {
-    std::string own = panel;
-    own.erase(own.find("pitch=3.048, "), 13);
+TEST(Agrivoltaics, ThePitchOfPanelsMayEqualTheWidthOfTheField) {
+    std::string panel_text = panel;
+    panel_text.erase(panel_text.find("pitch=3.048, "), 13);
     for (const std::string direction : {"90", "0"}) {
-        // Across the rows of plants the field is .6096 m wide.
+        // Across the rows of plants the field is 0.6096 m wide.
         const Settings settings{
-            own, "spacing.row_direction=" + direction,
+            panel_text, "spacing.row_direction=" + direction,
             direction == "0" ? "field.plants=20" : "field.plants=4"};
         const Campaign campaign = campaign_with(settings);
         const Scene scene = scene_of(campaign, cases(campaign).front());
         EXPECT_EQ(scene.objects[0].mesh.faces.size(), 1u);
     }
-    EXPECT_THAT(error_of({own, "spacing.row_direction=0"}),
+    EXPECT_THAT(error_of({panel_text, "spacing.row_direction=0"}),
                 HasSubstr("panel.width is 1.5 (rows are 0.6096 m apart"));
 }
 
-TEST(Agrivoltaics, HeightAndPitchMayBeGenesBesideThoseOfThePlant) {
-    std::string own = panel;
-    own.erase(own.find("pitch=3.048, "), 13);
+TEST(Agrivoltaics, PanelHeightAndPitchMayBeOptimisedWithThePlant) {
+    std::string panel_text = panel;
+    panel_text.erase(panel_text.find("pitch=3.048, "), 13);
     const Campaign campaign =
-        campaign_with({own,
+        campaign_with({panel_text,
                        "search.keys=[{key=\"panel.height\", range=[3, 5]}, "
                        "{key=\"spacing.row\", range=[0.5, 1]}]"});
     const Case chosen = cases(campaign).front();
@@ -291,26 +292,26 @@ TEST(Agrivoltaics, HeightAndPitchMayBeGenesBesideThoseOfThePlant) {
     // A search that begins at a plant begins with the keys of the campaign.
     const std::vector<double> start =
         campaign_with(
-            {own, "search.optimizer=cma_es",
+            {panel_text, "search.optimizer=cma_es",
              "search.keys=[{key=\"panel.height\", range=[3, 5]}]",
              fmt::format("search.start=[{}]",
                          fmt::join(baseline_numbers(campaign.crop), ", "))})
             .search.start;
     ASSERT_EQ(start.size(), plant + 1);
     EXPECT_EQ(start.back(), 4);
-    EXPECT_THAT(error_of({own,
+    EXPECT_THAT(error_of({panel_text,
                           "search.keys=[{key=\"panel.height\", "
                           "range=[0.1, 5]}]"}),
                 HasSubstr("search.keys: if panel.height is 0.1"));
 }
 
-TEST(Agrivoltaics, ASettingTakesPanelsAway) {
+TEST(Agrivoltaics, ASettingRemovesPanels) {
     EXPECT_TRUE(campaign_with({panel, "panel=[]"}).spec.panels.empty());
     EXPECT_EQ(campaign_with({panel, "panel=[]"}).resolved,
               campaign_with({}).resolved);
 }
 
-TEST(Agrivoltaics, TellsWhatDoesNotRepeatWithTheField) {
+TEST(Agrivoltaics, PanelsThatDoNotRepeatWithTheFieldAreReported) {
     EXPECT_THAT(
         error_of({"panel=[{pitch=6.096, height=4, width=2, azimuth=180}]"}),
         HasSubstr("6.096 m does not go into the cell of field.rows 4 x "

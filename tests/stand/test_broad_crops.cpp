@@ -27,7 +27,7 @@ class Soybean : public ::testing::Test {
     const Device device{Device::supported_isas().back()};
 };
 
-TEST_F(Soybean, AbsorbsWhatClosedCanopiesDo) {
+TEST_F(Soybean, AbsorbsAsMuchAsClosedCanopies) {
     const CanopyReport report = evaluate(request, device);
     EXPECT_NEAR(report.lai, 5.06, 0.05);
     const Estimate fapar = measure_objective("fapar", report).estimate;
@@ -36,7 +36,7 @@ TEST_F(Soybean, AbsorbsWhatClosedCanopiesDo) {
     EXPECT_LT(fapar.standard_error, 0.005);
 }
 
-TEST_F(Soybean, AssimilatesNearlyWhatItDoesWithoutPiecesOfLeaves) {
+TEST_F(Soybean, AssimilationByPiecesIsNearlyExact) {
     const auto gross = [&] {
         return measure_objective("gross_assimilation",
                                  evaluate(request, device))

@@ -68,7 +68,7 @@ double gross_of_leaves(const CanopyReport& report, std::uint32_t component) {
     return sum;
 }
 
-TEST_F(ComponentMeshes, OfAPlantAreThePlant) {
+TEST_F(ComponentMeshes, OfAPlantAbsorbAsThePlantDoes) {
     const std::vector<std::string> plain{"field.variation={}"};
     std::vector<std::string> settings = plain;
     settings.push_back(weed);
@@ -119,7 +119,7 @@ TEST_F(ComponentMeshes, AreContainedInResolvedTexts) {
     EXPECT_EQ(tree.photosynthesis->profile, CapacityProfile::none);
 }
 
-TEST_F(ComponentMeshes, OfWhichLittleIsKnownHaveNoAssimilation) {
+TEST_F(ComponentMeshes, WithoutPhotosynthesisDoNotAssimilate) {
     const CanopyReport report =
         evaluated({"component=[{name=\"tree\", rows=[2], mesh=\"" + sheet() +
                    "\", material=[{groups=\"leaf\", par=[0, 0]}]}]"});
@@ -128,7 +128,7 @@ TEST_F(ComponentMeshes, OfWhichLittleIsKnownHaveNoAssimilation) {
     EXPECT_GT(gross_of_leaves(report, 0), 0);
 }
 
-TEST_F(ComponentMeshes, ThatFitNothingAreReported) {
+TEST_F(ComponentMeshes, WithoutMatchingMaterialsAreReported) {
     const std::string mesh = "mesh=\"" + sheet() + '"';
     const std::string leaf = ", material=[{groups=\"leaf\", par=[0, 0]}]";
     EXPECT_EQ(problems_of(mesh + leaf), "");
@@ -138,12 +138,13 @@ TEST_F(ComponentMeshes, ThatFitNothingAreReported) {
            "component.mesh excludes component.crop"},
           {mesh + leaf + ", later=3", "component.mesh excludes"},
           {mesh + ", material=[{groups=\"leaf\", par=[0.6, 0.5]}]",
-           "(more than all)"},
+           "(more than 1)"},
           {mesh + ", material=[{groups=\"leaf\", par=[0.6]}]", "has 1 values"},
           {mesh + ", material=[{groups=\"leaf\"}]", "has no par"},
           {mesh + ", material=[{groups=\"leaf\", par=[0, 0], red=[0, 0]}]",
-           "component.material.red is no waveband of campaigns"},
-          {mesh + leaf + ", photosynthesis={vmax=3}", "is no number of the"},
+           "component.material.red is not a waveband of campaigns"},
+          {mesh + leaf + ", photosynthesis={vmax=3}",
+           "is not a parameter of the"},
           {std::string("mesh=\"none.obj\"") + leaf, "relative to this file"}}) {
         const std::string all = problems_of(keys);
         EXPECT_NE(all.find(part), std::string::npos) << keys << '\n' << all;

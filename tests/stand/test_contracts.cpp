@@ -9,7 +9,7 @@
 
 namespace ideotype {
 
-TEST(Contracts, OfStandsAreChecked) {
+TEST(Contracts, AreCheckedInStands) {
     const Campaign campaign =
         read_campaign(IDEOTYPE_CAMPAIGNS "/ames_quick.toml");
     EXPECT_THROW(lai_of_line({}, 0), ContractError);

@@ -34,7 +34,8 @@ Campaign growing(std::vector<std::string> settings = {}) {
         text, std::string(IDEOTYPE_CAMPAIGNS) + "/growing.toml", settings);
 }
 
-TEST(GrowingSeason, AStageOfFullGreenPlantsIsTheCropWithoutGrowthToTheBit) {
+TEST(GrowingSeason,
+     AStageOfFullyGreenPlantsEqualsTheCropWithoutGrowthBitForBit) {
     Campaign grown = growing({"light.stages=1"});
     grown.crop.growth->leaves = 11;
     grown.crop.growth->maturity = 1e4;
@@ -62,21 +63,21 @@ TEST(GrowingSeason, AStageOfFullGreenPlantsIsTheCropWithoutGrowthToTheBit) {
               season_of(plain).randomisations.size());
 }
 
-TEST(GrowingSeason, StagesShareOutEachHour) {
+TEST(GrowingSeason, WeightsOfStagesSumToOneInEachHour) {
     const Campaign campaign = growing();
     Case chosen = cases(campaign).at(0);
     ASSERT_EQ(chosen.stages.size(), 10u);
     std::map<std::pair<Date, double>, double> seconds;
     double share = 0, before = -1;
-    for (const Case& each : chosen.stages) {
-        const LightSeries series = light_of(campaign, each);
+    for (const Case& stage_case : chosen.stages) {
+        const LightSeries series = light_of(campaign, stage_case);
         EXPECT_TRUE(series.grows);
         EXPECT_EQ(series.days, 119);
         for (const TimeStep& step : series.steps)
             seconds[{step.date, step.hour}] += step.seconds;
-        share += each.stage->share;
-        EXPECT_GT(each.stage->day, before);
-        before = each.stage->day;
+        share += stage_case.stage->share;
+        EXPECT_GT(stage_case.stage->day, before);
+        before = stage_case.stage->day;
     }
     EXPECT_NEAR(share, 1, 1e-12);
     EXPECT_EQ(seconds.size(), 119u * 24u);
@@ -85,65 +86,67 @@ TEST(GrowingSeason, StagesShareOutEachHour) {
 
 TEST(GrowingSeason, AmountsAreSumsOverStagesAndFractionsAreOfIncidentLight) {
     const Campaign campaign = growing({"light.stages=4"});
-    const auto all = numbers(campaign);
+    const auto values = numbers(campaign);
     Case whole = cases(campaign).at(0);
     whole.stages.clear();
-    EXPECT_NEAR(all.at("incident_0"),
+    EXPECT_NEAR(values.at("incident_0"),
                 light_of(campaign, whole).incident() / 1e6, 1e-9);
-    EXPECT_NEAR(all.at("absorbed_fraction_0"),
-                all.at("absorbed_par_0") / all.at("incident_0"), 1e-12);
+    EXPECT_NEAR(values.at("absorbed_fraction_0"),
+                values.at("absorbed_par_0") / values.at("incident_0"), 1e-12);
     double leaves = 0;
-    for (int i = 0; all.contains(fmt::format("assimilation_by_leaf_{}", i));
+    for (int i = 0; values.contains(fmt::format("assimilation_by_leaf_{}", i));
          ++i)
-        leaves += all.at(fmt::format("assimilation_by_leaf_{}", i));
-    EXPECT_NEAR(all.at("light_use_efficiency_0"),
-                12.011 * leaves / all.at("absorbed_par_0"), 1e-9);
+        leaves += values.at(fmt::format("assimilation_by_leaf_{}", i));
+    EXPECT_NEAR(values.at("light_use_efficiency_0"),
+                12.011 * leaves / values.at("absorbed_par_0"), 1e-9);
     double days = 0;
     for (std::size_t d = 0; d < 119; ++d)
-        days += all.at("assimilation_by_day_" + std::to_string(d));
-    EXPECT_NEAR(days / 119, all.at("gross_assimilation_0"), 1e-9);
-    EXPECT_GT(all.at("carbon_after_silking_0"), 0);
-    EXPECT_LT(all.at("carbon_after_silking_0"), all.at("gross_assimilation_0"));
-    EXPECT_GT(all.at("dead_area_index_by_stage_3"), 0.5);
-    EXPECT_LT(all.at("lai_by_stage_0"), 0.01);
+        days += values.at("assimilation_by_day_" + std::to_string(d));
+    EXPECT_NEAR(days / 119, values.at("gross_assimilation_0"), 1e-9);
+    EXPECT_GT(values.at("carbon_after_silking_0"), 0);
+    EXPECT_LT(values.at("carbon_after_silking_0"),
+              values.at("gross_assimilation_0"));
+    EXPECT_GT(values.at("dead_area_index_by_stage_3"), 0.5);
+    EXPECT_LT(values.at("lai_by_stage_0"), 0.01);
 }
 
-TEST(GrowingSeason, RatiosAreOfTheSumsOverStages) {
+TEST(GrowingSeason, RatiosAreThoseOfSumsOverStages) {
     const Campaign campaign = growing({"light.stages=4", "water={}"});
-    const auto all = numbers(campaign);
+    const auto values = numbers(campaign);
     EXPECT_NEAR(
-        all.at("water_use_efficiency_0"),
-        12.011 * all.at("net_assimilation_0") / all.at("transpiration_0"),
+        values.at("water_use_efficiency_0"),
+        12.011 * values.at("net_assimilation_0") / values.at("transpiration_0"),
         1e-9);
-    EXPECT_NEAR(all.at("absorbed_par_per_leaf_area_0"),
-                all.at("absorbed_par_0") / all.at("lai_0"), 1e-9);
-    EXPECT_NEAR(all.at("net_assimilation_per_leaf_area_0"),
-                all.at("net_assimilation_0") / all.at("lai_0"), 1e-9);
+    EXPECT_NEAR(values.at("absorbed_par_per_leaf_area_0"),
+                values.at("absorbed_par_0") / values.at("lai_0"), 1e-9);
+    EXPECT_NEAR(values.at("net_assimilation_per_leaf_area_0"),
+                values.at("net_assimilation_0") / values.at("lai_0"), 1e-9);
 }
 
-TEST(GrowingSeason, DryMatterIsThatOfAllCarbonThatIsNotRespired) {
-    const auto all = numbers(growing({"light.stages=4"}));
+TEST(GrowingSeason, DryMatterAccountsForAllCarbonThatIsNotRespired) {
+    const auto values = numbers(growing({"light.stages=4"}));
     const double growth =
-        all.at("gross_assimilation_0") - all.at("respiration_0");
-    EXPECT_NEAR(all.at("dry_matter_0"), 119 * .201 * growth, 1e-9);
+        values.at("gross_assimilation_0") - values.at("respiration_0");
+    EXPECT_NEAR(values.at("dry_matter_0"), 119 * .201 * growth, 1e-9);
     // Structures are part of it.
     const auto sum_of = [&](const char* name) {
         double sum = 0;
-        for (int i = 0; all.contains(fmt::format("{}_{}", name, i)); ++i)
-            sum += all.at(fmt::format("{}_{}", name, i));
+        for (int i = 0; values.contains(fmt::format("{}_{}", name, i)); ++i)
+            sum += values.at(fmt::format("{}_{}", name, i));
         return sum;
     };
-    EXPECT_GT(sum_of("dry_mass_by_organ"), 0.2 * all.at("dry_matter_0"));
-    EXPECT_LT(sum_of("dry_mass_by_organ"), 0.6 * all.at("dry_matter_0"));
+    EXPECT_GT(sum_of("dry_mass_by_organ"), 0.2 * values.at("dry_matter_0"));
+    EXPECT_LT(sum_of("dry_mass_by_organ"), 0.6 * values.at("dry_matter_0"));
     // Young plants lack organs, which count from the stage on that has them.
-    EXPECT_NEAR(sum_of("assimilation_by_organ"), all.at("gross_assimilation_0"),
-                1e-9);
-    EXPECT_NEAR(sum_of("carbon_loss_by_organ"),
-                all.at("gross_assimilation_0") - all.at("carbon_balance_0"),
-                1e-9);
+    EXPECT_NEAR(sum_of("assimilation_by_organ"),
+                values.at("gross_assimilation_0"), 1e-9);
+    EXPECT_NEAR(
+        sum_of("carbon_loss_by_organ"),
+        values.at("gross_assimilation_0") - values.at("carbon_balance_0"),
+        1e-9);
 }
 
-TEST(GrowingSeason, RootsAndEarsRespireAndLeaveGrossAssimilationAlone) {
+TEST(GrowingSeason, RootsAndEarsRespireWithoutEffectOnGrossAssimilation) {
     Campaign campaign = growing({"light.stages=4"});
     Growth& growth = *campaign.crop.growth;
     const double root_share = growth.root_share,
@@ -180,16 +183,16 @@ TEST(GrowingSeason, RootsAndEarsRespireAndLeaveGrossAssimilationAlone) {
 
 //! The carbon that ears respire is that of a mass that is followed by the hour,
 //! filled by light.
-TEST(GrowingSeason, EarsRespireAsAMassThatGrowsByTheHour) {
+TEST(GrowingSeason, EarsRespireLikeAMassIntegratedHourByHour) {
     const Campaign campaign = growing();
     const Growth& growth = *campaign.crop.growth;
     Case chosen = cases(campaign).at(0);
     double expected = 0, light = 0;
-    for (const Case& each : chosen.stages)
-        for (const TimeStep& step : light_of(campaign, each).steps) {
+    for (const Case& stage_case : chosen.stages)
+        for (const TimeStep& step : light_of(campaign, stage_case).steps) {
             const double part =
                 step.seconds * (step.par.beam + step.par.diffuse);
-            expected += part * each.stage->ear_shares.at(0);
+            expected += part * stage_case.stage->ear_shares.at(0);
             light += part;
         }
     EXPECT_EQ(chosen.stages.front().stage->ear_shares.at(0), 0);
@@ -215,7 +218,7 @@ TEST(GrowingSeason, EarsRespireAsAMassThatGrowsByTheHour) {
 }
 
 //! Leaves are built and paid once: costs sum to all area that was ever there.
-TEST(GrowingSeason, LeavesArePaidOnce) {
+TEST(GrowingSeason, ConstructionOfLeavesIsChargedOnce) {
     const Campaign campaign = growing();
     const Plant plant =
         complete_plant(*campaign.crop.growth, campaign.crop.baseline);
@@ -223,14 +226,14 @@ TEST(GrowingSeason, LeavesArePaidOnce) {
         plant_area(build_plant(plant, campaign.spec.plant.tessellation)).leaves;
     double built = 0;
     const Case chosen = cases(campaign).at(0);
-    for (const Case& each : chosen.stages) {
-        const Scene scene = scene_of(campaign, each);
+    for (const Case& stage_case : chosen.stages) {
+        const Scene scene = scene_of(campaign, stage_case);
         for (const double leaf : scene.components.front().built) built += leaf;
     }
     EXPECT_NEAR(built, area, 1e-9);
 }
 
-TEST(GrowingSeason, StripsThatEmergeLaterHaveLess) {
+TEST(GrowingSeason, StripsThatEmergeLaterGainLessCarbon) {
     const Campaign campaign = read_campaign_text(
         growing().source +
             "[[component]]\nname = \"relay\"\nrows = [3, 4]\nlater = 40\n"
@@ -241,12 +244,12 @@ TEST(GrowingSeason, StripsThatEmergeLaterHaveLess) {
     const Case chosen = cases(campaign).at(0);
     EXPECT_LT(chosen.stages[0].stage->ages[1], 0);
     EXPECT_GT(chosen.stages[3].stage->ages[1], 100);
-    const auto all = numbers(campaign);
-    EXPECT_LT(all.at("carbon_balance_by_component_1"),
-              0.8 * all.at("carbon_balance_by_component_0"));
+    const auto values = numbers(campaign);
+    EXPECT_LT(values.at("carbon_balance_by_component_1"),
+              0.8 * values.at("carbon_balance_by_component_0"));
     // It has not yet earned its stalk.
-    EXPECT_LT(all.at("carbon_balance_by_component_1"), 0);
-    EXPECT_GT(all.at("net_assimilation_by_component_1"), 0);
+    EXPECT_LT(values.at("carbon_balance_by_component_1"), 0);
+    EXPECT_GT(values.at("net_assimilation_by_component_1"), 0);
 }
 
 //! Returns the first leaf of a component in a scene of a campaign.
@@ -275,16 +278,16 @@ TEST(GrowingSeason, LeavesOfEachStageHaveTheCapacityOfTheirAge) {
         young.crop.growth->ageing =
             young.components[0].crop.growth->ageing = {1};
         const Case chosen = cases(ageing).at(0);
-        for (const Case& each : chosen.stages) {
-            const Scene scene = scene_of(ageing, each);
-            const Scene like = scene_of(young, each);
+        for (const Case& stage_case : chosen.stages) {
+            const Scene scene = scene_of(ageing, stage_case);
+            const Scene like = scene_of(young, stage_case);
             for (const std::size_t c : {0u, 1u}) {
-                const double factor =
-                    capacity_factor(*growth_of(ageing, c), each.stage->ages[c]);
+                const double factor = capacity_factor(
+                    *growth_of(ageing, c), stage_case.stage->ages[c]);
                 const LeafRates expected = scaled(first_leaf(like, c), factor);
                 EXPECT_EQ(gross_in_full_light(first_leaf(scene, c)),
                           gross_in_full_light(expected))
-                    << model << ' ' << each.stage->at;
+                    << model << ' ' << stage_case.stage->at;
                 EXPECT_EQ(dark_respiration(first_leaf(scene, c), 30),
                           dark_respiration(expected, 30));
             }
@@ -297,29 +300,29 @@ TEST(GrowingSeason, LeavesOfEachStageHaveTheCapacityOfTheirAge) {
     }
 }
 
-TEST(GrowingSeason, StagesStandWhereCapacityFalls) {
+TEST(GrowingSeason, StagesFollowTheDeclineOfCapacity) {
     Campaign campaign = growing({"light.stages=8"});
     const double last = maturity_time(*campaign.crop.growth);
     const auto times = [&] {
-        std::vector<double> all;
+        std::vector<double> values;
         for (const StageTime& each : stage_times(campaign, 1 / 7.5, last))
-            all.push_back(each.at);
-        return all;
+            values.push_back(each.at);
+        return values;
     };
     //! Largest error of capacity on straight lines between stages.
     const auto error = [&](const std::vector<double>& stages) {
         const Growth& growth = *campaign.crop.growth;
-        double most = 0;
+        double largest = 0;
         for (std::size_t k = 1; k < stages.size(); ++k)
             for (const double share : {0.25, 0.5, 0.75})
-                most = std::max(
-                    most,
+                largest = std::max(
+                    largest,
                     std::abs(
                         capacity_factor(growth, std::lerp(stages[k - 1],
                                                           stages[k], share)) -
                         std::lerp(capacity_factor(growth, stages[k - 1]),
                                   capacity_factor(growth, stages[k]), share)));
-        return most;
+        return largest;
     };
     const std::vector<double> aware = times();
     const Growth ageing = *campaign.crop.growth;
@@ -330,7 +333,7 @@ TEST(GrowingSeason, StagesStandWhereCapacityFalls) {
     EXPECT_GT(error(unaware), error(aware));
 }
 
-TEST(GrowingSeason, AgeingLowersCarbonAndLeavesLightAlone) {
+TEST(GrowingSeason, AgeingLowersCarbonButNotLight) {
     for (const char* model : {"hyperbola", "collatz", "farquhar"}) {
         Campaign campaign =
             growing({"light.stages=4",
@@ -399,12 +402,12 @@ TEST(GrowingSeason, AClimateThatPlantsCannotGrowInIsAnError) {
         return std::string();
     };
     EXPECT_NE(message({"plant.baseline=\"crops/maize.toml\""})
-                  .find("the crop file does not tell how plants grow"),
+                  .find("the crop file has no growth parameters"),
               std::string::npos);
     Campaign campaign = growing();
     EXPECT_NE(std::find_if(campaign.warnings.begin(), campaign.warnings.end(),
-                           [](const Problem& each) {
-                               return each.what.find("are not mature") !=
+                           [](const Problem& warning) {
+                               return warning.what.find("are not mature") !=
                                       std::string::npos;
                            }),
               campaign.warnings.end());

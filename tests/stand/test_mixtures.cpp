@@ -16,12 +16,13 @@ TEST_F(Mixtures, StandPlantByPlantInANewOrderInEachField) {
     Scene scene = scene_of(campaign, cases(campaign).front());
     const auto places = draw_places(scene, {1, 0});
     ASSERT_EQ(places.size(), 2u);
-    std::set<std::pair<double, double>> all;
+    std::set<std::pair<double, double>> positions;
     for (const auto& component : places) {
         EXPECT_EQ(component.size(), 8u);
-        for (const Place& place : component) all.emplace(place.x, place.y);
+        for (const Place& place : component)
+            positions.emplace(place.x, place.y);
     }
-    EXPECT_EQ(all.size(), 16u);
+    EXPECT_EQ(positions.size(), 16u);
     const auto x_of = [](const std::vector<Place>& component) {
         std::vector<double> x;
         for (const Place& place : component) x.push_back(place.x);
@@ -32,7 +33,7 @@ TEST_F(Mixtures, StandPlantByPlantInANewOrderInEachField) {
     EXPECT_NEAR(scene.components[0].ground_per_plant, 2 / 8., 1e-12);
 }
 
-TEST_F(Mixtures, PlantsDeviateFromThePlacesThatTheyHaveInAMixture) {
+TEST_F(Mixtures, PlantsDeviateFromTheirPositionsInAMixture) {
     const auto places = [](const std::string& variation) {
         const Campaign campaign =
             read_campaign(IDEOTYPE_CAMPAIGNS "/mixture.toml",
@@ -49,12 +50,12 @@ TEST_F(Mixtures, PlantsDeviateFromThePlacesThatTheyHaveInAMixture) {
             EXPECT_NEAR(drawn[c][p].y, lattice[c][p].y, .06 + 1e-9);
         }
     }
-    // Components have deviations of their own.
+    // Deviations of components are independent.
     EXPECT_NE(drawn[0][0].y - lattice[0][0].y, drawn[1][0].y - lattice[1][0].y);
 }
 
 //! A mixture of one kind of plant equals a field of this kind.
-TEST_F(Mixtures, PlantByPlantOfOneKindAreThatKind) {
+TEST_F(Mixtures, PlantByPlantOfOneCropEqualThatCrop) {
     std::vector<std::string> settings = alike;
     const CanopyReport one = evaluated(settings);
     settings.push_back(
@@ -67,10 +68,10 @@ TEST_F(Mixtures, PlantByPlantOfOneKindAreThatKind) {
                     .02 * number(name, one).mean);
 }
 
-//! Soybean beside maize has more light in strips of two rows of each than in
+//! Soybean next to maize gets more light in strips of two rows of each than in
 //! alternate rows, and maize less. In a field of PMC6391028 soybean had more
 //! than twice as much at its first flower.
-TEST_F(Mixtures, OfTwoRowsEachGiveSoybeanMoreLightThanAlternateRows) {
+TEST_F(Mixtures, SoybeanGetsMoreLightInStripsThanInAlternateRows) {
     const auto light = [&](const std::string& rows, const std::string& places,
                            const std::string& pattern) {
         const CanopyReport report = evaluated(
@@ -91,7 +92,7 @@ TEST_F(Mixtures, OfTwoRowsEachGiveSoybeanMoreLightThanAlternateRows) {
                   .05 * parts[1].estimate.mean);
 }
 
-TEST_F(Mixtures, PartsOfAnObjectiveAreKnownByRandomisation) {
+TEST_F(Mixtures, PartsOfAnObjectiveAreReportedByRandomisation) {
     std::vector<std::string> settings = alike;
     settings.push_back(weed);
     std::string bands;
@@ -118,7 +119,7 @@ TEST_F(Mixtures, PartsOfAnObjectiveAreKnownByRandomisation) {
 
 //! Genes of a component change its plants alone, and objectives of single
 //! components sum to that of all.
-TEST_F(Mixtures, OfPlantsThatAreAllBredTellEachByItself) {
+TEST_F(Mixtures, OfOptimisedCropsReportEachComponent) {
     const Campaign campaign =
         read_campaign(IDEOTYPE_CAMPAIGNS "/intercrop.toml",
                       {"light.paths=1024",
@@ -185,15 +186,15 @@ TEST_F(Mixtures, HaveTheLeafAreaOfTheirLines) {
     const CanopyRequest request = requested({weed});
     const CanopyReport report = evaluate(request, device);
     for (std::size_t c = 0; c < 2; ++c) {
-        const Component& each = request.scene.components[c];
-        EXPECT_NEAR(lai_of_line(each.mesh, each.ground_per_plant),
+        const Component& component = request.scene.components[c];
+        EXPECT_NEAR(lai_of_line(component.mesh, component.ground_per_plant),
                     report.components[c].lai, 1e-9);
     }
 }
 
 //! Components sum to the whole in each scenario and in the mean of scenarios,
 //! whatever the sense.
-TEST_F(Mixtures, WeighObjectivesInAllScenarios) {
+TEST_F(Mixtures, WeightObjectivesInAllScenarios) {
     const auto outcome = [&](const std::string& weights) {
         const Campaign campaign = read_campaign(
             IDEOTYPE_CAMPAIGNS "/ames_quick.toml",
@@ -204,11 +205,11 @@ TEST_F(Mixtures, WeighObjectivesInAllScenarios) {
              "objective.weights=" + weights});
         const Case chosen = cases(campaign).front();
         Stand stand(campaign, chosen);
-        Outcome found =
+        Outcome result =
             stand.evaluate({campaign.crop.baseline},
                            sampling_of(Task{}, campaign, chosen), device);
-        EXPECT_TRUE(has_form(stand.schema(false), found));
-        return found;
+        EXPECT_TRUE(has_form(stand.schema(false), result));
+        return result;
     };
     const Outcome whole = outcome("[]"), both = outcome("[1, 1]"),
                   first = outcome("[1, 0]"), second = outcome("[0, 1]");
@@ -240,43 +241,43 @@ TEST_F(Mixtures, WeighObjectivesInAllScenarios) {
 }
 
 //! Plants of one kind gain nothing over each other; shaded ones lose.
-TEST_F(Mixtures, TellHowMuchMoreTheMeanPlantOfOneComponentHas) {
+TEST_F(Mixtures, ReportTheRelativeAdvantageOfOneComponent) {
     std::vector<std::string> settings = alike;
     settings.push_back(weed);
     const Estimate none = number("invasion", evaluated(settings));
     EXPECT_NEAR(none.mean, 0, 4 * none.standard_error);
     EXPECT_LT(none.standard_error, .02);
-    const auto of = [&](const std::string& crop) {
+    const auto value_of = [&](const std::string& crop) {
         settings.back() = "component=[{name=\"weed\", crop=\"crops/" + crop +
                           ".toml\", mixed=8}]";
         return number("invasion", evaluated(settings));
     };
-    const Estimate over_cowpea = of("cowpea");
+    const Estimate over_cowpea = value_of("cowpea");
     EXPECT_GT(over_cowpea.mean, 1 + 4 * over_cowpea.standard_error);
 }
 
 //! Neighbours that lose carbon are not better off than a plant that gains.
-TEST_F(Mixtures, TellAGainOverPlantsThatLose) {
+TEST_F(Mixtures, ReportAGainOverPlantsWithANegativeBalance) {
     CanopyReport report = evaluated({weed});
-    AssimilationReport& all = *report.assimilation;
+    AssimilationReport& assimilation = *report.assimilation;
     const double gross =
         measure_parts("gross_assimilation", report)[1].estimate.mean;
     for (std::size_t g = 0; g < report.groups.size(); ++g)
         if (report.groups[g].id.component == 1)
-            all.losses[g].in_light += gross / 5;
+            assimilation.losses[g].in_light += gross / 5;
     const auto net = measure_parts("net_assimilation", report);
-    const double own = net[0].estimate.mean, other = net[1].estimate.mean;
-    ASSERT_GT(own, 0);
+    const double maize = net[0].estimate.mean, other = net[1].estimate.mean;
+    ASSERT_GT(maize, 0);
     ASSERT_LT(other, 0);
     const Estimate gain = number("invasion", report);
-    EXPECT_NEAR(gain.mean, (own - other) / -other, .02);
+    EXPECT_NEAR(gain.mean, (maize - other) / -other, .02);
     // A plant that loses twice as much as its neighbours does not invade.
-    all.losses.front().in_light += own - 2 * other;
+    assimilation.losses.front().in_light += maize - 2 * other;
     EXPECT_NEAR(number("invasion", report).mean, -1, .02);
 }
 
 //! A gain over nothing would let every row of a history fail.
-TEST_F(Mixtures, TellNoGainOverPlantsThatHaveNothing) {
+TEST_F(Mixtures, ReportNoGainOverPlantsWithoutCarbon) {
     CanopyReport report = evaluated({weed});
     report.assimilation.reset();
     EXPECT_NE(number("invasion", report).mean, 0);
@@ -289,7 +290,7 @@ TEST_F(Mixtures, TellNoGainOverPlantsThatHaveNothing) {
 }
 
 //! Plants of the field may be alike while those of a component differ.
-TEST_F(Mixtures, DifferByComponent) {
+TEST_F(Mixtures, VaryByComponent) {
     const std::string crop = "name=\"weed\", crop=\"crops/maize.toml\", ";
     const CanopyRequest request =
         requested({"component=[{" + crop +
@@ -302,7 +303,7 @@ TEST_F(Mixtures, DifferByComponent) {
               request.scene.components[1].plants() * 3 / 4);
 }
 
-TEST_F(Mixtures, OfOneKindAreThatKind) {
+TEST_F(Mixtures, OfOneCropEqualThatCrop) {
     const CanopyReport one = evaluated(alike);
     std::vector<std::string> settings = alike;
     settings.push_back(weed);
@@ -371,7 +372,7 @@ TEST_F(Mixtures, MeasureWhatTheyDeclareInTheSameOrder) {
               report.components[0].lai);
 }
 
-TEST_F(Mixtures, NearInfraredChangesNothingOfPar) {
+TEST_F(Mixtures, NearInfraredDoesNotChangePar) {
     const CanopyReport par = evaluated({}), both = evaluated({nir});
     ASSERT_EQ(both.bands.size(), 2u);
     EXPECT_EQ(both.par().budget_by_randomisation,
@@ -382,7 +383,7 @@ TEST_F(Mixtures, NearInfraredChangesNothingOfPar) {
     EXPECT_NEAR(beyond.light.day.incident / par.par().light.day.incident,
                 .55 / .45, 1e-9);
     EXPECT_LT(beyond.light.balance_error, 1e-12);
-    // Leaves absorb a sixth of what meets them, and much comes back.
+    // Leaves absorb a sixth of the light that hits them, and scatter the rest.
     const double absorbed =
         beyond.light.day.leaves.mean / beyond.light.day.incident;
     EXPECT_GT(absorbed, .2);

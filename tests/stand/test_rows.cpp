@@ -9,7 +9,7 @@ namespace {
 
 using RowsOfMixtures = Mixtures;
 
-TEST_F(RowsOfMixtures, OfStripsHaveTheRowsAndPlantsThatAreTold) {
+TEST_F(RowsOfMixtures, StripsHaveTheStatedRowsAndPlants) {
     const Campaign campaign = read_campaign(IDEOTYPE_CAMPAIGNS "/strip.toml");
     const Scene scene = scene_of(campaign, cases(campaign).front());
     EXPECT_NEAR(scene.cell.period_x, 2.2, 1e-12);
@@ -56,7 +56,7 @@ const std::vector<std::string> strip{
 
 //! A soybean row between other soybean rows is shaded least by maize; both rows
 //! of maize have soybean on one side.
-TEST_F(RowsOfMixtures, TellRowsPerGroundThatIsNearestToThem) {
+TEST_F(RowsOfMixtures, AreReportedPerNearestGround) {
     const CanopyReport report = evaluated(strip);
     ASSERT_EQ(report.rows.size(), 5u);
     const std::vector<double> widths{.5, .5, .45, .3, .45};
@@ -78,7 +78,7 @@ TEST_F(RowsOfMixtures, TellRowsPerGroundThatIsNearestToThem) {
     EXPECT_GT(net[3].estimate.mean, net[4].estimate.mean);
 }
 
-TEST_F(RowsOfMixtures, TellRowsOfFieldsWithoutAssimilationToo) {
+TEST_F(RowsOfMixtures, AreReportedWithoutAssimilationToo) {
     std::vector<std::string> settings = strip;
     settings.push_back(nir);
     CanopyRequest request = requested(settings);
@@ -98,7 +98,7 @@ TEST_F(RowsOfMixtures, TellRowsOfFieldsWithoutAssimilationToo) {
 }
 
 //! Rows of one kind of plant, each a component or not, are alike.
-TEST_F(RowsOfMixtures, RowsOfOneKindHaveTheSame) {
+TEST_F(RowsOfMixtures, RowsOfOneCropAssimilateTheSame) {
     std::vector<std::string> settings = alike;
     settings.push_back(weed);
     const CanopyReport report = evaluated(settings);

@@ -30,7 +30,7 @@ Campaign week(const std::string& water,
 
 const std::string balance = "[water]\n";
 
-TEST(Water, LeavesOfTheTemperatureOfTheAirAssimilateAsBeforeToTheBit) {
+TEST(Water, LeavesAtAirTemperatureAssimilateAsWithoutWaterBitForBit) {
     const auto before = numbers(week(""));
     const auto with = numbers(week("[water]\nleaf_temperature = false\n"));
     EXPECT_GT(before.size(), 100u);
@@ -43,11 +43,11 @@ TEST(Water, LeavesOfTheTemperatureOfTheAirAssimilateAsBeforeToTheBit) {
 //! Leaves without enzymes only respire, at their own temperature in light.
 TEST(Water, GrossAssimilationIsBeforeRespiration) {
     const Campaign idle = week(balance, {"photosynthesis.vmax=0"});
-    const Outcome found = season_of(idle);
+    const Outcome outcome = season_of(idle);
     const OutcomeSchema schema =
         outcome_schema(idle, cases(idle).at(0), idle.sampling);
     const auto number = [&](const char* name) {
-        return find(schema, found, name).value();
+        return find(schema, outcome, name).value();
     };
     const Estimate gross = number("gross_assimilation"),
                    net = number("net_assimilation"),
@@ -68,47 +68,48 @@ TEST(Water, GrossAssimilationIsBeforeRespiration) {
 }
 
 TEST(Water, PartsOfGrossAssimilationSumUp) {
-    const auto found = numbers(week(balance));
+    const auto values = numbers(week(balance));
     const auto plain = numbers(week("[water]\nleaf_temperature = false\n"));
     double leaves = 0, organs = 0, layers = 0;
-    for (const auto& [name, number] : found) {
+    for (const auto& [name, number] : values) {
         if (name.starts_with("assimilation_by_leaf")) leaves += number;
         if (name.starts_with("assimilation_by_organ")) organs += number;
         if (name.starts_with("assimilation_by_layer")) layers += number;
     }
-    const double gross = found.at("gross_assimilation_0");
-    EXPECT_NEAR(leaves, found.at("assimilation_by_organ_0"), 1e-9);
+    const double gross = values.at("gross_assimilation_0");
+    EXPECT_NEAR(leaves, values.at("assimilation_by_organ_0"), 1e-9);
     EXPECT_NEAR(organs, gross, 1e-9);
     EXPECT_NEAR(layers, gross, 1e-9);
     const double at_night = plain.at("net_assimilation_0") -
                             plain.at("gross_assimilation_0") +
                             plain.at("respiration_0");
-    EXPECT_NEAR(gross - found.at("net_assimilation_0"),
-                found.at("respiration_0") - at_night, 1e-9);
+    EXPECT_NEAR(gross - values.at("net_assimilation_0"),
+                values.at("respiration_0") - at_night, 1e-9);
 }
 
 //! The ranges are those of maize in the field in a hot week.
-TEST(Water, IsWhatMaizeTranspires) {
-    const auto found = numbers(week(balance));
-    EXPECT_GT(found.at("transpiration_0"), 3);
-    EXPECT_LT(found.at("transpiration_0"), 6);
-    EXPECT_GT(found.at("water_use_efficiency_0"), 3);
-    EXPECT_LT(found.at("water_use_efficiency_0"), 6);
-    EXPECT_GT(found.at("leaf_warming_0"), -1.5);
-    EXPECT_LT(found.at("leaf_warming_0"), 2);
-    EXPECT_NEAR(found.at("water_use_0"), 8 * found.at("transpiration_0"), 1e-9);
+TEST(Water, TranspirationOfMaizeIsRealistic) {
+    const auto values = numbers(week(balance));
+    EXPECT_GT(values.at("transpiration_0"), 3);
+    EXPECT_LT(values.at("transpiration_0"), 6);
+    EXPECT_GT(values.at("water_use_efficiency_0"), 3);
+    EXPECT_LT(values.at("water_use_efficiency_0"), 6);
+    EXPECT_GT(values.at("leaf_warming_0"), -1.5);
+    EXPECT_LT(values.at("leaf_warming_0"), 2);
+    EXPECT_NEAR(values.at("water_use_0"), 8 * values.at("transpiration_0"),
+                1e-9);
     double leaves = 0, layers = 0, days = 0;
-    for (const auto& [name, number] : found) {
+    for (const auto& [name, number] : values) {
         if (name.starts_with("transpiration_by_leaf")) leaves += number;
         if (name.starts_with("transpiration_by_layer")) layers += number;
         if (name.starts_with("transpiration_by_day")) days += number / 8;
     }
-    EXPECT_NEAR(leaves, found.at("transpiration_0"), 1e-9);
-    EXPECT_NEAR(layers, found.at("transpiration_0"), 1e-9);
-    EXPECT_NEAR(days, found.at("transpiration_0"), 1e-9);
+    EXPECT_NEAR(leaves, values.at("transpiration_0"), 1e-9);
+    EXPECT_NEAR(layers, values.at("transpiration_0"), 1e-9);
+    EXPECT_NEAR(days, values.at("transpiration_0"), 1e-9);
 }
 
-TEST(Water, TellsWhatOfTheAirIsEstimated) {
+TEST(Water, ReportsEstimatedAirVariables) {
     const auto estimated = [](const Campaign& campaign) {
         return light_of(campaign, cases(campaign).at(0)).estimated;
     };
@@ -118,7 +119,7 @@ TEST(Water, TellsWhatOfTheAirIsEstimated) {
     EXPECT_TRUE(estimated(week("")).empty());
 }
 
-TEST(Water, FollowsTheAirAndTheStomata) {
+TEST(Water, UseFollowsTheAirAndTheStomata) {
     const auto now = numbers(week(balance, {"climate.co2=372"}));
     const auto rich = numbers(week(balance, {"climate.co2=550"}));
     EXPECT_LT(rich.at("transpiration_0"), .95 * now.at("transpiration_0"));
@@ -134,7 +135,7 @@ TEST(Water, FollowsTheAirAndTheStomata) {
     // The air of a canopy becomes moist and holds transpiration back.
     const auto above = numbers(week(balance + "canopy_air = false\n"));
     EXPECT_GT(above.at("transpiration_0"), usual.at("transpiration_0"));
-    // Leaves whose stomata hardly open are hot.
+    // Leaves with nearly closed stomata are hot.
     const auto closed =
         numbers(week(balance + "slope = 0.01\nintercept = 0.001\n"));
     EXPECT_GT(closed.at("hot_hours_0"), 5);
@@ -143,27 +144,27 @@ TEST(Water, FollowsTheAirAndTheStomata) {
 
 TEST(Water, IsWithinALimitByTwoStandardErrors) {
     const Campaign dry = week(balance + "limit = 10\n");
-    const Outcome found = season_of(dry);
+    const Outcome outcome = season_of(dry);
     const OutcomeSchema schema =
         outcome_schema(dry, cases(dry).at(0), dry.sampling);
-    const Estimate water = find(schema, found, "water_use").value();
+    const Estimate water = find(schema, outcome, "water_use").value();
     EXPECT_GT(water.standard_error, 0);
-    const double most = water.mean + 2 * water.standard_error;
-    EXPECT_NEAR(found.violation, most / 10 - 1, 1e-9);
+    const double largest = water.mean + 2 * water.standard_error;
+    EXPECT_NEAR(outcome.violation, largest / 10 - 1, 1e-9);
     const auto violation_at = [](double limit) {
         return season_of(week(fmt::format("{}limit = {}\n", balance, limit)))
             .violation;
     };
     EXPECT_GT(violation_at(water.mean + water.standard_error), 0);
-    EXPECT_EQ(violation_at(1.0001 * most), 0);
+    EXPECT_EQ(violation_at(1.0001 * largest), 0);
 }
 
-TEST(Water, NeedsLeavesThatFollowCo2) {
+TEST(Water, NeedsLeavesThatDependOnCo2) {
     try {
         week(balance, {"photosynthesis.model=hyperbola"});
         FAIL();
     } catch (const Error& error) {
-        EXPECT_NE(std::string(error.what()).find("does not follow CO2"),
+        EXPECT_NE(std::string(error.what()).find("does not depend on CO2"),
                   std::string::npos)
             << error.what();
     }

@@ -50,8 +50,8 @@ from flipped_bits import OPEN, flip, marked, metadata
 
 import ideotype
 from ideotype.history import HistoryError, open_history, open_study
-from ideotype.report.provenance import provenance
-from ideotype.report.tables import gains
+from ideotype.report.provenance import tabulate_provenance
+from ideotype.report.tables import tabulate_gains
 
 LIMIT = 60  # The longest time that a reader may take [s].
 CAMPAIGN = Path(__file__).parents[2] / "campaigns" / "ames_quick.toml"
@@ -181,10 +181,10 @@ PROGRAMS: dict[str, Callable[[Place], Said]] = {
 
 
 def arrays(path: Path) -> str:
-    found = [ideotype.open(path, group) for group in GROUPS]
+    datasets = [ideotype.open(path, group) for group in GROUPS]
     return "".join(
         f"{name} {array.dims} {array.attrs} {array.values.tolist()}"
-        for group in found
+        for group in datasets
         for name, array in group.variables.items()
     )
 
@@ -197,7 +197,7 @@ def frame(path: Path) -> str:
 def report(path: Path) -> str:
     with open_study(path) as study:
         cases = study.cases()
-        return f"{gains(cases, None)} {provenance(cases)}"
+        return f"{tabulate_gains(cases, None)} {tabulate_provenance(cases)}"
 
 
 PYTHON = {
@@ -249,22 +249,22 @@ class Readers:
         """Returns the answer of each reader to the history with the given
         content."""
         path = place.path
-        found = {}
+        arrays = {}
         for name in (*PYTHON, *PROGRAMS):
             with path.open("r+b") as file:
                 file.write(content)
                 file.truncate()
-            found[name] = (
+            arrays[name] = (
                 self.python(name, path)
                 if name in PYTHON
                 else PROGRAMS[name](place)
             )
-        return found
+        return arrays
 
 
 def without_checksum(path: Path) -> list[range]:
     """Returns the places of the bytes of a history that no checksum covers."""
-    found = []
+    ranges = []
     with open_history(path) as history:
         generations = history.generations()
         first = int(generations.count.sum())
@@ -276,17 +276,17 @@ def without_checksum(path: Path) -> list[range]:
         start, size = dataset.id.get_offset(), dataset.id.get_storage_size()
         group = name.split("/")[0]
         if group in ("state", "sessions", "messages"):
-            found.append(range(start, start + size))
+            ranges.append(range(start, start + size))
         for table, row in (("evaluations", first), ("generations", complete)):
             if group == table and dataset.shape[0] > row:
                 at = start + size // dataset.shape[0] * row
-                found.append(range(at, start + size))
+                ranges.append(range(at, start + size))
 
     with h5py.File(
         path, "r", swmr=True, libver="latest", locking=False
     ) as file:
         file.visititems(look)
-    return found
+    return ranges
 
 
 def look(

@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Kills runs at random times, looks at what is left, resumes, and compares with
+# Kills runs at random times, examines the histories, resumes, and compares with
 # an uninterrupted run bit for bit: see README.md.
 # kill.sh IDEOTYPE [KILLS] [SEED] [day|season|growth|threads] [KEY=VALUE...]
 ideotype=$(readlink -f "$1")
 kills=${2:-100}
 seed=${3:-1}
 light=${4:-day}
-verb=run
-[ "$light" != study ] || verb=sensitivity
+command=run
+[ "$light" != study ] || command=sensitivity
 settings=()
 for setting in "${@:5}"; do settings+=(--set "$setting"); done
 here=$(readlink -f "$(dirname "$0")")
@@ -50,7 +50,7 @@ done
 start() {
     log=run.$1.log
     width=$((1 + RANDOM % 4))
-    local how=(mpirun -n "$width" "$ideotype" "$verb")
+    local how=(mpirun -n "$width" "$ideotype" "$command")
     [ "$light" != threads ] || how=("$ideotype" run --threads "$width")
     "${how[@]}" campaigns/stress.toml "${settings[@]}" --resume \
         --out "round$round" >"$log" 2>&1 &
@@ -94,7 +94,7 @@ committed() {
     "$ideotype" status "$1" | sed -n 's/.*, \([0-9]*\) of [0-9]* plants in .*/\1/p'
 }
 
-# Counts what is wrong with the file of a killed run.
+# Counts the faults of the file of a killed run.
 look() {
     local text reported
     [ -e "$history" ] || return 0
@@ -146,7 +146,7 @@ if [ -n "$is_season" ]; then
     name=july
     lag=1000  # weather is read first
 fi
-"$ideotype" "$verb" campaigns/stress.toml "${settings[@]}" --out whole >/dev/null
+"$ideotype" "$command" campaigns/stress.toml "${settings[@]}" --out whole >/dev/null
 whole=$(history_of whole stress $name)
 round=0
 history=$(history_of round0 stress $name)
@@ -211,7 +211,7 @@ while [ $done_kills -lt "$kills" ]; do
     rm -f "$log"
 done
 if ! finished; then
-    mpirun -n 3 "$ideotype" "$verb" campaigns/stress.toml "${settings[@]}" --resume \
+    mpirun -n 3 "$ideotype" "$command" campaigns/stress.toml "${settings[@]}" --resume \
         --out "round$round" >last.log 2>&1 ||
         fail "the last resume failed: $(cat last.log)"
 fi

@@ -16,7 +16,7 @@ from ideotype.history import Rows, open_history
 
 def values(rows: Rows) -> list[np.ndarray]:
     """Returns all numbers of complete rows that no kill may change."""
-    found = [
+    arrays = [
         rows.row,
         rows.generation,
         rows.status,
@@ -28,8 +28,8 @@ def values(rows: Rows) -> list[np.ndarray]:
         rows.violation,
     ]
     for quantity in rows.quantities.values():
-        found += [quantity.values, quantity.standard_error]
-    return found
+        arrays += [quantity.values, quantity.standard_error]
+    return arrays
 
 
 def main() -> int:
@@ -38,14 +38,14 @@ def main() -> int:
         open_history(whole_path) as whole,
         open_history(killed_path) as killed,
     ):
-        expected, found = whole.evaluations(), killed.evaluations()
+        expected, kept = whole.evaluations(), killed.evaluations()
         count = whole.generations().count
         committed = len(killed.generations())
-    if len(found) < max(int(reported), count[:committed].sum()):
-        print(f"lost: {len(found)} rows, {reported} plants reported")
+    if len(kept) < max(int(reported), count[:committed].sum()):
+        print(f"lost: {len(kept)} rows, {reported} plants reported")
         return 4
-    same = values(expected.take(found.row))
-    for a, b in zip(same, values(found), strict=True):
+    same = values(expected.take(kept.row))
+    for a, b in zip(same, values(kept), strict=True):
         if a.tobytes() != b.tobytes():
             print("a row differs from that of the uninterrupted run")
             return 3

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Measures what an evaluation costs rank 0, and how many workers it can feed.
+# Measures the cost of an evaluation for rank 0, and the number of workers it serves.
 # Usage: tests/stress/master_cost.sh [RANKS...]    after a build of preset dev
 set -euo pipefail
 cd "$(dirname "$0")/../.."

@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Exact light in crop canopies, and plants bred for it.
+"""Computes the light in crop canopies and designs crops for it.
 
-`Stand` evaluates plants of a campaign and `mesh` any surfaces; both need the
-compiled module. `open`, `open_history` and `open_study` read what the program
-has written, on any system.
+`Stand` evaluates the plants of a campaign, and `mesh` evaluates any surfaces;
+both need the compiled module. `open`, `open_history` and `open_study` read the
+histories that the program writes, on any system.
 
 The packages are `stand` (plants and their light), `search` (optimizers),
-`history` (what the program has written), `figures`, `report`, `live` (pages
-that follow), `validation` (measurements of fields) and `tools` (a module for
-each command)."""
+`history` (histories of searches), `figures`, `report`, `live` (interactive
+pages), `validation` (field measurements) and `tools` (one module for each
+command)."""
 
 from __future__ import annotations
 
@@ -61,10 +61,10 @@ __all__ = [
     "validation",
 ]
 
-# Names are imported at their first use: reading needs no compiled module, and
-# evaluating needs no plotting library. The function `mesh` is made at once,
+# Names are imported at first use: reading needs no compiled module, and
+# evaluating needs no plotting library. The function `mesh` is imported at once,
 # because the package of this name would hide it.
-_PLACES = {
+_SOURCES = {
     "Canopy": (".mesh.canopy", "Canopy"),
     "Crop": (".stand", "Crop"),
     "Mesh": (".mesh.geometry", "Mesh"),
@@ -96,9 +96,9 @@ def __getattr__(name: str) -> Any:
         return import_module("importlib.metadata").version(__name__)
     if name in _PACKAGES:
         return import_module(f".{name}", __name__)
-    if name not in _PLACES:
+    if name not in _SOURCES:
         raise AttributeError(f"module 'ideotype' has no attribute '{name}'")
-    module, own = _PLACES[name]
-    found = getattr(import_module(module, __name__), own)
-    globals()[name] = found
-    return found
+    module, attribute = _SOURCES[name]
+    value = getattr(import_module(module, __name__), attribute)
+    globals()[name] = value
+    return value

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Errors, with messages that are meant for the user."""
+"""Errors with messages for the user."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def printable_lines(text: str) -> str:
 
 
 class Error(Exception):
-    """An error that says what could not be done, why, and what to do."""
+    """An error; its message states the failure, the cause and the remedy."""
 
 
 class NotCompiled(Error, ImportError):
@@ -32,10 +32,10 @@ class NotCompiled(Error, ImportError):
 
 
 class Problem(NamedTuple):
-    """One problem of an input. Lines and columns count from 1; 0 means that a
-    line or column is not known. `key` is the path of its key in a campaign or
-    crop file, such as "spacing.row", or "" if it concerns no key. `code` is
-    the kind of problem, as in `ideotype check --json`."""
+    """One problem of an input. Lines and columns count from 1; 0 means
+    unknown. `what` describes the problem. `key` is the path of the key in a
+    campaign or crop file, such as "spacing.row", or "" if no key is concerned.
+    `code` is the kind of problem, as in `ideotype check --json`."""
 
     file: str
     line: int
@@ -54,10 +54,10 @@ class InputError(Error):
         problems: Sequence[tuple[str, int, int, str, str, str]] = (),
     ) -> None:
         super().__init__(message)
-        self.problems = tuple(Problem(*each) for each in problems)
+        self.problems = tuple(Problem(*fields) for fields in problems)
 
 
 def did_you_mean(word: str, names: Sequence[str]) -> str:
-    """Returns "; did you mean 'x'?", or "" if no name is near the word."""
+    """Returns "; did you mean 'x'?", or "" if no name resembles the word."""
     near = get_close_matches(word, names, 1, 0.8)
     return f"; did you mean '{near[0]}'?" if near else ""

@@ -82,7 +82,7 @@ struct Component {
     //! plant], if plants grow. Empty: all leaf area, built in the number of
     //! days that photosynthesis gives.
     std::vector<double> built{};
-    //! The dry mass of each of organs_of() the plant that was built in that
+    //! The dry mass of each of list_organs() the plant that was built in that
     //! time [kg per plant], where `built` is not empty.
     std::vector<double> built_organs{};
     Stomata stomata{};  //!< stomata, for leaves that exchange water

@@ -18,17 +18,17 @@ struct DaySpan {
     double step_minutes = 30;  //!< length of a step, which divides end - start
 };
 
-//! One instant that stands for the time around it.
+//! One instant that represents the time around it.
 struct TimeStep {
-    double hour = 0;  //!< clock time of the site, of the date or around it [h]
-    double seconds = 0;  //!< duration that the step stands for [s]
+    double hour = 0;     //!< local clock time, may lie beyond 0 to 24 [h]
+    double seconds = 0;  //!< duration represented by the step [s]
     SunPosition sun;
     Irradiance par;  //!< PAR on a horizontal plane [W m-2]
     Date date{};     //!< date on the clock of the weather file, if there is one
     std::optional<double> temperature{};  //!< temperature of the air [deg C]
     std::optional<double> humidity{};     //!< relative humidity, 0 to 1
-    //! The solar radiation beyond PAR on a horizontal plane, which all counts
-    //! as near infrared [W m-2].
+    //! Solar radiation other than PAR on a horizontal plane, all counted as
+    //! near infrared [W m-2].
     Irradiance nir{};
     std::optional<double> wind{};  //!< wind at LightSeries::wind_height [m s-1]
     std::optional<double> pressure{};  //!< pressure of the air [kPa]
@@ -39,18 +39,18 @@ struct TimeStep {
     bool is_lit() const { return par.beam + par.diffuse > 0; }
 };
 
-//! The light of one or more days as weighted instants, in order. Instants
-//! without light may be left out.
+//! The light of one or more days as weighted instants in order. Instants
+//! without light may be omitted.
 struct LightSeries {
     std::vector<TimeStep> steps;
     int days = 1;
     double utc_offset = 0;    //!< offset from UTC of the clock of hours [h]
     double wind_height = 10;  //!< height of the wind above the ground [m]
     double co2 = 400;         //!< CO2 of the air [umol mol-1]
-    //! The names of estimated variables of steps, such as "wind".
+    //! Names of variables of the steps that are estimated, such as "wind".
     std::vector<std::string> estimated{};
-    //! Tells whether plants grow: each step then has the part of its time
-    //! during which plants are as they stand.
+    //! Whether plants grow: each step then represents only the part of its time
+    //! at the current age of the plants.
     bool grows = false;
 
     double beam() const;     //!< beam PAR on a mean day [J m-2 day-1]
@@ -60,28 +60,27 @@ struct LightSeries {
 
     double lit_seconds() const;  //!< time of all steps with any light [s]
 
-    //! Returns the hours of the day with sun or light on any day, from the
-    //! first to the last [h].
+    //! Returns the hours of the day with sun or light on any day, in order [h].
     std::vector<double> hours() const;
 
     std::vector<Date> dates() const;  //!< dates with any step, in order
 
-    //! Returns the numbers of the steps at each of hours() and on each of
+    //! Return the indices of the steps at each of hours() and on each of
     //! dates().
     std::vector<std::vector<std::size_t>> steps_of_hours() const;
     std::vector<std::vector<std::size_t>> steps_of_dates() const;
 };
 
-//! Clear days of a site by the trapezoidal rule: the first and last instants
-//! stand for half a step. Instants with the sun below the horizon are left out;
-//! without any other instant the series is empty. par_fraction is PAR over all
-//! solar radiation, for both beam and diffuse light.
+//! Computes clear days of a site by the trapezoidal rule: the first and last
+//! instants represent half a step. Instants with the sun below the horizon are
+//! omitted; the series may be empty. par_fraction is PAR over all solar
+//! radiation, for both beam and diffuse light.
 //! @throws Error if the step does not divide the span.
 LightSeries clear_days(const Site& site, const DaySpan& span,
                        double par_fraction);
 
-//! The time with sun on a date, by the local clock and without refraction. The
-//! day is that around the noon nearest to 12:00.
+//! The time with sun on a date, on the local clock and without refraction. The
+//! day is the one around the noon nearest to 12:00.
 struct Daylight {
     double noon = 12;      //!< hour at which the sun is highest [h]
     double elevation = 0;  //!< elevation of the sun at noon [deg]
@@ -94,11 +93,11 @@ struct Daylight {
 Daylight daylight(const Site& site, const Date& date);
 
 //! Returns the lead of the local clock over mean solar time [h], from -12 to
-//! 12. Noon is later than 12:00 by this lead, but for the equation of time.
+//! 12. Noon is later than 12:00 by this lead, apart from the equation of time.
 double clock_ahead(const Site& site);
 
-//! Returns the part of the light of clear days that comes before the start and
-//! after the end of a span, from 0 to 1; 0 if there is no light.
+//! Returns the fraction of the light of clear days before the start and after
+//! the end of a span, from 0 to 1; 0 if there is no light.
 double share_left_out(const Site& site, const DaySpan& span);
 
 }  // namespace ideotype

@@ -8,10 +8,10 @@
 
 namespace ideotype {
 
-//! The change of the sky's brightness with direction.
+//! The variation of sky radiance with direction.
 enum class SkyModel { uniform, overcast, clear };
 
-//! The shape of a sky's radiance.
+//! The angular distribution of sky radiance.
 struct SkyRadiance {
     SkyModel model = SkyModel::uniform;
     SunPosition
@@ -19,8 +19,8 @@ struct SkyRadiance {
 };
 
 //! Returns the radiance of light that travels in a direction (unit length, z
-//! up), up to a factor; zero for light upwards. The place of the sky that the
-//! light comes from has the angle z to the zenith and g to the sun [rad]:
+//! up), up to a factor; zero for light that travels upwards. The source point
+//! in the sky has the angle z to the zenith and g to the sun [rad]:
 //!
 //! - uniform: 1
 //! - overcast: (1 + 2 cos z) / 3 (Moon and Spencer 1942; CIE standard
@@ -29,13 +29,12 @@ struct SkyRadiance {
 //!   (Kittler 1967; CIE publication 22, 1973; ISO 15469:2004)
 double relative_radiance(const SkyRadiance& sky, const glm::dvec3& travel);
 
-//! Chooses directions of light from a sky in proportion to their irradiance of
+//! Samples directions of light from a sky in proportion to the irradiance of
 //! horizontal ground, radiance times cos z. The map from the unit square is
-//! continuous and one to one, so that evenly spread points stay evenly spread,
-//! and no point is rejected or weighted. Uniform and overcast skies are exact
-//! to rounding, clear skies to 2e-7 in the probability of any set of
-//! directions. A clear sky takes some 0.3 ms to set up; copies share its
-//! tables.
+//! continuous and one to one, so evenly spread points remain evenly spread; no
+//! point is rejected or weighted. Uniform and overcast skies are exact to
+//! rounding, clear skies to 2e-7 in the probability of any set of directions. A
+//! clear sky takes some 0.3 ms to set up; copies share its tables.
 class SkySampler {
   public:
     //! Makes the sampler of a uniform sky.
@@ -52,8 +51,8 @@ class SkySampler {
     //! hemisphere.
     double horizontal_irradiance() const;
 
-    //! Returns the radiance of light that travels in a direction, over that of
-    //! a uniform sky with equal irradiance of level ground.
+    //! Returns the radiance of light that travels in a direction, relative to a
+    //! uniform sky with equal irradiance of level ground.
     double relative_brightness(const glm::dvec3& travel) const;
 
   private:

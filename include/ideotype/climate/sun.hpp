@@ -30,8 +30,8 @@ struct Date {
     auto operator<=>(const Date&) const = default;
 };
 
-//! Returns the day of a date.
-inline std::chrono::sys_days day_of(const Date& date) {
+//! Converts a date to a day of the calendar of std::chrono.
+inline std::chrono::sys_days to_day(const Date& date) {
     return std::chrono::year{date.year} /
            std::chrono::month{static_cast<unsigned>(date.month)} /
            std::chrono::day{static_cast<unsigned>(date.day)};
@@ -39,8 +39,7 @@ inline std::chrono::sys_days day_of(const Date& date) {
 
 std::string to_string(const Date& date);  //!< such as 2025-08-07
 
-//! Returns the date that a text such as 2025-08-07 tells; nothing if there is
-//! no such date.
+//! Parses a date such as 2025-08-07; returns nothing if there is no such date.
 std::optional<Date> to_date(const std::string& text);
 
 //! The direction of the sun's centre, without refraction.
@@ -76,11 +75,11 @@ double extraterrestrial_normal(const Date& date);
 Irradiance clear_sky(const Site& site, const Date& date,
                      const SunPosition& sun);
 
-//! Returns diffuse over global light of an hour by its clearness index, which
+//! Returns diffuse over global light of an hour from its clearness index, which
 //! is global over extraterrestrial horizontal irradiance (Erbs, Klein and
 //! Duffie 1982, doi:10.1016/0038-092X(82)90302-4). Limits are those of pvlib:
-//! in the correlation the cosine of the zenith angle is at least 0.065 and the
-//! index at most 1, and a sun lower than 3 deg has no beam.
+//! the correlation uses a cosine of the zenith angle of at least 0.065 and an
+//! index of at most 1, and a sun lower than 3 deg has no beam.
 //!
 //! @param global light on a horizontal plane [W m-2]
 //! @param extraterrestrial_normal irradiance of a plane that faces the sun [W
@@ -89,8 +88,8 @@ Irradiance clear_sky(const Site& site, const Date& date,
 double diffuse_fraction(double global, double extraterrestrial_normal,
                         double zenith);
 
-//! Returns PAR over all solar radiation. Clouds absorb more of near infrared
-//! than of PAR, whose share rises as the clearness index k falls: photons of
+//! Returns PAR over all solar radiation. Clouds absorb more near infrared than
+//! PAR, so the share of PAR rises as the clearness index k falls: photons of
 //! PAR over solar energy are 1.832 - 0.191 ln k + 0.099 cos z [umol J-1] at the
 //! zenith angle z (Alados, Foyo-Moreno and Alados-Arboledas 1996, Agricultural
 //! and Forest Meteorology 78, 121-131, doi:10.1016/0168-1923(95)02245-7). The

@@ -10,13 +10,13 @@
 
 namespace ideotype {
 
-//! The first and the last day of a file that count.
+//! The first and the last day of a file to be used.
 struct Period {
     Date from;
     Date to;
 };
 
-//! The moment of a time step that the stamp of a row tells.
+//! The moment of a time step that the time stamp of a row marks.
 enum class Stamp { beginning, middle, end };
 
 //! The order of year, month and day in dates: 2011-07-21, 07/21/2011 or
@@ -30,9 +30,9 @@ struct Column {
 };
 
 //! The columns of a CSV file by their meaning. Units of light: W/m2 of all
-//! solar radiation, its energy in the time step as Wh/m2, kWh/m2, kJ/m2 or
-//! MJ/m2, or umol/m2/s of photons from 400 to 700 nm. Global light is required,
-//! or beam and diffuse light.
+//! solar radiation; its energy per time step as Wh/m2, kWh/m2, kJ/m2 or MJ/m2;
+//! or umol/m2/s of photons from 400 to 700 nm. Global light is required, or
+//! both beam and diffuse light.
 struct ColumnMap {
     //! The columns of time. One: date and time as in ISO 8601, with or without
     //! the offset from UTC. Two: date, time. Four or five: year, month, day,
@@ -40,12 +40,12 @@ struct ColumnMap {
     //! stamps are the middles of steps.
     std::vector<std::string> time{};
     DateOrder date_order = DateOrder::year_month_day;
-    //! The offset of the clock from UTC [h] if stamps do not tell it; by
-    //! default that of the site.
+    //! Offset of the clock from UTC [h] if stamps do not contain it; by default
+    //! that of the site.
     std::optional<double> utc_offset{};
     std::optional<Stamp> stamp{};  //!< the end by default
-    //! A number that means "not known", in addition to -99, -999, -9900, -9999,
-    //! 9999, 99999, NaN, NA, null and an empty entry.
+    //! A number that marks a missing value, in addition to -99, -999, -9900,
+    //! -9999, 9999, 99999, NaN, NA, null and an empty entry.
     std::optional<double> missing{};
 
     std::optional<Column> global{};  //!< light on a horizontal plane
@@ -54,8 +54,8 @@ struct ColumnMap {
     std::optional<Column> diffuse{};  //!< light on a horizontal plane
     std::optional<Column>
         diffuse_fraction{};  //!< part of the global light; in 1 or %
-    //! Photons from 400 to 700 nm on a horizontal plane, which are only
-    //! compared with the global light.
+    //! Photons from 400 to 700 nm on a horizontal plane, used only for
+    //! comparison with the global light.
     std::optional<Column> ppfd{};
     std::optional<Column> temperature{};  //!< in C, K or F
     std::optional<Column> humidity{};     //!< relative humidity; in 1 or %
@@ -74,36 +74,36 @@ struct WeatherRequest {
     double par_fraction = 0.45;  //!< PAR over all solar radiation
 };
 
-//! The weather of a period with its nights, without gaps, and warnings about
-//! its file. A warning counts all findings of one kind and has the place of the
-//! first.
+//! The weather of a period including nights, without gaps, and warnings about
+//! its file. A warning counts all findings of one kind and has the location of
+//! the first.
 struct Weather {
-    //! The light, with hour and sun of the middle of each step; the offset from
+    //! The light, with hour and sun at the middle of each step; the offset from
     //! UTC is that of the clock of dates.
     LightSeries series;
     std::vector<Problem> warnings;
 };
 
-//! A weather file as a campaign has to describe it.
+//! The description of a weather file that a campaign needs.
 struct WeatherDescription {
     //! Columns of the file; without `time`: those of `ideotype weather`.
     ColumnMap columns;
     Period period;  //!< the first and the last whole day
 };
 
-//! Recognises the columns of a weather file by their names and units, as in
-//! "Date", "Time", "Solar rad (W/m2)" and "temp_c", the order of dates, and
-//! the period. Units are those of parse_weather(); a column of light or weather
-//! without a unit is left out.
-//! @param site place, of which the clock counts where stamps have none
+//! Recognises the columns of a weather file by names and units such as "Date",
+//! "Time", "Solar rad (W/m2)" and "temp_c", the order of dates, and the period.
+//! Units are those of parse_weather(); a column of light or weather without a
+//! unit is omitted.
+//! @param site location with the clock that applies where stamps have no offset
 //! @throws InputError if no columns of time and light are recognised.
 WeatherDescription describe_weather(const std::string& text,
                                     const std::string& file, const Site& site);
 
-//! Reads the text of a weather file for a site; the name of the file is for
-//! messages. Dates and hours are those of the file's clock, or of the site's
-//! clock if the file's is more than 3 hours off the mean sun of the site, as in
-//! files in UTC. Beam and diffuse light on the ground are:
+//! Parses a weather file for a site; the name of the file is for messages.
+//! Dates and hours are those of the file's clock, or of the site's clock if the
+//! file's is more than 3 hours off the mean sun of the site, as in files in
+//! UTC. Beam and diffuse light on the ground are:
 //!
 //! - diffuse light as given, or by the given fraction; the rest of the global
 //!   light is beam; without global light, the beam is the given beam times cos
@@ -118,13 +118,13 @@ WeatherDescription describe_weather(const std::string& text,
 //! global light, or else the beam, is given in photons, PAR follows from the
 //! photons and solar radiation from PAR: see par_share(). Near infrared has the
 //! diffuse fraction of PAR. Light slightly below 0, or unknown while the sun is
-//! down, is 0. Other unknown values are interpolated over up to 6 hours. A 29
-//! February that the file leaves out stays out.
+//! down, is set to 0. Other unknown values are interpolated over up to 6 hours.
+//! A 29 February that the file omits stays omitted.
 //!
 //! @throws InputError for unreadable or implausible input: unknown columns and
-//! units, light that is missing by day, negative or beyond the sun's, wrong
-//! order, duplicates, gaps, days that the file does not have, and light that
-//! does not follow the sun of the site.
+//! units, light that is missing by day, negative or above the extraterrestrial
+//! light, wrong order, duplicates, gaps, days that are not in the file, and
+//! light that does not follow the sun of the site.
 Weather parse_weather(const std::string& text, const WeatherRequest& request);
 
 }  // namespace ideotype

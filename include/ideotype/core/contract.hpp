@@ -5,25 +5,24 @@
 
 namespace ideotype {
 
-//! A mistake in the program: a caller or a function has not kept its contract.
-//! This type is no Error, so that nobody takes it for a mistake in the input.
+//! A bug in the program: a caller or a function has violated its contract. The
+//! type is not an Error, so that it is not mistaken for an error in the input.
 //! Thrown in a `noexcept` function, it ends the program with its message.
 class ContractError : public std::logic_error {
   public:
     using std::logic_error::logic_error;
 };
 
-//! Throws a ContractError that tells the file, the line and the text of a
-//! condition.
+//! Throws a ContractError with the file, the line and the text of a condition.
 //! @param kind "precondition" or "promise"
 [[noreturn]] void fail_contract(const char* kind, const char* condition,
                                 const char* file, int line);
 
 }  // namespace ideotype
 
-// The option IDEOTYPE_CONTRACTS of the build decides whether contracts are
-// checked. Unchecked conditions are still compiled, so that they stay up to
-// date, but never evaluated.
+// The build option IDEOTYPE_CONTRACTS decides whether contracts are checked.
+// Unchecked conditions are still compiled, so that they stay valid, but never
+// evaluated.
 #ifdef IDEOTYPE_CONTRACTS
 #define IDEOTYPE_CONTRACT(kind, condition, text) \
     ((condition)                                 \

@@ -3,14 +3,13 @@
 
 namespace ideotype {
 
-//! Makes the process print why it ends if a library ends it: Embree and TBB do
+//! Makes the process print the reason if a library ends it: Embree and TBB do
 //! so without threads or memory, and HDF5 calls `exit(-1)` itself. The exit
 //! code is then ExitCode::runtime; a segmentation fault still ends the process
-//! by its signal. The message needs no memory.
+//! by its signal. Printing needs no memory.
 void watch_for_foreign_end();
 
-//! Marks the end of the process as regular from now on, so that no message is
-//! printed.
+//! Marks the end of the process as regular from now on: no reason is printed.
 void end_in_order();
 
 }  // namespace ideotype

@@ -5,7 +5,7 @@
 
 namespace ideotype {
 
-//! A value of an enumeration beside its name in files.
+//! A value of an enumeration with its name in files.
 template <class Enum>
 struct EnumName {
     const char* name;
@@ -15,16 +15,16 @@ struct EnumName {
 template <class Enum>
 EnumName(const char*, Enum) -> EnumName<Enum>;
 
-//! The names of the values of an enumeration; specialised as a std::array of
-//! EnumName for each enumeration that files name.
+//! The names of the values of an enumeration, specialised as a std::array of
+//! EnumName for each enumeration that appears in files.
 template <class Enum>
 inline constexpr std::nullptr_t enum_names = nullptr;
 
 //! Returns the name of a value of an enumeration; "" if it has none.
 template <class Enum>
 constexpr const char* name_of(Enum value) {
-    for (const auto& each : enum_names<Enum>)
-        if (each.value == value) return each.name;
+    for (const auto& entry : enum_names<Enum>)
+        if (entry.value == value) return entry.name;
     return "";
 }
 

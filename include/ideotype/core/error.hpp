@@ -10,17 +10,17 @@
 
 namespace ideotype {
 
-//! The numbers that the program returns to the shell.
+//! The exit codes of the program.
 enum class ExitCode {
     ok = 0,
     runtime = 1,           //!< something failed while running
     usage = 2,             //!< wrong command line
     invalid_campaign = 3,  //!< an input file has errors
-    refused = 4,           //!< going on would break the contract C1-C5
+    refused = 4,           //!< continuing would break the contract C1-C5
     stopped = 5,  //!< a run stopped early on request; it can be resumed
 };
 
-//! An error whose message tells the user the problem, its cause and the remedy.
+//! An error with a message for the user: problem, cause and remedy.
 class Error : public std::runtime_error {
   public:
     explicit Error(const std::string& message,
@@ -33,29 +33,30 @@ class Error : public std::runtime_error {
     ExitCode exit_code_;
 };
 
-//! Returns the message of an exception, in plain words where its type has none.
-std::string reason_of(const std::exception& error);
+//! Returns the message of an exception, in plain words for types without one.
+std::string describe_exception(const std::exception& error);
 
-//! A place in a text file; line and column count from 1, and 0 means unknown.
+//! A location in a text file; line and column count from 1, and 0 means
+//! unknown.
 struct Location {
     std::string file;
     int line = 0;
     int column = 0;
 };
 
-//! The kinds of problems, by which programs decide what to do about them.
+//! The kinds of problems, for programs that handle them.
 enum class ProblemCode {
-    syntax,         //!< a text that is no TOML, or no setting
+    syntax,         //!< a text that is not TOML, or not a setting
     file,           //!< a file that cannot be read, or of another kind
     data,           //!< a fault inside a table of weather or a mesh
-    unknown_key,    //!< a key or a table that nothing would read
-    missing,        //!< a key, a table or an entry that is needed
+    unknown_key,    //!< a key or a table that would be ignored
+    missing,        //!< a required key, table or entry
     wrong_type,     //!< a value of another type or length
-    out_of_range,   //!< a value outside its range, or a number of too many
+    out_of_range,   //!< a value or a count outside its range
     unknown_name,   //!< a name of something that does not exist
-    duplicate,      //!< a name or an entry that was given before
+    duplicate,      //!< a repeated name or entry
     contradiction,  //!< a value that contradicts other values
-    doubt,          //!< a value that may be wrong; only warnings have it
+    doubt,          //!< a value that may be wrong; only in warnings
 };
 
 template <>
@@ -80,13 +81,12 @@ struct Problem {
     std::string what;  //!< "problem (why); remedy"
 };
 
-//! Returns `file:line:column: what`.
+//! Formats a problem as `file:line:column: what`.
 std::string to_string(const Problem& problem);
 
-//! Returns a message whose texts between double quotes, and words that are no
-//! paths, are cut to some 80 characters, since a user's text may have
-//! megabytes.
-std::string with_short_quotes(const std::string& message);
+//! Shortens texts between double quotes, and words that are not paths, to some
+//! 80 characters: texts of users may have megabytes.
+std::string shorten_quotes(const std::string& message);
 
 //! All problems of an input, found in one pass, in the order of the text.
 class InputError : public Error {
@@ -99,7 +99,7 @@ class InputError : public Error {
     std::vector<Problem> problems_;
 };
 
-//! Returns the candidate nearest to a misspelt word, or "" if none is near.
+//! Finds the candidate nearest to a misspelt word; returns "" if none is near.
 std::string nearest_name(const std::string& word,
                          const std::vector<std::string>& candidates);
 

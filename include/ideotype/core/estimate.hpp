@@ -8,37 +8,35 @@
 
 namespace ideotype {
 
-//! A figure and its standard error, in the same unit.
+//! A value and its standard error, in the same unit.
 struct Estimate {
     double mean = 0;
     double standard_error = 0;
 };
 
-//! Half of a 95 % confidence interval of a normal variable over its standard
-//! error.
+//! Half of a 95 % confidence interval of a normal variable, in standard errors.
 inline constexpr double normal_95 = 1.96;
 
 //! Returns the mean of values; NaN if there are none.
-double mean_of(std::span<const double> values);
+double average(std::span<const double> values);
 
-//! Returns the mean of independent values and the standard error of that mean,
-//! sqrt(sum (x - mean)^2 / (n (n - 1))). The standard error of a single value
-//! is NaN.
+//! Estimates the mean of independent values and its standard error, sqrt(sum (x
+//! - mean)^2 / (n (n - 1))). The standard error of a single value is NaN.
 Estimate estimate(std::span<const double> values);
 
-//! A figure with its values by randomisation, if they are known.
+//! An estimate with its values by randomisation, if known.
 struct Randomisations {
     Estimate figure;
     std::span<const double> values;
 };
 
-//! Returns b - a. If both share their randomisations, the standard error is
-//! that of the differences by randomisation, else that of independent figures,
-//! which may only be too large.
+//! Returns b - a. If both share their randomisations, the error is the paired
+//! standard error over randomisations, otherwise that of independent estimates,
+//! which can only be too large.
 Estimate difference(const Randomisations& a, const Randomisations& b);
 
-//! Returns 100 (b / a - 1) [%], with the standard error of the ratio to first
-//! order, paired as in difference(). Both are NaN if a is zero.
+//! Returns the gain 100 (b / a - 1) [%], with the standard error of the ratio
+//! to first order, paired as in difference(). Both are NaN if a is zero.
 Estimate relative_gain(const Randomisations& a, const Randomisations& b);
 
 //! Returns a * x for an exact factor a.
@@ -46,8 +44,8 @@ inline Estimate scaled(Estimate x, double a) {
     return {a * x.mean, (a < 0 ? -a : a) * x.standard_error};
 }
 
-//! Returns a part of the incident light as a fraction of the incident light, or
-//! 0 if that is 0.
+//! Returns a part of the incident light relative to all of it; 0 without
+//! incident light.
 template <class Light>
 Light fraction_of(Light part, double incident) {
     IDEOTYPE_EXPECT(!(incident < 0));

@@ -8,33 +8,33 @@
 
 namespace ideotype {
 
-//! Returns the kind of a special file: "a folder", "a named pipe", "a socket"
+//! Describes the kind of a special file: "a folder", "a named pipe", "a socket"
 //! or "a device".
-std::string kind_of(const struct stat& status);
+std::string describe_kind(const struct stat& status);
 
-//! The text of a file, or the reason for its absence.
+//! The text of a file, or why it could not be read.
 struct FileText {
     std::string text;
     bool is_there = false;
-    //! The reason for the absence: "" if there is no file, else a text such as
-    //! "a folder, no regular file".
+    //! Why the text is missing: "" if there is no file, otherwise a text such
+    //! as "a folder, no regular file".
     std::string why;
 
-    //! Returns "cannot read PATH", with the reason unless no file has this
-    //! path.
+    //! Returns "cannot read PATH", with the reason unless there is no such
+    //! file.
     std::string refusal(const std::string& path) const;
 };
 
-//! The largest size of files of campaigns, plants and crops, which have some
-//! kilobytes [bytes].
+//! Largest accepted size of campaign, plant and crop files, which usually have
+//! some kilobytes [bytes].
 inline constexpr std::uintmax_t most_input_bytes = 16U << 20U;
 
-//! The largest size of files of weather and meshes, which may have years and
+//! Largest accepted size of weather and mesh files, which may have years and
 //! millions of faces [bytes].
 inline constexpr std::uintmax_t most_data_bytes = 1U << 30U;
 
-//! Reads a file. Only regular files within a limit of size [bytes] are read, so
-//! that no pipe is waited for and no device is read for ever.
-FileText read_file(const std::string& path, std::uintmax_t most);
+//! Reads a regular file up to a size [bytes]. Other files are refused, since
+//! reading a pipe may wait and a device may never end.
+FileText read_file(const std::string& path, std::uintmax_t limit);
 
 }  // namespace ideotype

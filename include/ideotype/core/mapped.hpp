@@ -7,8 +7,8 @@
 
 namespace ideotype {
 
-//! Returns the result of a function, or the value of a member, for each item of
-//! a list.
+//! Applies a function, or reads a member, for each item of a list and returns
+//! the results.
 template <class Items, class Function>
 auto mapped(const Items& items, const Function& function) {
     using Result =

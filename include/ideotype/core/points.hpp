@@ -9,9 +9,8 @@
 
 namespace ideotype {
 
-//! Returns the value at a position between points, linear in between: 0 is the
-//! position of the first point, 1 that of the second. Beyond the last point its
-//! value holds.
+//! Interpolates linearly between points: position 0 is the first point, 1 the
+//! second. Beyond the last point its value holds.
 //! @param points at least one
 //! @param position not negative
 inline double value_between(std::span<const double> points, double position) {

@@ -12,8 +12,8 @@ namespace ideotype {
 using Coordinates = std::variant<std::vector<double>, std::vector<std::int64_t>,
                                  std::vector<std::string>>;
 
-//! A dimension of quantities, such as leaf or hour, with the coordinate of each
-//! of its entries.
+//! A dimension of quantities, such as leaf or hour, with the coordinates of its
+//! entries.
 struct Axis {
     std::string name;
     std::string unit;  //!< "1" for whole numbers, "" for names
@@ -21,16 +21,16 @@ struct Axis {
     Coordinates coordinates;
 
     std::size_t size() const {
-        return std::visit([](const auto& each) { return each.size(); },
+        return std::visit([](const auto& values) { return values.size(); },
                           coordinates);
     }
 };
 
-//! Returns an axis that counts from a first number.
+//! Makes an axis that counts from a first number.
 Axis counted(const std::string& name, const std::string& meaning,
              std::size_t size, std::int64_t first = 0);
 
-//! Tells an estimated quantity from one that follows exactly from the scene.
+//! Whether a quantity is estimated or follows exactly from the scene.
 enum class Certainty { estimated, exact };
 
 //! A measured quantity: numbers along axes, in row-major order.
@@ -40,13 +40,13 @@ struct Quantity {
     std::string meaning;
     //! Names of the axes; none for a single number.
     std::vector<std::string> axes{};
-    //! The kind of quantity; an exact one has no standard error.
+    //! Exact quantities have no standard error.
     Certainty certainty = Certainty::estimated;
-    //! Names that the number counts from 1; none: it is a measure.
+    //! Names that the values number, from 1; none: the values are measures.
     std::vector<std::string> names{};
 };
 
-//! Quantities that belong together, and the axes that they share.
+//! Related quantities and their axes.
 struct QuantitySet {
     std::vector<Axis> axes;
     std::vector<Quantity> quantities;
@@ -64,7 +64,7 @@ struct QuantitySet {
     std::size_t size() const;
 
     //! Returns the index of the first value of a quantity among the values of
-    //! all. @throws std::out_of_range if there is no quantity of this name.
+    //! all quantities. @throws std::out_of_range if there is none of this name.
     std::size_t offset(const std::string& name) const;
 };
 

@@ -8,7 +8,8 @@
 
 namespace ideotype {
 
-//! The purposes that random numbers are drawn for; no two of them share a draw.
+//! The purposes of random numbers; streams of different purposes are
+//! independent.
 enum class Purpose : std::uint32_t {
     initial_population = 1,
     selection = 2,
@@ -33,11 +34,11 @@ enum class Purpose : std::uint32_t {
 struct Randomness {
     std::uint64_t seed = 0;
     std::uint32_t generation = 0;
-    //! The number of the first randomisation. Further ones count up, and each
-    //! has random numbers of its own.
+    //! Number of the first randomisation. Further ones count up and have
+    //! independent random numbers.
     std::uint32_t first_randomisation = 0;
-    //! Tells whether fields are common to all generations and randomisations,
-    //! so that rows with different paths of light have equal fields.
+    //! Whether all generations and randomisations have common fields, so that
+    //! rows with different light paths have the same plants.
     bool has_common_fields = false;
 };
 
@@ -46,9 +47,8 @@ struct Randomness {
 std::array<std::uint32_t, 4> philox4x32(std::array<std::uint32_t, 4> counter,
                                         std::array<std::uint32_t, 2> key);
 
-//! A sequence of random numbers that is a pure function of its key: seed,
-//! purpose, generation and slot. Two streams with the same key give the same
-//! numbers, on any rank.
+//! A sequence of random numbers, a pure function of its key: seed, purpose,
+//! generation and slot. Equal keys give equal numbers on any rank.
 class RandomStream {
   public:
     RandomStream(std::uint64_t seed, Purpose purpose,
@@ -63,20 +63,20 @@ class RandomStream {
         return high << 32 | bits();
     }
 
-    //! Returns a number that is uniform in [0, 1), with 53 random bits.
+    //! Returns a number uniform in [0, 1), with 53 random bits.
     double uniform() { return static_cast<double>(bits64() >> 11) * 0x1p-53; }
 
-    //! Returns a number that is uniform in [lower, upper).
+    //! Returns a number uniform in [lower, upper).
     double uniform(double lower, double upper) {
         IDEOTYPE_EXPECT(lower <= upper);
         return lower + (upper - lower) * uniform();
     }
 
-    //! Returns two independent numbers of a standard normal distribution (Box
-    //! and Muller 1958, doi:10.1214/aoms/1177706645).
+    //! Returns two independent standard normal numbers (Box and Muller 1958,
+    //! doi:10.1214/aoms/1177706645).
     std::array<double, 2> normal();
 
-    //! Returns a whole number that is uniform in [0, n) without bias.
+    //! Returns a whole number uniform in [0, n), without bias.
     std::uint32_t below(std::uint32_t n);
 
   private:

@@ -3,7 +3,7 @@
 
 namespace ideotype {
 
-//! The smallest and the largest value of a number.
+//! The smallest and the largest permitted value.
 struct Range {
     double lower = 0;
     double upper = 0;

@@ -10,10 +10,10 @@
 
 namespace ideotype {
 
-//! A coroutine that returns a Result: a function that pauses until an awaited
-//! event has come. It begins with start(), or when another routine awaits it,
-//! which goes on after its end. All routines share one thread. Arguments by
-//! reference must outlive the routine.
+//! A coroutine that returns a Result and pauses until awaited events occur. It
+//! begins with start(), or when another routine awaits it, which then resumes
+//! after its end. All routines share one thread. Arguments by reference must
+//! outlive the routine.
 template <class Result>
 class [[nodiscard]] Routine {
   public:
@@ -26,13 +26,13 @@ class [[nodiscard]] Routine {
         std::swap(handle_, other.handle_);
         return *this;
     }
-    //! Ends the routine; a paused one unwinds from its pause as by an
+    //! Ends the routine; a paused one unwinds from its pause, as by an
     //! exception.
     ~Routine() {
         if (handle_) handle_.destroy();
     }
 
-    //! Runs the routine until it pauses or returns. It may be called once.
+    //! Runs the routine until it pauses or returns. Call it once.
     void start() {
         IDEOTYPE_EXPECT(handle_ && !handle_.done());
         handle_.resume();
@@ -43,8 +43,8 @@ class [[nodiscard]] Routine {
         return handle_.done();
     }
 
-    //! Returns the result of a routine that has ended, or rethrows its
-    //! exception. It may be called once.
+    //! Returns the result of an ended routine, or rethrows its exception. Call
+    //! it once.
     Result result() {
         IDEOTYPE_EXPECT(handle_ && handle_.done());
         promise_type& promise = handle_.promise();
@@ -66,10 +66,10 @@ class [[nodiscard]] Routine {
     Handle handle_;
 };
 
-//! The functions by which the compiler makes a coroutine a Routine.
+//! The functions by which the compiler builds a Routine.
 template <class Result>
 struct Routine<Result>::promise_type {
-    //! Continues the routine that awaits this one when this one ends.
+    //! Resumes the routine that awaits this one when this one ends.
     struct Return {
         bool await_ready() const noexcept { return false; }
         std::coroutine_handle<> await_suspend(Handle handle) const noexcept {

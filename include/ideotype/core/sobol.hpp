@@ -10,19 +10,19 @@
 
 namespace ideotype {
 
-//! The number of dimensions of the low-discrepancy sequence.
+//! The number of dimensions of the Sobol' sequence.
 inline constexpr std::size_t sobol_dimensions = 337;
 
-//! The fraction by which each bit of an index moves a coordinate of the point
-//! of this index, lowest bit first.
+//! The direction numbers of one dimension: bit i of an index, lowest first,
+//! contributes entry i to the coordinate, by exclusive or.
 using SobolDirections = std::array<std::uint32_t, 32>;
 
-//! The directions of each dimension, from the direction numbers of Joe and Kuo
-//! (2008, doi:10.1137/070709359).
+//! The direction numbers of each dimension, from Joe and Kuo (2008,
+//! doi:10.1137/070709359).
 extern const std::array<SobolDirections, sobol_dimensions> sobol_directions;
 
-//! Returns one coordinate, as a 32-bit fraction, of the unscrambled Sobol'
-//! point with an index.
+//! Returns one coordinate of a point of the unscrambled Sobol' sequence, as a
+//! 32-bit fraction.
 inline std::uint32_t sobol(std::uint32_t index, std::size_t dimension) {
     IDEOTYPE_EXPECT(dimension < sobol_dimensions);
     std::uint32_t x = 0;
@@ -40,13 +40,13 @@ constexpr std::uint32_t reversed(std::uint32_t x) {
     return __builtin_bswap32(x);
 }
 
-//! Returns x after a random permutation of [0, 2^32) that keeps every dyadic
-//! interval whole: nested uniform scrambling by hashing (Owen 1995,
+//! Scrambles x by a random permutation of [0, 2^32) that maps dyadic intervals
+//! to dyadic intervals: nested uniform scrambling by hashing (Owen 1995,
 //! doi:10.1007/978-1-4612-2552-2_19; Laine and Karras 2011,
 //! doi:10.1111/j.1467-8659.2011.02000.x; constants of Vegdahl 2021).
 constexpr std::uint32_t scrambled(std::uint32_t x, std::uint32_t seed) {
-    // In each step a bit acts only on higher bits. On reversed bits this is an
-    // action on lower bits, as nested scrambling requires.
+    // In each step a bit affects only higher bits. On reversed bits these are
+    // the lower bits, as nested scrambling requires.
     x = reversed(x);
     x ^= x * 0x3D20ADEAu;
     x += seed;

@@ -7,9 +7,9 @@
 namespace ideotype {
 
 //! Turns SIGINT, SIGTERM and SIGUSR1 into a request to stop after the work in
-//! flight. A second SIGINT ends the process at once. Signal handlers are a
-//! property of the process: only one StopFlag may exist at a time. Its
-//! destructor restores the former handlers.
+//! flight. A second SIGINT ends the process at once. Signal handlers belong to
+//! the process, so only one StopFlag may exist at a time. Its destructor
+//! restores the former handlers.
 class StopFlag {
   public:
     StopFlag();
@@ -17,18 +17,18 @@ class StopFlag {
     StopFlag(const StopFlag&) = delete;
     StopFlag& operator=(const StopFlag&) = delete;
 
-    //! Returns whether a signal arrived, request() was called or the time of
-    //! request_after() is over.
+    //! Returns whether a signal has arrived, request() was called or the time
+    //! of request_after() has passed.
     bool requested() const;
 
-    //! Asks to stop, as a signal would.
+    //! Requests a stop, as a signal would.
     void request();
 
-    //! Asks to stop after a time [s], which does not depend on changes of the
-    //! system clock.
+    //! Requests a stop after a time [s], independent of changes of the system
+    //! clock.
     void request_after(double seconds);
 
-    //! Returns the signal that asked first, or 0 if none did.
+    //! Returns the signal that arrived first, or 0 if none did.
     int signal() const;
 
   private:

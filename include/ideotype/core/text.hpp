@@ -11,42 +11,38 @@
 
 namespace ideotype {
 
-//! Returns the longest start of a text that fits into a number of bytes, cut
-//! between two UTF-8 characters.
+//! Cuts a text to a number of bytes, between two UTF-8 characters.
 std::string first_bytes(const std::string& text, std::size_t size);
 
-//! Returns the number of characters of a UTF-8 text, each of which takes one
-//! column of a terminal.
-std::size_t columns_of(std::string_view text);
+//! Counts the characters of a UTF-8 text, each of which takes one column of a
+//! terminal.
+std::size_t count_columns(std::string_view text);
 
-//! Returns a text of unknown origin as one harmless line for a terminal:
-//! control characters, and bytes that are not UTF-8, are written as a
-//! backslash, an x and two hexadecimal digits.
+//! Makes a text of unknown origin safe for one line of a terminal: control
+//! characters, and bytes that are not UTF-8, are replaced by a backslash, an x
+//! and two hexadecimal digits.
 std::string printable(const std::string& text);
 
-//! Returns a text of unknown origin as printable() does, but keeps its lines
-//! and tabs.
+//! Makes a text safe like printable(), but keeps its lines and tabs.
 std::string printable_lines(const std::string& text);
 
-//! One entry of a line of a table.
+//! An entry in a line of a table.
 struct CsvField {
-    std::string_view text;  //!< entry without the blanks and quotes around it
-    int column = 0;         //!< column of its first character, from 1
+    std::string_view text;  //!< entry without surrounding blanks and quotes
+    int column = 0;         //!< position of its first character, from 1
 };
 
-//! Returns the lines of a text, without the characters that end them.
-std::vector<std::string_view> lines_of(std::string_view text);
+//! Splits a text into lines, without the characters that end them.
+std::vector<std::string_view> split_lines(std::string_view text);
 
-//! Returns the entries of a line between commas; a comma within quotes ends no
-//! entry.
-std::vector<CsvField> fields_of(std::string_view line);
+//! Splits a line at commas outside quotes.
+std::vector<CsvField> split_fields(std::string_view line);
 
-//! Returns the number that a text consists of, or nothing if it has anything
-//! else.
-std::optional<double> number_of(std::string_view text);
+//! Parses a text as a number; returns nothing if it contains anything else.
+std::optional<double> parse_number(std::string_view text);
 
 //! Reads a text from left to right. Each function removes a match from the
-//! front of the text, or leaves the text as it is.
+//! front of the text, or leaves the text unchanged.
 class Scanner {
   public:
     explicit Scanner(std::string_view text) : text_(text) {}
@@ -54,33 +50,34 @@ class Scanner {
     std::string_view rest() const { return text_; }
     bool is_at_end() const { return text_.empty(); }
 
-    //! Takes the next character if it is any of those given.
-    bool take(std::string_view any) {
-        if (text_.empty() || any.find(text_.front()) == any.npos) return false;
+    //! Takes the next character if it is one of those given.
+    bool take(std::string_view characters) {
+        if (text_.empty() || characters.find(text_.front()) == characters.npos)
+            return false;
         text_.remove_prefix(1);
         return true;
     }
 
-    //! Takes all digits that come next if their number is within two limits.
-    //! @returns the digits as they are written
-    std::optional<std::string_view> digits(std::size_t least,
-                                           std::size_t most) {
-        IDEOTYPE_EXPECT(least <= most);
+    //! Takes the next digits if there are at least and at most so many.
+    //! @returns the digits as written
+    std::optional<std::string_view> digits(std::size_t fewest,
+                                           std::size_t limit) {
+        IDEOTYPE_EXPECT(fewest <= limit);
         std::size_t count = text_.find_first_not_of("0123456789");
         if (count == text_.npos) count = text_.size();
-        if (count < least || count > most) return {};
-        const std::string_view found = text_.substr(0, count);
+        if (count < fewest || count > limit) return {};
+        const std::string_view run = text_.substr(0, count);
         text_.remove_prefix(count);
-        return found;
+        return run;
     }
 
-    //! Takes a whole number, if the number of its digits is within two limits.
-    std::optional<int> number(std::size_t least, std::size_t most) {
-        IDEOTYPE_EXPECT(most <= 9);
-        const auto found = digits(least, most);
-        if (!found) return {};
+    //! Takes a whole number with at least and at most so many digits.
+    std::optional<int> number(std::size_t fewest, std::size_t limit) {
+        IDEOTYPE_EXPECT(limit <= 9);
+        const auto run = digits(fewest, limit);
+        if (!run) return {};
         int value = 0;
-        for (const char digit : *found) value = 10 * value + (digit - '0');
+        for (const char digit : *run) value = 10 * value + (digit - '0');
         return value;
     }
 

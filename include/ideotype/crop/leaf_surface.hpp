@@ -11,7 +11,7 @@
 
 namespace ideotype {
 
-//! Control points along each line of a blade: a cubic B-spline with six.
+//! Control points along each line of a blade, a cubic B-spline.
 inline constexpr std::size_t controls_along = 6;
 
 //! One point of each of the three lines that run from base to tip.
@@ -48,23 +48,23 @@ class LeafSurface {
     //! Returns the surface at parameter t in [0, 1] [m].
     BladeRow row(double t) const;
 
-    //! Returns cells + 1 rows at equal parameters, stretched along and across
-    //! just so much that the length of the midrib polyline is exactly the
-    //! leaf's length and the widest row exactly its width (measured on the
-    //! blade, as on a leaf laid flat).
-    //! @param from,to relative lengths between which rows are made; the blade
+    //! Returns cells + 1 rows at equal parameters. They are stretched along and
+    //! across so that the midrib polyline has exactly the length of the leaf,
+    //! and the widest row exactly its width (measured on the blade, as on a
+    //! leaf laid flat).
+    //! @param begin,end relative lengths between which rows are made; the blade
     //! is moved so that its visible part begins at the stalk
-    std::vector<BladeRow> tessellate(int cells, double from = 0,
-                                     double to = 1) const;
+    std::vector<BladeRow> tessellate(int cells, double begin = 0,
+                                     double end = 1) const;
 
   private:
     //! Returns the midrib's angle from the vertical at relative arc length s
     //! [rad].
     double angle(double s) const;
-    //! Moves a point by the midrib between two relative arc lengths, out and
+    //! Moves a point along the midrib between two relative arc lengths, out and
     //! up: the integral of the midrib's direction by Simpson's rule [m].
-    void advance(glm::dvec2& end, double from, double to, int steps) const;
-    //! Returns the two edges of a folded blade beside a point of the midrib.
+    void advance(glm::dvec2& point, double begin, double stop, int steps) const;
+    //! Returns the two edges of a folded blade on both sides of a midrib point.
     BladeRow across(const glm::dvec2& midrib, double angle, double width) const;
 
     Leaf leaf_;
@@ -75,8 +75,8 @@ class LeafSurface {
     std::array<glm::dvec2, 33> midrib_;  //!< digitised midrib in equal steps
 };
 
-//! Returns the part of a blade's length, from the tip, that holds a part of the
-//! blade's area.
+//! Returns the part of a blade's length, from the tip, that contains a given
+//! part of its area.
 double length_from_tip(const Blade& blade, double area);
 
 }  // namespace ideotype

@@ -8,7 +8,7 @@
 
 namespace ideotype {
 
-//! A measure of plants that was measured in several lines of a crop.
+//! A measure that was taken on several lines of a crop.
 struct LineTrait {
     std::string measure;  //!< measure, as "leaf.insertion_angle"
     //! The leaf to which a measure of leaves belongs: "ear", "top", or a leaf
@@ -25,8 +25,8 @@ struct MeasuredLine {
     std::vector<double> values;  //!< values of the traits
 };
 
-//! Measured lines of a crop as means and covariances of their traits: they tell
-//! which plants of the crop are possible.
+//! Measured lines of a crop: means and covariances of their traits, from which
+//! the plausibility of a plant of the crop is judged.
 struct MeasuredLines {
     std::vector<LineTrait> traits;
     //! Correlation of each pair of traits: the first trait with all later ones,
@@ -35,7 +35,7 @@ struct MeasuredLines {
     std::vector<MeasuredLine> lines{};  //!< lines; none: only means known
 };
 
-//! The distance of a plant from measured lines.
+//! The distance of a plant from measured lines in trait space.
 struct LineDistance {
     //! Mahalanobis distance from the mean of the lines [standard deviations];
     //! its mean square over the lines is the number of traits.
@@ -45,7 +45,7 @@ struct LineDistance {
     std::size_t line = 0;  //!< nearest line, from 1; 0: no line is known
 };
 
-//! Returns whether a text names a leaf in the form of LineTrait::leaf.
+//! Returns whether a text is a leaf in the form of LineTrait::leaf.
 bool names_leaf(const std::string& leaf);
 
 //! Returns whether the matrix of correlations is positive definite.

@@ -11,7 +11,8 @@
 
 namespace ideotype {
 
-//! A number that describes a part of plants, with limits for any plant.
+//! A number that describes a part of a plant, with limits for plants of any
+//! crop.
 template <class Part>
 struct Measure {
     const char* name;
@@ -29,7 +30,7 @@ constexpr Measure<Part> measure(const char* name, const char* unit,
     return {name, unit, {lower, upper}, value, meaning};
 }
 
-// These limits are wide enough for any crop; limits of traits are narrower.
+// These limits fit any crop; the ranges of traits are narrower.
 inline constexpr std::array leaf_measures{
     measure("length", "m", 0.01, 3, &Leaf::length, "arc length of the midrib"),
     measure("width", "m", 0.001, 0.5, &Leaf::width,
@@ -56,7 +57,7 @@ inline constexpr std::array leaf_measures{
             "instead of insertion_height")};
 
 //! The number of measures, counted from the first, that a plant file must give
-//! for every leaf; further measures are 0 where a file does not give them.
+//! for every leaf; further measures default to 0.
 inline constexpr std::size_t needed_leaf_measures = 6;
 
 //! The number of measures that are written for every leaf; further measures,
@@ -118,8 +119,8 @@ inline constexpr std::array organ_measures{
     measure("inclination", "deg", 0, 180, &Organ::inclination,
             "angle of a cone from the vertical")};
 
-//! The name of a measure in a plant, such as "leaf.length" or "stalk.height",
-//! and the measure's properties and values.
+//! A measure of a plant: its name, such as "leaf.length" or "stalk.height", its
+//! properties, and its values.
 struct MeasureInfo {
     std::string name;
     const char* unit = "";
@@ -129,7 +130,7 @@ struct MeasureInfo {
     std::vector<double*> values;  //!< values in the plant, one or one per leaf
 };
 
-//! Returns the measure of this name; nothing if the plant has none.
+//! Finds a measure of a plant by name; returns nothing if there is none.
 std::optional<MeasureInfo> find_measure(Plant& plant, const std::string& name);
 
 //! Returns all measures of a plant by their names: "leaf.NAME", "blade.NAME",

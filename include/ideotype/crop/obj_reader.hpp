@@ -9,11 +9,11 @@
 
 namespace ideotype {
 
-//! Returns the group that a name in a mesh file stands for, as `export` names
-//! groups: stalk ("stalk..."), sheath ("sheath...") or leaf (all other names),
-//! each also as part of a plant of a field ("plant004_stalk..."). The number at
-//! the end of the name of a leaf ("leaf07") is its rank. The component is 0.
-Group group_of_name(const std::string& name);
+//! Parses the name of a group in a mesh file, as `export` writes it: stalk
+//! ("stalk..."), sheath ("sheath...") or leaf (all other names), optionally as
+//! part of a plant of a field ("plant004_stalk..."). The number at the end of a
+//! leaf's name ("leaf07") is its rank. The component is 0.
+Group parse_group_name(const std::string& name);
 
 //! Returns the number at the end of a name such as "maize_leaf07"; 0 if the
 //! name does not end with "leaf" and up to four digits.
@@ -28,21 +28,22 @@ struct ObjMesh {
 //! Largest absolute coordinate that is accepted as a length in metres [m].
 inline constexpr double largest_obj_coordinate = 1e6;
 
-//! Largest number of faces; more need more memory than most computers have.
+//! Largest number of faces that is accepted; more would exceed the memory of
+//! most computers.
 inline constexpr std::size_t most_obj_faces = 20'000'000;
 
 //! Reads the surfaces of a Wavefront OBJ file in metres, z up.
 //!
-//! Polygons may have any number of corners and need be neither convex nor quite
-//! plane. Faces that follow the same group (g) or object (o) name form one
-//! group, wherever they are in the file; group_of_name() tells the kind of the
-//! group from its name. Materials, normals and textures are ignored. Faces
+//! Polygons may have any number of corners and need be neither convex nor
+//! exactly planar. Faces under the same group (g) or object (o) name form one
+//! group, wherever they are in the file; parse_group_name() derives its
+//! material from the name. Materials, normals and textures are ignored. Faces
 //! without area are left out with a warning.
 //!
 //! @throws Error if the file cannot be read.
-//! @throws InputError with the place of the first fault: a word that is no
-//! number, a number that is not finite or too large, a corner without vertex, a
-//! face of fewer than three corners; or if there are no areas or too many
+//! @throws InputError with the location of the first fault: a word that is not
+//! a number, a number that is not finite or too large, a corner without vertex,
+//! a face of fewer than three corners; or if there is no area, or too many
 //! faces.
 ObjMesh read_obj(const std::string& path);
 

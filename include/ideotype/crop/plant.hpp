@@ -10,13 +10,13 @@
 
 namespace ideotype {
 
-//! One leaf: a blade, or a petiole and several leaflets at its end; length and
-//! width are then those of the middle leaflet.
+//! One leaf: a blade, or a petiole with several leaflets at its end. Length and
+//! width of a compound leaf are those of its middle leaflet.
 struct Leaf {
     double length = 0;            //!< arc length of the midrib [m]
     double width = 0;             //!< largest width of the blade [m]
     double insertion_angle = 0;   //!< angle of the base from the stalk [deg]
-    double curvature = 0;         //!< how far the tip bends down [deg]
+    double curvature = 0;         //!< angle by which the tip bends down [deg]
     double azimuth = 0;           //!< about the stalk; 0: along the row [deg]
     double insertion_height = 0;  //!< height above the soil [m]
     //! Turn of the blade about its midrib, halfway along it [deg]; a positive
@@ -34,21 +34,21 @@ struct Leaf {
     //! stalk and height, in any unit and from any origin. None: the angle of
     //! the midrib follows from insertion_angle and curvature.
     std::vector<glm::dvec2> midrib{};
-    //! Parts of the length of a single blade: the part at the base that is not
-    //! out yet, and the dead part at the tip. The blade begins where it comes
-    //! out.
+    //! Parts of the length of a single blade: the part at the base that is
+    //! still hidden in the whorl, and the dead part at the tip. The blade
+    //! begins where it emerges.
     double hidden = 0, dead = 0;
 };
 
 //! Sets insertion_angle and curvature of a leaf from its digitised midrib: the
 //! angle of the first segment, and the last segment's angle less the first's
 //! [deg].
-//! @return false, and nothing changes, if all points are at one place
+//! @return false, leaving the leaf unchanged, if all points coincide
 bool measure_midrib(Leaf& leaf);
 
-//! The shape that all blades share, and the leaflets of compound leaves:
-//! leaflets begin at the end of the petiole and point to equal steps of
-//! azimuth, the middle leaflet in the azimuth of the leaf.
+//! The shape of all blades, and the leaflets of compound leaves. Leaflets begin
+//! at the end of the petiole; their azimuths differ by equal steps, and the
+//! middle leaflet has the azimuth of the leaf.
 struct Blade {
     //! Control values of the width profile: the width over arc length is a
     //! cubic B-spline with these six control values and knots at 1/3 and 2/3,
@@ -63,24 +63,24 @@ struct Blade {
     double rachis_length = 0;
 };
 
-//! A cylinder that bears the blade of each leaf whose petiole_length is not 0,
-//! and continues as the rachis of the leaf.
+//! A cylinder that carries the blade of each leaf with a petiole_length above
+//! 0, and continues as the rachis of the leaf.
 struct Petiole {
     bool is_present = true;
     double diameter = 0.003;  //!< diameter [m]
 };
 
 //! The tissue of an organ other than a leaf. Without a capacity its surface
-//! assimilates nothing; without a density it neither respires nor costs carbon.
+//! does not assimilate; without a density it neither respires nor costs carbon.
 struct Tissue {
-    //! Capacity of gross assimilation per area of outer surface, over that of
-    //! the highest leaf per one-sided area.
+    //! Capacity of gross assimilation per area of outer surface, relative to
+    //! that of the highest leaf per one-sided area.
     double capacity = 0;
     double density = 0;  //!< dry mass per volume [kg m-3]
     //! Respiration at 25 deg C: carbohydrate per dry mass [kg kg-1 d-1].
     double maintenance = 0;
-    //! Carbohydrate per dry mass that is built [kg kg-1]: 1 / 0.658 of stems
-    //! (WOFOST, CVS).
+    //! Carbohydrate used per dry mass that is built [kg kg-1]: 1 / 0.658 for
+    //! stems (WOFOST, CVS).
     double construction = 1.52;
 
     //! Returns whether the tissue assimilates, or respires and costs carbon.
@@ -99,8 +99,8 @@ struct Stalk : Tissue {
     double radius(double z) const;
 };
 
-//! The sheath of each leaf, around the stalk below its blade. Only the part of
-//! a sheath above the insertion of the next lower leaf shows.
+//! The sheath of each leaf, around the stalk below its blade. A sheath is
+//! visible only above the insertion of the next lower leaf.
 struct Sheath : Tissue {
     bool is_present = false;
     double length = 0.18;      //!< length down from the insertion [m]
@@ -113,7 +113,8 @@ enum class PlantMaterial : std::uint32_t { leaf, stalk, sheath };
 inline constexpr std::uint32_t plant_materials = 3;
 
 //! Another organ: one or more truncated cones, on top of the stalk or at the
-//! insertion of a leaf. The first has the azimuth of the row or of the leaf.
+//! insertion of a leaf. The first cone has the azimuth of the row or of the
+//! leaf.
 struct Organ : Tissue {
     std::string name;
     bool is_present = true;
@@ -127,8 +128,8 @@ struct Organ : Tissue {
     double top_diameter = 0;   //!< diameter at the tip [m]
     double inclination = 0;    //!< angle from the vertical [deg]
     int sides = 6;             //!< faces around each cone
-    //! Thermal time after silking at which the organ dies [deg C d]: it then
-    //! has the optics of the stalk, and does not assimilate; 0: it stays green.
+    //! Thermal time after silking at which the organ dies [deg C d]; it then
+    //! has the optics of the stalk and does not assimilate. 0: it stays green.
     double senescence = 0;
 };
 
@@ -143,13 +144,13 @@ struct Plant {
     Petiole petiole{};
 };
 
-//! The name of the group of dead parts of leaves.
+//! Name of the group of dead parts of leaves.
 inline constexpr auto dead_leaves = "stalk_dead_leaves";
 
 //! Returns the area of dead parts of leaves [m2].
 double dead_area(const Mesh& mesh);
 
-//! The fineness with which curved surfaces are cut into faces.
+//! Resolution at which curved surfaces are divided into faces.
 struct Tessellation {
     //! Cells along a blade, which has two cells across; leaflets have two
     //! thirds as many cells along, at least 4, and four across.
@@ -157,8 +158,8 @@ struct Tessellation {
     int stalk_sides = 8;
 };
 
-//! An organ besides leaves: all sheaths together count as one organ, as do all
-//! petioles and all dead parts of leaves.
+//! An organ other than a leaf. All sheaths together count as one organ, as do
+//! all petioles and all dead parts of leaves.
 struct PlantOrgan {
     std::string name;
     bool is_present = false;
@@ -166,13 +167,13 @@ struct PlantOrgan {
     double mass = 0;  //!< dry mass [kg]; 0 if the organ is not present
 };
 
-//! Returns all organs of a plant besides its leaves, in the order of their
-//! groups: "stalk", "sheath", "petiole", "dead_leaves", then further organs.
-//! Sheaths have a mass over their whole length, which grows as their blades
-//! come out; upper sheaths hide parts of lower ones.
-std::vector<PlantOrgan> organs_of(const Plant& plant);
+//! Lists all organs of a plant except leaves, in the order of their groups:
+//! "stalk", "sheath", "petiole", "dead_leaves", then further organs. The mass
+//! of sheaths includes parts hidden by lower sheaths, and grows as their blades
+//! emerge.
+std::vector<PlantOrgan> list_organs(const Plant& plant);
 
-//! Returns the names of the organs of organs_of() that are present.
+//! Returns the names of the organs of list_organs() that are present.
 std::vector<std::string> organ_names(const Plant& plant);
 
 //! Returns whether any leaf has a petiole, even if petioles are not present.
@@ -182,12 +183,12 @@ bool has_petioles(const Plant& plant);
 //! the stalk.
 bool has_dead_leaves(const Plant& plant);
 
-//! Puts each leaf whose internode is given so far above the leaf below it, and
-//! then the top of the stalk at the highest leaf if its internode is given.
+//! Places each leaf with a given internode above the leaf below it, and then
+//! the top of the stalk at the highest leaf if its internode is given.
 void stack_internodes(Plant& plant);
 
-//! Gives a plant an organ of this name, or takes the organ away; plants that
-//! cannot have the organ stay as they are.
+//! Adds or removes an organ of this name; has no effect on plants that cannot
+//! have it.
 void set_present(Plant& plant, const std::string& organ, bool is_present);
 
 //! Returns the surfaces of a plant, with its foot at the origin, y along the

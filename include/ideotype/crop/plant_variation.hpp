@@ -9,17 +9,17 @@
 
 namespace ideotype {
 
-//! Standard deviations of an angle of the leaves of a plant [deg], one for each
-//! of equal parts of the leaves, lowest first: three numbers are for the lower,
-//! middle and upper third. One number holds for all leaves.
+//! Standard deviations of a leaf angle [deg], one for each of equal parts of
+//! the leaves, lowest first: three values are for the lower, middle and upper
+//! third. A single value applies to all leaves.
 using LeafSpread = std::vector<double>;
 
-//! All lengths of plants that emerged late over those of the others: E, 0.5 to
-//! 0.9.
+//! Size of plants that emerged late relative to the others (evidence E, from
+//! 0.5 to 0.9).
 inline constexpr double late_size = 0.7;
 
-//! The differences between plants of one line in a field, as standard
-//! deviations of distributions that are cut at three standard deviations.
+//! Variation between plants of one line in a field, as standard deviations of
+//! distributions truncated at three standard deviations.
 struct PlantVariation {
     double length = 0;              //!< length of each blade, relative, normal
     double width = 0;               //!< width of each blade, relative, normal
@@ -30,42 +30,42 @@ struct PlantVariation {
     double height = 0;
     LeafSpread curvature{0};  //!< normal
     LeafSpread roll{0};       //!< normal
-    //! Deviation of a Laplace distribution, in which most blades are hardly
-    //! twisted and some are twisted a lot.
+    //! Standard deviation of a Laplace distribution: most blades are hardly
+    //! twisted, and a few are twisted strongly.
     LeafSpread twist{0};
     double missing = 0;  //!< fraction of plants that are missing
     double late = 0;     //!< fraction of plants that emerged late
-    //! Fraction of plants whose leaves point across the row, within 45 deg;
-    //! none: plants have only the random turn of the field.
+    //! Fraction of plants with leaves across the row, within 45 deg; none:
+    //! plants have only the random azimuth of the field.
     std::optional<double> across_row{};
-    double position = 0;         //!< place along the row [m], normal
-    double position_across = 0;  //!< place across the row [m], normal
+    double position = 0;         //!< position along the row [m], normal
+    double position_across = 0;  //!< position across the row [m], normal
 
-    //! Returns whether plants differ in more than their direction.
+    //! Returns whether plants differ in more than their azimuth.
     bool is_any() const;
 };
 
-//! Deviations of normal distributions are cut at this many standard deviations.
+//! Normal deviates are truncated at this many standard deviations.
 inline constexpr double most_deviations = 3;
 
-//! Returns a deviation, in standard deviations, that is cut on both sides.
+//! Returns a deviation, in standard deviations, truncated on both sides.
 double cut_deviation(double deviation);
 
-//! Returns one plant of a line. The number of random numbers that are drawn
-//! does not depend on the variation, so that a change of one deviation keeps
-//! the others. A leaf that would lean to the opposite side of the stalk leans
-//! as far to its own side.
-//! @param side 1, or -1: with equal random numbers all deviations are then
-//! opposite, so that the mean of two such plants is nearer to the line
+//! Draws one plant of a line. The number of random numbers used does not depend
+//! on the variation, so a change of one deviation leaves the others unchanged
+//! (common random numbers). A leaf that would lean to the opposite side of the
+//! stalk leans by the same angle to its own side.
+//! @param side 1, or -1 for the antithetic plant: with equal random numbers all
+//! deviations are opposite, so the mean of the two plants is nearer to the line
 Plant deviating(Plant plant, const PlantVariation& variation,
                 RandomStream& random, double side = 1);
 
-//! Returns the height that a leaf of a plant would reach if it stood upright,
-//! on the largest plant of its line [m].
+//! Returns the largest height that a leaf could reach, upright on the largest
+//! plant of its line [m].
 double furthest(const Plant& plant, const Leaf& leaf,
                 const PlantVariation& variation = {});
 
-//! Returns a plant all of whose lengths are `size` times as large.
+//! Returns a plant with all lengths multiplied by `size`.
 Plant scaled(Plant plant, double size);
 
 }  // namespace ideotype

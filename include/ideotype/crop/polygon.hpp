@@ -12,12 +12,12 @@ namespace ideotype {
 //! Corners of a polygon, as indices of vertices.
 using Corners = std::vector<std::uint32_t>;
 
-//! The kind of polygon that was split, and what the faces then are.
+//! The kind of a polygon, with the consequence for its faces.
 enum class PolygonKind {
     simple,
-    without_area,  //!< no area: there are no faces
-    crossing,      //!< the outline crosses itself: faces may overlap
-    intricate,     //!< splitting takes too long: there are no faces
+    without_area,  //!< there are no faces
+    crossing,      //!< the outline crosses itself, faces may overlap
+    intricate,     //!< splitting takes too long, there are no faces
 };
 
 //! The faces of a mesh that cover a polygon: one quadrilateral for four
@@ -27,10 +27,10 @@ struct SplitPolygon {
     std::vector<std::array<std::uint32_t, 4>> faces;
 };
 
-//! Splits a polygon of any shape. Seen along its mean normal the faces do not
+//! Splits a polygon of any shape into faces, by a fan of triangles if it has
+//! one, else by ear clipping. Seen along the mean normal the faces do not
 //! overlap, unless the outline crosses itself. Polygons of tens of thousands of
-//! corners that turn both ways, which would take more than seconds, are not
-//! split.
+//! corners that turn both ways would take more than seconds and are not split.
 SplitPolygon split_polygon(const std::vector<glm::dvec3>& vertices,
                            Corners corners);
 

@@ -13,11 +13,11 @@ namespace ideotype {
 
 namespace {
 
-//! A crop that is bred; crops are in the order of genes: the campaign's crop,
-//! then those of components.
+//! An optimised crop. Crops are in the order of genes: the main crop, then
+//! those of components.
 struct BredCrop {
     const CropSpec& crop;
-    std::vector<NamedTraits> sets;  //!< sets of its bred traits
+    std::vector<NamedTraits> sets;  //!< sets of its free traits
     std::string table;              //!< table of bounds: "plant", "component"
     Problems of_table;              //!< problems of "plant" or "component[0]"
     //! Problems of "plant.baseline" or "component[0].crop".
@@ -25,7 +25,7 @@ struct BredCrop {
 
     bool is_component() const { return table == "component"; }
 
-    //! Returns the first set that breeds a trait; null if there is none.
+    //! Returns the first set that frees a trait; null if there is none.
     const NamedTraits* breeder(const std::string& trait) const {
         for (const NamedTraits& set : sets)
             if (std::ranges::count(set.value, trait) > 0) return &set;
@@ -35,21 +35,21 @@ struct BredCrop {
 
 std::vector<BredCrop> bred_crops(const Spec& spec, const Problems& problems) {
     const bool are_varied = !spec.is_study || spec.sensitivity.has_traits;
-    std::vector<BredCrop> all{
+    std::vector<BredCrop> crops{
         {spec.plant.crop,
          are_varied ? spec.trait_sets : std::vector<NamedTraits>{}, "plant",
          problems.in("plant"), problems.in("plant.baseline")}};
     for (std::size_t i = 0; i < spec.components.size(); ++i) {
-        const ComponentSpec& each = spec.components[i];
-        const Problems own = problems.in("component", i);
-        if (!each.free.empty())
-            all.push_back({each.crop,
-                           {{"all", each.free}},
-                           "component",
-                           own,
-                           own.in("crop")});
+        const ComponentSpec& component = spec.components[i];
+        const Problems of_component = problems.in("component", i);
+        if (!component.free.empty())
+            crops.push_back({component.crop,
+                             {{"all", component.free}},
+                             "component",
+                             of_component,
+                             of_component.in("crop")});
     }
-    return all;
+    return crops;
 }
 
 void check_constraints(const Spec& spec, const Problems& problems) {
@@ -62,23 +62,24 @@ void check_constraints(const Spec& spec, const Problems& problems) {
             spec.plant.crop.traits, limit.trait,
             [](const TraitEntry& each) { return each.trait.name; }));
         if (!constrains(limit) || trait.measures.empty()) continue;
-        const Problems own = problems.in(limit.trait);
+        const Problems of_trait = problems.in(limit.trait);
         const std::string& measure = trait.measures.front();
-        own.rule(
+        of_trait.rule(
             {"step"}, !measure.starts_with("leaf."),
             "constraints.{} compares leaves (its trait acts on {}, which the "
             "plant has once); remove it, and narrow the bounds of the trait",
             trait.name, measure);
-        own.rule({"distichous", "step"},
-                 limit.distichous > 0 && measure != "leaf.azimuth",
-                 "constraints.{}.distichous is {} (its trait acts on {}, and "
-                 "only azimuths have a plane); remove it",
-                 trait.name, limit.distichous, measure);
+        of_trait.rule(
+            {"distichous", "step"},
+            limit.distichous > 0 && measure != "leaf.azimuth",
+            "constraints.{}.distichous is {} (its trait acts on {}, and "
+            "only azimuths have a plane); remove it",
+            trait.name, limit.distichous, measure);
     }
 }
 
 //! Returns the path of a measure in a crop, such as "leaf[2].length".
-//! @param leaf rank of the leaf, if leaves have the measure
+//! @param leaf rank of the leaf, if the measure is of leaves
 std::string key_of(const Plant& plant, const std::string& measure, int leaf) {
     const std::string part = measure.substr(0, measure.find('.')),
                       rest = measure.substr(part.size());
@@ -90,8 +91,8 @@ std::string key_of(const Plant& plant, const std::string& measure, int leaf) {
     return measure;
 }
 
-//! Notes numbers of a baseline outside the bounds in which they would be bred,
-//! and the bounds to write instead.
+//! Collects trait values of a baseline outside the bounds of the search, and
+//! the bounds to write instead.
 class BaselineCheck {
   public:
     explicit BaselineCheck(const BredCrop& bred)
@@ -115,7 +116,7 @@ class BaselineCheck {
         found_.push_back(problems.problem(
             is_table ? own_bounds(0) : "bounds", ProblemCode::contradiction,
             fmt::format(
-                "{0} leave the baseline out (what is bred begins with it); "
+                "{0} exclude the baseline (from which the search starts); "
                 "{1}{2}",
                 table_,
                 is_table ? "write in [" + table_ + "]:"
@@ -125,7 +126,7 @@ class BaselineCheck {
         return std::move(found_);
     }
 
-    //! Returns the table of bounds that contain the baseline.
+    //! Returns the table of bounds that include the baseline.
     std::string wider_bounds() const { return '[' + table_ + ']' + lines(); }
 
   private:
@@ -157,7 +158,7 @@ class BaselineCheck {
             key, ProblemCode::contradiction,
             fmt::format(
                 "{}{} is {}{} (outside the {} bounds {:.6g} .. {:.6g}{}, and "
-                "{} breeds it); change the baseline, the bounds or the free "
+                "{} frees it); change the baseline, the bounds or the free "
                 "traits",
                 trait.effect == TraitEffect::sets ? trait.measures[0]
                                                   : "trait " + trait.name,
@@ -169,9 +170,9 @@ class BaselineCheck {
                                      : "trait set \"" + set->name + '"')));
     }
 
-    //! Returns the lines of bred traits whose bounds must differ from the
-    //! bounds with which a table begins, and, if the replaced rule chose them,
-    //! the bred traits.
+    //! Returns the lines of free traits with bounds that differ from the
+    //! defaults of a table, and the list of free traits if the replaced rule
+    //! chose it.
     std::string lines() const {
         std::string text;
         for (std::size_t t = 0; t < wider_.size(); ++t) {
@@ -200,13 +201,13 @@ class BaselineCheck {
     const CropSpec& spec_;
     std::string table_;  //!< table of bounds
     Crop crop_;
-    //! Bounds of each bred trait, widened to hold the baseline's numbers.
+    //! Bounds of each free trait, widened to include the baseline.
     std::vector<std::optional<Range>> wider_;
     std::vector<Problem> found_;
 };
 
-//! Reports numbers of a start that are outside the bounds of a crop.
-//! @param start numbers of the start, from the first of the crop
+//! Reports values of search.start outside the bounds of a crop.
+//! @param start the remaining values of search.start
 //! @returns the number of genes of the crop
 std::size_t check_start_of(const BredCrop& bred, std::span<const double> start,
                            const Problems& problems) {
@@ -223,32 +224,33 @@ std::size_t check_start_of(const BredCrop& bred, std::span<const double> start,
         problems.add(
             "search.start", ProblemCode::contradiction,
             "search.start has {:.6g} for {}{} (outside the bounds {:.6g} .. "
-            "{:.6g}); begin with another plant, or widen the bounds",
+            "{:.6g}); start from another plant, or widen the bounds",
             start[i], trait, leaf > 0 ? fmt::format(" of leaf {}", leaf) : "",
             range.lower, range.upper);
     }
     return numbers.size();
 }
 
-//! Checks that a start has a number for each gene, bred genes within bounds.
+//! Checks that search.start has a value for each gene, within bounds for free
+//! genes.
 void check_start(const Spec& spec, const Problems& problems) {
     const std::vector<double>& start = spec.search.start;
     const Keys keys{"search.start", "plant.bounds"};
     if (start.empty()) return;
     problems.rule(keys, !uses_cma_es(spec.search.optimizer_or_usual()),
-                  "search.start is given (only CMA-ES begins around a plant of "
-                  "its own); leave it out, or use search.optimizer = \"auto\"");
+                  "search.start is given (only CMA-ES starts from a given "
+                  "plant); leave it out, or use search.optimizer = \"auto\"");
     if (!problems.usable(keys)) return;
     std::size_t count = 0;
-    for (const BredCrop& each : bred_crops(spec, problems))
+    for (const BredCrop& crop : bred_crops(spec, problems))
         count += check_start_of(
-            each, std::span(start).subspan(std::min(count, start.size())),
+            crop, std::span(start).subspan(std::min(count, start.size())),
             problems);
     if (start.size() != count)
         problems.add(
             "search.start", ProblemCode::contradiction,
-            "search.start has {} numbers (the traits that can be bred have "
-            "{}); begin with run --start PLANT, which writes them",
+            "search.start has {} numbers (the traits that can be optimised "
+            "have {}); use run --start PLANT, which writes them",
             start.size(), count);
 }
 
@@ -261,13 +263,13 @@ BaselineDoubts check_breeding(const Spec& spec, const Problems& problems) {
     for (std::size_t t = 0; t < crop.traits.size(); ++t)
         if (!is_sound(t, problems.in("plant.baseline"))) return doubts;
     check_constraints(spec, problems.in("constraints"));
-    for (const BredCrop& each : bred_crops(spec, problems)) {
-        if (!each.crop.is_known) continue;
-        BaselineCheck check(each);
-        std::vector<Problem> found = check.run();
-        if (!found.empty() && !each.crop.rule.empty() && !each.is_component())
+    for (const BredCrop& bred : bred_crops(spec, problems)) {
+        if (!bred.crop.is_known) continue;
+        BaselineCheck check(bred);
+        std::vector<Problem> outside = check.run();
+        if (!outside.empty() && !bred.crop.rule.empty() && !bred.is_component())
             doubts.wider_bounds = check.wider_bounds();
-        std::ranges::move(found, std::back_inserter(doubts.outside));
+        std::ranges::move(outside, std::back_inserter(doubts.outside));
     }
     check_start(spec, problems);
     return doubts;

@@ -14,15 +14,15 @@
 namespace ideotype {
 
 void check_surface(const std::string& prefix, const Lambertian& surface,
-                   double most, const Problems& problems) {
+                   double limit, const Problems& problems) {
     const std::string transmittance = prefix + "transmittance";
     // Decimal fractions such as 0.7 + 0.3 may exceed 1 by rounding.
     problems.rule({transmittance, prefix + "reflectance"},
-                  surface.scattered() > most + 1e-12,
+                  surface.scattered() > limit + 1e-12,
                   "{} is {} (with the reflectance of {} that is more than {} % "
                   "of the light); use {} or less for both together",
                   transmittance, surface.transmittance, surface.reflectance,
-                  100 * most, most);
+                  100 * limit, limit);
 }
 
 void check_plant_optics(const ByBand<PlantOptics>& optics,
@@ -36,12 +36,12 @@ void check_plant_optics(const ByBand<PlantOptics>& optics,
 }
 
 std::vector<ObjectiveKey> objective_keys(const Spec& spec) {
-    std::vector<ObjectiveKey> all;
+    std::vector<ObjectiveKey> keys;
     for (const std::string& each : spec.objective.maximised)
-        all.push_back({"objective.maximise", each});
+        keys.push_back({"objective.maximise", each});
     for (const std::string& each : spec.objective.minimised)
-        all.push_back({"objective.minimise", each});
-    return all;
+        keys.push_back({"objective.minimise", each});
+    return keys;
 }
 
 namespace {
@@ -49,24 +49,25 @@ namespace {
 template <class Entry>
 void check_names(const std::string& axis, const std::vector<Entry>& entries,
                  const Problems& problems) {
-    // Names of cases become file names and are in lower case.
+    // Names are compared in lower case, since they become file names.
     std::map<std::string, int> lines;
     for (std::size_t i = 0; i < entries.size(); ++i) {
-        const Problems own = problems.in(axis, i);
+        const Problems of_entry = problems.in(axis, i);
         const auto fault = [&]() -> std::string {
             const auto [earlier, is_new] = lines.emplace(
-                lower_case(entries[i].name), own.where("name").line);
+                lower_case(entries[i].name), of_entry.where("name").line);
             return is_new ? ""
                           : fmt::format(
                                 "{}.name is \"{}\" (already used in line {}); "
-                                "give each a name of its own",
+                                "give each a different name",
                                 axis, entries[i].name, earlier->second);
         };
-        own.rule({"name"}, fault, ProblemCode::duplicate);
+        of_entry.rule({"name"}, fault, ProblemCode::duplicate);
     }
 }
 
-//! Returns the number of cases, which may be too large to list them.
+//! Returns the number of cases as a floating-point number, since it may be
+//! huge.
 double number_of_cases(const Spec& spec) {
     double count = spec.replicates;
     const auto multiply = [&](const std::string& axis, std::size_t entries) {
@@ -79,10 +80,12 @@ double number_of_cases(const Spec& spec) {
     return count;
 }
 
-//! Reports equal names of cases: names may contain the joining underscore.
+//! Reports equal names of cases, which are possible since names may contain the
+//! underscore that joins them.
 void check_case_names(const Spec& spec, const Problems& problems) {
     std::set<std::string> names;
-    // Names of replicates differ, and no two entries share only some of them.
+    // Names of replicates always differ, so only the first replicate is
+    // checked.
     const auto step = static_cast<std::size_t>(spec.replicates);
     for (std::size_t i = 0; i < count_cases(spec); i += step) {
         const CaseName chosen = case_name(spec, i);
@@ -99,7 +102,7 @@ void check_case_names(const Spec& spec, const Problems& problems) {
 }
 
 void check_spacing(const Spacing& spacing, const Problems& problems) {
-    // Spacings above this are wider than crops stand, and plants hardly meet.
+    // Spacing above that of any crop [m].
     constexpr double usual = 2;
     for (const auto& [name, value] :
          {std::pair("row", spacing.row), std::pair("plant", spacing.plant)})
@@ -124,11 +127,11 @@ void check_spacing(const Spacing& spacing, const Problems& problems) {
         spacing.density, spacing.plant, range.lower, range.upper);
 }
 
-//! Warns of positions that reach the neighbour's place in the row.
+//! Warns about random displacements that reach the neighbour in the row.
 void check_positions(const Spec& spec, const Problems& problems) {
     const double position = spec.field.variation.position;
-    for (const Named<Spacing>& each : spec.spacings)
-        if (const double distance = each.value.plant;
+    for (const Named<Spacing>& spacing : spec.spacings)
+        if (const double distance = spacing.value.plant;
             distance > 0 && most_deviations * position > distance)
             return problems.doubt(
                 {"field.variation.position"}, true,
@@ -138,7 +141,7 @@ void check_positions(const Spec& spec, const Problems& problems) {
                 position, distance);
 }
 
-//! Warns of stands in which the baseline has more leaves than fields have.
+//! Warns about stands in which the baseline has an unrealistic leaf area index.
 void check_leaf_area(const Spec& spec, const Problems& problems) {
     const double area = plant_area(build_plant(spec.plant.crop.baseline,
                                                spec.plant.tessellation))
@@ -155,7 +158,7 @@ void check_leaf_area(const Spec& spec, const Problems& problems) {
     }
 }
 
-//! Reports a bounded waveband if light is not followed in the band.
+//! Reports a waveband for the tolerance in which light is not traced.
 void check_bands(const Spec& spec, const Problems& problems) {
     for (std::size_t b = 0; b < wavebands.size(); ++b)
         problems.rule(
@@ -166,19 +169,19 @@ void check_bands(const Spec& spec, const Problems& problems) {
             wavebands[b].name);
 }
 
-//! Checks that the faces of all leaves of a field fit into the memory.
+//! Checks that the faces of all leaves of a field fit into memory.
 void check_faces(const Spec& spec, const Problems& problems) {
-    constexpr double most = 20e6;
+    constexpr double limit = 20e6;
     const FieldForm& field = spec.field;
     const int cells = spec.plant.tessellation.cells_along;
     const auto leaves =
         static_cast<double>(spec.plant.crop.baseline.leaves.size());
     const double faces = 2. * cells * leaves * field.rows * field.plants;
     problems.rule(
-        {"plant.cells_along", "field.rows", "field.plants"}, faces > most,
+        {"plant.cells_along", "field.rows", "field.plants"}, faces > limit,
         "plant.cells_along is {} (the leaves of {} x {} plants have {:.0f} "
         "faces, the limit is {:.0f}); use fewer, or a smaller field",
-        cells, field.rows, field.plants, faces, most);
+        cells, field.rows, field.plants, faces, limit);
 }
 
 void check_field(const FieldForm& field, const Problems& problems) {
@@ -190,20 +193,20 @@ void check_field(const FieldForm& field, const Problems& problems) {
         "edges); add boundary = \"isolated\" or leave it out");
     problems.rule(
         keys, field.border_rows > 0 && 2 * field.border_rows >= fewest,
-        "field.border_rows is {} (nothing is left of {} x {} plants); use {} "
-        "or less",
+        "field.border_rows is {} (no plant of {} x {} would remain); use {} or "
+        "less",
         field.border_rows, field.rows, field.plants, (fewest - 1) / 2);
 }
 
 }  // namespace
 
 std::string doubt_of_lai(double lai) {
-    constexpr double most = 8;
-    return lai > most ? fmt::format(
-                            "has a leaf area index of {:.2f}, and fields "
-                            "hardly ever have more than {}",
-                            lai, most)
-                      : "";
+    constexpr double limit = 8;
+    return lai > limit ? fmt::format(
+                             "has a leaf area index of {:.2f}, and fields "
+                             "hardly ever have more than {}",
+                             lai, limit)
+                       : "";
 }
 
 void check_stand(const Spec& spec, const Problems& problems) {
@@ -237,7 +240,7 @@ BaselineDoubts check_spec(const Spec& spec, const Problems& problems) {
                   "there are {:.0f} cases (sites x days x spacings x trait "
                   "sets x replicates; the limit is {}); split the campaign",
                   count, most_cases);
-    // Repeated names of one axis have been told apart already.
+    // Repeated names within one axis have been reported already.
     if (problems.empty()) check_case_names(spec, problems);
     if (are_few) check_sky(spec, problems);
     check_names("band", spec.bands, problems);

@@ -34,22 +34,23 @@ void check_rows(const ComponentSpec& component, std::vector<bool>& taken,
 //! Reports a component that stands nowhere, or is placed in two ways.
 void check_standing(const ComponentSpec& component, const Problems& problems) {
     const bool is_mixed = component.mixed > 0;
-    // A component without a sound name has to stand somewhere too.
+    // Reported without rule(), since a component with an invalid name needs a
+    // position too.
     if (problems.usable({"rows", "mixed", "plants"}) &&
         component.rows.empty() != is_mixed)
         problems.add(
             "name", ProblemCode::contradiction,
             "component \"{}\" stands {}; give it either `rows` of the field or "
-            "`mixed`, a number of plants among those that are bred",
+            "`mixed`, a number of plants among those of the main crop",
             component.name, is_mixed ? "in two ways" : "nowhere");
     problems.rule({"plants", "rows", "mixed"},
                   component.rows.empty() && is_mixed && component.plants > 0,
                   "component.plants is for components in rows; remove it, or "
-                  "use `rows` in the place of `mixed`");
+                  "use `rows` instead of `mixed`");
 }
 
-//! Checks that components beside the crop have names and places of their own,
-//! and leave places to the bred plants.
+//! Checks that further components have different names and positions, and leave
+//! positions for the main crop.
 void check_places(const Spec& spec, const Problems& problems) {
     const FieldForm& field = spec.field;
     if (!problems.usable({"field.rows", "field.plants"})) return;
@@ -59,28 +60,29 @@ void check_places(const Spec& spec, const Problems& problems) {
     std::vector<bool> taken(static_cast<std::size_t>(field.rows));
     std::ptrdiff_t mixed = 0;
     for (std::size_t i = 0; i < spec.components.size(); ++i) {
-        const ComponentSpec& each = spec.components[i];
-        const Problems own = problems.in("component", i);
-        own.rule(
+        const ComponentSpec& component = spec.components[i];
+        const Problems of_component = problems.in("component", i);
+        of_component.rule(
             ProblemCode::duplicate, {"name"},
-            [&] { return !names.insert(lower_case(each.name)).second; },
-            "component.name is \"{}\" (already used, perhaps for the plant "
-            "that is bred); give each a name of its own",
-            each.name);
-        check_rows(each, taken, own);
-        check_standing(each, own);
-        mixed += each.mixed;
-        own.rule({"name"},
-                 std::ranges::count(taken, false) * field.plants <= mixed,
-                 "component \"{}\" leaves no place to the plants that are "
-                 "bred; the field has {} x {} places",
-                 each.name, field.rows, field.plants);
-        if (each.has_mesh()) continue;
-        check_plant_optics(each.crop.optics, own);
-        if (!each.crop.is_known) continue;
-        check_photosynthesis(each.crop.photosynthesis,
-                             each.crop.baseline.leaves.size(), own);
-        check_plant(each.crop, own.in("crop"));
+            [&] { return !names.insert(lower_case(component.name)).second; },
+            "component.name is \"{}\" (already used, perhaps for the main "
+            "crop); give each a different name",
+            component.name);
+        check_rows(component, taken, of_component);
+        check_standing(component, of_component);
+        mixed += component.mixed;
+        of_component.rule(
+            {"name"}, std::ranges::count(taken, false) * field.plants <= mixed,
+            "component \"{}\" leaves no position for plants of the main "
+            "crop; the field has {} x {} positions",
+            component.name, field.rows, field.plants);
+        if (component.has_mesh()) continue;
+        check_plant_optics(component.crop.optics, of_component);
+        if (!component.crop.is_known) continue;
+        check_photosynthesis(component.crop.photosynthesis,
+                             component.crop.baseline.leaves.size(),
+                             of_component);
+        check_plant(component.crop, of_component.in("crop"));
     }
 }
 
@@ -105,12 +107,12 @@ void check_list(const std::vector<double>& list, const std::string& key,
     const bool is_given = !list.empty();
     problems.rule(
         {key}, is_given && components == 1,
-        "objective.{} is given (it tells components apart, and all plants are "
-        "those that are bred); remove it, or add a [[component]]",
+        "objective.{} is given (it distinguishes components, but there is only "
+        "the main crop); remove it, or add a [[component]]",
         key);
     problems.rule({key}, is_given && list.size() != components,
                   "objective.{} has {} numbers, but there are {} components "
-                  "with the plants that are bred; give one for each",
+                  "including the main crop; give one for each",
                   key, list.size(), components);
 }
 
@@ -127,11 +129,11 @@ void check_weights(const Spec& spec, const Problems& root) {
     check_list(objective.sole_errors, "sole_errors", components, problems);
     problems.rule({"sole_errors", "sole"},
                   !has_sole && !objective.sole_errors.empty(),
-                  "objective.sole_errors is given (they are the errors of "
-                  "objective.sole, which is not); give both, or neither");
+                  "objective.sole_errors is given (the standard errors of "
+                  "objective.sole, which is missing); give both, or neither");
     problems.rule({"sole", "weights"}, has_sole && has_weights,
-                  "objective.sole and objective.weights both tell what "
-                  "components count; remove one of them");
+                  "objective.sole and objective.weights both weight the "
+                  "components; remove one of them");
     problems.rule(
         {"sole", "maximise", "minimise"},
         has_sole &&
@@ -152,7 +154,7 @@ void check_weights(const Spec& spec, const Problems& root) {
             "the objective {} is {}; remove objective.{}, or use one of {}",
             name,
             name.find('.') == std::string::npos
-                ? "no sum over components, which could be weighted"
+                ? "not a sum over components, which could be weighted"
                 : "a quantity of one component",
             list, fmt::join(sums, ", "));
 }

@@ -17,19 +17,20 @@ void check_leaves(const Plant& plant, const Problems& problems) {
     };
     for (std::size_t i = 0; i < plant.leaves.size(); ++i) {
         const Leaf& leaf = plant.leaves[i];
-        const Problems own = problems.in("leaf", i);
+        const Problems of_leaf = problems.in("leaf", i);
         const double height = leaf.insertion_height;
         const auto has_no_line = [&] {
             Leaf line = leaf;
             return !leaf.midrib.empty() && !measure_midrib(line);
         };
-        own.rule({"midrib"}, has_no_line,
-                 "leaf.midrib has no two points that differ (a line needs a "
-                 "direction); give the points from the base to the tip");
-        own.rule({"width", "length"}, leaf.width > leaf.length,
-                 "leaf.width is {} m (wider than its length of {} m); check "
-                 "the units: both are in m",
-                 leaf.width, leaf.length);
+        of_leaf.rule({"midrib"}, has_no_line,
+                     "leaf.midrib has no two different points (a line needs a "
+                     "direction); give the points from the base to the tip");
+        of_leaf.rule(
+            {"width", "length"}, leaf.width > leaf.length,
+            "leaf.width is {} m (wider than its length of {} m); check "
+            "the units: both are in m",
+            leaf.width, leaf.length);
         problems.rule({height_key(i), "stalk.height"}, height > stalk,
                       "leaf.insertion_height is {} m (above the stalk's height "
                       "of {} m); use {} m or less",
@@ -44,7 +45,7 @@ void check_leaves(const Plant& plant, const Problems& problems) {
 }
 
 void check_blade(const Blade& blade, const Problems& problems) {
-    constexpr double least = 1e-6;  // smaller maxima cannot be scaled
+    constexpr double least = 1e-6;  // smaller maxima cannot be normalised
     problems.rule(
         {"width_controls"},
         [&] { return std::ranges::max(blade.width_controls) < least; },
@@ -57,27 +58,28 @@ void check_blade(const Blade& blade, const Problems& problems) {
                   blade.leaflets);
 }
 
-//! Checks names of organs, with which names of measures begin.
+//! Checks names of organs, which are prefixes of names of measures.
 //! @param problems problems of the crop
 void check_organs(const Plant& plant, const Problems& problems) {
     std::set<std::string> names{"leaf", "blade", "stalk", "sheath", "petiole"};
     for (std::size_t i = 0; i < plant.organs.size(); ++i) {
         const Organ& organ = plant.organs[i];
-        const Problems own = problems.in("organ", i);
-        own.rule(
+        const Problems of_organ = problems.in("organ", i);
+        of_organ.rule(
             ProblemCode::duplicate, {"name"},
             [&] { return !names.insert(organ.name).second; },
-            "organ.name is \"{}\" (already used); give each organ a name of "
-            "its own",
+            "organ.name is \"{}\" (already used); give each organ a different "
+            "name",
             organ.name);
-        own.rule({"leaf"}, organ.leaf > static_cast<int>(plant.leaves.size()),
-                 "organ.leaf is {} (the plant has {} leaves); use one of them, "
-                 "or 0 for the stalk's top",
-                 organ.leaf, plant.leaves.size());
+        of_organ.rule(
+            {"leaf"}, organ.leaf > static_cast<int>(plant.leaves.size()),
+            "organ.leaf is {} (the plant has {} leaves); use one of them, "
+            "or 0 for the top of the stalk",
+            organ.leaf, plant.leaves.size());
     }
 }
 
-//! Reports growth whose dates contradict each other or the plant.
+//! Reports growth parameters that contradict each other or the plant.
 void check_growth(const CropSpec& crop, const Problems& problems) {
     if (!crop.growth) return;
     const Growth& growth = *crop.growth;
@@ -99,8 +101,8 @@ void check_growth(const CropSpec& crop, const Problems& problems) {
                   growth.leaves, leaves, leaves);
 }
 
-//! Reports a development stage of plants that grow, and warns of one that
-//! changes nothing.
+//! Reports a development stage of growing plants, and warns about one without
+//! effect.
 void check_stage(const Spec& spec, const Problems& problems) {
     const double stage = spec.plant.stage;
     const bool is_given = stage != PlantSpec().stage;
@@ -135,7 +137,7 @@ double thermal_time_from(const Date& day, const SiteWeather& weather,
     return sum;
 }
 
-//! Reports emergence outside of its period, or without weather to grow by.
+//! Reports emergence outside its period, or without temperatures.
 //! @param problems problems of the climate
 void check_emergence(const Spec& spec, const Named<Climate>& named,
                      const Problems& problems) {
@@ -147,11 +149,11 @@ void check_emergence(const Spec& spec, const Named<Climate>& named,
                   "climate.emergence is {} (the period is from {} to {}); give "
                   "a day of it, or a longer period",
                   to_string(day), to_string(from), to_string(to));
-    problems.rule(keys, crop.is_known && !crop.growth,
-                  "climate.emergence is {} (the crop file does not tell how "
-                  "plants grow); add [growth] to it, which describes a hybrid "
-                  "of maize if it is empty",
-                  to_string(day));
+    problems.rule(
+        keys, crop.is_known && !crop.growth,
+        "climate.emergence is {} (the crop file has no growth parameters); add "
+        "[growth] to it, which describes a maize hybrid if it is empty",
+        to_string(day));
     const Growth growth = crop.growth.value_or(Growth());
     for (const SiteWeather& weather : spec.weathers) {
         if (weather.climate != named.name || !problems.empty()) continue;
@@ -160,20 +162,20 @@ void check_emergence(const Spec& spec, const Named<Climate>& named,
                       "temperature, which growth follows); name its column",
                       to_string(day));
         const double sum = thermal_time_from(day, weather, growth);
-        problems.rule(
-            keys, !(sum > leaf_dates(growth).front().collar),
-            "climate.emergence is {} (until the end of the period there are "
-            "{:.0f} deg C d, too few for a leaf); give a longer period",
-            to_string(day), sum);
+        problems.rule(keys, !(sum > leaf_dates(growth).front().collar),
+                      "climate.emergence is {} (the period ends after {:.0f} "
+                      "deg C d, too few for a leaf); give a longer period",
+                      to_string(day), sum);
         problems.doubt(keys, sum < maturity_time(growth),
                        "plants of climate \"{}\" are not mature at the end of "
-                       "the period, with {:.0f} of {:.0f} deg C d; take a "
-                       "longer period, if the weather file has one",
+                       "the period, with {:.0f} of {:.0f} deg C d; use a "
+                       "longer period if the weather file covers it",
                        named.name, sum, maturity_time(growth));
     }
 }
 
-//! Reports leaves that cannot grow by coming out of a whorl.
+//! Reports growth of plants without a whorl: growth is modelled for grasses
+//! only.
 //! @param problems problems of the crop
 void check_whorl(const CropSpec& crop, const Problems& problems) {
     const Plant& plant = crop.baseline;
@@ -201,25 +203,28 @@ void check_growing(const Spec& spec, const Problems& problems) {
     const bool grows = plants_grow(spec);
     check_stage(spec, problems);
     for (std::size_t i = 0; i < climates.size(); ++i) {
-        const Problems own = problems.in("climate", i);
+        const Problems of_climate = problems.in("climate", i);
         if (climates[i].value.grows())
-            check_emergence(spec, climates[i], own);
+            check_emergence(spec, climates[i], of_climate);
         else
-            own.rule({"name", "emergence"}, grows,
-                     "climate \"{}\" has no emergence (plants grow in another "
-                     "climate); give emergence to each",
-                     climates[i].name);
+            of_climate.rule(
+                {"name", "emergence"}, grows,
+                "climate \"{}\" has no emergence (plants grow in another "
+                "climate); give emergence to each",
+                climates[i].name);
     }
     if (grows) check_whorl(spec.plant.crop, problems.in("plant.baseline"));
     for (std::size_t i = 0; i < spec.components.size(); ++i) {
-        const ComponentSpec& each = spec.components[i];
-        const Problems own = problems.in("component", i);
-        if (each.has_mesh()) continue;
-        if (grows) check_whorl(each.crop, own.in("crop"));
-        own.rule({"later"}, each.later > 0 && (!grows || !each.crop.growth),
-                 "component.later is given (only plants that grow can be "
-                 "later); remove it, or give [growth] to its crop file and "
-                 "emergence to each [[climate]]");
+        const ComponentSpec& component = spec.components[i];
+        const Problems of_component = problems.in("component", i);
+        if (component.has_mesh()) continue;
+        if (grows) check_whorl(component.crop, of_component.in("crop"));
+        of_component.rule(
+            {"later"},
+            component.later > 0 && (!grows || !component.crop.growth),
+            "component.later is given (only plants that grow can be "
+            "later); remove it, or give [growth] to its crop file and "
+            "emergence to each [[climate]]");
     }
 }
 

@@ -13,15 +13,15 @@ void check_feasibility(const Spec& spec, const Problems& root) {
     const std::size_t count = known.traits.size();
     for (std::size_t t = 0; t < count; ++t) {
         const LineTrait& trait = known.traits[t];
-        const Problems own = problems.in("trait", t);
+        const Problems of_trait = problems.in("trait", t);
         const auto measure = find_measure(baseline, trait.measure);
         const bool is_of_leaves = measure && measure->is_of_leaves;
-        own.rule(ProblemCode::unknown_name, {"measure"}, !measure,
-                 "feasibility.trait names {} (which was measured on the lines, "
-                 "but this plant does not have it); remove it, or take a crop "
-                 "that has it",
-                 trait.measure);
-        own.rule(
+        of_trait.rule(
+            ProblemCode::unknown_name, {"measure"}, !measure,
+            "feasibility.trait names {} (which was measured on the lines, but "
+            "this plant lacks it); remove it, or use a crop that has it",
+            trait.measure);
+        of_trait.rule(
             {"leaf", "measure"}, is_of_leaves != names_leaf(trait.leaf),
             "feasibility.trait: leaf is \"{}\" ({} is {} of leaves); {}",
             trait.leaf, trait.measure, is_of_leaves ? "a measure" : "none",

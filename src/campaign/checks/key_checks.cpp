@@ -27,18 +27,18 @@ std::string advice(const std::string& name,
 }
 
 //! Returns the reason why a key cannot be varied, or "".
-std::string fault(const VariableKey& found) {
-    if (found.name == "spacing.density")
-        return "(which is told by the distance between plants)";
-    if (!found.is_there)
-        return fmt::format("(this campaign has no [{}])", found.section);
-    if (found.tables > 1)
-        return fmt::format("(there are {} tables [[{}]])", found.tables,
-                           found.section);
-    const auto numbers = numbers_of(found.key);
+std::string fault(const VariableKey& variable) {
+    if (variable.name == "spacing.density")
+        return "(which follows from spacing.plant)";
+    if (!variable.is_there)
+        return fmt::format("(this campaign has no [{}])", variable.section);
+    if (variable.tables > 1)
+        return fmt::format("(there are {} tables [[{}]])", variable.tables,
+                           variable.section);
+    const auto numbers = numbers_of(variable.key);
     if (!numbers)
         return fmt::format("(of type {}; only decimal numbers vary)",
-                           found.key.key.values.type);
+                           variable.key.key.values.type);
     if (numbers->size() > 1)
         return fmt::format("(which has {} values)", numbers->size());
     return "";
@@ -48,17 +48,20 @@ std::string fault(const VariableKey& found) {
 //! @param problems problems of the factor
 void check_key(const std::string& table, const KeyFactor& factor,
                const std::vector<VariableKey>& keys, const Problems& problems) {
-    const auto found = std::ranges::find(keys, factor.key, &VariableKey::name);
-    const std::string what = found == keys.end()
-                                 ? "(which is no numeric key of this campaign)"
-                                 : fault(*found);
-    problems.rule(ProblemCode::unknown_name, {"key"}, !what.empty(),
-                  "{}.keys has \"{}\" {}; {}", table, factor.key, what,
+    const auto variable =
+        std::ranges::find(keys, factor.key, &VariableKey::name);
+    const std::string reason =
+        variable == keys.end() ? "(which is not a numeric key of this campaign)"
+                               : fault(*variable);
+    problems.rule(ProblemCode::unknown_name, {"key"}, !reason.empty(),
+                  "{}.keys has \"{}\" {}; {}", table, factor.key, reason,
                   advice(factor.key, keys));
     for (const double bound : {factor.range.lower, factor.range.upper})
         problems.rule(
             {"range", "key"},
-            [&] { return fault_of(bound, found->section, found->key.key); },
+            [&] {
+                return fault_of(bound, variable->section, variable->key.key);
+            },
             ProblemCode::out_of_range);
 }
 
@@ -70,34 +73,36 @@ void check_keys(const std::string& table, const std::vector<KeyFactor>& factors,
     const std::vector<VariableKey> keys = variable_keys(varied);
     for (std::size_t i = 0; i < factors.size(); ++i) {
         const KeyFactor& factor = factors[i];
-        // Without its crop file, nothing is known about the plant.
+        // Keys of a crop that could not be read are unknown.
         if (!spec.plant.crop.is_known &&
             factor.key.starts_with("plant.baseline."))
             continue;
-        const Problems own = problems.in(table).in("keys", i);
-        own.rule(
+        const Problems of_factor = problems.in(table).in("keys", i);
+        of_factor.rule(
             ProblemCode::duplicate, {"key"},
             [&] { return !seen.insert(factor.key).second; },
             "{}.keys has \"{}\" twice (once is enough); remove one", table,
             factor.key);
-        check_key(table, factor, keys, own);
+        check_key(table, factor, keys, of_factor);
     }
 }
 
 }  // namespace
 
 void check_sensitivity(const Spec& spec, const Problems& problems) {
-    const Problems own = problems.in("sensitivity");
+    const Problems of_study = problems.in("sensitivity");
     const int levels = spec.sensitivity.levels;
-    own.rule({"levels"}, levels % 2 != 0,
-             "sensitivity.levels is {} (a step of the design is half of all "
-             "levels); use {}",
-             levels, levels + 1);
-    own.rule({"traits"},
-             spec.is_study && !spec.sensitivity.has_traits &&
-                 spec.sensitivity.keys.empty(),
-             "sensitivity.traits is false (and there are no sensitivity.keys, "
-             "so nothing would vary); name a key, or leave it out");
+    of_study.rule(
+        {"levels"}, levels % 2 != 0,
+        "sensitivity.levels is {} (a step of the design is half of all "
+        "levels); use {}",
+        levels, levels + 1);
+    of_study.rule(
+        {"traits"},
+        spec.is_study && !spec.sensitivity.has_traits &&
+            spec.sensitivity.keys.empty(),
+        "sensitivity.traits is false (and there are no sensitivity.keys, "
+        "so nothing would vary); name a key, or leave it out");
     check_keys("sensitivity", spec.sensitivity.keys, spec, problems);
     check_keys("search", spec.search.keys, spec, problems);
 }

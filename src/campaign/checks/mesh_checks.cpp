@@ -11,10 +11,11 @@ namespace ideotype {
 
 namespace {
 
-//! The largest number of faces of one plant, which a history contains as text.
+//! The largest number of faces of one plant, since histories store them as
+//! text.
 constexpr std::size_t most_faces = 100'000;
 
-//! Reports surfaces that have no material, or too many to be drawn.
+//! Reports surfaces without material, and meshes with too many faces.
 void check_surfaces(const ComponentMesh& mesh, const Problems& problems) {
     problems.rule({"mesh"}, mesh.face_groups.empty() || !is_whole(mesh),
                   "component.mesh has no surfaces that fit its vertices and "
@@ -33,7 +34,7 @@ void check_surfaces(const ComponentMesh& mesh, const Problems& problems) {
             group);
 }
 
-//! Reports reflectances and a transmittance that are no material.
+//! Reports values that are not valid optical properties.
 //! @param table name of the table with the key of the band
 void check_optical_parts(const std::vector<double>& parts,
                          const std::string& table, const std::string& band,
@@ -48,7 +49,7 @@ void check_optical_parts(const std::vector<double>& parts,
         std::max(parts[0], parts[parts.size() - 2]) + parts.back();
     // Decimal fractions such as 0.7 + 0.3 may exceed 1 by rounding.
     problems.rule({band}, sum > 1 + 1e-12,
-                  "{}.{} sends on {} of the light (more than all); reflectance "
+                  "{}.{} scatters {} of the light (more than 1); reflectance "
                   "and transmittance sum to 1 at most",
                   table, band, sum);
 }
@@ -88,15 +89,17 @@ void check_materials(const std::vector<MaterialSpec>& materials,
                      const std::vector<std::string>& bands,
                      const std::string& table, const Problems& problems) {
     for (std::size_t m = 0; m < materials.size(); ++m) {
-        const Problems own = problems.in("material", m);
+        const Problems of_material = problems.in("material", m);
         for (const std::string& band : bands)
-            if (own.usable({band}) && materials[m].in(band).empty())
-                own.add_at(own.where("groups"), "groups", ProblemCode::missing,
-                           "the material of groups {} has no {} (light is "
-                           "followed in it); add {} = [0.06, 0.03]",
-                           fmt::join(materials[m].groups, ", "), band, band);
+            if (of_material.usable({band}) && materials[m].in(band).empty())
+                of_material.add_at(
+                    of_material.where("groups"), "groups", ProblemCode::missing,
+                    "the material of groups {} has no {} (light is "
+                    "followed in it); add {} = [0.06, 0.03]",
+                    fmt::join(materials[m].groups, ", "), band, band);
         for (const std::string& band : bands_of({materials[m]}))
-            check_optical_parts(materials[m].in(band), table, band, own);
+            check_optical_parts(materials[m].in(band), table, band,
+                                of_material);
     }
 }
 
@@ -115,27 +118,29 @@ void check_component_meshes(const Spec& spec, const Problems& problems) {
     for (std::size_t b = 0; b < wavebands.size(); ++b)
         if (followed_bands(spec)[b]) followed.push_back(wavebands[b].name);
     for (std::size_t i = 0; i < spec.components.size(); ++i) {
-        const ComponentSpec& each = spec.components[i];
-        const Problems own = problems.in("component", i);
-        if (!each.has_mesh() || !own.usable({"mesh"})) continue;
-        check_materials(each.mesh.materials, followed, "component.material",
-                        own);
-        for (std::size_t m = 0; m < each.mesh.materials.size(); ++m)
-            for (const auto& [band, parts] : each.mesh.materials[m].others)
-                own.in("material", m)
+        const ComponentSpec& component = spec.components[i];
+        const Problems of_component = problems.in("component", i);
+        if (!component.has_mesh() || !of_component.usable({"mesh"})) continue;
+        check_materials(component.mesh.materials, followed,
+                        "component.material", of_component);
+        for (std::size_t m = 0; m < component.mesh.materials.size(); ++m)
+            for (const auto& [band, parts] : component.mesh.materials[m].others)
+                of_component.in("material", m)
                     .add(band, ProblemCode::unknown_key,
-                         "component.material.{} is no waveband of campaigns; "
-                         "use par or nir",
+                         "component.material.{} is not a waveband of "
+                         "campaigns; use par or nir",
                          band);
-        own.rule({"mesh"}, spec.water.has_value(),
-                 "component.mesh is given (exchange of water is not known for "
-                 "meshes); leave out [water]");
-        if (each.mesh.photosynthesis)
-            check_photosynthesis(*each.mesh.photosynthesis, 0, own);
-        check_surfaces(each.mesh, own);
-        if (own.usable({"mesh"}) &&
+        of_component.rule(
+            {"mesh"}, spec.water.has_value(),
+            "component.mesh is given (water exchange of meshes is not "
+            "modelled); leave out [water]");
+        if (component.mesh.photosynthesis)
+            check_photosynthesis(*component.mesh.photosynthesis, 0,
+                                 of_component);
+        check_surfaces(component.mesh, of_component);
+        if (of_component.usable({"mesh"}) &&
             problems.usable({"field.rows", "field.plants", "field.boundary"}))
-            check_size(each, spec, own);
+            check_size(component, spec, of_component);
     }
 }
 

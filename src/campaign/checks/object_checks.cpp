@@ -13,7 +13,7 @@ namespace ideotype {
 
 namespace {
 
-//! A period of the cell, as a number of equal steps.
+//! A period of the cell, as a number of equal spacings.
 struct Period {
     std::string count_key, step_key;  //!< keys like "field.rows", "spacing.row"
     double step = 0;                  //!< length of a step [m]
@@ -23,18 +23,18 @@ struct Period {
     double length() const { return step * count; }
 };
 
-//! Returns advice for a length that does not go into a period.
-//! @param own part of the length besides the value of the key
-std::string remedy(const std::string& key, double part, double own,
+//! Returns advice for a length that does not divide a period.
+//! @param extra part of the length in addition to the value of the key
+std::string remedy(const std::string& key, double part, double extra,
                    const Period& period) {
-    constexpr int most = 100;
-    for (int count = period.least; count <= most; count += period.least)
+    constexpr int largest = 100;
+    for (int count = period.least; count <= largest; count += period.least)
         if (divides(part, count * period.step))
             return fmt::format("{} = {}", period.count_key, count);
     const auto nearest = [&](double length) {
         return fmt::format(
             "{} = {:.6g}", key,
-            length / std::max(1., std::round(length / part)) - own);
+            length / std::max(1., std::round(length / part)) - extra);
     };
     const double group = period.least * period.step;
     const auto count =
@@ -46,19 +46,19 @@ std::string remedy(const std::string& key, double part, double own,
                                   : other;
 }
 
-//! Reports a length of panels that does not go into a period.
-//! @param own part of the length besides the value of the key
-void check_period(const std::string& key, double value, double own,
+//! Reports a length of panels that does not divide a period.
+//! @param extra part of the length in addition to the value of the key
+void check_period(const std::string& key, double value, double extra,
                   const Period& period, const Problems& problems) {
-    const double part = value + own, whole = period.length();
+    const double part = value + extra, whole = period.length();
     problems.rule({key}, [&]() -> std::string {
         if (divides(part, whole)) return "";
         return fmt::format(
             "panel.{} is {} ({}{:.6g} m does not go into the cell of {} {} x "
             "{} {:.6g} m = {:.6g} m a whole number of times); use {}",
-            key, value, own > 0 ? "module and gap, " : "", part,
+            key, value, extra > 0 ? "module and gap, " : "", part,
             period.count_key, period.count, period.step_key, period.step, whole,
-            remedy(key, part, own, period));
+            remedy(key, part, extra, period));
     });
 }
 
@@ -115,13 +115,13 @@ void check_modules(const PanelRows& rows, const Problems& problems) {
                   rows.gap);
 }
 
-//! Reports an object that is much larger than the cell with which it repeats,
-//! and warns of one that is below the soil.
+//! Reports an object that is much larger than the periodic cell, and warns
+//! about one below the soil.
 //! @param table path of the object, such as "object[0]"
 void check_size(const ObjectEntry& object, const Spec& spec,
                 const std::string& table, const Problems& problems) {
-    const Problems own = problems.in(table);
-    if (!own.usable({"obj", "faces", "vertices", "x", "y", "z", "turn"}))
+    const Problems of_object = problems.in(table);
+    if (!of_object.usable({"obj", "faces", "vertices", "x", "y", "z", "turn"}))
         return;
     const Mesh mesh = mesh_of(object);
     const std::string& file = object.mesh.file;
@@ -129,14 +129,16 @@ void check_size(const ObjectEntry& object, const Spec& spec,
     const std::string name =
         fmt::format("object.{} \"{}\"", key, file.empty() ? object.name : file);
     const auto [bottom, top] = heights_of(mesh);
-    own.doubt({key}, top <= 0,
-              "{} is below the soil (its top is at z = {:.4g} m), so it has no "
-              "effect; raise it by object.z",
-              name, top);
-    own.doubt({key}, top > 0 && bottom < -least_depth,
-              "{} reaches {:.4g} m below the soil (z = 0), where there is no "
-              "light; raise it by object.z",
-              name, -bottom);
+    of_object.doubt(
+        {key}, top <= 0,
+        "{} is below the soil (its top is at z = {:.4g} m), so it has no "
+        "effect; raise it by object.z",
+        name, top);
+    of_object.doubt(
+        {key}, top > 0 && bottom < -least_depth,
+        "{} reaches {:.4g} m below the soil (z = 0), where there is no "
+        "light; raise it by object.z",
+        name, -bottom);
     if (spec.field.boundary == Boundary::isolated) return;
     for (std::size_t i = 0; i < spec.spacings.size(); ++i) {
         const Spacing& spacing = spec.spacings[i].value;
@@ -160,18 +162,18 @@ void check_size(const ObjectEntry& object, const Spec& spec,
 }
 
 //! Reports panels that do not repeat with the field at any spacing.
-void check_panel(const PanelEntry& panel, const Spec& spec, const Problems& own,
-                 const Problems& problems) {
-    check_modules(panel.rows, own);
-    check_optics(panel.optics, own);
+void check_panel(const PanelEntry& panel, const Spec& spec,
+                 const Problems& of_panel, const Problems& problems) {
+    check_modules(panel.rows, of_panel);
+    check_optics(panel.optics, of_panel);
     for (std::size_t i = 0; i < spec.spacings.size(); ++i) {
         const Spacing& spacing = spec.spacings[i].value;
-        if (own.usable({"pitch", "azimuth", "module_length", "gap"}) &&
+        if (of_panel.usable({"pitch", "azimuth", "module_length", "gap"}) &&
             problems.in("spacing", i)
                 .usable({"row", "plant", "row_direction"}) &&
             problems.usable({"field.rows", "field.plants"}) &&
             spacing.plant > 0)
-            check_rows(panel.rows, spec.field, spacing, own);
+            check_rows(panel.rows, spec.field, spacing, of_panel);
     }
 }
 
@@ -187,7 +189,7 @@ void check_objects(const Spec& spec, const Problems& problems) {
         problems.rule(
             ProblemCode::duplicate, {key},
             [&] { return !names.insert(lower_case(name)).second; },
-            "{}.name is \"{}\" (already used); give each a name of its own",
+            "{}.name is \"{}\" (already used); give each a different name",
             table, name);
         problems.rule({key, "field.boundary"},
                       spec.field.boundary == Boundary::isolated,
@@ -200,15 +202,16 @@ void check_objects(const Spec& spec, const Problems& problems) {
         check_panel(spec.panels[i], spec, problems.in("panel", i), problems);
     }
     for (std::size_t i = 0; i < spec.objects.size(); ++i) {
-        const ObjectEntry& each = spec.objects[i];
-        const Problems own = problems.in("object", i);
-        check_name("object", i, each.name);
-        own.rule({"faces", "obj", "vertices"}, !is_whole(each.mesh),
-                 "object \"{}\" has no surfaces that fit its vertices; give a "
-                 "file: obj = \"post.obj\"",
-                 each.name);
-        check_size(each, spec, fmt::format("object[{}]", i), problems);
-        check_optics(each.optics, own);
+        const ObjectEntry& object = spec.objects[i];
+        const Problems of_object = problems.in("object", i);
+        check_name("object", i, object.name);
+        of_object.rule(
+            {"faces", "obj", "vertices"}, !is_whole(object.mesh),
+            "object \"{}\" has no surfaces that fit its vertices; give a "
+            "file: obj = \"post.obj\"",
+            object.name);
+        check_size(object, spec, fmt::format("object[{}]", i), problems);
+        check_optics(object.optics, of_object);
     }
 }
 

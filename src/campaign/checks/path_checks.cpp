@@ -12,8 +12,7 @@ namespace ideotype {
 
 namespace {
 
-//! Returns the number of pieces into which assimilation cuts the leaves of
-//! plants.
+//! Returns the number of leaf pieces in which assimilation is computed.
 double pieces_of(const Crop& crop, std::size_t plants) {
     return static_cast<double>(
         plants * crop.baseline.leaves.size() *
@@ -29,7 +28,7 @@ std::size_t plants_of(const Standing& standing, const FieldForm& field) {
                                                                : field.plants);
 }
 
-//! Returns whether any objective follows from the response of leaves to light.
+//! Returns whether any objective depends on the light response of leaves.
 bool depends_on_response(const Campaign& campaign) {
     return asks_for_assimilation(campaign.spec) ||
            asks_for(campaign, is_of_water) ||
@@ -44,28 +43,28 @@ void check_paths(const Campaign& campaign, const Problems& problems) {
     double pieces = campaign.photosynthesis
                         ? pieces_of(campaign.crop, bred_plants(campaign))
                         : 0;
-    for (const ComponentEntry& each : campaign.components)
-        if (each.photosynthesis)
+    for (const ComponentEntry& component : campaign.components)
+        if (component.photosynthesis)
             pieces +=
-                each.mesh
+                component.mesh
                     ? static_cast<double>(
-                          each.mesh->faces.size() *
-                          plants_of(each.standing, campaign.spec.field))
-                    : pieces_of(each.crop,
-                                plants_of(each.standing, campaign.spec.field));
-    // Fields and stages have paths of their own.
+                          component.mesh->faces.size() *
+                          plants_of(component.standing, campaign.spec.field))
+                    : pieces_of(component.crop, plants_of(component.standing,
+                                                          campaign.spec.field));
+    // Paths are divided among fields and stages.
     const Accuracy& light = campaign.sampling;
     const double scenes =
         light.fields * (campaign.spec.light.stages.value_or(1));
-    // Each path counts as a hit of diffuse light, which is more than there are.
+    // Counts each path as a hit of diffuse light, an upper bound.
     const double hits =
         static_cast<double>(light.all_paths()) / (scenes * pieces);
     problems.doubt(
         {"paths"}, pieces > 0 && hits < hits_of_piece,
-        "light.paths is {} (with {} randomisations these are {:.2g} paths for "
-        "each piece of leaf, too few to determine the objective: below {}, "
-        "products of light scatter more than light); use {:.0f} or more, or "
-        "light.tolerance alone",
+        "light.paths is {} (with {} randomisations these are {:.2g} paths per "
+        "piece of leaf, too few for this objective: below {}, products of "
+        "light estimates are noisier than the light itself); use {:.0f} or "
+        "more, or light.tolerance alone",
         light.paths, light.randomisations, hits, hits_of_piece,
         std::ceil(hits_of_piece * pieces * scenes / light.randomisations));
 }

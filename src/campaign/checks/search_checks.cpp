@@ -13,14 +13,15 @@ namespace ideotype {
 
 namespace {
 
-//! A part of a campaign that some quantities need, and whether it is missing.
+//! A part of a campaign that some quantities require, and whether it is
+//! missing.
 struct Need {
     bool (*is_of)(const std::string& quantity);
     bool is_missing;
     const char* text;
 };
 
-//! Reports a quantity that this canopy does not have.
+//! Reports a quantity that this campaign does not compute.
 //! @param use purpose of the quantity, such as "the objective"
 void check_quantity(const ByBand<bool>& follows, const std::vector<Need>& needs,
                     const std::string& key, const std::string& use,
@@ -36,7 +37,7 @@ void check_quantity(const ByBand<bool>& follows, const std::vector<Need>& needs,
                       "{} {} {}", use, name, each.text);
 }
 
-//! Checks that the canopy has the objectives and the axes of an atlas.
+//! Checks that objectives and axes of an atlas are computed.
 void check_quantities(const Spec& spec, const Problems& problems) {
     const std::vector<Need> needs{
         {is_of_growth, !plants_grow(spec),
@@ -59,16 +60,16 @@ void check_quantities(const Spec& spec, const Problems& problems) {
                        "the axis", axes[i].quantity, problems);
 }
 
-//! Checks the grid of an atlas, which other searches must not have.
+//! Checks the grid of an atlas; other searches must not have one.
 void check_atlas(const SearchSpec& search, const Problems& problems) {
-    constexpr double most = 1000;
+    constexpr double limit = 1000;
     const bool is_atlas = search.optimizer == OptimizerKind::atlas;
     const std::vector<AtlasAxis>& axes = search.axes;
     problems.rule(ProblemCode::missing, {"optimizer"}, is_atlas && axes.empty(),
-                  "search.optimizer is \"atlas\" (which needs to know what "
-                  "tells kinds of plants apart); add [[search.axes]]");
+                  "search.optimizer is \"atlas\" (which needs axes that "
+                  "distinguish kinds of plants); add [[search.axes]]");
     problems.rule({"optimizer"}, !is_atlas && !axes.empty(),
-                  "search.axes are there (only an atlas has them); use "
+                  "search.axes are given (only an atlas has them); use "
                   "search.optimizer = \"atlas\", or remove them");
     problems.rule({"streams"}, is_atlas && search.streams > 1,
                   "search.streams is {} (an atlas is one search); use 1",
@@ -77,10 +78,10 @@ void check_atlas(const SearchSpec& search, const Problems& problems) {
         return fmt::format("axes[{}].{}", axis, name);
     };
     double cells = 1;
-    Keys all;
+    Keys cell_keys;
     for (std::size_t i = 0; i < axes.size(); ++i) {
         cells *= axes[i].cells;
-        all.push_back(key("cells", i));
+        cell_keys.push_back(key("cells", i));
         for (std::size_t j = 0; j < i; ++j)
             problems.rule(ProblemCode::duplicate,
                           {key("quantity", i), key("quantity", j)},
@@ -88,10 +89,10 @@ void check_atlas(const SearchSpec& search, const Problems& problems) {
                           "search.axes has {} twice; remove one of the two",
                           axes[i].quantity);
     }
-    problems.rule(all, cells > most,
+    problems.rule(cell_keys, cells > limit,
                   "search.axes have {:.0f} cells together (the limit is {}); "
                   "use fewer, or a smaller number of axes",
-                  cells, most);
+                  cells, limit);
 }
 
 void check_objectives(const Spec& spec, const Problems& problems) {
@@ -103,28 +104,29 @@ void check_objectives(const Spec& spec, const Problems& problems) {
         spec.search.optimizer_or_usual() == OptimizerKind::nsga2;
     const std::string maximise = "objective.maximise",
                       minimise = "objective.minimise";
-    for (const std::string& each : spec.objective.minimised)
+    for (const std::string& name : spec.objective.minimised)
         problems.rule(ProblemCode::duplicate, {minimise, maximise},
-                      std::ranges::count(maximised, each) > 0,
+                      std::ranges::count(maximised, name) > 0,
                       "objective.minimise has {} (which is maximised too); "
                       "remove one of the two",
-                      each);
+                      name);
     problems.rule({"search.reference", maximise, minimise},
                   references > 0 && references != count,
                   "search.reference has {} numbers (there are {} objectives); "
                   "give one for each, those that are maximised first",
                   references, count);
     problems.rule(ProblemCode::missing, {maximise, minimise}, count == 0,
-                  "objective.maximise is empty (nothing would be searched "
-                  "for); name a quantity");
-    problems.rule(
-        {"search.optimizer", maximise, minimise}, is_pareto && count == 1,
-        "search.optimizer is \"nsga2\" (which finds a front of several "
-        "objectives); name another in objective.minimise, or use \"cma_es\"");
+                  "objective.maximise is empty (the search needs an "
+                  "objective); name a quantity");
+    problems.rule({"search.optimizer", maximise, minimise},
+                  is_pareto && count == 1,
+                  "search.optimizer is \"nsga2\" (which finds the Pareto front "
+                  "of several objectives); name another in objective.minimise, "
+                  "or use \"cma_es\"");
     problems.rule({minimise, maximise},
                   !is_pareto && count > 1 && !spec.is_study,
-                  "there are {} objectives (only nsga2 finds a front of "
-                  "several); use one, or search.optimizer = \"nsga2\"",
+                  "there are {} objectives (only nsga2 finds their Pareto "
+                  "front); use one, or search.optimizer = \"nsga2\"",
                   count);
     for (const auto& [key, name] : objective_keys(spec))
         problems.rule(
@@ -150,10 +152,10 @@ void check_cma_es(const Spec& spec, const Problems& problems) {
     if (!uses_cma_es(spec.search.optimizer_or_usual())) return;
     const bool is_auto =
         spec.search.optimizer_or_usual() == OptimizerKind::automatic;
-    // Campaigns that name no optimizer may never have heard of this one.
+    // Users who have not chosen an optimizer need its name.
     const std::string who = spec.search.optimizer
                                 ? ""
-                                : "the search is by \"auto\", since "
+                                : "the optimizer is \"auto\", since "
                                   "search.optimizer is not given; ";
     const std::string other =
         spec.search.optimizer ? "" : ", or set search.optimizer = \"ga\"";
@@ -178,10 +180,10 @@ void check_cma_es(const Spec& spec, const Problems& problems) {
 void check_search(const Spec& spec, const Problems& problems) {
     const int population = spec.search.population_or_usual();
     const int generations = spec.stop.generations, gain = spec.stop.no_gain;
-    const auto at_most = [&](const std::string& key, int value, int most) {
-        problems.rule({key, "search.population"}, value > most,
+    const auto at_most = [&](const std::string& key, int value, int limit) {
+        problems.rule({key, "search.population"}, value > limit,
                       "{} is {} (the population is {}); use {} or fewer", key,
-                      value, population, most);
+                      value, population, limit);
     };
     at_most("search.elites", spec.search.ga.elites, population - 1);
     at_most("search.tournament", spec.search.ga.tournament, population);
@@ -214,7 +216,7 @@ void check_light(const LightSpec& light, bool assimilates,
     constexpr int fewest = 8, fewest_in_field = 4, fewest_fields = 4;
     problems.rule({"randomisations", "tolerance"},
                   light.tolerance > 0 && count < fewest,
-                  "light.randomisations is {} (too few to tell whether a "
+                  "light.randomisations is {} (too few to test whether a "
                   "tolerance is met); use {} or more",
                   count, fewest);
     problems.rule({"randomisations"},
@@ -224,8 +226,8 @@ void check_light(const LightSpec& light, bool assimilates,
                   count, fewest_in_field);
     problems.rule({"fields", "randomisations"},
                   light.fields > 1 && light.fields < fewest_fields,
-                  "light.fields is {} (too few to tell how fields differ); use "
-                  "1, or {} or more",
+                  "light.fields is {} (too few to estimate differences between "
+                  "fields); use 1, or {} or more",
                   light.fields, fewest_fields);
     problems.rule(
         {"fields", "randomisations"}, [&] { return count % light.fields != 0; },

@@ -16,23 +16,24 @@ namespace ideotype {
 namespace {
 
 void check_site(const Site& site, const Problems& problems) {
-    // Real clocks differ from the sun by at most four hours, summer time
-    // included, and few differ by more than two.
+    // Real clocks differ from solar time by at most four hours, including
+    // summer time, and few by more than two.
     constexpr double unusual = 2, impossible = 4;
     const double ahead = clock_ahead(site);
-    const std::string what = fmt::format(
+    const std::string fault = fmt::format(
         "site.utc_offset is {} h (the clock would be {:.1f} h {} the sun's at "
         "longitude {} deg)",
         site.utc_offset, std::abs(ahead), ahead > 0 ? "ahead of" : "behind",
         site.longitude);
     const Keys keys{"utc_offset", "longitude"};
     problems.rule(keys, std::abs(ahead) > impossible,
-                  "{}; check the signs: east is positive in both", what);
+                  "{}; check the signs: east is positive in both", fault);
     problems.doubt(keys, std::abs(ahead) > unusual,
-                   "{}; check both, few places have such a clock", what);
+                   "{}; check both, few places have such a clock", fault);
 }
 
-//! Returns the fault of a step that does not divide a span of a day [min].
+//! Returns the fault of a step that does not divide the span from start to end
+//! [min].
 std::string fault_of_step(double step_minutes, double span) {
     const double steps = span / step_minutes;
     if (std::abs(steps - std::round(steps)) < 1e-6 && steps > 0.5) return "";
@@ -54,15 +55,15 @@ void check_day(const DaySpan& day, const Problems& problems) {
     const double span = (day.end - day.start) * 60;
     const double instants =
         span / day.step_minutes * static_cast<double>(day.dates.size());
-    constexpr double most = 1e6;
+    constexpr double limit = 1e6;
     problems.rule({"end", "start"}, day.end <= day.start,
                   "day.end is {} (not after the start at {}); give a later end",
                   clock_text(day.end), clock_text(day.start));
     problems.rule(
-        {"step_minutes", "start", "end"}, instants > most,
+        {"step_minutes", "start", "end"}, instants > limit,
         "day.step_minutes is {} min (with {} dates that is {:.0f} instants, "
         "the limit is {:.0f}); use fewer dates or a longer step",
-        day.step_minutes, day.dates.size(), instants, most);
+        day.step_minutes, day.dates.size(), instants, limit);
     problems.rule({"step_minutes", "start", "end"},
                   [&] { return fault_of_step(day.step_minutes, span); });
 }
@@ -76,18 +77,18 @@ void check_light(const Site& site, const Named<DaySpan>& day,
         clear_days(site, span, 1).incident() > 0)
         return;
     const Daylight sun = daylight(site, span.dates[0]);
-    const std::string what = fmt::format(
+    const std::string fault = fmt::format(
         "day \"{}\" has no light at site \"{}\" ", day.name, site.name);
     if (sun.sunrise && sun.sunset)
         of_day.add_at(of_day.where("start"), "start",
                       ProblemCode::contradiction,
                       "{}(the sun is up from {} to {}); give a start and an "
                       "end within, or a shorter step",
-                      what, clock_time(*sun.sunrise), clock_time(*sun.sunset));
+                      fault, clock_time(*sun.sunrise), clock_time(*sun.sunset));
     else
         of_day.add_at(of_day.where("date"), "date", ProblemCode::contradiction,
                       "{}(the sun is down all day); take another date or site",
-                      what);
+                      fault);
 }
 
 double total(const std::vector<double>& values) {

@@ -46,13 +46,13 @@ class TraitCheck {
         problems_.rule({"range"},
                        trait_.effect == TraitEffect::scales && lower < 0,
                        "trait {} has the range {} .. {} (a factor below 0 "
-                       "turns a measure around); begin at 0 or more",
+                       "reverses a measure); begin at 0 or more",
                        trait_.name, lower, upper);
         problems_.rule({"circular", "range"},
                        trait_.is_circular &&
                            (trait_.unit != "deg" || upper - lower != circle),
-                       "trait {} is circular (its range of {} .. {} {} is no "
-                       "whole circle); give it 360 deg, or remove circular",
+                       "trait {} is circular (its range of {} .. {} {} is not "
+                       "a full circle); give it 360 deg, or remove circular",
                        trait_.name, lower, upper, trait_.unit);
     }
 
@@ -65,9 +65,9 @@ class TraitCheck {
                                         : "shifts";
     }
 
-    void rule(bool is_broken, const std::string& what) {
+    void rule(bool is_broken, const std::string& text) {
         problems_.rule({list_key()}, is_broken, "trait {} {}", trait_.name,
-                       what);
+                       text);
     }
 
     void check(const std::string& name, const MeasureInfo& measure) {
@@ -82,8 +82,8 @@ class TraitCheck {
                  "numbers); write per = \"plant\"");
         rule(is_per_plant && measure.is_of_leaves && sets(),
              "sets " + name +
-                 " (each leaf has a value of its own); scale or shift it, or "
-                 "write per = \"leaf\"");
+                 " (each leaf has its own value); scale or shift it, or write "
+                 "per = \"leaf\"");
         rule((name == "leaf.insertion_height" || name == "stalk.height") &&
                  !leaves.empty() && leaves.back().internode > 0,
              "acts on " + name +
@@ -129,24 +129,24 @@ bool is_sound(std::size_t trait, const Problems& problems) {
 void check_traits(const CropSpec& crop, const Problems& problems) {
     std::set<std::string> names{"lai"};
     for (std::size_t t = 0; t < crop.traits.size(); ++t) {
-        const Problems own = problems.in("trait", t);
+        const Problems of_trait = problems.in("trait", t);
         const std::string& name = crop.traits[t].trait.name;
-        own.rule(
+        of_trait.rule(
             ProblemCode::duplicate, {"name"},
             [&] { return !names.insert(name).second; },
-            "trait.name is \"{}\" (already used); give each trait a name of "
-            "its own",
+            "trait.name is \"{}\" (already used); give each trait a different "
+            "name",
             name);
         if (is_sound(t, problems))
-            TraitCheck(crop.traits[t], crop.baseline, own).run();
+            TraitCheck(crop.traits[t], crop.baseline, of_trait).run();
     }
     for (std::size_t b = 0; b < crop.bounds.size(); ++b) {
         const std::string& trait = crop.bounds[b].trait;
         problems.in("bounds", b)
-            .rule(
-                ProblemCode::unknown_name, {"trait"}, !names.contains(trait),
-                "bounds.trait is \"{}\" (no trait of this file); use one of {}",
-                trait, fmt::join(names, ", "));
+            .rule(ProblemCode::unknown_name, {"trait"}, !names.contains(trait),
+                  "bounds.trait is \"{}\" (not a trait of this file); use one "
+                  "of {}",
+                  trait, fmt::join(names, ", "));
     }
 }
 

@@ -54,7 +54,7 @@ void print_table(const Json& rows, std::size_t indent) {
             cells.push_back(text_of(row.value(name, Json())));
         std::size_t width = 0;
         for (const std::string& cell : cells)
-            width = std::max(width, columns_of(cell) + 2);
+            width = std::max(width, count_columns(cell) + 2);
         for (std::size_t i = 0; i < lines.size(); ++i)
             lines[i] += fmt::format("{:>{}}", cells[i], width);
     }

@@ -9,7 +9,7 @@
 
 namespace ideotype {
 
-//! Keys stay in the order in which they are written.
+//! JSON objects that keep the order of insertion.
 using Json = nlohmann::ordered_json;
 
 //! Returns {"mean": x, "standard_error": s}; an unknown s is null.
@@ -17,23 +17,24 @@ inline Json to_json(Estimate x) {
     return {{"mean", x.mean}, {"standard_error", x.standard_error}};
 }
 
-//! Indented text; bytes of names that are no UTF-8 are replaced.
+//! Returns indented text. Bytes that are not UTF-8 are replaced.
 inline std::string to_text(const Json& json) {
     return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 
-//! Returns a number, a text or a list for people in one line; an estimate with
-//! half of its 95 % confidence interval.
+//! Formats a number, a text or a list in one line; an estimate as mean ± half
+//! of its 95 % confidence interval.
 std::string text_of(const Json& value);
 
-//! Prints an object for people: a line for each number, below the name of an
-//! object what is in it, and a list of objects as a table.
+//! Prints an object as indented text: a line for each number, nested objects
+//! below their names, and lists of objects as tables.
 void print_outline(const Json& json, std::size_t indent = 0);
 
-//! Prints objects as a table, whose columns are members that are no objects.
+//! Prints objects as the rows of a table. Columns are the members that are not
+//! objects.
 void print_table(const Json& rows, std::size_t indent);
 
-//! Text without spaces and ends of lines.
+//! Returns text in one line, without spaces.
 inline std::string to_line(const Json& json) {
     return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }

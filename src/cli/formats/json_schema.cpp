@@ -27,7 +27,8 @@ Json number_schema(const Values& values, const char* type) {
     return schema;
 }
 
-//! Returns a list of items, or one item where a key allows that.
+//! Returns the schema of a list of items, or of one item where a key allows
+//! that.
 Json list_schema(const Values& values, const Json& item) {
     Json list = {{"type", "array"}, {"items", item}};
     if (values.count == any_count) return {{"anyOf", {item, list}}};
@@ -40,14 +41,14 @@ Json pair_schema(const Json& item) {
         {"type", "array"}, {"items", item}, {"minItems", 2}, {"maxItems", 2}};
 }
 
-//! Returns the schema of the type of a key's value.
+//! Builds the schema of a key's value from its type.
 struct TypeSchema {
     const Key& key;
     const Values& values = key.values;
 
     Json text() const {
         Json schema = {{"type", "string"}};
-        // Texts that a file determines are not known here.
+        // Names that a file defines are not known here.
         if (values.names != Names::none && values.names != Names::objectives)
             return schema;
         const std::vector<std::string> allowed = allowed_texts(key);
@@ -116,8 +117,8 @@ Json key_schema(const Key& key, const void* usual) {
     return schema;
 }
 
-//! Writes the schemas of tables. A table that stands at several places is
-//! written once, as a definition to which these places refer.
+//! Builds the schemas of tables. A table that occurs several times is written
+//! once, as a definition to which the other occurrences refer.
 class Tables {
   public:
     //! @param roots the tables of which schemas are wanted
@@ -126,7 +127,7 @@ class Tables {
     }
 
     //! Returns the schema of objects with the keys and tables of a description.
-    //! @param path of the schema in the whole document
+    //! @param path path of this schema in the document
     Json object(const Description& description, const std::string& path) {
         Json schema = {{"type", "object"}, {"additionalProperties", false}};
         add(schema, description, path);
@@ -139,7 +140,7 @@ class Tables {
         Json& properties = schema["properties"];
         for (const Key& key : description.keys()) {
             properties[key.name] = key_schema(key, description.usual());
-            // Sets of traits may be empty where components are bred.
+            // Trait sets may be empty where components are optimised.
             if (key.initial.is_required && !*key.unless &&
                 key.values.names != Names::traits)
                 schema["required"].push_back(key.name);
@@ -159,7 +160,7 @@ class Tables {
         }
     }
 
-    //! Returns the definitions of the tables that other schemas refer to.
+    //! Returns the definitions of tables that schemas refer to.
     const Json& definitions() const { return definitions_; }
 
   private:
@@ -196,8 +197,8 @@ class Tables {
         return {{"$ref", place}};
     }
 
-    //! Returns the schema of a table, a list of tables, or a table that a key
-    //! names as a file or a rule.
+    //! Returns the schema of a table, of a list of tables, or of a table that
+    //! may also be given as a text (a file or a rule).
     Json of(const Table& table, const Json* of_key, const std::string& path) {
         if (of_key && table.text)
             return {{"anyOf",
@@ -206,8 +207,8 @@ class Tables {
         if (!table.is_list || table.text)
             return record(*table.description, path);
         // A list of one table may be written as that table. Editors complete
-        // keys of both forms only where these stand side by side, so that an
-        // item is the schema itself, but no list.
+        // keys of both forms only if one schema describes them: an item is the
+        // schema itself, restricted to objects.
         Json both = object(*table.description, path);
         both["type"] = {"array", "object"};
         both["items"] = {{"$ref", path}, {"type", "object"}};

@@ -7,13 +7,13 @@
 
 namespace ideotype {
 
-//! Returns the JSON Schema (draft 2020-12) of campaigns, as TOML parsers give
-//! them: dates and times are texts. Editors complete and check keys by it. It
-//! knows types, ranges and required keys of single tables; ideotype check also
-//! checks values against each other.
+//! Returns the JSON Schema (draft 2020-12) of campaigns as TOML parsers read
+//! them: dates and times are texts. Editors use it to complete and check keys.
+//! It covers types, ranges and required keys of single tables; `ideotype check`
+//! also checks values against each other.
 Json campaign_schema();
 
-//! Returns the schema as the text of a file.
+//! Returns the schema as text.
 std::string campaign_schema_text();
 
 //! Returns whether a text is the schema of campaigns of any version.

@@ -17,18 +17,19 @@ Json in_unit(const Estimate& x, const std::string& unit) {
     return json;
 }
 
-//! Returns an object with the value that a function gives each name, by place.
+//! Returns an object with a value for each name, computed from the index of the
+//! name.
 template <class Value>
 Json named(const std::vector<std::string>& names, const Value& value) {
     Json json = Json::object();
-    // All names differ, and looking each up among the others takes too long.
+    // Names are unique, so that the linear look-up of operator[] is avoided.
     for (std::size_t i = 0; i < names.size(); ++i)
         json.get_ref<Json::object_t&>().emplace_back(names[i], value(i));
     return json;
 }
 
 //! Writes results as fractions of the incident light.
-//! @param incident light, or that of each band
+//! @param incident light, total or by band
 void add(const std::vector<LightResult>& results,
          const std::vector<double>& incident, const CanopyReport& report,
          Json& json) {
@@ -39,33 +40,33 @@ void add(const std::vector<LightResult>& results,
         };
         const std::vector<ResultAxis>& along = result.along;
         if (!result.has_surfaces) continue;
-        Json& own = json[result.key];
+        Json& entry = json[result.key];
         if (along.empty()) {
-            own = part(0);
+            entry = part(0);
         } else if (along.size() == 2) {
             const std::size_t count = along[1].labels.size();
-            own = named(along[1].labels, [&](std::size_t i) {
+            entry = named(along[1].labels, [&](std::size_t i) {
                 return named(along[0].labels, [&](std::size_t band) {
                     return part(band * count + i, band);
                 });
             });
         } else if (!along[0].labels.empty()) {
-            own = named(along[0].labels, [&](std::size_t i) {
+            entry = named(along[0].labels, [&](std::size_t i) {
                 return part(i, incident.size() > 1 ? i : 0);
             });
         } else {
-            own = Json::array();
+            entry = Json::array();
             for (std::size_t l = 0; l < result.values.size(); ++l) {
                 const double lower = thickness * static_cast<double>(l);
-                own.push_back({{"from_m", lower},
-                               {"to_m", lower + thickness},
-                               {"leaf", part(l)}});
+                entry.push_back({{"from_m", lower},
+                                 {"to_m", lower + thickness},
+                                 {"leaf", part(l)}});
             }
         }
     }
 }
 
-//! Returns whether the sun shines in a step. Without it no leaf is sunlit.
+//! Returns whether direct sunlight reaches leaves in a step.
 bool has_sun(const StepReport& step) {
     return step.sunlit && step.budget.leaves_beam.mean > 0;
 }
@@ -117,9 +118,10 @@ Json assimilation_json(const CanopyReport& report, Span span) {
     return json;
 }
 
-//! Tells a component or a row of the field, by figures per area of its ground.
-//! @param part place among the figures
-//! @param net net assimilation; empty: leaves do not assimilate
+//! Writes quantities of a component or a row of the field, per area of its
+//! ground.
+//! @param part index of the component or row
+//! @param net net assimilation; empty if leaves do not assimilate
 Json part_json(double lai, const Randomised& light, std::size_t part,
                const std::vector<Randomised>& net) {
     Json json{{"lai", lai},

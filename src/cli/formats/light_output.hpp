@@ -7,20 +7,21 @@
 
 namespace ideotype {
 
-//! `incident` and, as fractions of it, what became of it: in all, by group,
-//! by layer, by hour; `quantities` that are single numbers; and `assimilation`
-//! of leaves per ground area: a rate of a single light, else that of a mean
-//! day. Net assimilation and carbon balance have one standard error.
+//! Returns `incident` light and, as fractions of it, absorbed and scattered
+//! light: in total, by group, by layer and by hour; scalar `quantities`; and
+//! `assimilation` of leaves per ground area, as a rate for a single source,
+//! else for a mean day. Net assimilation and net carbon balance have one
+//! standard error.
 Json to_json(const CanopyReport& report, Span span);
 
-//! Tells what became of the light of each waveband, in fractions: by component,
-//! by group, on the soil and back to the sky; and `assimilation` of components
-//! whose leaves assimilate.
+//! Returns the fate of the light of each waveband as fractions: by component,
+//! by group, absorbed by the soil and returned to the sky; and `assimilation`
+//! of components with leaves that assimilate.
 Json scene_json(const CanopyReport& report, Span span);
 
-//! Tells leaf area, absorbed PAR and net assimilation on a mean day:
-//! `components` per area of all ground, where there are several, and `rows` per
-//! area of the ground that is nearest to each, where they are told apart.
+//! Returns leaf area, absorbed PAR and net assimilation on a mean day:
+//! `components` per total ground area, if there are several, and `rows` per
+//! ground area nearest to each row, if rows are reported.
 Json parts_json(const CanopyReport& report);
 
 }  // namespace ideotype

@@ -27,8 +27,8 @@ std::optional<Line> LineReader::next(double seconds) {
     }
 }
 
-//! Returns a line that has arrived in full; at the end of the input also one
-//! without a line break.
+//! Returns a complete line; at the end of the input also one without a line
+//! break.
 std::optional<Line> LineReader::take() {
     const std::size_t end = buffer_.find('\n', searched_);
     if (end == std::string::npos && (!is_closed_ || has_ended())) {
@@ -46,7 +46,7 @@ std::optional<Line> LineReader::take() {
     return line;
 }
 
-//! False if nothing arrived.
+//! Returns false if nothing arrived.
 bool LineReader::read_more(double seconds) {
     pollfd watched{file_, POLLIN, 0};
     if (poll(&watched, 1, static_cast<int>(std::lround(1e3 * seconds))) <= 0)
@@ -67,9 +67,10 @@ namespace {
 constexpr auto nobody_reads =
     "nobody reads the output any more (the pipe is closed)";
 
-//! Returns the pipe that mpirun's own output is, if it started this process and
-//! that is one; else -1. Ranks write to mpirun, which crashes or tells nobody
-//! when its output is closed: a rank that has the pipe itself is told of it.
+//! Opens the standard output of the mpirun that started this process, if it is
+//! a pipe; else returns -1. Ranks write through mpirun, which crashes or stays
+//! silent when its output is closed. A rank that holds the pipe itself gets the
+//! error.
 int pipe_of_mpirun() {
     if (!launch_of_this_process().is_launched) return -1;
     const std::optional<std::string> mpirun = process_of_mpirun();
@@ -78,8 +79,7 @@ int pipe_of_mpirun() {
     const std::string output = *mpirun + "/fd/1";
     if (stat(output.c_str(), &about) != 0 || !S_ISFIFO(about.st_mode))
         return -1;
-    // Without O_NONBLOCK, opening a named pipe that nobody reads would never
-    // end.
+    // Without O_NONBLOCK, opening a named pipe without a reader would block.
     const int file = open(output.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK);
     if (file < 0 && errno == ENXIO) throw Error(nobody_reads);
     if (file >= 0) fcntl(file, F_SETFL, O_WRONLY);
@@ -89,7 +89,7 @@ int pipe_of_mpirun() {
 }  // namespace
 
 LineWriter::LineWriter() : file_(pipe_of_mpirun()) {
-    // Who goes away shall be told of, not kill.
+    // A closed pipe then returns an error instead of killing the process.
     std::signal(SIGPIPE, SIG_IGN);
     if (file_ < 0) file_ = STDOUT_FILENO;
 }

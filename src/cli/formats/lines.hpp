@@ -12,24 +12,25 @@ namespace ideotype {
 struct Line {
     std::uint64_t number = 0;  //!< from 1
     std::string text;
-    bool is_cut = false;  //!< it was longer than any that is read
+    bool is_cut = false;  //!< longer than LineReader::longest
 };
 
-//! Lines from a pipe, a terminal or a file, as they arrive. Reads no further
-//! than it is asked to, so that whoever writes much has to wait.
+//! Reads lines from a pipe, a terminal or a file as they arrive. It reads only
+//! on demand, so that a fast writer has to wait (backpressure).
 class LineReader {
   public:
-    //! Longer lines are cut [bytes].
+    //! Longest line; longer ones are cut [bytes].
     static constexpr std::size_t longest = 1 << 20;
 
-    //! @param file descriptor that others keep open
+    //! @param file file descriptor, which the caller keeps open
     explicit LineReader(int file) : file_(file) {}
 
-    //! Returns the next line; nothing at the end, after a time [s] or a signal.
+    //! Returns the next line; nothing at the end of the input, after a timeout
+    //! [s] or a signal.
     //! @throws Error if it cannot be read.
     std::optional<Line> next(double seconds);
 
-    //! Returns whether the input has no further line.
+    //! Returns whether the input is exhausted.
     bool has_ended() const { return is_closed_ && buffer_.empty() && !is_cut_; }
 
   private:
@@ -37,14 +38,15 @@ class LineReader {
     bool read_more(double seconds);
 
     int file_;
-    std::string buffer_;        //!< what has arrived and was not taken
-    std::size_t searched_ = 0;  //!< bytes of it without the end of a line
-    std::uint64_t lines_ = 0;   //!< taken
-    bool is_cut_ = false;       //!< the beginning of a line was thrown away
+    std::string buffer_;  //!< bytes that have arrived but were not returned
+    std::size_t searched_ =
+        0;  //!< leading bytes of the buffer known to lack a line break
+    std::uint64_t lines_ = 0;  //!< number of returned lines
+    bool is_cut_ = false;  //!< the beginning of the current line was discarded
     bool is_closed_ = false;
 };
 
-//! Lines to the standard output, each at once.
+//! Writes lines to the standard output without buffering.
 class LineWriter {
   public:
     LineWriter();
@@ -52,7 +54,7 @@ class LineWriter {
     LineWriter(const LineWriter&) = delete;
     LineWriter& operator=(const LineWriter&) = delete;
 
-    //! @throws Error if nobody reads them any more, or the disk is full.
+    //! @throws Error if the pipe is closed or the disk is full.
     void write(const std::string& line) const;
 
   private:

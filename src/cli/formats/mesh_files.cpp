@@ -29,7 +29,7 @@ void write_array(OutputFile& out, const std::string& type,
     out.print("\n</DataArray>\n");
 }
 
-//! Returns the leaf rank of "leaf07", 0 of other organs.
+//! Returns the leaf rank of a name such as "leaf07"; 0 for other organs.
 int organ_of(const std::string& name) {
     int rank = 0;
     constexpr std::string_view leaf = "leaf";
@@ -39,8 +39,7 @@ int organ_of(const std::string& name) {
     return rank;
 }
 
-//! Writes text as VTK stores it in XML: as numbers of characters, with a 0 at
-//! the end.
+//! Writes text as VTK stores it in XML: as character codes with a final 0.
 void write_text(OutputFile& out, const std::string& name,
                 const std::string& text) {
     out.print(
@@ -110,9 +109,9 @@ void write_obj(const std::string& path, const Shape& shape) {
         out.print("v {:.7f} {:.7f} {:.7f}\n", v.x, v.y, v.z);
     std::string current;
     for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-        const Group& of = mesh.groups[mesh.face_group[f]];
-        std::string group = of.name;
-        if (!shape.face_plant.empty() && !of.id.is_object())
+        const Group& organ = mesh.groups[mesh.face_group[f]];
+        std::string group = organ.name;
+        if (!shape.face_plant.empty() && !organ.id.is_object())
             group =
                 fmt::format("plant{:03}_{}", shape.face_plant[f] + 1, group);
         if (group != current) out.print("g {}\n", current = group);

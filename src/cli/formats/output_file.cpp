@@ -21,14 +21,14 @@ std::string name_of_part(const std::string& path) {
     return fmt::format("{}.{:08x}.part", path, std::random_device{}());
 }
 
-//! Gives a complete file its name unless another file has it; returns whether
-//! this has succeeded, or sets errno.
+//! Renames a complete file unless the name is taken; returns whether this
+//! succeeded, or sets errno.
 bool give_name(const std::string& part, const std::string& path) {
     if (renameat2(AT_FDCWD, part.c_str(), AT_FDCWD, path.c_str(),
                   RENAME_NOREPLACE) == 0)
         return true;
     if (errno == EEXIST) require_new(path);
-    // Some file systems, such as NFS, cannot refuse to replace a file.
+    // Some file systems, such as NFS, do not support RENAME_NOREPLACE.
     if (errno != EINVAL && errno != ENOSYS) return false;
     require_new(path);
     return std::rename(part.c_str(), path.c_str()) == 0;

@@ -11,14 +11,14 @@
 namespace ideotype {
 
 //! Checks that a path is free for a new file.
-//! @throws Error (refused) if anything exists at this path, even a symbolic
-//! link that leads nowhere.
+//! @throws Error (refused) if anything exists at this path, even a dangling
+//! symbolic link.
 void require_new(const std::string& path);
 
-//! A new file, which gets its name when it is complete, and replaces no other
-//! file. An incomplete file has another name in the same folder, and is removed
-//! if writing fails. Every file that the program writes is written so, except
-//! histories.
+//! A new file that gets its final name only when it is complete, and never
+//! replaces another file. Until then it has a temporary name in the same
+//! folder, and is removed if writing fails. The program writes all files but
+//! histories this way.
 class OutputFile {
   public:
     //! Opens the file. @throws Error if the file cannot be written, or
@@ -37,8 +37,8 @@ class OutputFile {
         if (text_.size() >= block) flush();
     }
 
-    //! Gives the file its name. @throws Error if the file cannot be written,
-    //! or (refused) if another file has got the name meanwhile.
+    //! Gives the file its final name. @throws Error if the file cannot be
+    //! written, or (refused) if another file has taken the name meanwhile.
     void finish();
 
   private:
@@ -46,7 +46,7 @@ class OutputFile {
     [[noreturn]] void fail() const;
 
     std::string path_;
-    std::string part_;  //!< path of the incomplete file, "" when it is complete
+    std::string part_;  //!< temporary path; "" when the file is complete
     std::FILE* file_ = nullptr;
     fmt::memory_buffer text_;
 };

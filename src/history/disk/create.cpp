@@ -21,12 +21,12 @@ namespace ideotype {
 namespace {
 
 constexpr auto smaller_history =
-    "make room, choose another folder with --out, or ask for fewer "
+    "free disk space, choose another folder with --out, or reduce "
     "stop.generations";
 
-void write_everything(hid_t file, const HistoryHeader& header) {
+void write_tables(hid_t file, const HistoryHeader& header) {
     write_header(file, header);
-    // The large tables come last, since a truncated file loses its end.
+    // Large tables come last, since truncation removes the end of a file.
     Generations::create(file, header);
     Journal::create(file);
     Columns::create(
@@ -44,11 +44,11 @@ void write_everything(hid_t file, const HistoryHeader& header) {
 }
 
 void place_objects(hid_t access) {
-    // A kill can cut a write in two where a page ends, but not within a number
-    // at a multiple of its size.
+    // A kill can split a write at the end of a page, but not within a number
+    // aligned to its size.
     checked(H5Pset_alignment(access, 8, 8), "align the datasets");
-    // The descriptions of all data are at the beginning, so that a truncated
-    // file can be opened.
+    // Metadata of all datasets are at the beginning, so that a truncated file
+    // can be opened.
     checked(H5Pset_meta_block_size(access, 1 << 18), "place the descriptions");
     // References to scales are stored with small data.
     checked(H5Pset_small_data_block_size(access, 1 << 17),
@@ -65,13 +65,13 @@ Handle create_in_memory(const HistoryHeader& header) {
     place_objects(access);
     Handle file(H5Fcreate("in memory", H5F_ACC_TRUNC, H5P_DEFAULT, access),
                 H5Fclose, action);
-    write_everything(file, header);
+    write_tables(file, header);
     return file;
 }
 
-// Returns the size of a file with a number of generations, by making it in
+// Returns the size of a file with a number of generations, by creating it in
 // memory.
-std::uint64_t bytes_with(HistoryHeader header, int generations) {
+std::uint64_t measure_bytes(HistoryHeader header, int generations) {
     header.generations = generations;
     const std::string action = "measure a file";
     const Handle file = create_in_memory(header);
@@ -80,14 +80,14 @@ std::uint64_t bytes_with(HistoryHeader header, int generations) {
         checked(H5Fget_file_image(file, nullptr, 0), action));
 }
 
-//! Waits until the disk has an open file; returns 0 or an error number.
+//! Waits until an open file is on the disk; returns 0 or an error number.
 int wait_for_disk(int descriptor) {
     while (fsync(descriptor) != 0)
         if (errno != EINTR) return errno;
     return 0;
 }
 
-//! Waits until the disk has a closed file or folder.
+//! Waits until a closed file or folder is on the disk.
 void synchronize_path(const std::filesystem::path& path) {
     const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
     if (descriptor < 0)
@@ -95,41 +95,41 @@ void synchronize_path(const std::filesystem::path& path) {
                     std::generic_category().message(errno));
     const int failure = wait_for_disk(descriptor);
     ::close(descriptor);
-    // Some file systems cannot synchronize a folder.
+    // Some file systems cannot synchronise a folder.
     if (failure == 0 || failure == EINVAL) return;
     throw Error(
-        fmt::format("{}: this file cannot be brought to the disk: {}; check "
+        fmt::format("{}: this file cannot be written to the disk: {}; check "
                     "the disk, or choose another folder with --out",
                     path.string(), std::generic_category().message(failure)));
 }
 
-//! Gives a complete file the name of another file, which it replaces without a
-//! moment in which neither exists.
-void put_in_place(const std::string& from, const std::string& to) {
+//! Renames a complete file atomically, so that one of old and new file always
+//! exists.
+void rename_file(const std::string& source, const std::string& target) {
     std::error_code failure;
-    std::filesystem::rename(from, to, failure);
-    if (failure) throw Error(to + ": " + failure.message());
-    synchronize_path(std::filesystem::absolute(to).parent_path());
+    std::filesystem::rename(source, target, failure);
+    if (failure) throw Error(target + ": " + failure.message());
+    synchronize_path(std::filesystem::absolute(target).parent_path());
 }
 
 }  // namespace
 
 std::uint64_t history_bytes(const HistoryHeader& header) {
-    // Every dataset is one block, at a multiple of 8 bytes: 8 more generations
-    // always take equal room.
+    // Every dataset is one block aligned to 8 bytes, so that the size is linear
+    // in steps of 8 generations.
     constexpr int step = 8;
     if (header.generations <= 2 * step)
-        return bytes_with(header, header.generations);
-    const std::uint64_t small = bytes_with(header, step);
-    const std::uint64_t large = bytes_with(header, 2 * step);
+        return measure_bytes(header, header.generations);
+    const std::uint64_t small = measure_bytes(header, step);
+    const std::uint64_t large = measure_bytes(header, 2 * step);
     const auto more = static_cast<std::uint64_t>(header.generations - step);
     return small + (large - small) * more / step;
 }
 
 void create_file(const std::string& path, const HistoryHeader& header,
                  const FileLock& lock) {
-    // From this number on, row numbers alone can fill a disk before the file is
-    // reserved.
+    // Above this number of rows, the row numbers alone can fill a disk before
+    // space is reserved.
     constexpr int many = 1'000'000;
     if (header.rows() > many)
         require_room(path, history_bytes(header), smaller_history);
@@ -139,22 +139,22 @@ void create_file(const std::string& path, const HistoryHeader& header,
     Handle file(
         H5Fcreate(unfinished.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access),
         H5Fclose, "create the file");
-    write_everything(file, header);
+    write_tables(file, header);
     reserve_space(file, path, smaller_history);
     flush(file);
     file.close("write the file");
     synchronize_path(unfinished);
-    put_in_place(path + ".new", path);
-    if (!lock.is_of(path))
+    rename_file(path + ".new", path);
+    if (!lock.locks(path))
         throw Error(
             path +
                 ": this file was deleted, moved or replaced while it was "
-                "created; begin again",
+                "created; start again",
             ExitCode::refused);
 }
 
 void synchronize(hid_t file) {
-    if (const int failure = wait_for_disk(descriptor_of(file)); failure != 0)
+    if (const int failure = wait_for_disk(get_descriptor(file)); failure != 0)
         throw Hdf5Error("the history cannot be written: " +
                         std::generic_category().message(failure));
 }

@@ -26,25 +26,26 @@ namespace {
 
 namespace fs = std::filesystem;
 
-//! Returns a lock of the whole of a file. Its owner is the open file rather
-//! than the process, since HDF5 opens and closes the file too.
-struct flock whole_file() {
+//! Returns a lock of a whole file. It belongs to the open file rather than to
+//! the process (open file description lock), since HDF5 opens and closes the
+//! file too.
+struct flock make_lock() {
     struct flock lock {};
     lock.l_type = F_WRLCK;
     lock.l_whence = SEEK_SET;
     return lock;
 }
 
-std::string path_of(int descriptor) {
+std::string make_path(int descriptor) {
     return fmt::format("/proc/self/fd/{}", descriptor);
 }
 
-//! Returns the process of this host, other than this one, that has the file
-//! open to write; 0 if no such process is visible.
-long writer_here(int descriptor) {
+//! Finds another process of this host that has the file open to write; returns
+//! 0 if none is visible.
+long find_local_writer(int descriptor) {
     constexpr fs::perms write = fs::perms::owner_write;
     std::error_code unknown;
-    const fs::path file = fs::read_symlink(path_of(descriptor), unknown);
+    const fs::path file = fs::read_symlink(make_path(descriptor), unknown);
     for (fs::directory_iterator process("/proc", unknown), end; process != end;
          process.increment(unknown)) {
         const long id = std::atol(process->path().filename().c_str());
@@ -58,16 +59,16 @@ long writer_here(int descriptor) {
     return 0;
 }
 
-//! Returns a description of the writer of a history, as far as known.
-std::string holder(const std::string& file, int descriptor) {
-    if (const long id = writer_here(descriptor))
+//! Describes the writer of a history, as far as known.
+std::string describe_writer(const std::string& file, int descriptor) {
+    if (const long id = find_local_writer(descriptor))
         return fmt::format("process {} on {}", id, host_name());
     try {
         if (const auto last = History::read(file).last_session())
             return fmt::format("the run that {} began at {}", last->host,
                                last->started);
     } catch (const Error&) {
-        // There is no history yet if opening fails.
+        // Without a history, opening fails.
     }
     return "another process";
 }
@@ -75,7 +76,7 @@ std::string holder(const std::string& file, int descriptor) {
 enum class Attempt { locked, taken, unsupported };
 
 Attempt try_lock(int descriptor) {
-    struct flock lock = whole_file();
+    struct flock lock = make_lock();
     if (fcntl(descriptor, F_OFD_SETLK, &lock) == 0) return Attempt::locked;
     return errno == EAGAIN || errno == EACCES ? Attempt::taken
                                               : Attempt::unsupported;
@@ -96,7 +97,7 @@ Attempt try_lock(int descriptor) {
         is_new ? ExitCode::refused : ExitCode::runtime);
 }
 
-//! Returns whether a file is regular and has no second name, so that no other
+//! Returns whether a file is regular and has only one name, so that no other
 //! file is overwritten.
 bool is_plain(int descriptor) {
     struct stat status {};
@@ -114,13 +115,13 @@ bool history_exists(const std::string& path) {
         throw Error(fmt::format(
             "{}: this file cannot be opened ({}); {}", path,
             std::generic_category().message(reason),
-            reason == ELOOP ? "its symbolic links lead in a circle: remove them"
+            reason == ELOOP ? "its symbolic links form a loop: remove them"
                             : "choose a path that can be read"));
     }
     if (S_ISREG(status.st_mode)) return true;
     throw Error(
         fmt::format("{}: this is not a history of ideotype ({}); name a file",
-                    path, kind_of(status)),
+                    path, describe_kind(status)),
         ExitCode::refused);
 }
 
@@ -131,15 +132,16 @@ bool is_at(const std::string& path, int descriptor) {
            opened.st_ino == named.st_ino && opened.st_dev == named.st_dev;
 }
 
-Writer writer_of(const std::string& path) {
+Writer find_writer(const std::string& path) {
     const int descriptor =
         open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
     if (descriptor < 0) return Writer::closed;
-    struct flock lock = whole_file();
+    struct flock lock = make_lock();
     const bool is_alive = fcntl(descriptor, F_OFD_GETLK, &lock) == 0
                               ? lock.l_type != F_UNLCK
-                              : writer_here(descriptor) != 0;
-    // HDF5 notes in its superblock (version 3) that a writer has the file open.
+                              : find_local_writer(descriptor) != 0;
+    // HDF5 records in its superblock (version 3) that a writer has the file
+    // open.
     constexpr off_t flags_at = 11;
     unsigned char flags = 0;
     const bool is_open =
@@ -151,7 +153,7 @@ Writer writer_of(const std::string& path) {
 
 FileLock::FileLock(const std::string& file) : FileLock(file, file, 0) {}
 
-FileLock FileLock::of_new(const std::string& file) {
+FileLock FileLock::create_new(const std::string& file) {
     return {file, file + ".new", O_CREAT | O_NOFOLLOW};
 }
 
@@ -164,43 +166,44 @@ FileLock::FileLock(const std::string& file, std::string path, int flags)
         if (descriptor_ < 0) fail_to_open(path_, is_new_);
         if (is_new_ && !is_plain(descriptor_)) {
             close(descriptor_);
-            throw Error(path_ +
-                            ": this is no plain file with one name; remove it "
-                            "or choose another folder with --out",
-                        ExitCode::refused);
+            throw Error(
+                path_ +
+                    ": this is not a regular file with one name; remove it "
+                    "or choose another folder with --out",
+                ExitCode::refused);
         }
         const Attempt attempt = try_lock(descriptor_);
         is_exclusive_ = attempt == Attempt::locked;
-        if (attempt == Attempt::taken ||
-            (attempt == Attempt::unsupported && writer_here(descriptor_) > 0)) {
-            // A killed process may need a moment to end.
+        if (attempt == Attempt::taken || (attempt == Attempt::unsupported &&
+                                          find_local_writer(descriptor_) > 0)) {
+            // A killed process may need a moment to terminate.
             if (++failed < tries) {
                 close(descriptor_);
                 std::this_thread::sleep_for(std::chrono::milliseconds(10));
                 continue;
             }
-            const std::string who = holder(file, descriptor_);
+            const std::string writer = describe_writer(file, descriptor_);
             close(descriptor_);
             throw InUseError(
                 fmt::format("{}: this history is in use by {}; only one "
                             "program can write a history at a time",
-                            file, who));
+                            file, writer));
         }
         // The file may have been renamed or replaced between opening and
         // locking.
-        if (is_of(path_)) break;
+        if (locks(path_)) break;
         close(descriptor_);
     }
 }
 
-bool FileLock::is_of(const std::string& path) const {
+bool FileLock::locks(const std::string& path) const {
     IDEOTYPE_EXPECT(descriptor_ >= 0);
     return is_at(path, descriptor_);
 }
 
 std::string FileLock::open_path() const {
     IDEOTYPE_EXPECT(descriptor_ >= 0);
-    return path_of(descriptor_);
+    return make_path(descriptor_);
 }
 
 FileLock::FileLock(FileLock&& other) noexcept
@@ -211,7 +214,7 @@ FileLock::FileLock(FileLock&& other) noexcept
 
 FileLock::~FileLock() {
     if (descriptor_ < 0) return;
-    if (is_new_ && is_of(path_)) unlink(path_.c_str());
+    if (is_new_ && locks(path_)) unlink(path_.c_str());
     close(descriptor_);
 }
 

@@ -8,30 +8,30 @@ namespace ideotype {
 //! Returns whether an open file is the file at a path.
 bool is_at(const std::string& path, int descriptor);
 
-//! The right to write a file, held by one process at a time on all hosts that
-//! share the file system. It is a lock of the system on the file, of a kind
-//! that does not conflict with HDF5's locks and excludes no reader. A killed
-//! process loses the lock.
+//! The exclusive right to write a file, among all processes on all hosts that
+//! share the file system. It is an open file description lock, which does not
+//! conflict with HDF5's locks and does not exclude readers. A killed process
+//! loses the lock.
 class FileLock {
   public:
-    //! Locks a file that exists.
-    //! @throws InUseError naming the process that has the lock. Where the
-    //! file system has no locks, only processes of this host are kept out.
+    //! Locks an existing file.
+    //! @throws InUseError that names the process with the lock. On file systems
+    //! without locks, only processes of this host are excluded.
     explicit FileLock(const std::string& file);
 
     //! Creates and locks `<file>.new`, which the caller fills and renames;
-    //! otherwise the lock removes it. The rest of a killed process is used
-    //! again. @throws InUseError if it is locked, Error (refused) if a file of
-    //! this name is not plain or has a second name.
-    static FileLock of_new(const std::string& file);
+    //! otherwise the lock removes it. A file left by a killed process is
+    //! reused. @throws InUseError if it is locked, Error (refused) if a file of
+    //! this name is not regular or has a second name.
+    static FileLock create_new(const std::string& file);
 
     //! Returns false where the file system has no locks.
     bool is_exclusive() const { return is_exclusive_; }
 
     //! Returns whether the locked file is at this path.
-    bool is_of(const std::string& path) const;
+    bool locks(const std::string& path) const;
 
-    //! Returns a path that leads to the locked file even if it was renamed.
+    //! Returns a path to the locked file that remains valid if it is renamed.
     std::string open_path() const;
 
     FileLock(FileLock&& other) noexcept;

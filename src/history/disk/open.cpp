@@ -26,8 +26,8 @@ std::string system_reason() {
     return std::generic_category().message(errno);
 }
 
-[[noreturn]] void refuse(const std::string& path, const std::string& what) {
-    throw Error(path + ": " + what, ExitCode::refused);
+[[noreturn]] void refuse(const std::string& path, const std::string& reason) {
+    throw Error(path + ": " + reason, ExitCode::refused);
 }
 
 struct Length {
@@ -36,12 +36,11 @@ struct Length {
     unsigned char superblock = 0;  //!< version of the superblock
 };
 
-// Returns the length of a file and the length that HDF5 noted in its
-// superblock. A file that was cut short opens, and reads as zeros beyond its
-// end, so that only the difference of lengths tells. The superblock of the
-// program has version 3, that of h5repack has version 0 unless it is asked for
-// more.
-Length length_of(const std::string& path) {
+// Returns the length of a file and the length that HDF5 recorded in its
+// superblock. A truncated file opens, and reads as zeros beyond its end, so
+// only the difference of lengths reveals it. The superblock of this program has
+// version 3; that of h5repack has version 0 by default.
+Length read_length(const std::string& path) {
     constexpr std::array<unsigned char, 8> start{0x89, 'H',  'D',  'F',
                                                  '\r', '\n', 0x1a, '\n'};
     std::array<unsigned char, 52> block{};
@@ -56,25 +55,25 @@ Length length_of(const std::string& path) {
     if (std::memcmp(block.data(), start.data(), start.size()) != 0)
         refuse(path, "this is not a history of ideotype");
     const unsigned char version = block[start.size()];
-    const std::size_t end_of_file_at = version == 0   ? 40
-                                       : version == 1 ? 44
-                                                      : 28;
+    const std::size_t length_offset = version == 0   ? 40
+                                      : version == 1 ? 44
+                                                     : 28;
     std::uint64_t length = 0;
     for (std::size_t i = 8; i-- > 0;)
-        length = length << 8U | block[end_of_file_at + i];
+        length = length << 8U | block[length_offset + i];
     return {static_cast<std::uint64_t>(status.st_size), length, version};
 }
 
-std::string truncation(const Length& length) {
-    return fmt::format("truncated: {} of {} bytes are there", length.present,
+std::string describe_truncation(const Length& length) {
+    return fmt::format("truncated: {} of {} bytes are left", length.present,
                        length.expected);
 }
 
 Length refuse_truncated(const std::string& path) {
-    const Length length = length_of(path);
+    const Length length = read_length(path);
     if (length.present < length.expected)
         refuse(path,
-               truncation(length) +
+               describe_truncation(length) +
                    "; copy it again, or save the generations that are left "
                    "with: ideotype export FILE --generations --to NEW.csv");
     return length;
@@ -85,7 +84,7 @@ Handle open_without_lock(const std::string& path, hid_t access) {
             H5Fclose, "open the file"};
 }
 
-std::string version_of(const std::string& path, hid_t file) {
+std::string read_version(const std::string& path, hid_t file) {
     if (text_attribute(file, "format") != format_name)
         refuse(path, "this is not a history of ideotype");
     return text_attribute(file, "format_version");
@@ -109,7 +108,7 @@ bool is_compressed(hid_t file) {
 }
 
 void require_readable(const std::string& path, hid_t file) {
-    if (const std::string version = version_of(path, file);
+    if (const std::string version = read_version(path, file);
         !version.starts_with("2."))
         refuse_version(path, version,
                        version.starts_with("1.")
@@ -125,14 +124,14 @@ Handle access_properties() {
     Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, action);
     checked(H5Pset_libver_bounds(access, H5F_LIBVER_V110, H5F_LIBVER_V110),
             action);
-    // Writers exclude each other with FileLock and readers need no lock.
+    // FileLock excludes other writers, and readers need no lock.
     checked(H5Pset_file_locking(access, false, true), action);
-    // Without this buffer every write reaches the system, and every reader sees
-    // the file.
+    // Without this buffer every write reaches the operating system, where
+    // readers of the file see it.
     checked(H5Pset_sieve_buf_size(access, 0), action);
-    // HDF5 reads a block again, each time after twice the wait, until its
-    // checksum is right, which waits a second for a live file. The default of
-    // 100 attempts would never end for a damaged file.
+    // HDF5 rereads a block until its checksum is right, doubling the wait each
+    // time; 30 attempts wait a second for a live file. The default of 100
+    // attempts would never end for a damaged file.
     checked(H5Pset_metadata_read_attempts(access, 30), action);
     return access;
 }
@@ -144,24 +143,23 @@ Handle open_to_write(const std::string& path) {
             "h5repack has rewritten this history so that it cannot be resumed; "
             "repack it again with the option -L");
     const Handle access = access_properties();
-    // A killed writer leaves the file marked as open; this clears the mark as
-    // h5clear does.
+    // A killed writer leaves the file marked as open; this clears the mark,
+    // like h5clear.
     const hbool_t yes = true;
     checked(H5Pset(access, "clear_status_flags", &yes), "clear the flags");
     Handle file(
         H5Fopen(path.c_str(), H5F_ACC_RDWR | H5F_ACC_SWMR_WRITE, access),
         H5Fclose, "open the file to write");
-    if (const std::string version = version_of(path, file);
+    if (const std::string version = read_version(path, file);
         version != format_version)
         refuse_version(path, version,
                        std::string("resumes only ") + format_version);
     if (is_compressed(file) && !Journal(file).finished())
         refuse(path,
-               "h5repack has rewritten this history before it was finished; go "
-               "on with "
-               "the file that it was made of");
-    // A copy may lack the room that was reserved for the original.
-    reserve_space(file, path, "make room and resume again");
+               "h5repack has rewritten this history before it was finished; "
+               "continue with the original file");
+    // A copy may lack the space that was reserved for the original.
+    reserve_space(file, path, "free disk space and resume again");
     return file;
 }
 
@@ -173,7 +171,7 @@ Handle open_as_it_is(const std::string& path) {
 }
 
 Remains open_remains(const std::string& path) {
-    const Length length = length_of(path);
+    const Length length = read_length(path);
     if (length.present >= length.expected) {
         Handle file = open_as_it_is(path);
         require_intact(file, path);
@@ -188,8 +186,8 @@ Remains open_remains(const std::string& path) {
         return {std::move(file), length.present,
                 length.expected - length.present};
     } catch (const Hdf5Error&) {
-        refuse(path,
-               truncation(length) + ", too few to read any; copy it again");
+        refuse(path, describe_truncation(length) +
+                         ", too few to read any; copy it again");
     }
 }
 
@@ -197,7 +195,7 @@ void flush(hid_t file) {
     checked(H5Fflush(file, H5F_SCOPE_LOCAL), "write");
 }
 
-int descriptor_of(hid_t file) {
+int get_descriptor(hid_t file) {
     void* descriptor = nullptr;
     checked(H5Fget_vfd_handle(file, H5P_DEFAULT, &descriptor),
             "find the open file");

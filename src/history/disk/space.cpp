@@ -18,33 +18,32 @@ namespace {
 
 namespace fs = std::filesystem;
 
-double mebibytes(std::uintmax_t bytes) {
+double to_mebibytes(std::uintmax_t bytes) {
     return static_cast<double>(bytes) / (1 << 20);
 }
 
-fs::path folder_of(const std::string& path) {
+fs::path find_folder(const std::string& path) {
     return fs::absolute(path).parent_path();
 }
 
 std::uintmax_t free_bytes(const std::string& path) {
     std::error_code failure;
-    const fs::space_info space = fs::space(folder_of(path), failure);
+    const fs::space_info space = fs::space(find_folder(path), failure);
     return failure ? 0 : space.available;
 }
 
-// Returns the number of bytes up to a size that are holes of the file.
+// Returns the number of bytes, up to a size, that are holes of the file.
 std::uintmax_t missing_bytes(const struct stat& status, std::uintmax_t size) {
     const auto present = static_cast<std::uintmax_t>(status.st_blocks) * 512;
     return size - std::min(size, present);
 }
 
-std::string needed_and_free(std::uintmax_t needed, std::uintmax_t free) {
+std::string describe_space(std::uintmax_t needed, std::uintmax_t free) {
     return fmt::format("{:.2f} MiB are needed and {:.2f} MiB are free",
-                       mebibytes(needed), mebibytes(free));
+                       to_mebibytes(needed), to_mebibytes(free));
 }
 
-// Reserves room for a file without posix_fallocate(), which may write to every
-// block.
+// Reserves space without posix_fallocate(), which may write to every block.
 int allocate(int descriptor, std::uintmax_t size) {
     while (fallocate(descriptor, 0, 0, static_cast<off_t>(size)) != 0)
         if (errno != EINTR) return errno;
@@ -55,9 +54,9 @@ int allocate(int descriptor, std::uintmax_t size) {
                          std::uintmax_t needed, std::uintmax_t free,
                          const std::string& advice) {
     throw Error(fmt::format(
-        "{}: there is no room for this history ({}): {} in {}; {}", path,
-        std::generic_category().message(failure), needed_and_free(needed, free),
-        folder_of(path).string(), advice));
+        "{}: there is not enough space for this history ({}): {} in {}; {}",
+        path, std::generic_category().message(failure),
+        describe_space(needed, free), find_folder(path).string(), advice));
 }
 
 }  // namespace
@@ -67,13 +66,13 @@ void reserve_space(hid_t file, const std::string& path,
     const std::string action = "reserve room";
     haddr_t size = 0;
     checked(H5Fget_eoa(file, &size), action);
-    const int own = descriptor_of(file);
+    const int descriptor = get_descriptor(file);
     struct stat status {};
-    if (fstat(own, &status) != 0) throw_hdf5_error(action);
+    if (fstat(descriptor, &status) != 0) throw_hdf5_error(action);
     const std::uintmax_t needed = missing_bytes(status, size);
     const std::uintmax_t free = free_bytes(path);
 
-    int failure = allocate(own, size);
+    int failure = allocate(descriptor, size);
     if (failure == EOPNOTSUPP || failure == ENOSYS)
         failure = needed <= free ? 0 : ENOSPC;
     if (failure != 0) refuse(path, failure, needed, free, advice);
@@ -89,7 +88,7 @@ bool has_all_room(hid_t file) {
     haddr_t size = 0;
     checked(H5Fget_eoa(file, &size), "find the room of the file");
     struct stat status {};
-    return fstat(descriptor_of(file), &status) == 0 &&
+    return fstat(get_descriptor(file), &status) == 0 &&
            static_cast<haddr_t>(status.st_size) >= size &&
            missing_bytes(status, size) == 0;
 }
@@ -99,7 +98,7 @@ std::string lacking_space(const std::string& path) {
     if (stat(path.c_str(), &status) != 0) return "";
     const std::uintmax_t needed =
         missing_bytes(status, static_cast<std::uintmax_t>(status.st_size));
-    return needed == 0 ? "" : needed_and_free(needed, free_bytes(path));
+    return needed == 0 ? "" : describe_space(needed, free_bytes(path));
 }
 
 }  // namespace ideotype

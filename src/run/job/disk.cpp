@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 //! The longest suffix that is added to the name of a history.
 constexpr std::string_view longest_suffix = ".new";
 
-//! Returns a folder, or the nearest existing folder above.
+//! Returns a folder, or its nearest existing parent.
 fs::path existing(const fs::path& folder) {
     fs::path nearest = fs::absolute(folder).lexically_normal();
     std::error_code unknown;
@@ -33,30 +33,31 @@ fs::path existing(const fs::path& folder) {
     return nearest;
 }
 
-void require_length(const std::string& what, const std::string& text,
+void require_length(const std::string& subject, const std::string& text,
                     std::size_t extra, long limit, const std::string& remedy) {
-    // A limit of -1 means that there is none.
+    // -1: no limit
     if (limit < 0 || text.size() + extra <= static_cast<std::size_t>(limit))
         return;
-    throw Error(fmt::format("{}: this {} is {} bytes long with what is added "
-                            "while it is written (its file system allows {}); "
-                            "{}",
-                            text, what, text.size() + extra, limit, remedy),
-                ExitCode::invalid_campaign);
+    throw Error(
+        fmt::format("{}: this {} is {} bytes long, including the suffix added "
+                    "while writing (the file system allows {}); {}",
+                    text, subject, text.size() + extra, limit, remedy),
+        ExitCode::invalid_campaign);
 }
 
 }  // namespace
 
 DiskRoom disk_room(const Campaign& campaign, const Cases& chosen) {
     DiskRoom room;
-    // Sizes of files depend on genes, scenarios and lengths of names.
+    // File sizes depend on genes, scenarios and lengths of names, so each
+    // combination is computed once.
     std::map<std::array<std::size_t, 5>, std::uint64_t> known;
     for (std::size_t i = 0; i < chosen.size(); ++i) {
-        const CaseName each = chosen.name(i);
+        const CaseName case_name = chosen.name(i);
         std::uint64_t& bytes =
-            known[{each.name.size(), each.site_name.size(),
-                   each.day_name.size(), each.spacing_name.size(),
-                   std::hash<std::string>()(each.trait_set_name)}];
+            known[{case_name.name.size(), case_name.site_name.size(),
+                   case_name.day_name.size(), case_name.spacing_name.size(),
+                   std::hash<std::string>()(case_name.trait_set_name)}];
         if (bytes == 0)
             bytes = history_bytes(header_of(campaign, chosen[i], "any"));
         room.largest = std::max(room.largest, bytes);
@@ -70,8 +71,8 @@ void require_names_fit(const Campaign& campaign, const Cases& chosen,
     const fs::path folder = existing(path_of(out, campaign, chosen.name(0)));
     const long longest_name = pathconf(folder.c_str(), _PC_NAME_MAX);
     const long longest_path = pathconf(folder.c_str(), _PC_PATH_MAX);
-    for (const CaseName& each : chosen.names()) {
-        const fs::path path = path_of(out, campaign, each);
+    for (const CaseName& case_name : chosen.names()) {
+        const fs::path path = path_of(out, campaign, case_name);
         require_length("name of a folder", campaign.spec.name, 0, longest_name,
                        "shorten the name of the campaign");
         require_length("name of a file", path.filename().string(),

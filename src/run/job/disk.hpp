@@ -9,9 +9,9 @@
 
 namespace ideotype {
 
-//! The room that the histories of a campaign take on the disk [bytes].
+//! The disk space of the histories of a campaign [bytes].
 struct DiskRoom {
-    std::uint64_t largest = 0;  //!< file of a case
+    std::uint64_t largest = 0;  //!< largest file of a case
     std::uint64_t all = 0;
 };
 

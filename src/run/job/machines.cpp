@@ -62,7 +62,7 @@ void require_same_program(const std::vector<Machine>& machines) {
         for (const auto& [name, value] : first.program)
             if (other.program.at(name) != value)
                 throw Error(
-                    fmt::format("the ranks of this job would not give the "
+                    fmt::format("the ranks of this job would not compute the "
                                 "same bits ({} is {} on {}, but {} on {}); "
                                 "start the same program everywhere, on "
                                 "machines with the same C library",

@@ -10,35 +10,37 @@
 
 namespace ideotype {
 
-//! The facts, by attributes of a history, on which the bits of results depend
-//! besides the campaign and the instruction set.
+//! Properties of the program on which the bits of results depend, in addition
+//! to campaign and instruction set; by attribute name of a history.
 using ProgramFacts = std::map<std::string, std::string>;
 
-//! Returns version, compiler, Embree and maths of this process by name.
+//! Returns version, compiler, Embree version and maths fingerprint of this
+//! process.
 ProgramFacts program_facts();
 
 //! The hardware and program of one rank of a job.
 struct Machine {
     std::string host;
     ProgramFacts program;
-    std::vector<std::string> isas;  //!< its instruction sets, narrowest first
+    std::vector<std::string>
+        isas;  //!< supported instruction sets, narrowest first
 
     bool operator==(const Machine&) const = default;
 };
 
 Machine this_machine();
 
-//! Returns a machine as a message between ranks, and back.
+//! Converts a machine to a message between ranks, and back.
 std::string to_text(const Machine& machine);
 Machine machine_of(const std::string& text);
 
-//! Gathers the machines of all ranks on rank 0. All ranks must call this.
+//! Gathers the machines of all ranks on rank 0. Collective.
 //! @param own the machine of this rank
 std::vector<Machine> gather_machines(const Session& session,
                                      const Machine& own);
 
-//! Returns the number of threads that evaluate on each rank: the wanted number,
-//! or else one, or all cores for a single rank. All ranks must call this.
+//! Returns the number of evaluation threads on each rank: the wanted number,
+//! else one, or all cores if there is a single rank. Collective.
 int threads_per_rank(const Session& session, const std::optional<int>& wanted);
 
 //! Checks that all ranks run the same program. @throws Error (refused) that
@@ -46,7 +48,7 @@ int threads_per_rank(const Session& session, const std::optional<int>& wanted);
 void require_same_program(const std::vector<Machine>& machines);
 
 //! Returns the instruction set for all ranks: the wanted one, or the widest
-//! that all ranks have.
+//! that all ranks support.
 //! @param remedy end of the message
 //! @throws Error (refused) that names a host without the instruction set
 std::string choose_isa(const std::vector<Machine>& machines,

@@ -19,11 +19,11 @@ constexpr int plants_of_worker = 4;
 }  // namespace
 
 int masters(std::optional<int> wanted, int ranks, int cases) {
-    const int most = std::max(1, std::min(ranks, cases));
-    if (wanted) return std::clamp(*wanted, 1, most);
+    const int limit = std::max(1, std::min(ranks, cases));
+    if (wanted) return std::clamp(*wanted, 1, limit);
     constexpr double ranks_of_one = 1000;
     return std::clamp(static_cast<int>(std::lround(ranks / ranks_of_one)), 1,
-                      most);
+                      limit);
 }
 
 int part_of(int rank, int ranks, int cases, int parts) {
@@ -33,13 +33,13 @@ int part_of(int rank, int ranks, int cases, int parts) {
 }
 
 Share dealt(int cases, int part, int parts) {
-    Share own;
+    Share share;
     for (int i = 0; i < cases; ++i) {
-        const int of = part_of_case(i, cases, parts);
-        if (of < part) ++own.first;
-        if (of == part) ++own.count;
+        const int part_here = part_of_case(i, cases, parts);
+        if (part_here < part) ++share.first;
+        if (part_here == part) ++share.count;
     }
-    return own;
+    return share;
 }
 
 int busy_workers(const SearchSettings& search, std::size_t cases) {
@@ -61,16 +61,16 @@ std::optional<std::string> advice_for(const Campaign& campaign,
     long long rows = population * campaign.stop.generations;
     if (campaign.stop.evaluations > 0)
         rows = std::min(rows, campaign.stop.evaluations);
-    const long long most =
+    const long long most_streams =
         std::max(1LL, rows / (fewest_generations * population));
-    if (search.streams > most)
+    if (search.streams > most_streams)
         return fmt::format(
             "each of {} searches has only {} generations of {} plants, and "
             "learns little from fewer than {}; use search.streams = {}, or "
             "more generations",
             search.streams, rows / (search.streams * population), population,
-            fewest_generations, most);
-    // Number of workers that wait at little cost.
+            fewest_generations, most_streams);
+    // Number of workers that may be idle at little cost.
     constexpr int few_workers = 8;
     if (workers > few_workers && rows < fewest_generations * population) {
         const long long fewer =
@@ -88,17 +88,18 @@ std::optional<std::string> advice_for(const Campaign& campaign,
     if (workers <= std::max(few_workers, busy_workers(search, cases)))
         return std::nullopt;
     SearchSettings enough = search;
-    while (enough.streams < most && busy_workers(enough, cases) < workers)
+    while (enough.streams < most_streams &&
+           busy_workers(enough, cases) < workers)
         ++enough.streams;
     const int busy = busy_workers(enough, cases);
     if (enough.streams == search.streams)
         return fmt::format(
-            "{} workers are more than {} can keep busy, which is some {}; use "
-            "fewer, or more generations and streams",
+            "{} workers are more than {} can keep busy (about {}); use fewer "
+            "workers, or more generations and streams",
             workers, cases == 1 ? "this case" : "these cases", busy);
     return fmt::format(
-        "{} workers wait for each other at the end of a generation; {} are "
-        "busy with search.streams = {}",
+        "some of the {} workers are idle at the end of each generation; {} "
+        "stay busy with search.streams = {}",
         workers, std::min(busy, workers), enough.streams);
 }
 

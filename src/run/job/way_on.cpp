@@ -29,7 +29,7 @@ std::string quoted(const std::string& word) {
     return text + "'";
 }
 
-//! Returns the words of a line from quoted(); words of other lines are
+//! Splits a line from quoted() into words. For other lines the result is
 //! arbitrary.
 std::vector<std::string> words_of(const std::string& line) {
     std::vector<std::string> words(1);
@@ -52,9 +52,9 @@ bool contains(const std::string& command, const std::string& option) {
 }  // namespace
 
 std::string quoted(const std::vector<std::string>& words) {
-    const auto all =
+    const auto quoted_words =
         mapped(words, [](const std::string& word) { return quoted(word); });
-    return fmt::format("{}", fmt::join(all, " "));
+    return fmt::format("{}", fmt::join(quoted_words, " "));
 }
 
 bool is_start(const std::string& line) {

@@ -6,14 +6,14 @@
 
 namespace ideotype {
 
-//! Returns words as one line that a shell splits into these words.
+//! Quotes words for the shell, as one line.
 std::string quoted(const std::vector<std::string>& words);
 
-//! Returns whether a line, which may come from a history of unknown origin, has
-//! the form of quoted() and can only start a run of ideotype in a shell.
+//! Returns whether a line has the form of quoted() and, in a shell, can only
+//! start a run of ideotype. The line may come from a history of unknown origin.
 bool is_start(const std::string& line);
 
-//! Returns the command that resumes a run as it was started: under mpirun if it
+//! Returns the command that resumes a run as it was started, under mpirun if it
 //! had several ranks.
 //! @param command the quoted command line of the run
 //! @param launcher quoted words before the command; "" if they are unknown

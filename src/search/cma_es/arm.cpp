@@ -15,7 +15,7 @@ namespace {
 
 using Eigen::VectorXd;
 
-//! The standard deviation at the beginning, relative to the range of a gene.
+//! The initial standard deviation, relative to the range of a gene.
 constexpr double first_step = 0.2;
 
 VectorXd to_vector(const std::vector<double>& x) {
@@ -23,7 +23,7 @@ VectorXd to_vector(const std::vector<double>& x) {
                                       static_cast<Eigen::Index>(x.size()));
 }
 
-VectorXd standard_normal(RandomStream stream, std::size_t size) {
+VectorXd draw_normal(RandomStream stream, std::size_t size) {
     VectorXd x(static_cast<Eigen::Index>(size));
     for (Eigen::Index i = 0; i < x.size(); i += 2) {
         const auto [first, second] = stream.normal();
@@ -33,19 +33,19 @@ VectorXd standard_normal(RandomStream stream, std::size_t size) {
     return x;
 }
 
-//! Returns the mean of objective 0 over the better half of some rows; the worst
-//! possible value if none of the better half succeeded and meets all
-//! constraints.
-double better_half(const Population& rows, const std::vector<Sense>& senses) {
+//! Averages objective 0 over the better half of some rows; returns the worst
+//! possible value if none of them succeeded and meets all constraints.
+double average_better_half(const Population& rows,
+                           const std::vector<Sense>& senses) {
     IDEOTYPE_EXPECT(!rows.empty());
     const std::size_t half = (rows.size() + 1) / 2;
     double sum = 0;
     std::size_t count = 0;
     const std::vector<std::uint32_t> order = ranking(rows, senses);
     for (std::size_t i = 0; i < half; ++i) {
-        const Individual& each = rows[order[i]];
-        if (each.status == Status::failed || each.violation > 0) break;
-        sum += each.objectives.front().mean;
+        const Individual& row = rows[order[i]];
+        if (row.status == Status::failed || row.violation > 0) break;
+        sum += row.objectives.front().mean;
         ++count;
     }
     if (count > 0) return sum / static_cast<double>(count);
@@ -55,16 +55,17 @@ double better_half(const Population& rows, const std::vector<Sense>& senses) {
 
 }  // namespace
 
-Candidate plant_at(const VectorXd& point, const UnboundedGenes& coordinates,
-                   const Genome& baseline) {
-    return {coordinates.genome({point.begin(), point.end()}, baseline),
+Candidate make_candidate(const VectorXd& point,
+                         const UnboundedGenes& coordinates,
+                         const Genome& baseline) {
+    return {coordinates.to_genome({point.begin(), point.end()}, baseline),
             Origin::sample};
 }
 
 Arm::Arm(const UnboundedGenes& coordinates, const Genome& start,
          std::size_t population)
     : population_(population),
-      distribution_(to_vector(coordinates.of(start)),
+      distribution_(to_vector(coordinates.to_coordinates(start)),
                     first_step * to_vector(coordinates.first_steps()),
                     population) {}
 
@@ -74,10 +75,10 @@ const VectorXd& Arm::point(std::uint64_t seed, std::uint32_t generation,
     points_.resize(population_);
     VectorXd& x = points_[plant];
     if (x.size() == 0)
-        x = distribution_.sample(standard_normal(
-            RandomStream(seed, Purpose::sample, generation,
-                         slot + static_cast<std::uint32_t>(plant)),
-            static_cast<std::size_t>(distribution_.mean().size())));
+        x = distribution_.sample(
+            draw_normal(RandomStream(seed, Purpose::sample, generation,
+                                     slot + static_cast<std::uint32_t>(plant)),
+                        static_cast<std::size_t>(distribution_.mean().size())));
     return x;
 }
 
@@ -98,23 +99,26 @@ void Arm::learn(const Population& rows, const std::vector<Sense>& senses,
             point(seed, generation, slot, order[i]);
     distribution_.update(ranked);
     points_.clear();
-    course_.push_back(better_half(rows, senses));
+    course_.push_back(average_better_half(rows, senses));
 }
 
 bool Arm::gains_nothing(Sense sense) const {
     constexpr std::size_t window = 20;
     if (course_.size() < 2 * window) return false;
-    const auto both = std::span(course_).last(2 * window);
-    const auto before = both.first(window), last = both.last(window);
-    const double now = mean_of(last);
-    const double then = mean_of(before);
+    // Compare two windows of generations, with the standard error of the
+    // difference.
+    const auto recent = std::span(course_).last(2 * window);
+    const auto before = recent.first(window), last = recent.last(window);
+    const double mean_last = average(last);
+    const double mean_before = average(before);
     double squares = 0;
     for (std::size_t i = 0; i < window; ++i)
-        squares += (last[i] - now) * (last[i] - now) +
-                   (before[i] - then) * (before[i] - then);
+        squares += (last[i] - mean_last) * (last[i] - mean_last) +
+                   (before[i] - mean_before) * (before[i] - mean_before);
     const double error =
         std::sqrt(squares / static_cast<double>(window * (window - 1)));
-    const double gain = sense == Sense::maximise ? now - then : then - now;
+    const double gain = sense == Sense::maximise ? mean_last - mean_before
+                                                 : mean_before - mean_last;
     return !(gain > error);
 }
 

@@ -10,8 +10,8 @@
 
 namespace ideotype {
 
-//! A search by dd-CMA-ES over the UnboundedGenes of the free genes. Plants are
-//! ranked by is_better(), so that feasible plants come first.
+//! A search by dd-CMA-ES in the coordinates of UnboundedGenes. Plants are
+//! ranked by is_better(), so feasible plants come first.
 class Arm {
   public:
     Arm(const UnboundedGenes& coordinates, const Genome& start,
@@ -19,18 +19,21 @@ class Arm {
 
     std::size_t population() const { return population_; }
     const DdCma& distribution() const { return distribution_; }
-    //! Returns the mean of each generation's better half, see better_half().
+    //! Returns the mean of the better half of each generation.
     const std::vector<double>& course() const { return course_; }
 
-    //! Returns the point of one of the arm's plants in a generation, where
-    //! `slot` is that of the first plant. The point is drawn at its first use.
+    //! Returns the point of one of the arm's plants in a generation, which is
+    //! drawn at its first use.
+    //! @param slot slot of the arm's first plant in the generation
+    //! @param plant index of the plant in the arm
     const Eigen::VectorXd& point(std::uint64_t seed, std::uint32_t generation,
                                  std::uint32_t slot, std::size_t plant);
 
-    //! Doubles the number of the arm's plants, and begins its course anew.
+    //! Doubles the number of plants, and restarts the record of the course.
     void grow();
 
-    //! Learns from the rows of the arm's plants; arguments are as in point().
+    //! Updates the distribution with the evaluated plants of the arm; arguments
+    //! as in point().
     void learn(const Population& rows, const std::vector<Sense>& senses,
                std::uint64_t seed, std::uint32_t generation,
                std::uint32_t slot);
@@ -38,8 +41,8 @@ class Arm {
     //! Returns the largest standard deviation of the distribution.
     double extent() const { return distribution_.deviations().maxCoeff(); }
 
-    //! Returns whether the last generations exceed as many before them by no
-    //! more than the standard error of the difference.
+    //! Returns whether the mean of the last generations exceeds that of as many
+    //! generations before by at most the standard error of the difference.
     bool gains_nothing(Sense sense) const;
 
   private:
@@ -49,8 +52,9 @@ class Arm {
     std::vector<double> course_;
 };
 
-//! Returns the plant at a point.
-Candidate plant_at(const Eigen::VectorXd& point,
-                   const UnboundedGenes& coordinates, const Genome& baseline);
+//! Makes the candidate at a point.
+Candidate make_candidate(const Eigen::VectorXd& point,
+                         const UnboundedGenes& coordinates,
+                         const Genome& baseline);
 
 }  // namespace ideotype

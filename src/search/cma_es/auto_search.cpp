@@ -14,14 +14,15 @@ namespace ideotype {
 
 namespace {
 
-//! Cycles of searches by dd-CMA-ES. A cycle begins with a design: the champion,
-//! which is the baseline at first, mixtures that have each trait of the
-//! champion with probability one half, and plants uniform within the bounds.
-//! One arm begins at the best mixture, another at the best uniform plant. Both
-//! race for some generations, each with half of the plants; then the arm with
-//! the better halves goes on alone. When it gains no more, its number of plants
-//! is doubled, up to eight times, since noise may hide gains. Then a cycle with
-//! 1.5 times the plants begins, whose champion is the end of the last cycle.
+//! Cycles of searches by dd-CMA-ES. A cycle begins with a design of three
+//! parts: the champion, which is the baseline at first; mixtures, which have
+//! each trait of the champion with probability one half; and plants uniform
+//! within the bounds. One arm starts at the best mixture, another at the best
+//! uniform plant. They race for some generations, each with half of the plants;
+//! then the arm with the better results continues alone. When it no longer
+//! gains, its number of plants is doubled, up to eight times, since noise may
+//! hide gains. The next cycle has 1.5 times the plants, and the end of this
+//! cycle as its champion.
 class AutoSearch : public GenerationalOptimizer {
   public:
     AutoSearch(const SearchSettings& settings, SearchSpace space,
@@ -43,32 +44,34 @@ class AutoSearch : public GenerationalOptimizer {
 
     Candidate candidate(std::uint32_t slot) override {
         IDEOTYPE_EXPECT(slot < next_size());
-        if (arms_.empty()) return of_design(slot);
+        if (arms_.empty()) return propose_design(slot);
+        // Find the arm of the slot.
         std::uint32_t first = 0;
         auto arm = arms_.begin();
         for (; slot - first >= arm->population(); ++arm)
             first += static_cast<std::uint32_t>(arm->population());
-        return plant_at(arm->point(seed_, generation(), first, slot - first),
-                        coordinates_, space_.baseline);
+        return make_candidate(
+            arm->point(seed_, generation(), first, slot - first), coordinates_,
+            space_.baseline);
     }
 
-    //! Returns the plants at the means of arms and of earlier cycles, plants of
-    //! better generations first, then the best of the last generation.
+    //! Returns the plants at the means of arms and of earlier cycles, better
+    //! results first, then the best of the last generation.
     std::vector<Candidate> best(std::size_t count) const override {
         std::vector<Champion> means = champions_;
         for (const Arm& arm : arms_)
-            if (!arm.course().empty()) means.push_back(champion_of(arm));
+            if (!arm.course().empty()) means.push_back(make_champion(arm));
         std::stable_sort(means.begin(), means.end(),
                          [&](const Champion& a, const Champion& b) {
                              return is_better(a.value, b.value,
                                               space_.senses.front());
                          });
         std::vector<Candidate> candidates;
-        for (Champion& each : means)
-            candidates.push_back({std::move(each.genome), Origin::sample});
-        for (const Candidate& each :
-             best_of(last_, count, space_.senses, parents_row()))
-            candidates.push_back(each);
+        for (Champion& champion : means)
+            candidates.push_back({std::move(champion.genome), Origin::sample});
+        for (const Candidate& candidate :
+             select_best(last_, count, space_.senses, parents_row()))
+            candidates.push_back(candidate);
         candidates.resize(std::min(count, candidates.size()));
         return candidates;
     }
@@ -79,24 +82,25 @@ class AutoSearch : public GenerationalOptimizer {
         Genome genome;
         double value = 0;
     };
-    Champion champion_of(const Arm& arm) const {
-        return {
-            plant_at(arm.distribution().mean(), coordinates_, space_.baseline)
-                .genome,
-            arm.course().back()};
+    Champion make_champion(const Arm& arm) const {
+        return {make_candidate(arm.distribution().mean(), coordinates_,
+                               space_.baseline)
+                    .genome,
+                arm.course().back()};
     }
 
-    //! The largest standard deviations, relative to the range of a gene, at
-    //! which numbers change no more, and at which no gain means convergence.
+    //! Largest standard deviations, relative to the range of a gene: below the
+    //! first the values no longer change, below the second no gain means
+    //! convergence.
     static constexpr double tiny = 1e-11, narrow = 1e-6;
-    //! The most by which the population of an arm is multiplied.
+    //! Largest factor by which the population of an arm grows.
     static constexpr std::size_t most_growth = 8;
 
-    //! Returns the number of rows of the design, whose first half are mixtures.
+    //! Returns the number of rows of the design; its first half are mixtures.
     std::size_t design_size() const { return auto_design * population_; }
     std::size_t last_mixture() const { return design_size() / 2; }
 
-    Candidate of_design(std::uint32_t slot) const {
+    Candidate propose_design(std::uint32_t slot) const {
         if (slot == 0)
             return {champion_,
                     generation() == 0 ? Origin::baseline : Origin::elite};
@@ -105,13 +109,14 @@ class AutoSearch : public GenerationalOptimizer {
         return {std::move(genome), Origin::random};
     }
 
+    //! Replaces each trait by that of the champion with probability one half.
     void mix(Genome& genome, std::uint32_t slot) const {
         RandomStream stream(seed_, Purpose::selection, generation(), slot);
-        std::map<std::string, bool> kept;
+        std::map<std::string, bool> is_kept;
         for (std::size_t i = 0; i < genome.size(); ++i) {
             const Gene& gene = space_.genes[i];
             if (!gene.is_free) continue;
-            const auto [trait, is_new] = kept.try_emplace(gene.trait);
+            const auto [trait, is_new] = is_kept.try_emplace(gene.trait);
             if (is_new) trait->second = stream.uniform() < 0.5;
             if (trait->second) genome[i] = champion_[i];
         }
@@ -139,6 +144,7 @@ class AutoSearch : public GenerationalOptimizer {
     }
 
     void learn_race(const Population& rows) {
+        // The rows of the arms follow each other.
         auto first = rows.begin();
         for (Arm& arm : arms_) {
             const auto last =
@@ -150,9 +156,10 @@ class AutoSearch : public GenerationalOptimizer {
         constexpr std::size_t race = 15, judged = 4;
         const Sense sense = space_.senses.front();
         const std::size_t generations = arms_.front().course().size();
+        // The race ends: only the arm with the better last generations remains.
         if (arms_.size() > 1 && generations >= race) {
             const auto result = [&](const Arm& arm) {
-                return mean_of(std::span(arm.course()).last(judged));
+                return average(std::span(arm.course()).last(judged));
             };
             const bool is_second_better =
                 is_better(result(arms_[1]), result(arms_[0]), sense);
@@ -162,12 +169,13 @@ class AutoSearch : public GenerationalOptimizer {
         Arm& arm = arms_.front();
         if (arm.extent() > tiny) {
             if (!arm.gains_nothing(sense)) return;
-            // Noise may hide gains, which more plants can show.
+            // Noise may hide gains, which larger generations can reveal.
             if (arm.extent() > narrow &&
                 arm.population() < most_growth * population_ / 2)
                 return arm.grow();
         }
-        champions_.push_back(champion_of(arm));
+        // The cycle ends at the mean of the arm.
+        champions_.push_back(make_champion(arm));
         champion_ = champions_.back().genome;
         arms_.clear();
         population_ += population_ / 2;

@@ -53,7 +53,8 @@ using Eigen::VectorXd;
 //     D <- D exp(diag of (11) with the rates of D, over 2 b),              (13)
 //     b = 1 + max(0, sqrt(cond C) - 2).                                    (14)
 
-std::vector<double> raw_weights(std::size_t population) {
+//! Returns the weights w' before normalisation.
+std::vector<double> make_raw_weights(std::size_t population) {
     std::vector<double> weights(population);
     for (std::size_t i = 0; i < population; ++i)
         weights[i] = std::log((static_cast<double>(population) + 1) / 2) -
@@ -61,9 +62,8 @@ std::vector<double> raw_weights(std::size_t population) {
     return weights;
 }
 
-//! Returns the number of equal weights with the variance of the weights of one
-//! sign, equation (1).
-double effective(const std::vector<double>& weights, double sign) {
+//! Returns the effective number of the weights of one sign, equation (1).
+double count_effective(const std::vector<double>& weights, double sign) {
     double sum = 0, squares = 0;
     for (const double w : weights)
         if (w * sign > 0) {
@@ -75,9 +75,9 @@ double effective(const std::vector<double>& weights, double sign) {
 
 }  // namespace
 
-DdCma::Rates DdCma::rates(double n, double degrees_of_freedom,
-                          const std::vector<double>& raw_weights) {
-    const double mu = effective(raw_weights, 1);
+DdCma::Rates DdCma::compute_rates(double n, double degrees_of_freedom,
+                                  const std::vector<double>& raw_weights) {
+    const double mu = count_effective(raw_weights, 1);
     const auto population = static_cast<double>(raw_weights.size());
     // Equations (2) to (4).
     Rates rates;
@@ -93,7 +93,7 @@ DdCma::Rates DdCma::rates(double n, double degrees_of_freedom,
     for (const double w : raw_weights) (w > 0 ? positive : negative) += w;
     const double most_negative =
         std::min(1 + rates.rank_one / rates.rank_mu,
-                 1 + 2 * effective(raw_weights, -1) / (mu + 2));
+                 1 + 2 * count_effective(raw_weights, -1) / (mu + 2));
     rates.weights.resize(static_cast<Eigen::Index>(raw_weights.size()));
     for (std::size_t i = 0; i < raw_weights.size(); ++i)
         rates.weights[static_cast<Eigen::Index>(i)] =
@@ -118,7 +118,7 @@ DdCma::DdCma(VectorXd mean, VectorXd deviations, std::size_t population)
     set_population(population);
     const auto n = static_cast<double>(mean_.size());
     usual_length_ = std::sqrt(n) * (1 - 1 / (4 * n) + 1 / (21 * n * n));
-    step_path_.steps = path_of_correlation_.steps = path_of_scales_.steps =
+    step_path_.steps = correlation_path_.steps = scale_path_.steps =
         VectorXd::Zero(mean_.size());
     correlation_ = root_ = inverse_root_ =
         MatrixXd::Identity(mean_.size(), mean_.size());
@@ -127,11 +127,11 @@ DdCma::DdCma(VectorXd mean, VectorXd deviations, std::size_t population)
 void DdCma::set_population(std::size_t population) {
     IDEOTYPE_EXPECT(population >= 4);
     const auto n = static_cast<double>(mean_.size());
-    const std::vector<double> weights = raw_weights(population);
-    effective_parents_ = effective(weights, 1);
+    const std::vector<double> weights = make_raw_weights(population);
+    effective_parents_ = count_effective(weights, 1);
     parents_ = population / 2;
-    of_correlation_ = rates(n, n * (n + 1) / 2, weights);
-    of_scales_ = rates(n, n, weights);
+    correlation_rates_ = compute_rates(n, n * (n + 1) / 2, weights);
+    scale_rates_ = compute_rates(n, n, weights);
     const double mu = effective_parents_;
     step_rate_ = (mu + 2) / (n + mu + 5);
     step_damping_ =
@@ -145,7 +145,7 @@ VectorXd DdCma::sample(const VectorXd& normal) const {
 
 void DdCma::update(const MatrixXd& ranked) {
     IDEOTYPE_EXPECT(ranked.rows() == mean_.size());
-    IDEOTYPE_EXPECT(ranked.cols() == of_correlation_.weights.size());
+    IDEOTYPE_EXPECT(ranked.cols() == correlation_rates_.weights.size());
     IDEOTYPE_EXPECT(ranked.allFinite());
     const auto n = static_cast<double>(mean_.size());
     // Equation (6): columns would be standard normal without selection.
@@ -154,7 +154,7 @@ void DdCma::update(const MatrixXd& ranked) {
                            (ranked.colwise() - mean_);
     const auto parents = static_cast<Eigen::Index>(parents_);
     const VectorXd step =
-        white.leftCols(parents) * of_correlation_.weights.head(parents);
+        white.leftCols(parents) * correlation_rates_.weights.head(parents);
     const VectorXd moved = scales_.cwiseProduct(root_ * step);
     mean_ += step_size_ * moved;
 
@@ -164,47 +164,49 @@ void DdCma::update(const MatrixXd& ranked) {
     const bool is_usual =
         length * length < (2 + 4 / (n + 1)) * n * step_path_.share;
 
-    // Equation (10): vectors with negative weights count as if they had the
-    // expected length.
-    const auto weighted = [&](const VectorXd& weights) {
+    // Equation (10): vectors with negative weights are scaled to their expected
+    // length.
+    const auto scale_negative = [&](const VectorXd& weights) {
         VectorXd scaled = weights;
         for (Eigen::Index i = 0; i < weights.size(); ++i)
             if (weights[i] < 0)
                 scaled[i] *= n / std::max(white.col(i).squaredNorm(), 1e-8);
         return scaled;
     };
-    const auto whitened = [&](const Path& path) -> VectorXd {
+    const auto whiten = [&](const Path& path) -> VectorXd {
         return inverse_root_ * path.steps.cwiseQuotient(scales_);
     };
 
     // Equation (11) for C.
-    path_of_correlation_.add(moved, of_correlation_.path, effective_parents_,
-                             is_usual);
-    const VectorXd along = whitened(path_of_correlation_);
-    const VectorXd weights = weighted(of_correlation_.weights);
-    MatrixXd change = of_correlation_.rank_mu *
+    correlation_path_.add(moved, correlation_rates_.path, effective_parents_,
+                          is_usual);
+    const VectorXd along = whiten(correlation_path_);
+    const VectorXd weights = scale_negative(correlation_rates_.weights);
+    MatrixXd change = correlation_rates_.rank_mu *
                           (white * weights.asDiagonal() * white.transpose()) +
-                      of_correlation_.rank_one * (along * along.transpose());
+                      correlation_rates_.rank_one * (along * along.transpose());
     change.diagonal().array() -=
-        of_correlation_.rank_mu * of_correlation_.weights.sum() +
-        of_correlation_.rank_one * path_of_correlation_.share;
-    // A bounded change leaves the correlation positive definite.
-    constexpr double most = 0.75;
-    const double least =
+        correlation_rates_.rank_mu * correlation_rates_.weights.sum() +
+        correlation_rates_.rank_one * correlation_path_.share;
+    // Bounding the smallest eigenvalue keeps the correlation matrix positive
+    // definite.
+    constexpr double limit = 0.75;
+    const double smallest =
         Eigen::SelfAdjointEigenSolver<MatrixXd>(change, Eigen::EigenvaluesOnly)
             .eigenvalues()
             .minCoeff();
-    if (least < -most) change *= most / -least;
+    if (smallest < -limit) change *= limit / -smallest;
 
     // Diagonal of (11) for D.
-    path_of_scales_.add(moved, of_scales_.path, effective_parents_, is_usual);
-    const VectorXd squares_of_path = whitened(path_of_scales_).cwiseAbs2();
-    const VectorXd squares = white.cwiseAbs2() * weighted(of_scales_.weights);
+    scale_path_.add(moved, scale_rates_.path, effective_parents_, is_usual);
+    const VectorXd path_squares = whiten(scale_path_).cwiseAbs2();
+    const VectorXd squares =
+        white.cwiseAbs2() * scale_negative(scale_rates_.weights);
     const VectorXd growth =
-        of_scales_.rank_mu *
-            (squares.array() - of_scales_.weights.sum()).matrix() +
-        of_scales_.rank_one *
-            (squares_of_path.array() - path_of_scales_.share).matrix();
+        scale_rates_.rank_mu *
+            (squares.array() - scale_rates_.weights.sum()).matrix() +
+        scale_rates_.rank_one *
+            (path_squares.array() - scale_path_.share).matrix();
     // Equation (14): D changes more slowly if C is far from a sphere.
     const double damping =
         1 + std::max(0.0, std::sqrt(correlation_condition_) - 2);
@@ -218,8 +220,8 @@ void DdCma::update(const MatrixXd& ranked) {
     decompose();
 }
 
-//! Makes C a correlation matrix again by moving its variances to the scales,
-//! and computes its roots.
+//! Normalises C to a correlation matrix by moving its variances to the scales,
+//! and computes its square roots.
 void DdCma::decompose() {
     const VectorXd deviations = correlation_.diagonal().cwiseSqrt();
     scales_.array() *= deviations.array();
@@ -230,8 +232,8 @@ void DdCma::decompose() {
                        .eval();
     const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(correlation_);
     // Rounding may leave an axis without extent.
-    constexpr double least = 1e-14;
-    const VectorXd values = solver.eigenvalues().cwiseMax(least);
+    constexpr double smallest = 1e-14;
+    const VectorXd values = solver.eigenvalues().cwiseMax(smallest);
     const MatrixXd& axes = solver.eigenvectors();
     root_ = axes * values.cwiseSqrt().asDiagonal() * axes.transpose();
     inverse_root_ = axes * values.cwiseSqrt().cwiseInverse().asDiagonal() *

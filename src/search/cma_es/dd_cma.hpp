@@ -9,11 +9,11 @@
 namespace ideotype {
 
 //! The multivariate normal distribution of dd-CMA-ES (Akimoto and Hansen 2019,
-//! doi:10.1162/evco_a_00260): its covariance is step_size^2 D C D, where D is
-//! diagonal and C a correlation matrix. With learning rates of its own, D
-//! learns the scales of coordinates long before C is known. The step size
-//! follows from cumulation; points that are worse than the median have negative
-//! weights.
+//! doi:10.1162/evco_a_00260). Its covariance is step_size^2 D C D, with D
+//! diagonal and C a correlation matrix. D has separate learning rates, so it
+//! adapts to the scales of coordinates long before C is known. The step size
+//! follows from cumulative step-size adaptation; points worse than the median
+//! have negative weights.
 class DdCma {
   public:
     //! Makes a distribution of independent coordinates.
@@ -29,7 +29,8 @@ class DdCma {
     //! Sets the number of points in the next generations, >= 4.
     void set_population(std::size_t population);
 
-    //! Learns from the points of a generation [n, population], best first.
+    //! Updates the distribution with the points of a generation [n,
+    //! population], best first.
     void update(const Eigen::MatrixXd& ranked);
 
     const Eigen::VectorXd& mean() const { return mean_; }
@@ -44,10 +45,10 @@ class DdCma {
         double rank_one = 0, rank_mu = 0, path = 0;
         Eigen::VectorXd weights{};
     };
-    static Rates rates(double n, double degrees_of_freedom,
-                       const std::vector<double>& raw_weights);
+    static Rates compute_rates(double n, double degrees_of_freedom,
+                               const std::vector<double>& raw_weights);
 
-    //! An evolution path of steps, and its share of the final variance.
+    //! An evolution path, and the share of its stationary variance reached.
     struct Path {
         Eigen::VectorXd steps;
         double share = 0;
@@ -60,7 +61,7 @@ class DdCma {
 
     double effective_parents_ = 0;
     std::size_t parents_ = 0;
-    Rates of_correlation_, of_scales_;
+    Rates correlation_rates_, scale_rates_;
     double step_rate_ = 0, step_damping_ = 0;
     double usual_length_;  //!< expected length of a standard normal vector
 
@@ -68,7 +69,7 @@ class DdCma {
     double step_size_ = 1;
     Eigen::VectorXd scales_;
     Eigen::MatrixXd correlation_;
-    Path step_path_, path_of_correlation_, path_of_scales_;
+    Path step_path_, correlation_path_, scale_path_;
     Eigen::MatrixXd root_, inverse_root_;  //!< symmetric roots of C
     double correlation_condition_ = 1;
 };

@@ -10,7 +10,7 @@ namespace ideotype {
 
 namespace {
 
-//! A search by dd-CMA-ES that begins at the start or the baseline.
+//! A search by dd-CMA-ES from the configured start, by default the baseline.
 class CmaEs : public GenerationalOptimizer {
   public:
     CmaEs(const SearchSettings& settings, SearchSpace space, std::uint64_t seed)
@@ -24,19 +24,19 @@ class CmaEs : public GenerationalOptimizer {
     std::size_t next_size() const override { return arm_.population(); }
 
     Candidate candidate(std::uint32_t slot) override {
-        return plant_at(arm_.point(seed_, generation(), 0, slot), coordinates_,
-                        space_.baseline);
+        return make_candidate(arm_.point(seed_, generation(), 0, slot),
+                              coordinates_, space_.baseline);
     }
 
     //! Returns the plant at the mean of the distribution, then the best of the
     //! last generation.
     std::vector<Candidate> best(std::size_t count) const override {
         IDEOTYPE_EXPECT(count > 0);
-        std::vector<Candidate> candidates{plant_at(
+        std::vector<Candidate> candidates{make_candidate(
             arm_.distribution().mean(), coordinates_, space_.baseline)};
-        for (const Candidate& each :
-             best_of(last_, count - 1, space_.senses, parents_row()))
-            candidates.push_back(each);
+        for (const Candidate& candidate :
+             select_best(last_, count - 1, space_.senses, parents_row()))
+            candidates.push_back(candidate);
         return candidates;
     }
 

@@ -17,7 +17,7 @@ from ideotype.history.front import non_dominated
 SPOILED: dict[str, tuple[Callable[[np.ndarray], Any], str]] = {
     "masked": (
         lambda x: np.ma.masked_array(x, np.arange(x.size) == 1),
-        "masked array, whose hidden values would count; give",
+        "masked array, and masked values would count; give",
     ),
     "mask without effect": (np.ma.masked_array, "masked array"),
     "list of masked": (
@@ -49,14 +49,16 @@ def spoiled(request: pytest.FixtureRequest) -> tuple[Any, str]:
     return SPOILED[request.param]
 
 
-def test_genomes(stand: ideotype.Stand, spoiled: tuple[Any, str]) -> None:
+def test_invalid_genomes_are_errors(
+    stand: ideotype.Stand, spoiled: tuple[Any, str]
+) -> None:
     spoil, words = spoiled
     for take in (stand.evaluate, stand.mesh, stand.crop_file):
         with pytest.raises(ideotype.Error, match=f"^genomes .*{words}"):
             take(spoil(stand.baseline))
 
 
-def test_a_genome_of_a_history(
+def test_an_invalid_genome_of_a_history_is_an_error(
     finished: Path, spoiled: tuple[Any, str]
 ) -> None:
     spoil, words = spoiled
@@ -64,7 +66,7 @@ def test_a_genome_of_a_history(
         ideotype.Stand.from_history(finished, spoil(np.ones(4)))
 
 
-def test_vertices(spoiled: tuple[Any, str]) -> None:
+def test_invalid_vertices_are_errors(spoiled: tuple[Any, str]) -> None:
     spoil, words = spoiled
     with pytest.raises(ideotype.Error, match=words):
         ideotype.mesh(spoil(np.eye(3).ravel()), [[0, 1, 2]])
@@ -79,12 +81,14 @@ def test_vertices(spoiled: tuple[Any, str]) -> None:
         ([["a", "b", "c"]], "is no array of numbers"),
     ],
 )
-def test_faces(faces: Any, words: str) -> None:
+def test_invalid_faces_are_errors(faces: Any, words: str) -> None:
     with pytest.raises(ideotype.Error, match=f"^faces .*{words}"):
         ideotype.mesh(np.eye(4)[:, :3], faces)
 
 
-def test_fronts(spoiled: tuple[Any, str]) -> None:
+def test_invalid_objectives_of_a_front_are_errors(
+    spoiled: tuple[Any, str],
+) -> None:
     spoil, words = spoiled
     values = spoil(np.array([1.0, 2.0, 3.0]))
     for take in (
@@ -96,15 +100,17 @@ def test_fronts(spoiled: tuple[Any, str]) -> None:
             take()
 
 
-def test_settings(stand: ideotype.Stand) -> None:
+def test_a_masked_setting_is_an_error(stand: ideotype.Stand) -> None:
     hidden = np.ma.masked_array([0.01, 0.02], [False, True])
-    with pytest.raises(ideotype.Error, match="a setting is or holds a masked"):
+    with pytest.raises(
+        ideotype.Error, match="a setting is or contains a masked"
+    ):
         ideotype.Stand.from_campaign(
             CAMPAIGNS / "ames_quick.toml", settings={"light.bands": hidden}
         )
 
 
-def test_other_numbers_are_taken_as_they_are(stand: ideotype.Stand) -> None:
+def test_numbers_of_other_types_are_accepted(stand: ideotype.Stand) -> None:
     plant = stand.baseline
     for same in (
         plant.tolist(),

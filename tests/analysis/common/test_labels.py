@@ -35,7 +35,7 @@ def test_abbreviations_have_their_capitals(
     assert title(name) == first
 
 
-def test_the_live_page_has_the_same_words() -> None:
+def test_the_live_page_has_the_same_labels() -> None:
     stand = ideotype.Stand.from_campaign(
         CAMPAIGNS / "ames.toml",
         settings={"objective.maximise": "carbon_balance"},

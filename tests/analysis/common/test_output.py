@@ -57,12 +57,12 @@ def tree(folder: Path) -> dict[str, bytes]:
 @contextmanager
 def small_files() -> Iterator[None]:
     """Limits the size of files, as a full disk does."""
-    most = resource.getrlimit(resource.RLIMIT_FSIZE)
-    resource.setrlimit(resource.RLIMIT_FSIZE, (4096, most[1]))
+    limits = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (4096, limits[1]))
     try:
         yield
     finally:
-        resource.setrlimit(resource.RLIMIT_FSIZE, most)
+        resource.setrlimit(resource.RLIMIT_FSIZE, limits)
 
 
 @pytest.mark.parametrize("former", [None, b"former"])
@@ -103,7 +103,9 @@ def test_an_interrupted_write_leaves_nothing(
 
 
 @pytest.mark.parametrize("kind", ["file", "nothing", "folder", "pipe"])
-def test_what_is_no_plain_file_is_refused(kind: str, tmp_path: Path) -> None:
+def test_special_files_are_refused_as_outputs(
+    kind: str, tmp_path: Path
+) -> None:
     precious, path = tmp_path / "precious", tmp_path / "out" / "some.csv"
     path.parent.mkdir()
     if kind == "folder":
@@ -122,7 +124,9 @@ def test_what_is_no_plain_file_is_refused(kind: str, tmp_path: Path) -> None:
     )
 
 
-def test_a_folder_that_the_user_names_may_be_a_link(tmp_path: Path) -> None:
+def test_an_output_folder_named_by_the_user_may_be_a_link(
+    tmp_path: Path,
+) -> None:
     (tmp_path / "disk").mkdir()
     root = tmp_path / "link"
     root.symlink_to(tmp_path / "disk")
@@ -131,7 +135,7 @@ def test_a_folder_that_the_user_names_may_be_a_link(tmp_path: Path) -> None:
     assert tree(tmp_path / "disk") == {"figures/a.svg": b"x", "b.csv": b"y"}
 
 
-def test_folders_below_the_root_are_no_links(tmp_path: Path) -> None:
+def test_links_below_the_output_folder_are_refused(tmp_path: Path) -> None:
     root, other = tmp_path / "out", tmp_path / "other"
     root.mkdir()
     other.mkdir()
@@ -159,17 +163,17 @@ def test_folders_below_the_root_are_no_links(tmp_path: Path) -> None:
         ("maïs", "maïs"),
     ],
 )
-def test_names_of_unknown_origin_become_names(text: str, name: str) -> None:
+def test_any_text_becomes_a_file_name(text: str, name: str) -> None:
     assert file_name(text) == name
 
 
-def test_long_names_fit_and_stay_different() -> None:
+def test_long_file_names_are_cut_and_stay_distinct() -> None:
     one, two = (file_name("ä" * 500 + end) for end in "12")
     assert one != two
     assert len(one.encode()) <= 200
 
 
-def test_a_crate_stays_in_its_folder(tmp_path: Path) -> None:
+def test_a_crate_writes_only_into_its_folder(tmp_path: Path) -> None:
     folder = tmp_path / "a" / "b"
     finished(folder / "x.h5", campaign=EVIL, case=EVIL)
     assert crate.main([str(folder), *CRATE]) == 0
@@ -181,7 +185,7 @@ def test_a_crate_stays_in_its_folder(tmp_path: Path) -> None:
     ]
 
 
-def test_a_report_stays_in_its_folder(
+def test_a_report_writes_only_into_its_folder(
     tmp_path: Path, capfd: pytest.CaptureFixture[str]
 ) -> None:
     path = finished(tmp_path / "a" / "x.h5", campaign=EVIL, case=EVIL)
@@ -193,7 +197,7 @@ def test_a_report_stays_in_its_folder(
 
 
 @pytest.mark.parametrize("name", [crate.METADATA, "inputs", "report.html"])
-def test_a_crate_follows_no_link(
+def test_a_crate_writes_through_no_link(
     name: str, tmp_path: Path, capfd: pytest.CaptureFixture[str]
 ) -> None:
     folder, other = tmp_path / "a", tmp_path / "other"
@@ -211,7 +215,7 @@ def test_a_crate_follows_no_link(
 
 
 @pytest.mark.parametrize("name", ["results.csv", "report.html", "figures"])
-def test_a_report_follows_no_link(
+def test_a_report_writes_through_no_link(
     name: str, tmp_path: Path, capfd: pytest.CaptureFixture[str]
 ) -> None:
     path = finished(tmp_path / "a" / "x.h5")
@@ -227,7 +231,7 @@ def test_a_report_follows_no_link(
     assert tree(tmp_path) == before
 
 
-def test_a_report_on_a_full_disk_leaves_no_half_file(
+def test_a_report_on_a_full_disk_leaves_no_partial_file(
     tmp_path: Path, capfd: pytest.CaptureFixture[str]
 ) -> None:
     path = finished(tmp_path / "a" / "x.h5")

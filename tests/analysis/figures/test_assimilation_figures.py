@@ -89,7 +89,7 @@ def test_sunlit_leaves_are_a_part_of_all(case: Case) -> None:
     part = 100 / LAI * PARTS["sunlit_lai_by_hour"][1]
     assert best == pytest.approx(final_absorbed(2) * part)
     assert error == pytest.approx(NORMAL * ERROR / 4 * part)
-    assert "sunlit part of the leaf area [%]" in labels(figure)
+    assert "sunlit fraction of leaf area [%]" in labels(figure)
 
 
 def test_a_season_is_drawn_by_day(case: Case) -> None:
@@ -108,13 +108,15 @@ def test_a_season_is_drawn_by_day(case: Case) -> None:
     assert "absorbed PAR\n[MJ m⁻² day⁻¹ of ground]" in labels(figure)
 
 
-def test_older_histories_are_told_what_they_lack(finished: Path) -> None:
+def test_figures_name_the_missing_data_of_older_histories(
+    finished: Path,
+) -> None:
     with open_study(finished) as study:
         (old,) = study.cases()
         for draw, told in (
             (draw_assimilation, "no assimilation by leaf or hour"),
             (draw_sunlit, "no sunlit_lai_by_hour"),
-            (draw_days, "no figures by day"),
+            (draw_days, "no quantities by day"),
         ):
             with pytest.raises(HistoryError, match=told):
                 draw(old)

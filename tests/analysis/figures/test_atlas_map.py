@@ -15,8 +15,8 @@ from live_page import served
 from real_program import output_of, write_campaign
 
 from ideotype.figures.atlas import draw_atlas
-from ideotype.figures.numbers import numbers
-from ideotype.figures.style import answer_of
+from ideotype.figures.numbers import read_numbers
+from ideotype.figures.style import get_answer
 from ideotype.history import open_history
 from ideotype.history.atlas import Atlas
 from ideotype.history.case import Case
@@ -33,10 +33,10 @@ def run(folder: Path, *axes: tuple[str, tuple[float, float, int]]) -> Path:
         f"range = [{low}, {high}]\ncells = {cells}\n"
         for name, (low, high, cells) in axes
     )
-    told = campaign.read_text().replace(
+    text = campaign.read_text().replace(
         'optimizer = "ga"\npopulation = 6\n', search
     )
-    campaign.write_text(told.replace("candidates = 2\n", ""))
+    campaign.write_text(text.replace("candidates = 2\n", ""))
     output = output_of("run", campaign, "--out", folder)
     (path,) = (folder / "tiny").glob("*.h5")
     path.with_suffix(".txt").write_text(output)
@@ -57,7 +57,9 @@ def atlas_at(path: Path) -> Atlas:
     return found
 
 
-def test_each_kind_has_one_leader_and_all_are_counted(path: Path) -> None:
+def test_each_cell_has_one_leader_and_all_cells_are_counted(
+    path: Path,
+) -> None:
     atlas = atlas_at(path)
     for k, (name, (low, high, cells)) in enumerate(
         (("lai", ACROSS), ("top_leaf_angle", UP))
@@ -67,13 +69,13 @@ def test_each_kind_has_one_leader_and_all_are_counted(path: Path) -> None:
         # Plants are alike, so that features are known without noise.
         np.testing.assert_array_equal(atlas.cells[:, k], values // width)
     assert len(np.unique(atlas.cells, axis=0)) == len(atlas.leaders) > 3
-    told = re.search(
+    match = re.search(
         r"best of (\d+) kinds of plants, (\d+) of them confirmed",
         path.with_suffix(".txt").read_text(),
     )
-    assert told
+    assert match
     counts = (len(atlas.leaders), int(atlas.is_confirmed.sum()))
-    assert tuple(map(int, told.groups())) == counts
+    assert tuple(map(int, match.groups())) == counts
     assert counts[1] > 0 and atlas.looks.max() > 2
     with open_history(path) as history:
         rows = history.evaluations()
@@ -82,12 +84,14 @@ def test_each_kind_has_one_leader_and_all_are_counted(path: Path) -> None:
         assert genomes.count(genome.tobytes()) == atlas.looks[i]
 
 
-def test_other_searches_have_no_atlas(own: Path) -> None:
-    with open_history(own) as history:
+def test_other_searches_have_no_atlas(tiny_run: Path) -> None:
+    with open_history(tiny_run) as history:
         assert history.atlas() is None
 
 
-def test_the_figure_shows_all_leaders(path: Path, tmp_path: Path) -> None:
+def test_the_atlas_figure_shows_all_leaders(
+    path: Path, tmp_path: Path
+) -> None:
     atlas = atlas_at(path)
     with open_history(path) as history:
         figure = draw_atlas(Case("atlas", [history]))
@@ -95,8 +99,8 @@ def test_the_figure_shows_all_leaders(path: Path, tmp_path: Path) -> None:
     x, y = atlas.cells.T
     np.testing.assert_array_equal(table[y, x], atlas.leaders.objectives[:, 0])
     assert np.isfinite(table).sum() == len(atlas.leaders)
-    assert f"of {len(atlas.leaders)} kinds" in answer_of(figure)
-    (tmp_path / "atlas.csv").write_text(numbers(figure))
+    assert f"of {len(atlas.leaders)} kinds" in get_answer(figure)
+    (tmp_path / "atlas.csv").write_text(read_numbers(figure))
     with (tmp_path / "atlas.csv").open() as file:
         lines = list(csv.DictReader(file))
     series = [line["series"] for line in lines]
@@ -109,7 +113,9 @@ def test_the_figure_shows_all_leaders(path: Path, tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("axes", [1, 3])
-def test_other_numbers_of_axes_are_drawn(axes: int, tmp_path: Path) -> None:
+def test_atlases_with_other_numbers_of_axes_are_drawn(
+    axes: int, tmp_path: Path
+) -> None:
     every = (("lai", ACROSS), ("plant_height", (0.0, 6.0, 3)))
     third = (("top_leaf_angle", UP),)
     path = run(tmp_path, *(every + third)[:axes])
@@ -122,11 +128,13 @@ def test_other_numbers_of_axes_are_drawn(axes: int, tmp_path: Path) -> None:
         best[key] = max(best.get(key, -np.inf), value)
     assert sorted(atlas.leaders.objectives[shown_, 0]) == sorted(best.values())
     with open_history(path) as history:
-        assert "kinds" in answer_of(draw_atlas(Case("atlas", [history])))
+        assert "kinds" in get_answer(draw_atlas(Case("atlas", [history])))
 
 
 @pytest.mark.long
-def test_a_plant_is_chosen_on_the_map(path: Path, tmp_path: Path) -> None:
+def test_a_click_on_the_atlas_map_selects_a_plant(
+    path: Path, tmp_path: Path
+) -> None:
     atlas = atlas_at(path)
     with served("play", path) as page, shown(page, tmp_path) as phone:
         buttons = "document.querySelectorAll('#map button')"
@@ -149,7 +157,7 @@ def test_a_plant_is_chosen_on_the_map(path: Path, tmp_path: Path) -> None:
             area = phone.value("field.numbers.numbers.lai[0]")
             assert area // 2 == atlas.cells[i, 0]
             assert f"lai {2 * atlas.cells[i, 0]} to" in text(
-                phone, "#map-told"
+                phone, "#map-text"
             )
         assert len(seen) == 2
         assert fits(phone)
@@ -157,8 +165,8 @@ def test_a_plant_is_chosen_on_the_map(path: Path, tmp_path: Path) -> None:
 
 
 @pytest.mark.long
-def test_plants_of_other_searches_have_no_map(
-    own: Path, tmp_path: Path
+def test_the_page_of_another_search_has_no_atlas_map(
+    tiny_run: Path, tmp_path: Path
 ) -> None:
-    with served("play", own) as page, shown(page, tmp_path) as phone:
+    with served("play", tiny_run) as page, shown(page, tmp_path) as phone:
         assert phone.value("byId('map-card').hidden")

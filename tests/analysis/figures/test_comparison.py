@@ -19,7 +19,7 @@ from ideotype.history import HistoryError
 from ideotype.history.coordinates import short_names
 from ideotype.history.estimate import NORMAL
 from ideotype.history.study import open_study
-from ideotype.report.tables import gains
+from ideotype.report.tables import tabulate_gains
 
 INCH = 0.0254
 
@@ -62,7 +62,9 @@ def test_spacings_have_a_line_for_each_distance_of_rows(
     assert all(np.diff(line.get_xdata())[0] > 1 for line in lines)
 
 
-def test_leaf_area_stands_beside_every_gain(tmp_path: Path) -> None:
+def test_the_table_has_leaf_area_and_gain_per_leaf_area(
+    tmp_path: Path,
+) -> None:
     lais = (6.0, 5.0)
     for seed, lai in enumerate(lais, start=1):
         path = tmp_path / f"seed{seed}.h5"
@@ -75,7 +77,7 @@ def test_leaf_area_stands_beside_every_gain(tmp_path: Path) -> None:
     with open_study(tmp_path) as study:
         (case,) = study.cases()
         pair = case.pairs[0]
-        table, *_ = gains([case], None)
+        table, *_ = tabulate_gains([case], None)
         best = case.best.estimate("lai").mean
     ratio = 1.015 * 3.44 / np.array(lais)
     assert pair.gain_per_leaf_area.mean == pytest.approx(100 * (ratio[0] - 1))
@@ -116,7 +118,7 @@ def test_results_have_a_line_for_each_case_in_natural_order(
     assert table.attrs["units"]["gain_percent"] == "%"
 
 
-def test_cases_are_called_by_what_tells_them_apart(tmp_path: Path) -> None:
+def test_cases_are_named_by_their_differences(tmp_path: Path) -> None:
     for site in ("ames", "edmonton"):
         attributes = {"site": site, "case": f"{site}_all_r1"}
         make(tmp_path / f"{site}_all_r1.h5", **attributes)
@@ -152,7 +154,7 @@ def test_histories_without_leaf_area_say_so(tmp_path: Path) -> None:
             del file[f"{group}/lai"]
         seal(file)
     with open_study(tmp_path) as study:
-        table, *_ = gains(study.cases(), None)
+        table, *_ = tabulate_gains(study.cases(), None)
         with pytest.raises(HistoryError, match="has no absorbed_par_per"):
             study.cases()[0].gain_per_leaf_area()
     found = dict(zip(table.header, table.rows[0]))
@@ -204,7 +206,7 @@ def test_a_cross_evaluation_serves_two_campaigns(tmp_path: Path) -> None:
     cross = Cross((ELITE,), lights, mean, np.zeros_like(mean))
     with open_study(tmp_path) as study:
         over = {c.name: cross.relative_gain(c, ELITE) for c in study.cases()}
-        table, *notes = gains(study.cases(), cross)
+        table, *notes = tabulate_gains(study.cases(), cross)
     best = final_absorbed(2)
     # "c" may be the case of either campaign.
     assert over.pop("one: c") is None
@@ -221,12 +223,12 @@ def test_a_cross_evaluation_serves_two_campaigns(tmp_path: Path) -> None:
     assert len(independent) == 1 and "over the elite plant" in independent[0]
 
 
-def test_plots_alone_have_a_panel_of_their_own(tmp_path: Path) -> None:
+def test_isolated_plots_have_a_separate_panel(tmp_path: Path) -> None:
     make(tmp_path / "stand_r1.h5")
     make(tmp_path / "plot_r1.h5", '[field]\nboundary = "isolated"')
     with open_study(tmp_path) as study:
         stands, plots = draw_energy(study.cases()).axes
-    assert stands.get_xlabel() == "part of the incident PAR"
+    assert stands.get_xlabel() == "fraction of incident PAR"
     assert "isolated plot" in plots.get_xlabel()
     assert [t.get_text() for t in plots.get_yticklabels()] == [
         *("plot\nbaseline", "best"),

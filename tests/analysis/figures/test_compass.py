@@ -73,7 +73,7 @@ def test_north_lies_against_the_turn_of_the_rows(
     assert np.rad2deg(np.arctan2(x, y)) == pytest.approx(-direction)
 
 
-def test_a_compass_tells_the_row_and_the_turn_without_north(
+def test_a_compass_without_north_shows_row_and_azimuth(
     finished: Path,
 ) -> None:
     with open_study(finished) as study:

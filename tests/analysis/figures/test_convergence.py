@@ -14,8 +14,8 @@ from made_history import MadeHistory
 from numpy.typing import NDArray
 
 from ideotype.figures import convergence
-from ideotype.figures.convergence import draw_convergence, verdict_of
-from ideotype.figures.style import answer_of
+from ideotype.figures.convergence import draw_convergence, judge_convergence
+from ideotype.figures.style import get_answer
 from ideotype.history import Estimate, open_study
 from ideotype.history.study import Study
 from ideotype.history.trend import (
@@ -35,7 +35,7 @@ def means(
     return 11 + rise * np.arange(count) + draw.normal(0, noise, count)
 
 
-def end_of(
+def find_end(
     runs: list[NDArray[np.float64]], sign: int = 1, matters: float = 0.5
 ) -> End:
     found = further_gain(runs, sign)
@@ -46,34 +46,34 @@ def end_of(
 
 def test_a_short_noisy_search_cannot_be_judged() -> None:
     for seed in range(20):
-        assert end_of([means(13, 0.1, seed=seed)]) is not End.YES
-    assert end_of([means(13, 0.1, seed=s) for s in (1, 2, 3)]) is End.UNKNOWN
+        assert find_end([means(13, 0.1, seed=seed)]) is not End.YES
+    assert find_end([means(13, 0.1, seed=s) for s in (1, 2, 3)]) is End.UNKNOWN
 
 
 def test_a_long_flat_search_has_converged() -> None:
-    assert end_of([means(400, 0.02)]) is End.YES
-    assert end_of([means(400, 0.02, seed=s) for s in (1, 2, 3)]) is End.YES
+    assert find_end([means(400, 0.02)]) is End.YES
+    assert find_end([means(400, 0.02, seed=s) for s in (1, 2, 3)]) is End.YES
 
 
 def test_a_rising_search_has_not_converged() -> None:
-    assert end_of([means(60, 0.01, rise=0.01)]) is End.NO
-    assert end_of([means(60, 0.01, rise=-0.01)], sign=-1) is End.NO
+    assert find_end([means(60, 0.01, rise=0.01)]) is End.NO
+    assert find_end([means(60, 0.01, rise=-0.01)], sign=-1) is End.NO
 
 
-def test_a_clear_rise_that_does_not_matter_is_the_end() -> None:
+def test_a_significant_but_irrelevant_rise_has_converged() -> None:
     """By 200 generations again 0.04 of 11 would be gained, 0.36 %."""
     runs = [means(200, 1e-3, rise=2e-4)]
     found = further_gain(runs, 1)
     assert found is not None and found.low > 0
-    assert end_of(runs) is End.YES
-    assert end_of(runs, matters=0.3) is End.NO
+    assert find_end(runs) is End.YES
+    assert find_end(runs, matters=0.3) is End.NO
 
 
-def test_a_fall_is_no_convergence() -> None:
-    assert end_of([means(60, 0.01, rise=-0.01)]) is End.UNKNOWN
+def test_a_search_with_falling_means_has_not_converged() -> None:
+    assert find_end([means(60, 0.01, rise=-0.01)]) is End.UNKNOWN
 
 
-def test_intervals_hold_the_true_gain() -> None:
+def test_intervals_of_the_further_gain_include_the_truth() -> None:
     """Intervals of 95 % of 400 searches with a known trend include it."""
     count, rise = 60, 0.003
     held = 0
@@ -84,7 +84,7 @@ def test_intervals_hold_the_true_gain() -> None:
     assert 0.93 <= held / 400 <= 0.995
 
 
-def test_residuals_that_last_widen_the_interval() -> None:
+def test_correlated_residuals_widen_the_interval() -> None:
     draw = np.random.default_rng(5)
     held = 0
     count = 200
@@ -104,7 +104,7 @@ def test_too_few_generations_have_no_trend() -> None:
     assert further_gain([means(7, 0.0)], 1) is not None
 
 
-def test_searches_differ_by_more_than_their_errors() -> None:
+def test_searches_differ_only_beyond_their_errors() -> None:
     gains = [Estimate(x, 0.5, "%") for x in (5.3, 6.9, 7.4)]
     assert searches_differ(gains, 0.65)
     assert not searches_differ(gains, 2.5)
@@ -112,7 +112,9 @@ def test_searches_differ_by_more_than_their_errors() -> None:
     assert not searches_differ(gains[:1], 0.5)
 
 
-def case_of(folder: Path, optimizer: str, shifts: tuple[float, ...]) -> Study:
+def summarise_case(
+    folder: Path, optimizer: str, shifts: tuple[float, ...]
+) -> Study:
     """Returns a study of finished searches, which gain 3 % more by each
     third of a unit of shift."""
     for k, shift in enumerate(shifts, start=1):
@@ -135,7 +137,7 @@ def sentence(
     shifts: tuple[float, ...] = (0.0,),
 ) -> str:
     """Returns the verdict of searches with given means of populations."""
-    with case_of(folder, optimizer, shifts) as study:
+    with summarise_case(folder, optimizer, shifts) as study:
         (case,) = study.cases()
         first = case.histories[0].generations()
         made = [
@@ -146,19 +148,19 @@ def sentence(
             )
             for values in runs
         ]
-        return verdict_of(case, made)
+        return judge_convergence(case, made)
 
 
-def test_the_sentence_has_the_possible_gain(tmp_path: Path) -> None:
+def test_the_verdict_states_the_possible_gain(tmp_path: Path) -> None:
     text = sentence(tmp_path, [means(13, 0.1)])
-    found = re.fullmatch(
-        r"Cannot tell: by the trend of the mean plant, as many generations "
-        r"again \(13\) would gain (\S+) to (\S+) % more \(95 % confidence "
+    match = re.fullmatch(
+        r"Unknown: by the trend of the population mean, as many further "
+        r"generations \(13\) would gain (\S+) to (\S+) % more \(95 % confidence "
         r"interval\)\.",
         text,
     )
-    assert found, text
-    low, high = (float(x.replace("\u2212", "-")) for x in found.groups())
+    assert match, text
+    low, high = (float(x.replace("\u2212", "-")) for x in match.groups())
     further = further_gain([means(13, 0.1)], 1)
     assert further is not None
     assert [low, high] == pytest.approx(
@@ -169,13 +171,13 @@ def test_the_sentence_has_the_possible_gain(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("count", "noise", "rise", "begin"),
     [
-        (13, 0.1, 0.0, "Cannot tell: by the trend"),
+        (13, 0.1, 0.0, "Unknown: by the trend"),
         (400, 0.02, 0.0, "Yes: by the trend"),
         (60, 0.01, 0.01, "No: by the trend"),
-        (6, 0.01, 0.01, "Cannot tell: 6 generations are too few"),
+        (6, 0.01, 0.01, "Unknown: 6 generations are too few"),
     ],
 )
-def test_the_sentence_follows_the_evidence(
+def test_the_verdict_follows_the_evidence(
     tmp_path: Path, count: int, noise: float, rise: float, begin: str
 ) -> None:
     text = sentence(tmp_path, [means(count, noise, rise)])
@@ -183,11 +185,13 @@ def test_the_sentence_follows_the_evidence(
     assert "-0" not in text and "nan" not in text
 
 
-def test_a_race_of_searches_is_not_the_end(tmp_path: Path) -> None:
+def test_generations_of_a_race_do_not_count_as_convergence(
+    tmp_path: Path,
+) -> None:
     flat = 11 + 1e-5 * np.sin(np.arange(15))
     for optimizer, begin in (
         ("ga", "Yes: "),
-        ("auto", "Cannot tell: the race"),
+        ("auto", "Unknown: the initial race"),
     ):
         folder = tmp_path / optimizer
         folder.mkdir()
@@ -198,32 +202,34 @@ def test_a_race_of_searches_is_not_the_end(tmp_path: Path) -> None:
     assert sentence(folder, [longer], "auto").startswith("Yes: ")
 
 
-def test_the_race_is_as_long_as_the_program_has_it() -> None:
+def test_the_length_of_the_race_agrees_with_the_program() -> None:
     """The race follows a generation of designed plants."""
     source = Path(__file__).parents[3] / "src/search/cma_es/auto_search.cpp"
-    found = re.search(
+    match = re.search(
         r"constexpr std::size_t race = (\d+)", source.read_text()
     )
-    assert found and int(found[1]) + 1 == convergence.RACE
+    assert match and int(match[1]) + 1 == convergence.RACE
 
 
-def test_searches_that_differ_are_not_at_the_end(tmp_path: Path) -> None:
+def test_searches_with_different_gains_have_not_converged(
+    tmp_path: Path,
+) -> None:
     flat = [means(400, 0.02, seed=s) for s in (1, 2, 3)]
     text = sentence(tmp_path, flat, shifts=(0.0, 0.1, 0.4))
-    assert text.startswith("Cannot tell: the searches gained ")
+    assert text.startswith("Unknown: the searches gained ")
     assert "differ by more than their errors" in text
     same = tmp_path / "same"
     same.mkdir()
     assert sentence(same, flat, shifts=(0.0, 0.0, 0.0)).startswith("Yes: ")
 
 
-def test_a_search_without_learning_has_no_trend(tmp_path: Path) -> None:
+def test_a_random_search_has_no_trend(tmp_path: Path) -> None:
     text = sentence(tmp_path, [means(400, 0.02)], "random")
-    assert text.startswith("Cannot tell: this search draws plants without")
+    assert text.startswith("Unknown: this search samples plants without")
 
 
 def test_the_figure_has_the_sentence(tmp_path: Path) -> None:
-    with case_of(tmp_path, "ga", (0.0,)) as study:
-        assert answer_of(draw_convergence(study.cases()[0])) == (
-            "Cannot tell: 4 generations are too few; at least 7 are needed."
+    with summarise_case(tmp_path, "ga", (0.0,)) as study:
+        assert get_answer(draw_convergence(study.cases()[0])) == (
+            "Unknown: 4 generations are too few; at least 7 are needed."
         )

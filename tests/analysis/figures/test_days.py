@@ -15,7 +15,7 @@ from made_layout import seal
 from made_numbers import FINALISTS
 
 from ideotype.figures.days import draw_days
-from ideotype.figures.style import answer_of
+from ideotype.figures.style import get_answer
 from ideotype.history import open_study
 from ideotype.history.case import Case
 
@@ -80,13 +80,13 @@ def case_with(
         return case
 
 
-def test_days_show_carbon_less_the_losses_of_the_mean_day(
+def test_daily_net_carbon_subtracts_the_losses_of_the_mean_day(
     tmp_path: Path,
 ) -> None:
     case = case_with(tmp_path, (1.38, 0.42))
     figure = draw_days(case)
     carbon, difference, gross, _, light, _ = figure.axes
-    assert "carbon balance\n[mol m⁻² day⁻¹]" in labels(figure)
+    assert "net carbon balance\n[mol m⁻² day⁻¹]" in labels(figure)
     shown, _ = bars(carbon, "best")
     assert shown == pytest.approx(1.38 * SHARES - 0.42)
     assert shown.mean() == pytest.approx(case.best.objective.mean)
@@ -97,13 +97,14 @@ def test_days_show_carbon_less_the_losses_of_the_mean_day(
     assert len(bars(light, "best")[0]) == len(DAYS)
 
 
-def test_a_gain_by_losing_less_is_named(tmp_path: Path) -> None:
+def test_the_answer_names_a_gain_from_smaller_losses(tmp_path: Path) -> None:
     """The gain of the best plant is 0.06, though it assimilates 0.02 less."""
-    assert answer_of(draw_days(case_with(tmp_path, (1.38, 0.42)))) == (
-        "The best plant is ahead in carbon balance on 5 of 5 days. On a mean day "
-        "its gross assimilation differs by −0.0200 ± 0.0039 mol m⁻² day⁻¹, and "
-        "it loses 0.08 mol m⁻² day⁻¹ less by respiration and the building of "
-        "leaves: it gains by losing less, not by assimilating more."
+    assert get_answer(draw_days(case_with(tmp_path, (1.38, 0.42)))) == (
+        "The best plant is ahead in net carbon balance on 5 of 5 days. On a "
+        "mean day its gross assimilation differs by −0.0200 ± 0.0039 mol m⁻² "
+        "day⁻¹; its losses by respiration and leaf construction cost are 0.08 "
+        "mol m⁻² day⁻¹ lower. The gain comes from lower losses, not from more "
+        "assimilation."
     )
 
 
@@ -114,44 +115,44 @@ def test_a_gain_by_losing_less_is_named(tmp_path: Path) -> None:
         (
             (1.39, 0.42),
             0.02,
-            "less by respiration and the building of leaves.",
+            " mol m⁻² day⁻¹ lower.",
         ),
         (
             (1.43, 0.47),
             0.002,
-            "less by respiration and the building of leaves.",
+            " mol m⁻² day⁻¹ lower.",
         ),
-        ((1.50, 0.52), 0.002, "it gains by assimilating more."),
+        ((1.50, 0.52), 0.002, "The gain comes from more assimilation."),
         (
             (1.30, 0.45),
             0.002,
-            "less by respiration and the building of leaves.",
+            " mol m⁻² day⁻¹ lower.",
         ),
     ],
 )
-def test_a_cause_is_named_only_if_numbers_show_it(
+def test_the_answer_names_only_significant_causes(
     tmp_path: Path, best: tuple[float, float], error: float, end: str
 ) -> None:
-    text = answer_of(draw_days(case_with(tmp_path, best, error)))
+    text = get_answer(draw_days(case_with(tmp_path, best, error)))
     assert text.endswith(end)
 
 
-def test_net_assimilation_loses_respiration_in_the_light(
+def test_net_assimilation_subtracts_respiration_in_the_light(
     tmp_path: Path,
 ) -> None:
     case = case_with(tmp_path, (1.38, 0.42), objective="net_assimilation")
-    assert "less by respiration in the light: it gains" in answer_of(
+    assert "lower. The gain comes from lower losses" in get_answer(
         draw_days(case)
     )
 
 
-def test_plants_that_grow_show_gross_assimilation(tmp_path: Path) -> None:
+def test_growing_plants_show_gross_assimilation(tmp_path: Path) -> None:
     """Their losses change with their leaf area, from day to day."""
     case = case_with(tmp_path, (1.38, 0.42), grows=True)
     figure = draw_days(case)
     shown, _ = bars(figure.axes[0], "best")
     assert shown == pytest.approx(1.38 * SHARES)
-    assert answer_of(figure).startswith(
+    assert get_answer(figure).startswith(
         "The best plant has more gross assimilation on 0 of 5 days. On a mean "
         "day its gross assimilation differs by −0.0200"
     )

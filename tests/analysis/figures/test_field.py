@@ -16,12 +16,12 @@ from ideotype import Mesh
 from ideotype.figures.field import (
     EYE,
     View,
-    at_eye_height,
     draw_field,
     face_colors,
-    from_above,
     plant_field,
     show,
+    view_at_eye_height,
+    view_from_above,
 )
 from ideotype.history import HistoryError, open_study
 from ideotype.report.scene import build_plants
@@ -57,9 +57,9 @@ def test_plants_stand_in_rows_and_are_turned() -> None:
     assert shades.min() >= 0.72 and shades.max() <= 1
 
 
-def test_what_is_higher_than_eyes_is_above_the_horizon() -> None:
+def test_points_above_eye_height_are_above_the_horizon() -> None:
     colors = face_colors(MAST, [None, 1.0], 1.0)
-    view = at_eye_height(plant_field(MAST, colors, 0.7, 0.2, 0.0, (3, 4)))
+    view = view_at_eye_height(plant_field(MAST, colors, 0.7, 0.2, 0.0, (3, 4)))
     assert view.limits[2] < view.horizon < view.limits[3]
     is_mast = [not np.allclose(quad[2], quad[3]) for quad in view.outlines]
     masts = view.outlines[is_mast]
@@ -75,10 +75,10 @@ def test_what_is_higher_than_eyes_is_above_the_horizon() -> None:
     assert heights[-1] == max(heights) > 1.2 * min(heights)
 
 
-def test_from_above_the_highest_hide_others() -> None:
+def test_from_above_higher_faces_hide_lower_ones() -> None:
     colors = face_colors(MAST, [None, 0.5], 1.0)
     field = plant_field(MAST, colors, 0.7, 0.4, 0.0, (3, 4))
-    view = from_above(field)
+    view = view_from_above(field)
     is_leaf = np.ptp(view.colors, axis=1) > 0.1
     # Leaves are below masts, which are grey.
     assert is_leaf[:12].all() and not is_leaf[12:].any()
@@ -127,7 +127,7 @@ def test_leaves_have_the_colour_of_their_light(sweep: Path) -> None:
     assert key.get_xlim() == pytest.approx((0, brightest))
 
 
-def test_a_history_without_distances_has_no_field(tmp_path: Path) -> None:
+def test_a_history_without_spacing_has_no_field_figure(tmp_path: Path) -> None:
     path = tmp_path / "case.h5"
     made = MadeHistory(path, attributes={"row_spacing": "unknown"})
     made.evolve(1)
@@ -135,5 +135,5 @@ def test_a_history_without_distances_has_no_field(tmp_path: Path) -> None:
     made.close()
     with open_study(path) as study:
         (case,) = study.cases()
-        with pytest.raises(HistoryError, match="does not say its spacing"):
+        with pytest.raises(HistoryError, match="has no spacing"):
             draw_field(case, MAST, MAST)

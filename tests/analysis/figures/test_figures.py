@@ -26,11 +26,11 @@ from made_numbers import (
 from ideotype.common.labels import unit_label
 from ideotype.figures.azimuths import draw_azimuths
 from ideotype.figures.convergence import draw_convergence
-from ideotype.figures.numbers import numbers
+from ideotype.figures.numbers import read_numbers
 from ideotype.figures.profiles import draw_hours, draw_layers, draw_leaves
 from ideotype.figures.shape import draw_traits
 from ideotype.figures.shares import draw_parts
-from ideotype.figures.style import RC, answer_of
+from ideotype.figures.style import RC, get_answer
 from ideotype.history import HistoryError
 from ideotype.history.estimate import NORMAL
 from ideotype.history.study import open_study
@@ -42,11 +42,11 @@ def test_convergence_shows_best_mean_spread_and_baseline(
     with open_study(finished) as study:
         figure = draw_convergence(study.cases()[0])
     axes = figure.axes[0]
-    values, errors = bars(axes, "best of its generation (not evaluated again)")
+    values, errors = bars(axes, "best of its generation (not re-evaluated)")
     expected = [absorbed(g, POPULATION - 1) for g in range(6)]
     assert values == pytest.approx(expected)
     assert errors == pytest.approx([NORMAL * ERROR] * 6)
-    again, error = bars(axes, "best plant, evaluated again")
+    again, error = bars(axes, "best plant, re-evaluated")
     assert again == pytest.approx([final_absorbed(2)])
     assert error == pytest.approx([NORMAL * ERROR / 4])
     level = {line.get_label(): line.get_ydata() for line in axes.lines}
@@ -77,16 +77,16 @@ def test_traits_show_ten_plants_and_bounds(finished: Path) -> None:
     assert "baseline" in labels(figure) and "bounds" in labels(figure)
 
 
-def test_numbers_of_bounds_are_their_ends(finished: Path) -> None:
+def test_the_numbers_file_has_the_ends_of_bounds(finished: Path) -> None:
     with open_study(finished) as study:
         case = study.cases()[0]
-        text = numbers(draw_traits(case))
+        text = read_numbers(draw_traits(case))
         genes = case.genes
     table = pandas.read_csv(io.StringIO(text))
-    found = table[table.series == "bounds"]
-    assert found.x.isna().all()
+    bounds = table[table.series == "bounds"]
+    assert bounds.x.isna().all()
     columns = genes.columns("length")
-    length = found[found.panel.str.contains("length")]
+    length = bounds[bounds.panel.str.contains("length")]
     assert length.x_low.to_numpy() == pytest.approx(genes.lower[columns])
     assert length.x_high.to_numpy() == pytest.approx(genes.upper[columns])
 
@@ -118,7 +118,7 @@ def test_circular_means_and_their_bars_stay_on_the_axis(
     assert sum(lengths) == pytest.approx(2 * away.std(), rel=0.01)
 
 
-def test_deviations_are_drawn_whole(finished: Path) -> None:
+def test_standard_deviations_are_drawn_completely(finished: Path) -> None:
     """The plants are at both bounds: the deviation reaches past them."""
     with open_study(finished) as study:
         case = study.cases()[0]
@@ -160,7 +160,7 @@ def test_azimuths_are_polar_and_averaged_on_the_circle(
     assert (first + 180) % 360 - 180 == pytest.approx(
         355 + np.mean(slots) - 360, abs=0.05
     )
-    assert "one plant (dark: fitter)" in labels(figure)
+    assert "single plant (darker: fitter)" in labels(figure)
 
 
 def test_hours_show_both_plants_and_their_difference(
@@ -178,7 +178,7 @@ def test_hours_show_both_plants_and_their_difference(
     difference, difference_error = bars(lower, "_")
     assert difference == pytest.approx(best - baseline)
     assert difference_error == pytest.approx(np.hypot(error, baseline_error))
-    assert answer_of(figure).startswith("The leaves of the best plant differ")
+    assert get_answer(figure).startswith("The largest difference is at ")
 
 
 def test_units_are_printed_with_raised_exponents() -> None:
@@ -187,30 +187,30 @@ def test_units_are_printed_with_raised_exponents() -> None:
     assert unit_label("m2 m-2") == "m² m⁻²"
 
 
-def test_seeds_are_a_band(sweep: Path) -> None:
+def test_several_seeds_are_drawn_as_a_band(sweep: Path) -> None:
     with open_study(sweep) as study:
         figure = draw_convergence(study.cases()[0])
     axes = figure.axes[0]
     lines = {line.get_label(): line.get_ydata() for line in axes.lines}
     highest = np.array([absorbed(g, POPULATION - 1) for g in range(6)])
-    best = lines["best of its generation (not evaluated again), mean of seeds"]
+    best = lines["best of its generation (not re-evaluated), mean of seeds"]
     assert best == pytest.approx(highest + np.mean(SHIFTS))
     (band,) = [
         c
         for c in axes.collections
         if c.get_label()
-        == "best of its generation (not evaluated again), range of seeds"
+        == "best of its generation (not re-evaluated), range of seeds"
     ]
     edges = band.get_paths()[0].vertices
     at_start = edges[edges[:, 0] == 0, 1]
     assert at_start.min() == pytest.approx(highest[0] + SHIFTS[0])
     assert at_start.max() == pytest.approx(highest[0] + SHIFTS[1])
-    again, _ = bars(axes, "best plant, evaluated again")
+    again, _ = bars(axes, "best plant, re-evaluated")
     expected = [final_absorbed(2) + shift for shift in SHIFTS]
     assert again == pytest.approx(expected)
 
 
-def test_the_ten_fittest_come_from_all_seeds(sweep: Path) -> None:
+def test_the_ten_best_plants_are_from_all_seeds(sweep: Path) -> None:
     with open_study(sweep) as study:
         case = study.cases()[0]
         top, seeds = case.top(10), case.seeds_of_top(10)

@@ -9,16 +9,16 @@ import numpy as np
 import pytest
 
 import ideotype
-from ideotype.figures.importance import Change, answer_of, draw_importance
-from ideotype.figures.season import chosen_stages, weekly
+from ideotype.figures.importance import Change, draw_importance, get_answer
+from ideotype.figures.season import choose_stages, sum_weeks
 from ideotype.history.estimate import Estimate
-from ideotype.report.importance import changes_of
+from ideotype.report.importance import evaluate_changes
 
 
-def test_changes_are_paired_and_of_one_trait(own: Path) -> None:
-    with ideotype.open_study(own) as study:
+def test_changes_are_paired_and_of_one_trait(tiny_run: Path) -> None:
+    with ideotype.open_study(tiny_run) as study:
         (case,) = study.cases()
-        changes = changes_of(case)
+        changes = evaluate_changes(case)
         genes = case.genes
         best, baseline = (x.row.genome[0] for x in (case.best, case.baseline))
         figure = draw_importance(case, changes)
@@ -31,7 +31,7 @@ def test_changes_are_paired_and_of_one_trait(own: Path) -> None:
     plant = best.copy()
     columns = genes.columns(first.trait)
     plant[columns] = baseline[columns]
-    stand = ideotype.Stand.from_history(own, same_isa=False)
+    stand = ideotype.Stand.from_history(tiny_run, same_isa=False)
     found = np.concatenate(
         [
             stand.evaluate(
@@ -51,19 +51,23 @@ def test_changes_are_paired_and_of_one_trait(own: Path) -> None:
     assert ticks[0].get_text() == first.trait.replace("_", " ")
 
 
-def test_nothing_is_told_that_the_interval_does_not_bear() -> None:
+def test_the_sentence_claims_only_significant_effects() -> None:
     noise = Change("width", Estimate(0.3, 0.2), Estimate(0.1, 0.2))
-    assert answer_of([noise]).startswith("No single trait")
+    assert get_answer([noise]).startswith("No single trait")
     clear = Change("length", Estimate(2.0, 0.2), Estimate(0.5, 0.2))
-    assert answer_of([clear, noise]).startswith("Length (2.00 ± 0.39 points)")
+    assert get_answer([clear, noise]).startswith(
+        "Largest loss if one trait is set to the baseline: length (2.00 ± 0.39 "
+        "percentage points). Length is the most sensitive trait: an error of "
+        "10 % or 10° costs 0.50 ± 0.39 percentage points."
+    )
 
 
 def test_weeks_are_sums_of_days() -> None:
     days, rates = np.array([0.0, 10.0, 20.0]), np.array([0.0, 1.0, 1.0])
-    weeks = weekly(days, rates, 20.0)
+    weeks = sum_weeks(days, rates, 20.0)
     # A triangle of ten days, and ten days at 1.
     assert weeks.sum() == pytest.approx(15)
     assert weeks[0] == pytest.approx(0.5 * 7 * 0.7)
     assert weeks[2] == pytest.approx(6)
-    assert chosen_stages(10)[0] == 0 and chosen_stages(10)[-1] == 9
-    assert len(chosen_stages(10)) == 8 and chosen_stages(3) == [0, 1, 2]
+    assert choose_stages(10)[0] == 0 and choose_stages(10)[-1] == 9
+    assert len(choose_stages(10)) == 8 and choose_stages(3) == [0, 1, 2]

@@ -8,8 +8,8 @@ import pytest
 from made_history import MadeHistory
 from made_numbers import BASELINE, final_absorbed
 
-from ideotype.figures.gain_maps import draw_gain_map, draw_set_map, two_sets
-from ideotype.figures.style import answer_of
+from ideotype.figures.gain_maps import draw_gain_map, draw_set_map, find_sets
+from ideotype.figures.style import get_answer
 from ideotype.history import HistoryError, Study, open_study
 
 LATITUDES, PLANTS = (10.0, 50.0), (0.1, 0.2)
@@ -17,8 +17,8 @@ SETS = ("erect", "flat")
 
 
 def shift(trait_set: str, latitude: float, plant: float) -> float:
-    """Returns the light that is added for bred plants [MJ m-2 day-1]: erect
-    plants have more only in the dense stand."""
+    """Returns the additional light of optimised plants [MJ m-2 day-1]: erect
+    plants gain only in the dense stand."""
     if trait_set == "flat":
         return 0.0
     return (0.3 if plant == PLANTS[0] else -0.1) + latitude / 1000
@@ -57,7 +57,7 @@ def best(trait_set: str, latitude: float, plant: float) -> float:
 
 def test_gains_are_mapped_for_each_trait_set(study: Study) -> None:
     figure = draw_gain_map(study.cases())
-    assert answer_of(figure)
+    assert get_answer(figure)
     panels = [axes for axes in figure.axes if axes.images]
     assert [axes.get_title().split()[-1] for axes in panels] == [*SETS]
     for axes, trait_set in zip(panels, SETS):
@@ -88,9 +88,9 @@ def test_gains_are_mapped_for_each_trait_set(study: Study) -> None:
 def test_two_trait_sets_have_a_line_where_they_are_equal(
     study: Study,
 ) -> None:
-    assert two_sets(study.cases()) == SETS
+    assert find_sets(study.cases()) == SETS
     figure = draw_set_map(study.cases(), SETS)
-    assert answer_of(figure)
+    assert get_answer(figure)
     axes = figure.axes[0]
     shown = np.asarray(axes.images[0].get_array())
     expected = 100 * (best("erect", 50.0, 0.1) / best("flat", 50.0, 0.1) - 1)
@@ -104,9 +104,9 @@ def test_two_trait_sets_have_a_line_where_they_are_equal(
     assert at[0] == pytest.approx(-left / (right - left))
 
 
-def test_one_set_or_one_axis_has_no_map(study: Study) -> None:
+def test_a_single_trait_set_or_axis_has_no_map(study: Study) -> None:
     flat = [case for case in study.cases() if "flat" in case.name]
-    assert two_sets(flat) is None
+    assert find_sets(flat) is None
     with pytest.raises(HistoryError, match="do not differ in two of"):
         draw_gain_map(flat[:1])
     along = [case for case in flat if case.attributes["latitude"] == 10.0]

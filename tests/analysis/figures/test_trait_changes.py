@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Differences of a bred plant from the baseline are stated with their
-direction."""
+"""Changes of traits from the baseline are stated with their direction."""
 
 from __future__ import annotations
 
@@ -13,8 +12,8 @@ from made_layout import seal
 from real_program import run_crop
 
 from ideotype.figures.shape import draw_plant_traits
-from ideotype.figures.style import answer_of
-from ideotype.figures.trait_changes import change_in
+from ideotype.figures.style import get_answer
+from ideotype.figures.trait_changes import measure_change
 from ideotype.history import open_study
 from ideotype.history.case import Case
 
@@ -42,8 +41,8 @@ def with_best(history: Path, folder: Path, trait: str, change: object) -> Path:
     return copy
 
 
-def text_of(case: Case, trait: str) -> str:
-    return str(change_in(case, trait))
+def format_change(case: Case, trait: str) -> str:
+    return str(measure_change(case, trait))
 
 
 @pytest.mark.parametrize(
@@ -56,7 +55,7 @@ def text_of(case: Case, trait: str) -> str:
         ("width_profile", -0.004, "width (0.4 % narrower on average)"),
         (
             "width_profile", [0.1, -0.1, 0.1, -0.1],
-            "width (10 % on average, narrower or wider by leaf)",
+            "width (10 % on average, narrower or wider depending on the leaf)",
         ),
         (
             "insertion_angle_profile", -12.0,
@@ -75,9 +74,9 @@ def test_a_change_has_a_direction(
     path = with_best(history, tmp_path, trait, change)
     with open_study(path) as study:
         (case,) = study.cases()
-        assert text_of(case, trait) == text
+        assert format_change(case, trait) == text
         if trait == "height" and change:
-            told = answer_of(draw_plant_traits(case))
+            told = get_answer(draw_plant_traits(case))
             assert told.startswith(
                 f"The best plant differs most from the baseline in {text}"
             )
@@ -86,6 +85,6 @@ def test_a_change_has_a_direction(
 def test_azimuths_turn_along_the_shorter_arc(finished: Path) -> None:
     with open_study(finished) as study:
         (case,) = study.cases()
-        text = text_of(case, "azimuth")
+        text = format_change(case, "azimuth")
     assert text.startswith("azimuth (turned by ")
     assert text.endswith("° on average)")

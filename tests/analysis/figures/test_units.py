@@ -17,7 +17,7 @@ from ideotype.history.case import Case
 from ideotype.history.study import open_study
 
 
-def test_axes_tell_ground_from_leaf() -> None:
+def test_axes_distinguish_ground_area_from_leaf_area() -> None:
     unit = "MJ m-2 day-1"
     assert axis_label("absorbed_par", unit) == (
         "absorbed PAR [MJ m⁻² day⁻¹ of ground]"

@@ -14,9 +14,9 @@ from made_history import MadeHistory
 from real_program import executable, output_of, write_campaign
 
 from ideotype.history import open_study
-from ideotype.history.bounds import BESIDE, bounds_in_words, sides
+from ideotype.history.bounds import MARGIN, bounds_in_words, sides
 from ideotype.history.genes import Genes
-from ideotype.report.answer import answer
+from ideotype.report.answer import make_answer
 from ideotype.tools.commands import summary
 
 _TRAITS = """
@@ -36,8 +36,8 @@ REPLICATES = 3
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Gives the histories of three searches for tall plants, and what the
-    program printed."""
+    """Gives the histories of three searches for tall plants, and the output of
+    the program."""
     folder = tmp_path_factory.mktemp("bounds")
     path = write_campaign(folder, 12)
     text = path.read_text().replace(
@@ -49,7 +49,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
-def genes_of(**changes: Any) -> Genes:
+def make_genes(**changes: Any) -> Genes:
     """Returns the genes of height and azimuth."""
     count = 2
     return Genes(
@@ -68,17 +68,17 @@ def genes_of(**changes: Any) -> Genes:
     ("height", "side"),
     [(0.7, -1), (0.713, -1), (0.726, -1), (0.731, 0), (1.269, 0), (1.271, 1)],
 )
-def test_a_bound_reaches_a_twentieth_of_the_range(
+def test_values_within_a_twentieth_of_the_range_are_at_the_bound(
     height: float, side: int
 ) -> None:
     genome = np.array([height, 0.0])
-    assert list(sides(genes_of(), genome)) == [side, 0]
-    kept = genes_of(is_free=np.array([False, False]))
+    assert list(sides(make_genes(), genome)) == [side, 0]
+    kept = make_genes(is_free=np.array([False, False]))
     assert not sides(kept, genome).any()
-    assert BESIDE == 0.05
+    assert MARGIN == 0.05
 
 
-def test_program_and_package_agree(folder: Path) -> None:
+def test_program_and_package_agree_on_traits_at_bounds(folder: Path) -> None:
     document = json.loads(
         subprocess.run(
             [executable(), "status", folder, "--json"],
@@ -100,26 +100,26 @@ def test_program_and_package_agree(folder: Path) -> None:
                 for i in np.flatnonzero(side)
             ]
             (one,) = (
-                each
-                for each in document["histories"]
-                if Path(each["path"]).name == history.path.name
+                entry
+                for entry in document["histories"]
+                if Path(entry["path"]).name == history.path.name
             )
-            found = [
-                (each["gene"], each["bound"], each["value"])
-                for each in one["at_bounds"]
+            reported = [
+                (gene["gene"], gene["bound"], gene["value"])
+                for gene in one["at_bounds"]
             ]
-            assert found == expected
-            count += len(found)
+            assert reported == expected
+            count += len(reported)
     assert count > 0
 
 
-def test_run_status_summary_and_report_say_the_same(
+def test_run_status_summary_and_report_agree_on_traits_at_bounds(
     folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     with open_study(folder) as study:
         cases = study.cases()
         clause = bounds_in_words(cases)
-        ((_, _), (_, _), (_, limits)) = answer(cases).sentences
+        limits = make_answer(cases).limits
     assert clause.startswith("height is at its upper bound in ")
     assert " of 3 searches" in clause
     assert clause.endswith(("by the bound", "by these bounds"))
@@ -133,7 +133,7 @@ def test_run_status_summary_and_report_say_the_same(
     assert sentence in limits
 
 
-def test_searches_that_have_not_ended_are_not_counted(tmp_path: Path) -> None:
+def test_unfinished_searches_do_not_count_for_bounds(tmp_path: Path) -> None:
     made = MadeHistory(tmp_path / "case.h5")
     made.evolve(6)
     with open_study(tmp_path) as study:

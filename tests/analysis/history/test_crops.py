@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from real_program import output_of, run_crop
 
-from ideotype.figures.azimuths import azimuths
+from ideotype.figures.azimuths import compute_azimuths
 from ideotype.figures.shape import (
     draw_plant_traits,
     draw_profiles,
@@ -26,12 +26,12 @@ FREE = ["azimuth_deviation", "leaf_plane", "height", "length_profile"]
 
 @pytest.fixture(scope="module")
 def maize(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Gives a history of maize that is bred in a trait of leaves, two of the
+    """Gives a history of maize with free traits: one of leaves, two of the
     plant, and a profile."""
     return run_crop(tmp_path_factory.mktemp("maize"), "maize", FREE)
 
 
-def leaves_of(history: Path, folder: Path) -> dict[str, np.ndarray]:
+def export_leaves(history: Path, folder: Path) -> dict[str, np.ndarray]:
     """Returns the measures of the leaves of the best plant from the
     program, with all digits."""
     path = folder / "leaves.toml"
@@ -40,52 +40,52 @@ def leaves_of(history: Path, folder: Path) -> dict[str, np.ndarray]:
     return {name: np.array([row[name] for row in rows]) for name in rows[0]}
 
 
-def profile_of(case: Case, trait: str, leaves: int) -> np.ndarray:
+def interpolate_profile(case: Case, trait: str, leaves: int) -> np.ndarray:
     """Returns a trait of the best plant, for each leaf."""
     points = case.best.row.genome[0, case.genes.columns(trait)]
     return curve(points, np.linspace(0, 1, leaves))
 
 
-def test_azimuths_are_those_of_the_program(
+def test_azimuths_agree_with_the_exported_plant(
     maize: Path, tmp_path: Path
 ) -> None:
-    told = leaves_of(maize, tmp_path)["azimuth"] % 360
+    exported = export_leaves(maize, tmp_path)["azimuth"] % 360
     with open_study(maize) as study:
         (case,) = study.cases()
-        (found,) = azimuths(case, case.best.row.genome)
-        (baseline,) = azimuths(case, case.baseline.row.genome)
-    assert found == pytest.approx(told)
+        (drawn,) = compute_azimuths(case, case.best.row.genome)
+        (baseline,) = compute_azimuths(case, case.baseline.row.genome)
+    assert drawn == pytest.approx(exported)
     # Two traits turn leaves; neither is called azimuth.
-    assert np.ptp(found - baseline) > 0.1
+    assert np.ptp(drawn - baseline) > 0.1
     assert list(baseline) == [90, 270] * 5
 
 
-def test_profiles_that_scale_are_those_of_the_program(
+def test_scaling_profiles_agree_with_the_exported_plant(
     maize: Path, tmp_path: Path
 ) -> None:
-    told = leaves_of(maize, tmp_path)["length"]
+    exported = export_leaves(maize, tmp_path)["length"]
     with open_study(maize) as study:
         (case,) = study.cases()
         base = case.baseline.row.genome[0, case.genes.columns("length")]
-        factors = profile_of(case, "length_profile", 10)
+        factors = interpolate_profile(case, "length_profile", 10)
     assert np.ptp(factors) > 0.01
-    assert told == pytest.approx(base * factors)
+    assert exported == pytest.approx(base * factors)
 
 
-def test_profiles_that_shift_are_those_of_the_program(
+def test_shifting_profiles_agree_with_the_exported_plant(
     sorghum: list[Path], tmp_path: Path
 ) -> None:
-    told = leaves_of(sorghum[1], tmp_path)["insertion_angle"]
+    exported = export_leaves(sorghum[1], tmp_path)["insertion_angle"]
     with open_study(sorghum[1]) as study:
         (case,) = study.cases()
         at = case.genes.columns("insertion_angle")
         base = case.baseline.row.genome[0, at]
-        shifts = profile_of(case, "insertion_angle_profile", 16)
+        shifts = interpolate_profile(case, "insertion_angle_profile", 16)
     assert np.ptp(shifts) > 0.1
-    assert told == pytest.approx(np.clip(base + shifts, 0, 90))
+    assert exported == pytest.approx(np.clip(base + shifts, 0, 90))
 
 
-def test_only_bred_traits_have_panels(
+def test_only_varied_traits_have_panels(
     maize: Path, sorghum: list[Path]
 ) -> None:
     with open_study(maize) as study:

@@ -48,7 +48,9 @@ def folder(tmp_path: Path) -> Path:
 
 
 @pytest.mark.parametrize("byte", METADATA)
-def test_damaged_metadata_are_told_at_once(tmp_path: Path, byte: int) -> None:
+def test_damaged_metadata_are_reported_without_delay(
+    tmp_path: Path, byte: int
+) -> None:
     bad = damage(tmp_path / "bad.h5", byte)
     for read in (open_history, ideotype.open, open_study):
         begin = time.monotonic()
@@ -68,7 +70,9 @@ def small(tmp_path: Path) -> Path:
 
 
 @pytest.mark.parametrize("marks", [0, OPEN])
-def test_no_bit_of_the_metadata_is_endless(small: Path, marks: int) -> None:
+def test_no_flipped_bit_of_metadata_makes_reading_endless(
+    small: Path, marks: int
+) -> None:
     """Forty bits are flipped, in a closed file and in a file that is marked as
     open; tests/stress/flip.py takes any number."""
     content = marked(small.read_bytes(), marks)
@@ -80,16 +84,16 @@ def test_no_bit_of_the_metadata_is_endless(small: Path, marks: int) -> None:
     for bit in bits[:: len(bits) // 40]:
         small.write_bytes(flip(content, bit))
         try:
-            found = ideotype.open(small)
+            arrays = ideotype.open(small)
         except HistoryError:
             noticed += 1
         else:
-            assert found.identical(whole), bit
+            assert arrays.identical(whole), bit
     assert noticed > 20
 
 
 @pytest.mark.long
-def test_no_reader_is_silent_about_flipped_bits() -> None:
+def test_every_reader_reports_flipped_bits() -> None:
     script = Path(__file__).parents[2] / "stress" / "flip.py"
     done = subprocess.run(
         [sys.executable, str(script), executable(), "6"],
@@ -102,13 +106,13 @@ def test_no_reader_is_silent_about_flipped_bits() -> None:
     assert done.stdout.startswith("2 flips in each state")
 
 
-def test_marks_of_a_writer_do_not_change_what_is_read(finished: Path) -> None:
+def test_marks_of_a_writer_do_not_change_results(finished: Path) -> None:
     block = finished.read_bytes()[:48]
     assert lookup3(block[:44]) == int.from_bytes(block[44:], "little")
     assert lookup3(b"Four score and seven years ago") == 0x17770551
 
 
-def test_all_of_a_file_is_tried(folder: Path) -> None:
+def test_all_files_are_tried_and_damaged_ones_reported(folder: Path) -> None:
     with pytest.raises(
         HistoryError, match="a.h5: evaluations/absorbed_by_leaf"
     ):
@@ -126,7 +130,7 @@ def test_all_of_a_file_is_tried(folder: Path) -> None:
         open_study(folder / "a.h5", skip_damaged=True)
 
 
-def test_a_report_goes_on_without_damaged_files(
+def test_a_report_leaves_out_damaged_files(
     folder: Path, tmp_path: Path
 ) -> None:
     done = report(folder, "-o", tmp_path / "out")
@@ -143,7 +147,7 @@ def test_a_report_goes_on_without_damaged_files(
     )
 
 
-def test_the_exit_code_tells_what_was_left_out(
+def test_the_exit_code_is_3_if_files_are_left_out(
     folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     damage(folder / "d.h5", METADATA[1])
@@ -162,4 +166,4 @@ def test_the_exit_code_tells_what_was_left_out(
     with pytest.raises(SystemExit):
         commands.report(["--help"])
     told = " ".join(capsys.readouterr().out.split())
-    assert "3 done without the histories" in told
+    assert "3 success without the histories" in told

@@ -32,7 +32,7 @@ PROMISED = {
 """Root attributes of FORMAT.md that readers can do without."""
 
 
-@pytest.fixture(scope="session", params=["own", "sorghum"])
+@pytest.fixture(scope="session", params=["tiny_run", "sorghum"])
 def sample(request: pytest.FixtureRequest) -> Path:
     """Gives the named history, or else a new history and a history of
     sorghum."""
@@ -51,7 +51,7 @@ def rows(request: pytest.FixtureRequest, sample: Path) -> Rows:
     return found
 
 
-def test_the_file_says_what_the_format_promises(sample: Path) -> None:
+def test_a_real_history_follows_the_format(sample: Path) -> None:
     with open_history(sample) as history:
         has = history.attributes
         assert str(history.state()).startswith("finished (")
@@ -61,7 +61,7 @@ def test_the_file_says_what_the_format_promises(sample: Path) -> None:
     assert sorted(PROMISED - has.keys()) == []
 
 
-def test_leaves_sum_to_what_all_leaves_absorb(rows: Rows) -> None:
+def test_light_by_leaf_sums_to_absorbed_par(rows: Rows) -> None:
     leaves = rows["absorbed_by_leaf"]
     count = rows.genes.leaves.max()
     assert list(leaves.axis.labels) == list(range(1, count + 1))
@@ -69,7 +69,7 @@ def test_leaves_sum_to_what_all_leaves_absorb(rows: Rows) -> None:
     assert total == pytest.approx(rows["absorbed_par"].values, rel=1e-9)
 
 
-def test_the_balance_closes(rows: Rows) -> None:
+def test_the_energy_balance_closes(rows: Rows) -> None:
     parts = ("absorbed", "stalk", "soil", "reflected")
     fractions = [rows[f"{part}_fraction"].values for part in parts]
     assert np.sum(fractions, axis=0) == pytest.approx(1.0, rel=1e-9)
@@ -79,7 +79,7 @@ def test_the_balance_closes(rows: Rows) -> None:
     assert absorbed == pytest.approx(rows["absorbed_par"].values, rel=1e-9)
 
 
-def test_organs_sum_to_what_plants_absorb(rows: Rows) -> None:
+def test_light_by_organ_sums_to_the_light_of_plants(rows: Rows) -> None:
     organs = rows["absorbed_by_organ"]
     leaves, *others = organs.axis.labels
     assert leaves == "leaves" and others[0] == "stalk"
@@ -88,13 +88,13 @@ def test_organs_sum_to_what_plants_absorb(rows: Rows) -> None:
     assert organs.values[:, 1:].sum(1) == pytest.approx(taken, rel=1e-9)
 
 
-def test_errors_are_known_and_small(rows: Rows) -> None:
+def test_standard_errors_are_finite_and_small(rows: Rows) -> None:
     relative = rows["absorbed_par"].standard_error / rows.objectives[:, 0]
     assert np.all((relative > 0) & (relative < 0.08))
     assert rows.objectives[:, 0] == pytest.approx(rows["absorbed_par"].values)
 
 
-def test_plants_stay_in_their_bounds(rows: Rows, sample: Path) -> None:
+def test_genomes_are_within_their_bounds(rows: Rows, sample: Path) -> None:
     with open_history(sample) as history:
         lower, upper = history.genes.lower, history.genes.upper
     assert np.all((rows.genome >= lower) & (rows.genome <= upper))
@@ -113,8 +113,8 @@ def test_generations_summarize_their_rows(sample: Path) -> None:
         assert generations.failures[g] == len(rows.failed)
 
 
-def test_hours_integrate_to_the_day(own: Path) -> None:
-    with open_history(own) as history:
+def test_hourly_light_integrates_to_the_day(tiny_run: Path) -> None:
+    with open_history(tiny_run) as history:
         best = history.best()
     assert best is not None and best.is_final
     profile = best.profile("absorbed_by_hour")
@@ -126,10 +126,10 @@ def test_hours_integrate_to_the_day(own: Path) -> None:
     assert joules / 1e6 == pytest.approx(best.objective.mean, rel=1e-9)
 
 
-def test_the_plants_of_a_report_have_the_sizes_of_their_genes(
-    own: Path,
+def test_meshes_of_a_report_have_the_lengths_of_their_genes(
+    tiny_run: Path,
 ) -> None:
-    with open_study(own) as study:
+    with open_study(tiny_run) as study:
         (case,) = study.cases()
         plants = build_plants(case)
         best, genes = case.best, case.genes
@@ -150,11 +150,11 @@ def running(tmp_path: Path) -> Iterator[tuple[subprocess.Popen[str], Path]]:
     """Gives a run that does not end by itself, and its history."""
     run = start(tmp_path, 10_000)
     deadline = time.monotonic() + 60
-    while not (found := list((tmp_path / "tiny").glob("*.h5"))):
+    while not (histories := list((tmp_path / "tiny").glob("*.h5"))):
         assert run.poll() is None, run.communicate()[0]
         assert time.monotonic() < deadline, "no history within a minute"
         time.sleep(0.01)
-    yield run, found[0]
+    yield run, histories[0]
     run.kill()
     run.wait()
 
@@ -185,9 +185,9 @@ def test_a_run_is_followed_and_survives_its_kill(
 
 
 def test_a_real_file_that_was_cut_short_is_refused(
-    own: Path, tmp_path: Path
+    tiny_run: Path, tmp_path: Path
 ) -> None:
-    data = own.read_bytes()
+    data = tiny_run.read_bytes()
     (tmp_path / "cut.h5").write_bytes(data[: len(data) // 2])
     with pytest.raises(HistoryError, match="cut short"):
         open_history(tmp_path / "cut.h5")

@@ -29,10 +29,10 @@ import ideotype
 from ideotype.figures.case import figures_of
 from ideotype.figures.front import draw_front, draw_hypervolume
 from ideotype.figures.front_plants import draw_front_plants
-from ideotype.figures.style import BEST, answer_of
+from ideotype.figures.style import BEST, get_answer
 from ideotype.history import open_history, open_study
 from ideotype.history.front import non_dominated
-from ideotype.report.scene import build_plants, scene_of
+from ideotype.report.scene import build_plants, make_scene
 
 
 @pytest.fixture
@@ -42,7 +42,7 @@ def history(tmp_path: Path) -> Path:
 
 @pytest.mark.parametrize("digits", [1, 6])
 @pytest.mark.parametrize("signs", [(-1, -1), (1, -1), (1, -1, 1)])
-def test_the_same_rows_as_a_published_sorting(
+def test_non_dominated_agrees_with_a_published_sorting(
     signs: tuple[int, ...], digits: int
 ) -> None:
     """With one digit many rows are equal in an objective, or in all."""
@@ -56,14 +56,16 @@ def test_the_same_rows_as_a_published_sorting(
 
 def test_constraints_come_before_objectives() -> None:
     rows = [[1.0, 1.0], [3.0, 3.0], [2.0, 2.0], [0.0, 5.0]]
-    found = [
+    masks = [
         non_dominated(rows, [1, 1], violation).tolist()
         for violation in ([0, 2, 1, 0], [3, 2, 2, 9])
     ]
-    assert found == [[True, False, False, True], [False, True, False, False]]
+    assert masks == [[True, False, False, True], [False, True, False, False]]
 
 
-def test_members_that_fall_off_are_told(history: Path) -> None:
+def test_members_dominated_after_the_search_are_reported(
+    history: Path,
+) -> None:
     with open_history(history) as opened:
         front = opened.front()
     assert front is not None and front.is_final
@@ -84,7 +86,7 @@ def test_members_that_fall_off_are_told(history: Path) -> None:
     assert soil.standard_error > gain.standard_error
 
 
-def test_before_the_finals_it_is_that_of_the_last_generation(
+def test_before_the_finals_the_front_is_that_of_the_last_generation(
     tmp_path: Path,
 ) -> None:
     fronts = []
@@ -105,7 +107,7 @@ def test_before_the_finals_it_is_that_of_the_last_generation(
     assert front.is_kept.tolist() == [True] and front.number(0) == 1
 
 
-def test_one_objective_has_no_front(finished: Path) -> None:
+def test_a_single_objective_has_no_front(finished: Path) -> None:
     with open_study(finished) as study:
         (case,) = study.cases()
         assert study[0].front() is None and case.fronts == ()
@@ -133,11 +135,11 @@ def test_plants_along_the_front_are_drawn(history: Path) -> None:
     for axes, mesh in zip(figure.axes, (plants.baseline, *plants.members[:2])):
         (faces,) = axes.collections
         assert len(faces.get_paths()) == len(mesh.faces)
-    told = answer_of(figure)
+    told = get_answer(figure)
     assert "absorbed PAR [MJ m⁻² day⁻¹ of ground], LAI [m² m⁻²" in told
 
 
-def test_a_plant_has_one_number_everywhere(tmp_path: Path) -> None:
+def test_a_front_member_has_the_same_number_everywhere(tmp_path: Path) -> None:
     """This holds though plants of the figure are in the order of the first
     objective, and finalists in the order of their last generation."""
     for seed in (1, 2):
@@ -154,7 +156,7 @@ def test_a_plant_has_one_number_everywhere(tmp_path: Path) -> None:
     with open_study(tmp_path) as study:
         (case,) = study.cases()
         figure = draw_front_plants(case, mesh, [mesh] * 6)
-        (shown,) = json.loads(scene_of([(case, None)]))["cases"]
+        (shown,) = json.loads(make_scene([(case, None)]))["cases"]
         known = {
             f"plant {front.number(i)} of seed {seed}": (
                 front.one(i).objective.mean
@@ -180,7 +182,7 @@ def test_a_plant_has_one_number_everywhere(tmp_path: Path) -> None:
         assert light == f"{known[name]:.4f}"
 
 
-def test_figures_of_fronts(tmp_path: Path) -> None:
+def test_fronts_have_their_figures(tmp_path: Path) -> None:
     for seed in (1, 2):
         make(tmp_path / f"case_r{seed}.h5", attributes={"case": f"a_r{seed}"})
     with open_study(tmp_path) as study:
@@ -191,8 +193,10 @@ def test_figures_of_fronts(tmp_path: Path) -> None:
     assert axes.get_xlabel() == "LAI [m² m⁻²], minimised"
     assert axes.get_ylabel().endswith("of ground], maximised")
     handles = dict(zip(*axes.get_legend_handles_labels()[::-1]))
-    assert {f"fallen off of seed {seed}" for seed in (1, 2)} < handles.keys()
-    points, _, (_, up) = handles["front of seed 1"]
+    assert {
+        f"dominated after re-evaluation of seed {seed}" for seed in (1, 2)
+    } < handles.keys()
+    points, _, (_, up) = handles["Pareto front of seed 1"]
     assert points.get_color() == BEST
     assert points.get_xdata().tolist() == LAIS[1:3]
     lengths = [np.diff(segment[:, 1])[0] for segment in up.get_segments()]

@@ -28,20 +28,22 @@ def genes() -> Genes:
     )
 
 
-def test_traits_are_of_leaves_of_plants_or_profiles(genes: Genes) -> None:
+def test_traits_have_a_gene_per_leaf_plant_or_profile_point(
+    genes: Genes,
+) -> None:
     assert [genes.kind(t) for t in ("fold", "height", "size_profile")] == [
         *("leaf", "plant", "profile"),
     ]
-    # A gene that is not free is not bred.
+    # Genes that are not free do not count.
     assert genes.bred("leaf") == ["droop"]
     assert genes.bred("plant") == ["height"]
     assert genes.bred("profile") == ["size_profile"]
 
 
-def test_genes_are_called_by_leaf_or_point(genes: Genes) -> None:
+def test_gene_numbers_are_leaf_ranks_or_profile_points(genes: Genes) -> None:
     assert [genes.number(i) for i in range(8)] == [1, 1, 2, 2, 0, 1, 2, 3]
 
 
-def test_axes_have_the_unit_of_a_trait(genes: Genes) -> None:
+def test_axis_labels_have_the_unit_of_the_trait(genes: Genes) -> None:
     assert genes.label("droop") == "droop [°]"
     assert genes.label("size_profile") == "size profile [1]"

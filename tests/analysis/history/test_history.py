@@ -78,7 +78,7 @@ def test_failed_rows_have_reasons_and_no_outcome(drained: Path) -> None:
     assert np.all(np.isfinite(failed.genome))
 
 
-def test_columns_are_found_by_name_and_know_their_unit(
+def test_quantities_are_found_by_name_with_their_unit(
     finished: Path,
 ) -> None:
     with open_history(finished) as history:
@@ -89,11 +89,11 @@ def test_columns_are_found_by_name_and_know_their_unit(
     assert list(par.standard_error) == [ERROR] * POPULATION
     assert set(rows.quantities) == set(QUANTITIES)
     for name, kind in QUANTITIES.items():
-        found = rows[name]
-        assert found.unit == kind.units
-        assert (found.axis.name if found.axis else None) == kind.axis
+        quantity = rows[name]
+        assert quantity.unit == kind.units
+        assert (quantity.axis.name if quantity.axis else None) == kind.axis
         if kind.is_exact:
-            assert not found.standard_error.any()
+            assert not quantity.standard_error.any()
     for name, unit, *_ in TRAITS:
         assert rows[name].unit == unit
     genes = np.array([genome(2, s) for s in range(POPULATION)])
@@ -105,7 +105,7 @@ def test_columns_are_found_by_name_and_know_their_unit(
         rows["biomass"]
 
 
-def test_rows_keep_their_descent_and_cost(finished: Path) -> None:
+def test_rows_have_parents_and_computing_time(finished: Path) -> None:
     with open_history(finished) as history:
         rows = history.evaluations()
     assert rows.origin[0] == ORIGIN["baseline"]
@@ -120,7 +120,7 @@ def test_rows_keep_their_descent_and_cost(finished: Path) -> None:
     assert done.seconds[0] == 0.25
 
 
-def test_finals_decide_over_the_luckiest_of_the_run(finished: Path) -> None:
+def test_the_best_plant_is_that_of_the_finals(finished: Path) -> None:
     with open_history(finished) as history:
         pair = history.comparison()
         assert history.best() is not None
@@ -136,7 +136,7 @@ def test_finals_decide_over_the_luckiest_of_the_run(finished: Path) -> None:
     assert np.array_equal(genes, baseline_genome())
 
 
-def test_gain_is_paired_by_randomisation(finished: Path) -> None:
+def test_the_gain_has_a_paired_standard_error(finished: Path) -> None:
     with open_history(finished) as history:
         pair = history.comparison()
     assert pair is not None and pair.is_paired
@@ -146,14 +146,14 @@ def test_gain_is_paired_by_randomisation(finished: Path) -> None:
     ]
     assert pair.gain.mean == pytest.approx(1.5)
     assert pair.gain.unit == "%"
-    for found, factor, scale in (
+    for gain, factor, scale in (
         (pair.difference, 1.0, 1.0),
         (pair.gain, 1.015, 100 / BASELINE),
         (pair.gain_per_leaf_area, 1.015, 100 / BASELINE),
     ):
         each = draws[1] - factor * draws[0]
         expected = scale * each.std(ddof=1) / np.sqrt(16)
-        assert found.standard_error == pytest.approx(expected)
+        assert gain.standard_error == pytest.approx(expected)
     apart = ERROR / 4 * math.hypot(1, 1)
     assert pair.difference.standard_error < 0.5 * apart
 
@@ -170,7 +170,9 @@ def test_without_common_randomisations_errors_are_independent(
     assert pair.difference.standard_error == pytest.approx(expected)
 
 
-def test_the_order_is_failed_violating_objective(tmp_path: Path) -> None:
+def test_rows_are_ranked_by_failure_violation_and_objective(
+    tmp_path: Path,
+) -> None:
     for sense, better in (("maximise", 3), ("minimise", 1)):
         path = tmp_path / f"{sense}.h5"
         made = MadeHistory(path, objectives=[("absorbed_par", sense)])
@@ -183,11 +185,11 @@ def test_the_order_is_failed_violating_objective(tmp_path: Path) -> None:
         rows["violation"][:5] = [0.3, 0.0, 0.0, 0.0, 0.1]
         made.close()
         with open_history(path) as history:
-            found = history.evaluations()
+            evaluations = history.evaluations()
             best = history.best()
-        assert list(found.ranking(9)) == [better, 2, 4 - better, 4, 0]
+        assert list(evaluations.ranking(9)) == [better, 2, 4 - better, 4, 0]
         assert best is not None and best.row.row == [better]
-        assert np.isnan(found.violation[5])
+        assert np.isnan(evaluations.violation[5])
 
 
 def test_generations_may_differ_in_size(tmp_path: Path) -> None:
@@ -211,7 +213,7 @@ def test_generations_may_differ_in_size(tmp_path: Path) -> None:
     assert list(rows.slot[20:24]) == [8, 9, 0, 1]
 
 
-def test_before_the_finals_the_last_complete_generation_decides(
+def test_before_the_finals_the_best_plant_is_that_of_the_last_generation(
     drained: Path,
 ) -> None:
     with open_history(drained) as history:
@@ -221,7 +223,7 @@ def test_before_the_finals_the_last_complete_generation_decides(
     assert pair.baseline.objective.mean == absorbed(0, 0)
 
 
-def test_incomplete_finals_decide_nothing(writer: WriterProcess) -> None:
+def test_incomplete_finals_do_not_count(writer: WriterProcess) -> None:
     writer.do("evolve 1")
     writer.do("propose_final")
     with open_history(writer.path) as history:
@@ -234,7 +236,7 @@ def test_incomplete_finals_decide_nothing(writer: WriterProcess) -> None:
         assert pair is not None and pair.is_final
 
 
-def test_an_empty_history_compares_nothing(writer: WriterProcess) -> None:
+def test_an_empty_history_has_no_comparison(writer: WriterProcess) -> None:
     with open_history(writer.path) as history:
         assert history.best() is None
         assert history.baseline() is None
@@ -243,7 +245,9 @@ def test_an_empty_history_compares_nothing(writer: WriterProcess) -> None:
         assert history.evaluations()["absorbed_par"].values.shape == (0,)
 
 
-def test_all_failed_leaves_no_best(writer: WriterProcess) -> None:
+def test_a_history_of_failed_rows_has_no_best_plant(
+    writer: WriterProcess,
+) -> None:
     writer.do("propose 0")
     for slot in range(POPULATION):
         writer.do(f"fail 0 {slot}")
@@ -252,7 +256,7 @@ def test_all_failed_leaves_no_best(writer: WriterProcess) -> None:
         assert history.best() is None
 
 
-def test_hours_are_an_axis(finished: Path) -> None:
+def test_light_by_hour_has_an_axis(finished: Path) -> None:
     with open_history(finished) as history:
         profile = history.best().profile("absorbed_by_hour")
     assert list(profile.labels) == HOURS
@@ -264,7 +268,7 @@ def test_hours_are_an_axis(finished: Path) -> None:
     assert profile.standard_error == pytest.approx(error)
 
 
-def test_leaves_are_an_axis(finished: Path) -> None:
+def test_light_by_leaf_has_an_axis(finished: Path) -> None:
     with open_history(finished) as history:
         best = history.best()
     light = best.profile("absorbed_by_leaf")
@@ -277,7 +281,9 @@ def test_leaves_are_an_axis(finished: Path) -> None:
             best.profile(name)
 
 
-def test_a_misspelt_name_is_answered_with_the_nearest(finished: Path) -> None:
+def test_the_error_for_a_misspelt_name_suggests_the_nearest(
+    finished: Path,
+) -> None:
     with open_history(finished) as history:
         best, rows = history.best(), history.finalists()
     meant = "did you mean 'absorbed_by_leaf'"
@@ -291,7 +297,7 @@ def test_a_misspelt_name_is_answered_with_the_nearest(finished: Path) -> None:
         rows["nothing"]
 
 
-def test_the_top_are_different_plants_best_first(finished: Path) -> None:
+def test_the_best_plants_are_distinct_and_sorted(finished: Path) -> None:
     with open_history(finished) as history:
         latest = history.latest()
     top = latest.top(10)
@@ -302,7 +308,9 @@ def test_the_top_are_different_plants_best_first(finished: Path) -> None:
     assert list(twice.top(10).slot) == [11, 7, 3]
 
 
-def test_traits_have_bounds_and_know_the_circle(finished: Path) -> None:
+def test_genes_have_bounds_and_circular_ones_are_marked(
+    finished: Path,
+) -> None:
     with open_history(finished) as history:
         genes = history.genes
     columns = genes.columns("azimuth")
@@ -313,7 +321,7 @@ def test_traits_have_bounds_and_know_the_circle(finished: Path) -> None:
     assert genes.is_free.all()
 
 
-def test_text_comes_back_as_written(finished: Path) -> None:
+def test_texts_of_a_history_are_read_as_written(finished: Path) -> None:
     with open_history(finished) as history:
         assert history.attributes["seed"] == 2**63 + 1
         assert history.attributes["latitude"] == 42.0

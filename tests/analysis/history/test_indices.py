@@ -35,11 +35,11 @@ def path(request, tmp_path_factory) -> Path:
 
 def test_indices_are_computed_by_quantity(path: Path) -> None:
     with open_history(path) as history:
-        found = indices_of(history)
+        indices = indices_of(history)
         assert history.is_sensitivity
         assert history.genes.names[-1] == "optics.soil_albedo"
         rows = history.evaluations()
-    par = found["absorbed_par"]
+    par = indices["absorbed_par"]
     assert par.factors == (
         *("length", "width", "insertion_angle", "azimuth"),
         "optics.soil_albedo",
@@ -62,7 +62,7 @@ def test_indices_are_computed_by_quantity(path: Path) -> None:
         assert np.all(np.isnan(par.index["mu"][:4]))
         assert np.all(par.index["mu_star"] > 0)
     assert par.noise == pytest.approx(np.sqrt(np.mean(errors**2)))
-    lai = found["lai"]
+    lai = indices["lai"]
     assert lai.unit == "m2 m-2"
     main = lai.index["total" if "total" in lai.index else "mu_star"]
     np.testing.assert_allclose(main[2:], 0, atol=1e-12)
@@ -87,7 +87,7 @@ def test_indices_are_printed(
     assert "there is no 'lay'" in capsys.readouterr().err
 
 
-def test_without_salib_there_is_one_message(
+def test_without_salib_one_message_states_the_remedy(
     path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture
 ) -> None:
     monkeypatch.setitem(sys.modules, "SALib", None)
@@ -95,7 +95,9 @@ def test_without_salib_there_is_one_message(
     assert "pip install 'SALib>=1.5'" in capsys.readouterr().err
 
 
-def test_the_report_draws_them(path: Path, tmp_path: Path) -> None:
+def test_the_report_draws_sensitivity_indices(
+    path: Path, tmp_path: Path
+) -> None:
     with open_history(path) as history:
         figure = draw_indices(Case("study", [history]))
         assert len(figure.axes[0].containers) >= 2

@@ -18,7 +18,7 @@ from ideotype.history import HistoryError, open_history, open_study
 
 
 @pytest.mark.parametrize(
-    ("place", "index", "what"),
+    ("place", "index", "part"),
     [
         ("evaluations/absorbed_by_leaf", (40, 3), "generation 3"),
         ("evaluations/genome", (71, 39), "generation 5"),
@@ -34,7 +34,7 @@ from ideotype.history import HistoryError, open_history, open_study
     ],
 )
 def test_a_changed_value_is_named(
-    finished: Path, tmp_path: Path, place: str, index: object, what: str
+    finished: Path, tmp_path: Path, place: str, index: object, part: str
 ) -> None:
     path = tmp_path / "damaged.h5"
     shutil.copy(finished, path)
@@ -42,32 +42,32 @@ def test_a_changed_value_is_named(
         value = file[place][index]
         is_text = isinstance(value, bytes)
         file[place][index] = b"x" + value if is_text else value + 1
-    expected = f"damaged.h5: damaged: {what} does not have its checksum; copy"
+    expected = f"damaged.h5: damaged: {part} does not have its checksum; copy"
     with pytest.raises(HistoryError, match=expected):
         open_history(path)
     shutil.copy(finished, tmp_path / "good.h5")
     with open_study(tmp_path, skip_damaged=True) as study:
         assert [history.path.name for history in study] == ["good.h5"]
         (error,) = study.damaged
-    assert what in str(error)
+    assert part in str(error)
 
 
 @pytest.mark.parametrize(
-    ("place", "index", "what"),
+    ("place", "index", "part"),
     [
         ("generations/committed", 5, "the mark of generation 5"),
         ("generations/committed", 2, "the mark of generation 2"),
         ("final/status", 2, "finalist 2"),
     ],
 )
-def test_what_lost_its_mark_is_noticed(
-    finished: Path, tmp_path: Path, place: str, index: int, what: str
+def test_a_removed_mark_of_completion_is_noticed(
+    finished: Path, tmp_path: Path, place: str, index: int, part: str
 ) -> None:
     path = tmp_path / "damaged.h5"
     shutil.copy(finished, path)
     with h5py.File(path, "r+") as file:
         file[place][index] = 0
-    with pytest.raises(HistoryError, match=f"damaged: {what} does not have"):
+    with pytest.raises(HistoryError, match=f"damaged: {part} does not have"):
         open_history(path)
 
 
@@ -82,9 +82,7 @@ def test_a_changed_attribute_is_noticed(
         open_history(path)
 
 
-def test_what_is_not_committed_may_change(
-    drained: Path, tmp_path: Path
-) -> None:
+def test_uncommitted_data_may_change(drained: Path, tmp_path: Path) -> None:
     path = tmp_path / "case.h5"
     shutil.copy(drained, path)
     with h5py.File(path, "r+") as file:
@@ -94,7 +92,9 @@ def test_what_is_not_committed_may_change(
         assert len(history.generations()) == 2
 
 
-def test_live_and_killed_files_are_compared_too(writer: WriterProcess) -> None:
+def test_checksums_of_live_and_killed_files_are_verified(
+    writer: WriterProcess,
+) -> None:
     writer.do("evolve 2")
     writer.do("propose_final")
     writer.do("record_final 1")
@@ -103,7 +103,7 @@ def test_live_and_killed_files_are_compared_too(writer: WriterProcess) -> None:
     open_history(writer.path).close()
 
 
-def test_comparing_costs_little(tmp_path: Path) -> None:
+def test_verifying_checksums_takes_little_time(tmp_path: Path) -> None:
     """The comparison reads at least 50 MB a second, measured with quantities
     that fill 20 MB."""
     path = tmp_path / "large.h5"

@@ -23,8 +23,13 @@ from ideotype.history.interval import (
 )
 from ideotype.history.study import open_study
 from ideotype.report import tables
-from ideotype.report.answer import answer
-from ideotype.report.tables import SCREEN, gains, markdown, on_a_screen
+from ideotype.report.answer import make_answer
+from ideotype.report.tables import (
+    SCREEN,
+    format_markdown,
+    tabulate_gains,
+    tabulate_screen,
+)
 
 
 def make(
@@ -40,7 +45,7 @@ def make(
 
 
 @pytest.mark.parametrize("seeds", [(1, 1), (2, 2), (1, 2)])
-def test_each_interval_of_a_gain_holds_the_search(
+def test_intervals_of_gains_include_the_scatter_between_searches(
     tmp_path: Path, seeds: tuple[int, int]
 ) -> None:
     """A single search takes its scatter from other searches, and says so."""
@@ -52,8 +57,8 @@ def test_each_interval_of_a_gain_holds_the_search(
             make(tmp_path / f"{name}.h5", **attributes)
     with open_study(tmp_path) as study:
         cases = study.cases()
-        table, *_ = gains(cases, None)
-        sentences = answer(cases).sentences
+        table, *_ = tabulate_gains(cases, None)
+        facts = make_answer(cases).uncertainty
         results = study.results()
         pairs = [case.pairs for case in cases]
         drawn = [
@@ -61,43 +66,46 @@ def test_each_interval_of_a_gain_holds_the_search(
             for group in draw_gains(cases).axes[0].containers
             for segment in group.lines[2][0].get_segments()
         ]
-    said = " ".join(table.caption.split()), sentences[0][1]
+    said = (
+        " ".join(table.caption.split()),
+        " ".join(fact.value for fact in facts).replace("\u00a0", " "),
+    )
     for text in said:
         assert (ONE_SEED in text) == (1 in seeds)
     assert ("over searches" in said[0]) == (2 in seeds)
-    for k, own in enumerate(pairs):
+    for k, case_pairs in enumerate(pairs):
         low, high = results.gain_percent_low[k], results.gain_percent_high[k]
         assert drawn[k][:, 0] == pytest.approx((low, high))
         mean = results.gain_percent[k]
-        light = NORMAL * own[0].gain.standard_error
-        if len(own) == 1:
-            search = NORMAL * SEARCH_SCATTER * own[0].gain.mean
+        light = NORMAL * case_pairs[0].gain.standard_error
+        if len(case_pairs) == 1:
+            search = NORMAL * SEARCH_SCATTER * case_pairs[0].gain.mean
             assert mean - low == pytest.approx(np.hypot(light, search))
         else:
-            assert mean - low >= light / np.sqrt(len(own))
+            assert mean - low >= light / np.sqrt(len(case_pairs))
         assert high - mean == pytest.approx(max(mean - low, BEYOND * mean))
 
 
 @pytest.mark.parametrize(("sign", "least"), [(1, "above"), (-1, "below")])
-def test_searches_that_agree_do_not_exclude_a_better_optimum(
+def test_equal_searches_do_not_exclude_a_better_optimum(
     sign: int, least: str
 ) -> None:
     gains = [Estimate(sign * 10.0, 0.1, "%")] * 3
-    found = gain_interval(gains, sign)
+    gain = gain_interval(gains, sign)
     light = NORMAL * 0.1 / np.sqrt(3)
     other = "below" if least == "above" else "above"
-    assert getattr(found, least) == pytest.approx(10 * BEYOND)
-    assert getattr(found, other) == pytest.approx(light)
-    ends = f"{found.below:.2f}", f"{found.above:.2f}"
-    assert found.number() == f"{sign * 10:.2f} −{ends[0]} +{ends[1]}"
-    assert found.is_sure
+    assert getattr(gain, least) == pytest.approx(10 * BEYOND)
+    assert getattr(gain, other) == pytest.approx(light)
+    ends = f"{gain.below:.2f}", f"{gain.above:.2f}"
+    assert gain.number() == f"{sign * 10:.2f} −{ends[0]} +{ends[1]}"
+    assert gain.is_sure
     # The interval of searches with more scatter is as wide above the mean as
     # below.
     apart = gain_interval([Estimate(x, 0.1, "%") for x in (5.0, 15.0)], sign)
     assert apart.below == apart.above and not apart.is_sure
 
 
-def test_a_plant_has_one_number_everywhere(tmp_path: Path) -> None:
+def test_the_best_plant_has_the_same_number_everywhere(tmp_path: Path) -> None:
     """The seeds of a case evaluate the same baseline with other noise."""
     for seed, shift in enumerate((0.0, 0.1, 0.2), start=1):
         for latitude in (10.0, 20.0):
@@ -117,7 +125,7 @@ def test_a_plant_has_one_number_everywhere(tmp_path: Path) -> None:
         for case in cases:
             case.remember()
         results = study.results()
-        table, *_ = gains(cases, None)
+        table, *_ = tabulate_gains(cases, None)
         upper, _ = draw_latitudes(cases).axes
         energy = draw_energy(cases).axes[0]
         line = draw_convergence(cases[0]).axes[0].lines
@@ -144,9 +152,9 @@ def test_a_plant_has_one_number_everywhere(tmp_path: Path) -> None:
     ]
 
 
-def test_the_interval_of_several_seeds_is_that_between_them() -> None:
-    """These are four searches of the trial of version 0.2.0, whose errors
-    contained only the noise of the light."""
+def test_the_interval_of_several_seeds_is_from_their_scatter() -> None:
+    """The gains are those of four searches; their standard errors contain only
+    the noise of the light."""
     gains = [
         Estimate(mean, error, "%")
         for mean, error in (
@@ -154,17 +162,17 @@ def test_the_interval_of_several_seeds_is_that_between_them() -> None:
             *((2.81, 0.26), (4.41, 0.16)),
         )
     ]
-    found = interval(gains)
+    gain = interval(gains)
     # This is Student's t with three degrees of freedom.
     scatter = np.std([x.mean for x in gains], ddof=1) / 2
-    assert found.below == pytest.approx(3.1824 * scatter, rel=1e-4)
-    assert str(found) == "3.6 ± 1.6 %"
+    assert gain.below == pytest.approx(3.1824 * scatter, rel=1e-4)
+    assert str(gain) == "3.6 ± 1.6 %"
     # Seeds that agree by chance do not take the noise of the light away.
     alike = interval([Estimate(3.0, 0.2), Estimate(3.0, 0.2)])
     assert alike.below == pytest.approx(1.96 * 0.2 / 2**0.5)
 
 
-def test_a_screen_has_the_cases_that_gain_most_and_least(
+def test_the_summary_shows_the_largest_and_smallest_gains(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     few, count = 6, 10
@@ -180,14 +188,14 @@ def test_a_screen_has_the_cases_that_gain_most_and_least(
         made.close()
     with open_study(tmp_path) as study:
         cases = study.cases()
-        told = markdown(on_a_screen(cases))
-        all_of_them = markdown(on_a_screen(cases[:few]))
+        text = format_markdown(tabulate_screen(cases))
+        all_of_them = format_markdown(tabulate_screen(cases[:few]))
         ranked = sorted(cases, key=lambda case: -case.relative_gain().mean)
-    lines = [x for x in told.splitlines() if x.startswith("| lat")]
-    assert len(told.splitlines()) - few + SCREEN < 24 and len(lines) == few
+    lines = [x for x in text.splitlines() if x.startswith("| lat")]
+    assert len(text.splitlines()) - few + SCREEN < 24 and len(lines) == few
     half = few // 2
     expected = [*ranked[:half], *ranked[-half:]]
     assert [x.split()[1] for x in lines] == [case.name for case in expected]
-    assert f"{few} of {count} cases" in told and "--all" in told
+    assert f"{few} of {count} cases" in text and "--all" in text
     assert all_of_them.count("\n| lat") == few
     assert "--all" not in all_of_them

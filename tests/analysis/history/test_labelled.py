@@ -40,18 +40,18 @@ def test_a_finished_file_is_labelled(finished: Path) -> None:
     assert finalists.objectives.dims == ("finalist", "objective")
 
 
-def test_a_group_that_is_not_there_is_named(finished: Path) -> None:
+def test_the_error_names_a_missing_group(finished: Path) -> None:
     for path in (finished, SAMPLE):
         with pytest.raises(KeyError, match="has no evaluation"):
             ideotype.open(path, "evaluation")
 
 
-def test_xarray_opens_a_file_by_itself(finished: Path) -> None:
+def test_xarray_opens_a_history_directly(finished: Path) -> None:
     with xarray.open_dataset(finished, group="evaluations") as rows:
         assert rows.absorbed_by_leaf.dims == ("row", "leaf")
 
 
-def test_only_recorded_rows_of_a_live_and_a_killed_file(
+def test_open_reads_only_recorded_rows_of_live_and_killed_files(
     writer: WriterProcess,
 ) -> None:
     writer.do("evolve 1")

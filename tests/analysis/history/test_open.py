@@ -57,7 +57,7 @@ def test_a_reader_does_not_disturb_the_writer(writer: WriterProcess) -> None:
         assert str(history.state()).startswith("stopped")
 
 
-def test_a_killed_file_is_read_and_stays_as_it_is(
+def test_a_killed_file_is_read_and_left_unchanged(
     writer: WriterProcess,
 ) -> None:
     writer.do("evolve 2")
@@ -76,7 +76,7 @@ def test_a_killed_file_is_read_and_stays_as_it_is(
     assert fingerprint(writer.path) == before
 
 
-def test_every_kill_leaves_what_was_recorded(tmp_path: Path) -> None:
+def test_every_kill_leaves_the_recorded_rows(tmp_path: Path) -> None:
     for count in range(0, POPULATION, 3):
         writer = WriterProcess(tmp_path / f"killed{count}.h5")
         writer.do("propose 0")
@@ -88,7 +88,7 @@ def test_every_kill_leaves_what_was_recorded(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("locking", ["TRUE", "FALSE", "BEST_EFFORT"])
-def test_any_setting_of_file_locking_will_do(
+def test_histories_are_read_with_any_setting_of_file_locking(
     writer: WriterProcess, locking: str
 ) -> None:
     """The file is read while its writer lives, and after its kill."""
@@ -151,7 +151,7 @@ def test_a_missing_file_is_named(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("content", [b"", b"abc", b"x" * 5000])
-def test_other_content_is_not_a_history(
+def test_files_of_other_content_are_refused(
     tmp_path: Path, content: bytes
 ) -> None:
     path = tmp_path / "other.h5"
@@ -162,7 +162,7 @@ def test_other_content_is_not_a_history(
         open_history(tmp_path)
 
 
-def test_other_hdf5_is_not_a_history(tmp_path: Path) -> None:
+def test_other_hdf5_files_are_refused(tmp_path: Path) -> None:
     path = tmp_path / "other.h5"
     h5py.File(path, "w").close()
     with pytest.raises(NotAHistory, match="not a history"):
@@ -172,7 +172,9 @@ def test_other_hdf5_is_not_a_history(tmp_path: Path) -> None:
         open_history(path)
 
 
-def test_another_major_version_is_refused_by_name(tmp_path: Path) -> None:
+def test_another_major_version_is_refused_with_its_number(
+    tmp_path: Path,
+) -> None:
     for version in ("3.0", "10.0", "0.9", "unknown"):
         attributes = {"format_version": version}
         MadeHistory(tmp_path / "new.h5", attributes=attributes).close()
@@ -243,7 +245,7 @@ def test_a_missing_dataset_is_named(tmp_path: Path) -> None:
         history.generations()
 
 
-def test_the_package_lists_what_it_offers() -> None:
+def test_dir_lists_the_public_names() -> None:
     assert {*ideotype.__all__, "__version__"} == {*dir(ideotype)}
     assert {"Stand", "mesh", "Search", "open_study", "Crop"} <= {
         *dir(ideotype)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Indices are right for the program's designs and functions whose indices are
-known."""
+"""Indices from the designs of the program agree with known indices of test
+functions."""
 
 import os
 import subprocess
@@ -52,45 +52,45 @@ def design(method, genes, together, samples):
         check=True,
     )
     x = np.array([line.split() for line in run.stdout.splitlines()], float)
-    of = [f"g{i // together}" for i in range(genes)]
-    factors = tuple(dict.fromkeys(of))
+    groups = [f"g{i // together}" for i in range(genes)]
+    factors = tuple(dict.fromkeys(groups))
     problem = {
         "num_vars": genes,
         "names": [f"x{i}" for i in range(genes)],
-        "groups": of,
+        "groups": groups,
         "bounds": [[0, 1]] * genes,
     }
     points = x.reshape(samples, -1, genes)
     return _Design(method == "sobol", LEVELS, factors, problem, points)
 
 
-def analyse(made, function, spread=0.0, told=0.0):
+def analyse(made, function, spread=0.0, error=0.0):
     """Makes rows with normal noise and the standard errors of this noise."""
     x = made.points.reshape(-1, made.points.shape[2])
     y = function(x) + spread * np.random.default_rng(5).normal(size=len(x))
     y = y.reshape(made.points.shape[:2])
-    return _analyse("y", "1", made, y, np.full_like(y, told**2))
+    return _analyse("y", "1", made, y, np.full_like(y, error**2))
 
 
 @pytest.mark.parametrize("function, genes, first, total", CASES)
-def test_indices_are_the_known_ones(function, genes, first, total):
-    found = analyse(design("sobol", genes, 1, 4096), function)
+def test_sobol_indices_agree_with_exact_values(function, genes, first, total):
+    indices = analyse(design("sobol", genes, 1, 4096), function)
     for name, exact in (("first", first), ("total", total)):
-        error = found.standard_error[name]
-        assert np.all(np.abs(found.index[name] - exact) < 3 * error + 1e-6)
+        error = indices.standard_error[name]
+        assert np.all(np.abs(indices.index[name] - exact) < 3 * error + 1e-6)
         assert np.max(error) < 0.03
 
 
-def test_noise_that_is_told_is_taken_off():
+def test_known_noise_is_subtracted_from_indices():
     made, spread = design("sobol", 3, 1, 16384), 2.6
-    told = analyse(made, ishigami, spread, spread)
+    indices = analyse(made, ishigami, spread, spread)
     untold = analyse(made, ishigami, spread)
-    assert told.noise == pytest.approx(spread)
+    assert indices.noise == pytest.approx(spread)
     variance = 13.844587940719254
-    assert told.standard_deviation == pytest.approx(variance**0.5, abs=0.1)
+    assert indices.standard_deviation == pytest.approx(variance**0.5, abs=0.1)
     for name, exact in (("first", ISHIGAMI_FIRST), ("total", ISHIGAMI_TOTAL)):
-        error = told.standard_error[name]
-        assert np.all(np.abs(told.index[name] - exact) < 3 * error)
+        error = indices.standard_error[name]
+        assert np.all(np.abs(indices.index[name] - exact) < 3 * error)
         assert np.max(error) < 0.03
     noisy = variance + spread**2
     biased = (np.array(ISHIGAMI_TOTAL) * variance + spread**2) / noisy
@@ -99,18 +99,18 @@ def test_noise_that_is_told_is_taken_off():
     assert np.all(untold.index["total"] > ISHIGAMI_TOTAL + 5 * error)
 
 
-def test_groups_are_their_genes_together():
-    found = analyse(design("sobol", 8, 4, 4096), sobol_g)
+def test_the_index_of_a_group_is_that_of_its_genes_together():
+    indices = analyse(design("sobol", 8, 4, 4096), sobol_g)
     first = np.prod(1 + PARTS[:4]) - 1
-    error = found.standard_error["first"][0]
-    assert abs(found.index["first"][0] - first / G_VARIANCE) < 3 * error
+    error = indices.standard_error["first"][0]
+    assert abs(indices.index["first"][0] - first / G_VARIANCE) < 3 * error
     assert error < 0.03
 
 
-def test_elementary_effects_without_noise():
+def test_elementary_effects_agree_with_exact_values():
     made, spread = design("morris", 3, 1, 8192), 1.0
     exact = analyse(made, ishigami)
-    told = analyse(made, ishigami, spread, spread)
+    indices = analyse(made, ishigami, spread, spread)
     untold = analyse(made, ishigami, spread)
     x = made.points.reshape(-1, 3)
     published = salib_morris.analyze(
@@ -124,7 +124,7 @@ def test_elementary_effects_without_noise():
             atol=1e-10,
         )
     np.testing.assert_allclose(
-        told.index["sigma"], exact.index["sigma"], atol=0.1
+        indices.index["sigma"], exact.index["sigma"], atol=0.1
     )
     step = LEVELS / (2 * (LEVELS - 1))
     of_noise = np.hypot(exact.index["sigma"], 2**0.5 * spread / step)
@@ -135,22 +135,24 @@ def test_elementary_effects_without_noise():
     )
 
 
-def test_samples_that_lack_a_row_are_left_out():
+def test_samples_with_failed_rows_are_left_out():
     made = design("sobol", 3, 1, 64)
     y = ishigami(made.points.reshape(-1, 3)).reshape(64, -1)
     expected = _analyse("y", "1", made, y[:32], np.zeros_like(y[:32]))
     for i in range(32, 64):
         y[i, i % 5] = np.nan
-    found = _analyse("y", "1", made, y, np.zeros_like(y))
-    assert found.samples == 32
+    indices = _analyse("y", "1", made, y, np.zeros_like(y))
+    assert indices.samples == 32
     for name in ("first", "total"):
-        np.testing.assert_array_equal(found.index[name], expected.index[name])
+        np.testing.assert_array_equal(
+            indices.index[name], expected.index[name]
+        )
     none = _analyse("y", "1", made, np.nan * y, np.zeros_like(y))
     assert none.samples == 0
     assert np.isnan(none.index["first"]).all()
 
 
-def test_constants_depend_on_nothing():
+def test_indices_of_constants_are_unknown():
     made = design("sobol", 3, 1, 64)
     found = analyse(made, lambda x: np.full(len(x), 0.1))
     assert np.isnan(found.index["first"]).all()

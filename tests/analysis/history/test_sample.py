@@ -31,7 +31,7 @@ def test_light_per_leaf_area_follows_from_the_exact_leaf_area() -> None:
     assert error == pytest.approx(light.standard_error / lai)
 
 
-def test_header_is_read(sample: History) -> None:
+def test_the_header_of_the_sample_is_read(sample: History) -> None:
     has = sample.attributes
     assert has["case"] == "ames_0807_762x152_all_r1"
     assert has["seed"] == 9750423567162723413
@@ -44,7 +44,7 @@ def test_header_is_read(sample: History) -> None:
     assert "# Makes the sample" in sample.campaign()
 
 
-def test_rows_are_read(sample: History) -> None:
+def test_rows_of_the_sample_are_read(sample: History) -> None:
     rows = sample.evaluations()
     assert len(rows) == len(rows.done) == 24
     assert (rows.generation[22], rows.slot[22]) == (3, 4)
@@ -55,7 +55,7 @@ def test_rows_are_read(sample: History) -> None:
     assert list(rows.parents[22]) == [12, 14]
 
 
-def test_summaries_and_finals_are_read(sample: History) -> None:
+def test_summaries_and_finals_of_the_sample_are_read(sample: History) -> None:
     generations = sample.generations()
     assert list(generations.best_row) == [3, 10, 12, 23]
     assert generations.best.values[3] == 10.59557139073501
@@ -71,11 +71,11 @@ def test_summaries_and_finals_are_read(sample: History) -> None:
 
 
 def test_plain_hdf5_opens_it_and_every_dataset_has_a_unit() -> None:
-    found: dict[str, object] = {}
+    units: dict[str, object] = {}
 
     def keep(name: str, entry: h5py.Group | h5py.Dataset) -> None:
         if isinstance(entry, h5py.Dataset):
-            found[name] = entry.attrs.get("units")
+            units[name] = entry.attrs.get("units")
 
     with h5py.File(SAMPLE) as file:
         file.visititems(keep)
@@ -83,11 +83,11 @@ def test_plain_hdf5_opens_it_and_every_dataset_has_a_unit() -> None:
         scale = genome.dims[1][0]
         assert scale.name == "/evaluations/gene"
         assert np.shape(genome) == (24, 79)
-    assert len(found) > 40
-    assert [name for name, unit in found.items() if unit is None] == []
+    assert len(units) > 40
+    assert [name for name, unit in units.items() if unit is None] == []
 
 
-def test_plants_have_shapes(sample: History) -> None:
+def test_plants_of_the_sample_have_meshes(sample: History) -> None:
     with open_study(sample.path) as study:
         (case,) = study.cases()
         plants, best = build_plants(case), case.best.row.genome[0]

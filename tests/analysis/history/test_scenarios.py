@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Plants that are bred for several scenarios are reported in each scenario."""
+"""Plants optimised for several scenarios are reported in each scenario."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ import ideotype
 from ideotype.figures.places import draw_latitudes, draw_spacings
 from ideotype.history import Case, HistoryError, open_study
 from ideotype.history.layout import places
-from ideotype.report.scenario_table import scenarios
-from ideotype.report.scene import build_plants, scene_of
+from ideotype.report.scenario_table import tabulate_scenarios
+from ideotype.report.scene import build_plants, make_scene
 
 _MORE = """
 [[site]]
@@ -34,7 +34,7 @@ scenarios = "worst"
 """
 
 
-def test_rows_tell_each_scenario_and_are_found_again(tmp_path: Path) -> None:
+def test_evaluate_reproduces_rows_of_scenarios(tmp_path: Path) -> None:
     campaign = write_campaign(tmp_path, 2)
     campaign.write_text(campaign.read_text() + _MORE)
     output_of("run", campaign, "--out", tmp_path)
@@ -82,7 +82,7 @@ def make(folder: Path, over: str = "", **place: float) -> None:
     made.close()
 
 
-def cases_of(folder: Path) -> list[Case]:
+def remembered_cases(folder: Path) -> list[Case]:
     with open_study(folder) as study:
         cases = study.cases()
         for case in cases:
@@ -90,11 +90,11 @@ def cases_of(folder: Path) -> list[Case]:
     return cases
 
 
-def test_a_report_tells_scenarios_apart(tmp_path: Path) -> None:
+def test_a_report_has_values_for_each_scenario(tmp_path: Path) -> None:
     make(tmp_path, "day")
     make(tmp_path, latitude=50.0)
-    cases = cases_of(tmp_path)
-    (table,) = scenarios(cases)
+    cases = remembered_cases(tmp_path)
+    (table,) = tabulate_scenarios(cases)
     assert [row[0] for row in table.rows] == [
         f"{CASES['day']}: dense",
         f"{CASES['day']}: wide",
@@ -111,17 +111,17 @@ def test_a_report_tells_scenarios_apart(tmp_path: Path) -> None:
     assert over.standard_error > 2 * one.standard_error
 
 
-def test_what_varies_between_scenarios_is_not_that_of_the_first(
+def test_properties_that_vary_between_scenarios_are_not_those_of_the_first(
     tmp_path: Path,
 ) -> None:
     make(tmp_path, "spacing")
     make(tmp_path, "site", latitude=50.0, plant_spacing=0.3)
-    cases = cases_of(tmp_path)
+    cases = remembered_cases(tmp_path)
     assert [len(places(case)) for case in cases] == [1, 9]
     for draw in (draw_latitudes, draw_spacings):
         with pytest.raises(HistoryError, match="all cases have the same"):
             draw(cases)
     with open_study(tmp_path) as study:
         shown = [(case, build_plants(case)) for case in study.cases()]
-        scene = json.loads(scene_of(shown))
+        scene = json.loads(make_scene(shown))
     assert [len(case["quantities"]) for case in scene["cases"]] == [1, 2]

@@ -19,7 +19,7 @@ import ideotype
 from ideotype.figures.days import draw_days
 from ideotype.figures.profiles import draw_hours
 from ideotype.figures.shares import draw_parts
-from ideotype.figures.style import answer_of
+from ideotype.figures.style import get_answer
 from ideotype.history import open_arrays, open_history, open_study
 
 _CLIMATE = Path(__file__).parents[2] / "data" / "campaign" / "july.toml"
@@ -68,7 +68,7 @@ def test_hours_and_days_sum_to_the_mean_day(season: Path) -> None:
     )
 
 
-def test_hours_are_told_on_the_clock_of_the_site(
+def test_hours_are_on_the_clock_of_the_site(
     campaign: Path, season: Path, tmp_path: Path
 ) -> None:
     """The file of this campaign is in UTC-6, and so is its site."""
@@ -115,14 +115,14 @@ def test_a_season_is_drawn_by_hour_and_by_day(season: Path) -> None:
         (case,) = study.cases()
         hours, days = draw_hours(case), draw_days(case)
         parts = draw_parts(case)
-    assert answer_of(hours)
+    assert get_answer(hours)
     shown, _ = bars(days.axes[0], "best")
     assert len(shown) == 10
     assert shown.mean() == pytest.approx(case.best.objective.mean)
     assert sum(len(axes.get_yticks()) for axes in parts.axes) == 5
 
 
-def test_a_row_is_the_same_without_the_file(
+def test_a_row_is_reproduced_without_the_weather_file(
     season: Path, tmp_path: Path
 ) -> None:
     alone = shutil.copy(season, tmp_path)

@@ -16,14 +16,14 @@ from real_program import executable, write_campaign
 from ideotype.history import open_history
 from ideotype.history.rows import Rows
 from ideotype.history.shrinkage import shrunken
-from ideotype.live.runs import case_of
+from ideotype.live.runs import summarise_case
 
 DRAWS = 8
 
 
 @pytest.fixture(scope="module")
 def rows(tmp_path_factory: pytest.TempPathFactory) -> Rows:
-    """Gives twelve rows of a generation, whose numbers tests replace."""
+    """Gives twelve rows of a generation; tests replace their numbers."""
     path = tmp_path_factory.mktemp("made") / "a.h5"
     made = MadeHistory(path)
     made.evolve(1)
@@ -53,7 +53,7 @@ def noisy(
 
 @pytest.mark.parametrize("noise", [0.3, 1.0])
 @pytest.mark.parametrize("shared", [0.0, 0.5])
-def test_the_luck_of_the_best_is_taken_off(
+def test_shrinkage_removes_the_bias_of_the_best(
     rows: Rows, noise: float, shared: float
 ) -> None:
     random = np.random.default_rng(7)
@@ -61,17 +61,17 @@ def test_the_luck_of_the_best_is_taken_off(
     for _ in range(1500):
         values = noisy(rows, random, noise, shared)
         best = int(rows.objectives[:, 0].argmax())
-        found = shrunken(rows, best)
+        estimate = shrunken(rows, best)
         raw.append(rows.objectives[best, 0] - values[best])
-        expected.append(found.mean - values[best])
-        errors.append(found.standard_error)
+        expected.append(estimate.mean - values[best])
+        errors.append(estimate.standard_error)
     assert np.mean(raw) > 0.3 * noise
     assert abs(np.mean(expected)) < 0.2 * np.mean(raw)
     covered = np.mean(np.abs(expected) < 2 * np.array(errors))
     assert covered == pytest.approx(0.96, abs=0.035)
 
 
-def test_plants_that_violate_constraints_do_not_count(rows: Rows) -> None:
+def test_shrinkage_ignores_plants_that_violate_constraints(rows: Rows) -> None:
     noisy(rows, np.random.default_rng(1), 1.0, 0.0)
     fewer = rows.take(np.arange(1, len(rows)))
     expected = shrunken(fewer, 3)
@@ -81,7 +81,9 @@ def test_plants_that_violate_constraints_do_not_count(rows: Rows) -> None:
     rows.violation[0] = 0.0
 
 
-def test_exact_rows_stay_and_few_rows_have_their_mean(rows: Rows) -> None:
+def test_exact_rows_are_not_shrunken_and_few_rows_have_their_mean(
+    rows: Rows,
+) -> None:
     noisy(rows, np.random.default_rng(1), 0.0, 0.0)
     assert shrunken(rows, 2).mean == pytest.approx(rows.objectives[2, 0])
     noisy(rows, np.random.default_rng(1), 1.0, 0.0)
@@ -91,26 +93,26 @@ def test_exact_rows_stay_and_few_rows_have_their_mean(rows: Rows) -> None:
     assert found.standard_error > 0.3
 
 
-def test_a_running_case_has_no_gain_by_luck(tmp_path: Path) -> None:
-    """Until the end its gain is what is expected, and is marked; then it is
+def test_the_gain_of_a_running_case_is_shrunken(tmp_path: Path) -> None:
+    """Until its end a case has the expected gain, marked as provisional; then
     that of the finalists."""
     made = MadeHistory(tmp_path / "a.h5")
     made.evolve(3)
     with open_history(tmp_path / "a.h5") as history:
-        told, pair = case_of(history), history.comparison()
-    assert pair and not told["is_final"]
-    assert told["best"][0] < pair.best.objective.mean
-    assert told["gain"][0] < pair.gain.mean
+        status, pair = summarise_case(history), history.comparison()
+    assert pair and not status["is_final"]
+    assert status["best"][0] < pair.best.objective.mean
+    assert status["gain"][0] < pair.gain.mean
     made.finish()
     made.close()
     with open_history(tmp_path / "a.h5") as history:
-        told, pair = case_of(history), history.comparison()
-    assert pair and told["is_final"]
-    assert told["gain"][0] == pair.gain.mean
-    assert told["gain"][1] == pytest.approx(1.96 * pair.gain.standard_error)
+        status, pair = summarise_case(history), history.comparison()
+    assert pair and status["is_final"]
+    assert status["gain"][0] == pair.gain.mean
+    assert status["gain"][1] == pytest.approx(1.96 * pair.gain.standard_error)
 
 
-def test_the_program_computes_the_same(tmp_path: Path) -> None:
+def test_program_and_package_shrink_alike(tmp_path: Path) -> None:
     campaign = write_campaign(tmp_path, 4000)
     done = subprocess.run(
         [executable(), "run", campaign, "--out", tmp_path, "--wall-time", "1"],
@@ -130,10 +132,10 @@ def test_the_program_computes_the_same(tmp_path: Path) -> None:
     (case,) = json.loads(status.stdout)["histories"]
     with open_history(path) as history:
         rows = history.latest().done
-        found = shrunken(rows, int(rows.ranking(1)[0]))
-        told = case_of(history)
-    assert case["best"]["mean"] == pytest.approx(found.mean, rel=1e-9)
+        estimate = shrunken(rows, int(rows.ranking(1)[0]))
+        shown = summarise_case(history)
+    assert case["best"]["mean"] == pytest.approx(estimate.mean, rel=1e-9)
     error = case["best"]["standard_error"]
-    assert error == pytest.approx(found.standard_error, rel=1e-9)
-    assert told["best"] == pytest.approx([found.mean, error])
-    assert not told["is_final"]
+    assert error == pytest.approx(estimate.standard_error, rel=1e-9)
+    assert shown["best"] == pytest.approx([estimate.mean, error])
+    assert not shown["is_final"]

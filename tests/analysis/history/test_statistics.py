@@ -40,7 +40,7 @@ def test_a_circular_mean_is_below_360() -> None:
         (12.2, 0.0, "12.2"),
     ],
 )
-def test_the_error_decides_the_digits(
+def test_the_error_determines_the_number_of_digits(
     mean: float, error: float, text: str
 ) -> None:
     assert Estimate(mean, error).interval_text() == text
@@ -56,13 +56,13 @@ def test_the_error_decides_the_digits(
         (25.0, 25.0, "1 ± 25"),
     ],
 )
-def test_no_error_is_rounded_to_nothing(
+def test_no_error_is_rounded_to_zero(
     below: float, above: float, text: str
 ) -> None:
     assert with_interval(1.28, below, above) == text
 
 
-def test_the_error_of_a_gain_is_that_of_independent_figures() -> None:
+def test_gains_of_independent_estimates_have_independent_errors() -> None:
     best, baseline = Estimate(11.5, 0.02, "x"), Estimate(11.0, 0.03, "x")
     draw = np.random.default_rng(1)
     sample = 100 * (
@@ -74,7 +74,7 @@ def test_the_error_of_a_gain_is_that_of_independent_figures() -> None:
     assert math.isnan(relative_gain(best, Estimate(0.0, 0.1, "x")).mean)
 
 
-def test_errors_of_figures_with_common_noise_are_paired() -> None:
+def test_estimates_with_common_noise_have_paired_errors() -> None:
     """Two plants with strong common noise are evaluated many times: the
     scatter of their difference and gain equals the error of a single
     evaluation."""
@@ -82,17 +82,17 @@ def test_errors_of_figures_with_common_noise_are_paired() -> None:
     common = draw.normal(0.0, 0.4, (runs, 1, count))
     draws = common + draw.normal(0.0, 0.1, (runs, 2, count))
     draws += np.array([11.5, 11.0])[:, None]
-    found = {difference: [], relative_gain: []}
+    intervals = {difference: [], relative_gain: []}
     for both in draws:
         error = both.std(1, ddof=1) / np.sqrt(count)
         plants = [
             Estimate(float(d.mean()), float(e), "x", d)
             for d, e in zip(both, error)
         ]
-        for function, figures in found.items():
+        for function, figures in intervals.items():
             alone = [replace(plant, draws=np.empty(0)) for plant in plants]
             figures.append((function(*plants), function(*alone)))
-    for figures in found.values():
+    for figures in intervals.values():
         scatter = np.std([paired.mean for paired, _ in figures])
         squares = np.array(
             [[each.standard_error**2 for each in both] for both in figures]

@@ -31,7 +31,7 @@ def test_a_file_that_is_named_twice_is_opened_once(sweep: Path) -> None:
         assert study[0].path == first
 
 
-def test_what_cannot_be_opened_is_named_with_a_remedy(
+def test_the_error_names_an_unusable_file_and_a_remedy(
     sweep: Path, tmp_path: Path
 ) -> None:
     with pytest.raises(HistoryError, match=r"no history .*--out"):
@@ -64,7 +64,7 @@ def test_replicates_make_a_case(sweep: Path) -> None:
     assert best == 1 + np.argmax(SHIFTS)
 
 
-def test_cases_of_different_campaigns_stay_apart(tmp_path: Path) -> None:
+def test_cases_of_different_campaigns_are_distinct(tmp_path: Path) -> None:
     for campaign in ("one", "two"):
         place = {"campaign": campaign}
         MadeHistory(tmp_path / f"{campaign}.h5", attributes=place).close()
@@ -73,7 +73,9 @@ def test_cases_of_different_campaigns_stay_apart(tmp_path: Path) -> None:
     assert names == [f"{c}: ames_0807_762x152_all" for c in ("one", "two")]
 
 
-def test_other_objectives_and_searches_are_other_cases(tmp_path: Path) -> None:
+def test_histories_with_other_objectives_or_optimizers_are_other_cases(
+    tmp_path: Path,
+) -> None:
     light, area = ("absorbed_par", "maximise"), ("lai", "minimise")
     kinds = [
         ([light], "ga"), ([light], "cma_es"), ([light, area], "nsga2"),
@@ -84,10 +86,10 @@ def test_other_objectives_and_searches_are_other_cases(tmp_path: Path) -> None:
         path = tmp_path / f"{i}.h5"
         MadeHistory(path, objectives=objectives, resolved=text).close()
     with open_study(tmp_path) as study:
-        found = {case.name: len(case.histories) for case in study.cases()}
+        counts = {case.name: len(case.histories) for case in study.cases()}
         lights = {case.light for case in study.cases()}
     name = "ames_0807_762x152_all"
-    assert found == {
+    assert counts == {
         f"{name} (absorbed_par; ga)": 2,
         f"{name} (absorbed_par; cma_es)": 1,
         f"{name} (absorbed_par, less lai; nsga2)": 1,
@@ -95,7 +97,7 @@ def test_other_objectives_and_searches_are_other_cases(tmp_path: Path) -> None:
     assert lights == {name}
 
 
-def test_the_gain_has_the_interval_of_its_seeds(sweep: Path) -> None:
+def test_the_interval_of_the_gain_is_from_its_seeds(sweep: Path) -> None:
     with open_study(sweep) as study:
         gain = study.cases()[0].gain()
     seeds = np.array([final_absorbed(2) - BASELINE + s for s in SHIFTS])
@@ -112,7 +114,7 @@ def test_seeds_that_agree_by_chance_keep_their_measured_error() -> None:
     assert interval(same[:1]).below == pytest.approx(1.96 * 0.1)
 
 
-def test_many_seeds_have_the_quantile_of_their_number() -> None:
+def test_the_interval_has_the_t_quantile_of_the_number_of_seeds() -> None:
     seeds = [Estimate(float(x), 0.0) for x in range(61)]
     scatter = np.arange(61).std(ddof=1) / np.sqrt(61)
     # This is Student's t with 60 degrees of freedom (NIST/SEMATECH, table
@@ -122,7 +124,7 @@ def test_many_seeds_have_the_quantile_of_their_number() -> None:
     )
 
 
-def test_intervals_cover_the_truth_as_often_as_they_say() -> None:
+def test_intervals_of_gains_have_95_percent_coverage() -> None:
     draw = np.random.default_rng(1)
     runs = 4000
     hits = 0
@@ -134,7 +136,9 @@ def test_intervals_cover_the_truth_as_often_as_they_say() -> None:
     assert abs(hits / runs - 0.95) < 4 * np.sqrt(0.95 * 0.05 / runs)
 
 
-def test_saturation_is_told_from_room(sweep: Path, tmp_path: Path) -> None:
+def test_a_saturated_case_is_distinguished_from_one_with_headroom(
+    sweep: Path, tmp_path: Path
+) -> None:
     with open_study(sweep) as study:
         case = study.cases()[0]
         room = case.headroom()
@@ -155,7 +159,7 @@ def test_saturation_is_told_from_room(sweep: Path, tmp_path: Path) -> None:
         assert study.cases()[0].is_saturated()
 
 
-def test_studies_cases_and_histories_tell_what_they_are(sweep: Path) -> None:
+def test_studies_cases_and_histories_have_a_repr(sweep: Path) -> None:
     with open_study(sweep) as study:
         assert repr(study) == "<Study, histories: 4>"
         assert (
@@ -164,7 +168,7 @@ def test_studies_cases_and_histories_tell_what_they_are(sweep: Path) -> None:
         assert repr(study[0]) == f"<History {study[0].path}>"
 
 
-def test_a_plot_alone_has_no_ceiling(tmp_path: Path) -> None:
+def test_an_isolated_plot_has_no_ceiling(tmp_path: Path) -> None:
     path = tmp_path / "plot.h5"
     made = MadeHistory(path, resolved='[field]\nboundary = "isolated"')
     made.evolve(1)
@@ -173,11 +177,13 @@ def test_a_plot_alone_has_no_ceiling(tmp_path: Path) -> None:
     with open_study(path) as study:
         (case,) = study.cases()
         assert case.is_isolated and study[0].is_isolated
-        with pytest.raises(HistoryError, match="lit from its sides"):
+        with pytest.raises(
+            HistoryError, match="receives light from the sides"
+        ):
             case.is_saturated()
 
 
-def test_the_frame_holds_every_evaluation_with_units(sweep: Path) -> None:
+def test_the_frame_has_every_evaluation_with_units(sweep: Path) -> None:
     with open_study(sweep) as study:
         frame = study.frame()
     assert len(frame) == 4 * 6 * POPULATION
@@ -206,7 +212,9 @@ def test_histories_with_other_columns_share_a_frame(
     assert frame.loc[~lacks & (frame["status"] == "done")].notna().all().all()
 
 
-def test_a_live_study_is_provisional(writer: WriterProcess) -> None:
+def test_results_of_a_live_study_are_provisional(
+    writer: WriterProcess,
+) -> None:
     with open_study(writer.path) as study:
         (case,) = study.cases()
         assert case.pairs == ()

@@ -13,8 +13,8 @@ from made_obj import MIDRIBS, obj_of
 from real_program import run_with, write_campaign
 
 from ideotype import Error, Stand
-from ideotype.live.conditions import tables_under
-from ideotype.live.levers import levers_of
+from ideotype.live.conditions import make_tables
+from ideotype.live.levers import make_levers
 from ideotype.live.opened import CROPS, open_place
 from ideotype.live.play import main as play
 from ideotype.live.runs import Folder
@@ -49,10 +49,10 @@ def test_crops_that_come_with_the_package_are_opened(crop: str) -> None:
 def test_every_campaign_is_opened() -> None:
     for path in sorted(CAMPAIGNS.glob("*.toml")):
         found = open_place(str(path))
-        tables = tables_under(found.base, found.conditions, found.conditions)
+        tables = make_tables(found.base, found.conditions, found.conditions)
         stand = Stand(tables)
         assert len(stand.baseline) == len(found.genome), path
-        assert len(levers_of(stand, tables)) == len(found.genome), path
+        assert len(make_levers(stand, tables)) == len(found.genome), path
 
 
 def test_a_page_begins_with_the_entries_of_the_case(tmp_path: Path) -> None:
@@ -77,7 +77,7 @@ def test_the_best_plant_of_a_sensitivity_study_is_opened(
 ) -> None:
     study = '\n[sensitivity]\nmethod = "morris"\nsamples = 4\n'
     path = run_with(tmp_path, study, "sensitivity")
-    assert "the best plant that was bred in" in open_place(str(path)).about
+    assert "The best plant of" in open_place(str(path)).about
 
 
 BAD = {
@@ -117,7 +117,7 @@ def test_a_missing_folder_is_refused(
     assert play(["maize", "--no-browser", "--port", "1234567"]) == 3
 
 
-def test_a_folder_is_told_with_what_is_broken(
+def test_a_folder_is_summarised_with_its_damaged_files(
     finished: Path, tmp_path: Path
 ) -> None:
     hostile = "<img src=x onerror=alert(1)>.h5"
@@ -125,7 +125,7 @@ def test_a_folder_is_told_with_what_is_broken(
     deep = tmp_path / "deep"
     deep.mkdir()
     (deep / "case.h5").write_bytes(finished.read_bytes())
-    told = Folder(tmp_path).tell()
+    told = Folder(tmp_path).summarise()
     by_file = {case["file"]: case for case in told["cases"]}
     assert "problem" in by_file[hostile]
     case = by_file["deep/case.h5"]
@@ -146,7 +146,7 @@ def test_equal_cases_are_named_by_their_folders(
         )
     folder = Folder(tmp_path)
     for _ in range(2):
-        names = [case["name"] for case in folder.tell()["cases"]]
+        names = [case["name"] for case in folder.summarise()["cases"]]
         assert len({name.split(" ")[0] for name in names}) == 1
         assert [name.split(" ", 1)[1] for name in names] == [
             "(long)",
@@ -154,18 +154,20 @@ def test_equal_cases_are_named_by_their_folders(
         ]
     # The page of the present folder has the name of the folder.
     monkeypatch.chdir(tmp_path)
-    assert Folder(Path()).tell()["folder"] == tmp_path.name
+    assert Folder(Path()).summarise()["folder"] == tmp_path.name
 
 
-def test_a_running_case_is_told_while_it_grows(writer: WriterProcess) -> None:
+def test_a_running_case_is_summarised_while_it_grows(
+    writer: WriterProcess,
+) -> None:
     folder = Folder(writer.path.parent)
-    told = folder.tell()["cases"][0]
+    told = folder.summarise()["cases"][0]
     assert (told["state"], told["evaluations"]) == ("running", 0)
     assert told["best"] is None and told["core_hours_left"] is None
     writer.do("record 0 3")
-    assert folder.tell()["cases"][0]["evaluations"] == 1
+    assert folder.summarise()["cases"][0]["evaluations"] == 1
     writer.kill()
-    told = folder.tell()
+    told = folder.summarise()
     assert told["cases"][0]["state"] == "interrupted"
     assert told["rate"] == 0
 

@@ -51,7 +51,7 @@ def test_tabs_do_not_disturb_each_other(day: Served, tmp_path: Path) -> None:
         assert phone.value(f"Number(byId('s-{SHAPE}').value)") == 30
 
 
-def test_a_lost_link_is_told_and_comes_back(
+def test_a_lost_connection_is_reported_and_restored(
     day: Served, tmp_path: Path
 ) -> None:
     with shown(day, tmp_path) as phone:
@@ -67,7 +67,9 @@ def test_a_lost_link_is_told_and_comes_back(
 
 
 @pytest.mark.parametrize("how", ["kill", "terminate"])
-def test_a_program_that_is_gone_is_told(how: str, tmp_path: Path) -> None:
+def test_the_page_reports_the_end_of_the_program(
+    how: str, tmp_path: Path
+) -> None:
     with (
         served("play", CAMPAIGNS / "ames.toml") as page,
         phone_with(page.address, tmp_path) as phone,
@@ -86,7 +88,7 @@ def test_a_program_that_is_gone_is_told(how: str, tmp_path: Path) -> None:
         assert all("ERR_CONNECTION_REFUSED" in e for e in phone.errors)
 
 
-def test_a_wrong_token_is_told_in_words(day: Served, tmp_path: Path) -> None:
+def test_a_wrong_token_is_explained(day: Served, tmp_path: Path) -> None:
     wrong = f"http://127.0.0.1:{day.port}/wrong/"
     with phone_with(wrong, tmp_path) as phone:
         told = phone.value("document.body.innerText")

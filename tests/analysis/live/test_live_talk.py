@@ -80,7 +80,7 @@ def test_only_the_last_change_is_answered_in_full(day: Served) -> None:
     assert sum(number < 30 for number in heard) < 15
 
 
-def test_nonsense_is_told_and_ends_nothing(day: Served) -> None:
+def test_invalid_messages_are_reported_and_end_nothing(day: Served) -> None:
     async def ask(talk: Talk) -> None:
         genome = talk.hello["genome"]
         for message in (
@@ -175,7 +175,7 @@ def test_hostile_plants_are_not_saved(day: Served) -> None:
             )
             found = link.getresponse()
             assert found.status == 400, message[:60]
-            assert found.read().startswith(b"It cannot be saved")
+            assert found.read().startswith(b"The plant cannot be saved")
     assert day.complaints() == ""
 
 
@@ -228,7 +228,7 @@ def test_many_moves_leave_nothing_behind(day: Served) -> None:
     assert day.resident() < first + 15_000
 
 
-def test_a_search_ends_with_a_gain_that_was_measured_anew(
+def test_a_search_ends_with_a_re_evaluated_gain(
     day: Served,
 ) -> None:
     async def ask(talk: Talk) -> tuple[list[int], dict]:

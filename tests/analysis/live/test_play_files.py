@@ -64,11 +64,11 @@ def test_a_plant_its_field_and_a_picture_are_saved(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("kind", ["csv", "obj", "history", "crop"])
-def test_what_was_measured_bred_or_saved_is_opened(
-    kind: str, tmp_path: Path, own: Path
+def test_measured_optimised_and_saved_plants_are_opened(
+    kind: str, tmp_path: Path, tiny_run: Path
 ) -> None:
     if kind == "history":
-        path = own
+        path = tiny_run
     elif kind == "crop":
         path = CAMPAIGNS / "crops" / "sorghum.toml"
     else:
@@ -125,7 +125,7 @@ def test_a_plant_is_seen_day_by_day(tmp_path: Path) -> None:
         tall = []
         for part in (0.1, 0.3, 0.5):
             move(phone, "age", part)
-            assert "days after emergence" in text(phone, "#day-told")
+            assert "days after emergence" in text(phone, "#day-text")
             tall.append(phone.value("field.plants[1].tall"))
         assert tall == sorted(tall) and tall[0] < 0.5 * tall[-1]
         assert "June" in text(phone, "#titles") or "July" in text(
@@ -144,8 +144,10 @@ def test_a_search_is_watched_and_undone(tmp_path: Path) -> None:
         assert view(phone) != picture
         phone.wait("byId('improve').textContent === 'Improve from here'", 300)
         settle(phone)
-        told = text(phone, "#improve-told")
-        assert told.startswith("+") and "±" in told and "200 trials" in told
+        told = text(phone, "#improve-text")
+        assert (
+            told.startswith("+") and "±" in told and "200 evaluations" in told
+        )
         click(phone, "#undo")
         settle(phone)
         assert phone.value("page.shown.genome") == genome
@@ -153,4 +155,4 @@ def test_a_search_is_watched_and_undone(tmp_path: Path) -> None:
         phone.wait("byId('progress').value > 0", 60)
         click(phone, "#improve")
         phone.wait("byId('improve').textContent === 'Improve from here'", 120)
-        assert "200 trials" not in text(phone, "#improve-told")
+        assert "200 evaluations" not in text(phone, "#improve-text")

@@ -23,12 +23,12 @@ HOSTILE = "<img src=x onerror='window.hacked=1'>"
 def folder(
     tmp_path_factory: pytest.TempPathFactory,
     finished: Path,
-    own: Path,
+    tiny_run: Path,
 ) -> Path:
     """Gives finished, stopped and broken histories, and a history whose names
     are HTML."""
     path = tmp_path_factory.mktemp("runs")
-    (path / "a_real.h5").write_bytes(own.read_bytes())
+    (path / "a_real.h5").write_bytes(tiny_run.read_bytes())
     (path / "case.h5").write_bytes(finished.read_bytes())
     (path / "broken.h5").write_bytes(finished.read_bytes()[:5000])
     (path / f"{HOSTILE}.h5").write_bytes(b"no history")
@@ -60,7 +60,7 @@ def choose(phone: Phone, file: str) -> None:
     phone.wait(f"seen.chosen === '{file}'")
 
 
-def test_cases_are_told_and_their_best_plants_seen(phone: Phone) -> None:
+def test_the_page_shows_cases_and_their_best_plants(phone: Phone) -> None:
     assert fits(phone)
     told = seen(phone, "#sums")
     assert "2 of 5" in told
@@ -77,14 +77,14 @@ def test_cases_are_told_and_their_best_plants_seen(phone: Phone) -> None:
 
 def test_gains_that_are_not_re_evaluated_are_marked(phone: Phone) -> None:
     stopped = seen(phone, "[data-file='stopped.h5']")
-    assert "best of generation about" in stopped
+    assert "expected gain" in stopped
     assert "not yet re-evaluated" in stopped
     ended = seen(phone, "[data-file='case.h5']")
     assert re.search(r"gain [+\N{MINUS SIGN}][\d.]+ ± [\d.]+ %", ended)
-    assert "about" not in ended and "not yet" not in ended
+    assert "expected" not in ended and "not yet" not in ended
     for file, label in (
-        ("stopped.h5", "best of generation, about"),
-        ("case.h5", "best, re-evaluated"),
+        ("stopped.h5", "best plant, expected"),
+        ("case.h5", "best plant, re-evaluated"),
     ):
         choose(phone, file)
         assert label in seen(phone, "#facts")
@@ -94,9 +94,9 @@ def test_broken_files_hide_no_others(phone: Phone) -> None:
     assert phone.value("document.querySelectorAll('.bad-file').length") == 2
     assert "broken.h5" in seen(phone, "#cases")
     choose(phone, "case.h5")
-    assert "ended" in seen(phone, "#cases")
+    assert "finished after" in seen(phone, "#cases")
     assert "Last failure" in seen(phone, "#failure")
-    phone.wait("byId('plants-told').textContent.includes('No picture')")
+    phone.wait("byId('plants-text').textContent.includes('No picture')")
 
 
 def test_names_are_no_html(phone: Phone) -> None:
@@ -122,13 +122,13 @@ def test_cases_are_chosen_with_keys(page: Served, tmp_path: Path) -> None:
             phone.ask("Input.dispatchKeyEvent", type=kind, key="Enter",
                       code="Enter", text="\r", windowsVirtualKeyCode=13)  # fmt: skip
         phone.wait("seen.chosen === 'case.h5'")
-        at = phone.value("seen.told && performance.now()")
+        at = phone.value("seen.state && performance.now()")
         phone.wait(f"performance.now() > {at} + 4500")
-        # The list was made anew, and the focus stayed.
+        # The list was made again, and the focus stayed.
         assert phone.value("document.activeElement.dataset.file") == "case.h5"
 
 
-def test_tabs_are_told_the_same_and_nothing_is_written(
+def test_tabs_show_the_same_state_and_nothing_is_written(
     page: Served, folder: Path, tmp_path: Path
 ) -> None:
     def digest() -> dict[str, str]:
@@ -160,9 +160,9 @@ def test_a_running_case_grows_until_it_is_killed(
         assert "running" in seen(phone, "#cases")
         for slot in range(3):
             writer.do(f"record 0 {slot}")
-        phone.wait("seen.told.evaluations === 3", 20)
+        phone.wait("seen.state.evaluations === 3", 20)
         writer.kill()
-        phone.wait("seen.told.cases[0].state === 'interrupted'", 20)
+        phone.wait("seen.state.cases[0].state === 'interrupted'", 20)
         assert "interrupted" in seen(phone, "#cases")
 
 
@@ -178,7 +178,9 @@ def test_an_empty_folder_waits_for_its_first_case(
         assert phone.value("byId('none').hidden")
 
 
-def test_a_program_that_is_gone_is_told(folder: Path, tmp_path: Path) -> None:
+def test_the_page_reports_the_end_of_the_program(
+    folder: Path, tmp_path: Path
+) -> None:
     with served("watch", folder) as page, shown(page, tmp_path) as phone:
         page.process.kill()
         page.process.wait()

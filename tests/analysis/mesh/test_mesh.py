@@ -23,51 +23,51 @@ def half_cover() -> ideotype.Canopy:
     return ideotype.mesh(SQUARE, [[0, 1, 2, 3]])
 
 
-def test_a_square_takes_the_light_of_its_shadow() -> None:
-    found = half_cover().evaluate(
+def test_a_square_absorbs_the_light_of_its_shadow() -> None:
+    light = half_cover().evaluate(
         period=(2, 1), sun=(90, 0), **BLACK, paths=4096, by_face=True
     )
-    assert found.incident == 1
-    assert found.leaves.item() == pytest.approx(0.5, abs=1e-3)
-    assert found.soil.item() == pytest.approx(0.5, abs=1e-3)
-    assert found.absorbed.sel(group="leaf") == found.leaves
-    assert found.absorbed_by_face.item() == pytest.approx(1, abs=2e-3)
-    assert found.lai.item() == pytest.approx(0.5)
-    assert found.attrs["balance_error"] < 1e-12
-    beam = found.leaves_by_origin.sel(origin="beam")
-    assert beam.item() == pytest.approx(found.leaves.item())
-    assert found.leaves_by_side.sel(side="lower").item() == 0
+    assert light.incident == 1
+    assert light.leaves.item() == pytest.approx(0.5, abs=1e-3)
+    assert light.soil.item() == pytest.approx(0.5, abs=1e-3)
+    assert light.absorbed.sel(group="leaf") == light.leaves
+    assert light.absorbed_by_face.item() == pytest.approx(1, abs=2e-3)
+    assert light.lai.item() == pytest.approx(0.5)
+    assert light.attrs["balance_error"] < 1e-12
+    beam = light.leaves_by_origin.sel(origin="beam")
+    assert beam.item() == pytest.approx(light.leaves.item())
+    assert light.leaves_by_side.sel(side="lower").item() == 0
 
 
 def test_a_polygon_is_one_face() -> None:
     corner = np.array([[0.5, 0.5, 1], [0.5, 1, 1]])
     vertices = np.vstack([SQUARE[:2], [[1, 0.5, 1]], corner, [[0, 1, 1]]])
     shape_of_an_l = ideotype.mesh(vertices, [range(6)])
-    found = shape_of_an_l.evaluate(
+    light = shape_of_an_l.evaluate(
         period=(2, 1), sun=(90, 0), **BLACK, paths=4096, by_face=True
     )
-    assert found.lai.item() == pytest.approx(0.75 / 2)
-    assert found.absorbed_by_face.values == pytest.approx([1], abs=5e-3)
+    assert light.lai.item() == pytest.approx(0.75 / 2)
+    assert light.absorbed_by_face.values == pytest.approx([1], abs=5e-3)
 
 
 def test_triangles_and_quadrilaterals_may_be_mixed() -> None:
     two = ideotype.mesh(SQUARE, [[0, 1, 2], [0, 2, 3]], groups=["a", "stalk"])
-    found = two.evaluate(period=(2, 1), sun=(90, 0), **BLACK, stalk=(0, 0))
-    assert list(found.group.values) == ["a", "stalk"]
-    assert found.leaves.item() == pytest.approx(0.25, abs=1e-3)
-    assert found.stalks.item() == pytest.approx(0.25, abs=1e-3)
+    light = two.evaluate(period=(2, 1), sun=(90, 0), **BLACK, stalk=(0, 0))
+    assert list(light.group.values) == ["a", "stalk"]
+    assert light.leaves.item() == pytest.approx(0.25, abs=1e-3)
+    assert light.stalks.item() == pytest.approx(0.25, abs=1e-3)
 
 
-def test_a_mesh_of_trimesh_is_taken_as_it_is() -> None:
+def test_a_mesh_from_trimesh_is_accepted() -> None:
     box = trimesh.creation.box((1, 1, 1))
     box.apply_translation((0, 0, 1))
-    found = ideotype.mesh(box.vertices, box.faces).evaluate(
+    light = ideotype.mesh(box.vertices, box.faces).evaluate(
         period=(2, 2), sun=(90, 0), **BLACK, by_face=True
     )
-    assert found.leaves.item() == pytest.approx(0.25, abs=1e-3)
-    assert found.sizes["face"] == len(box.faces)
+    assert light.leaves.item() == pytest.approx(0.25, abs=1e-3)
+    assert light.sizes["face"] == len(box.faces)
     top = box.face_normals[:, 2] > 0.5
-    lit = found.absorbed_by_face.values > 0.5
+    lit = light.absorbed_by_face.values > 0.5
     np.testing.assert_array_equal(lit, top)
 
 
@@ -78,13 +78,13 @@ def test_many_faces_take_little_time() -> None:
     vertices = np.column_stack([x.ravel(), y.ravel(), np.ones(x.size)])
     corner = (np.arange(n)[:, None] * (n + 1) + np.arange(n)).ravel()
     faces = corner[:, None] + [0, 1, n + 2, n + 1]
-    found = ideotype.mesh(vertices, faces).evaluate(
+    light = ideotype.mesh(vertices, faces).evaluate(
         period=(2, 1), sun=(90, 0), **BLACK, paths=4096
     )
-    assert found.leaves.item() == pytest.approx(0.5, abs=1e-3)
+    assert light.leaves.item() == pytest.approx(0.5, abs=1e-3)
 
 
-def test_a_mesh_has_the_bits_of_the_command_line(tmp_path: Path) -> None:
+def test_a_mesh_agrees_bitwise_with_the_command_line(tmp_path: Path) -> None:
     stand = ideotype.Stand.from_campaign(CAMPAIGNS / "ames_quick.toml")
     plant = stand.mesh(stand.baseline)
     # With noise, quadrilaterals are not plane.
@@ -110,19 +110,19 @@ def test_a_mesh_has_the_bits_of_the_command_line(tmp_path: Path) -> None:
         capture_output=True,
         text=True,
     ).stdout
-    told = json.loads(said)
-    found = ideotype.mesh(vertices, plant.faces, groups=plant.groups).evaluate(
+    report = json.loads(said)
+    light = ideotype.mesh(vertices, plant.faces, groups=plant.groups).evaluate(
         field=(2, 2, 0.762, 0.15),
         jitter=10,
         site=(42, -93.6, -5),
         day="2021-07-01",
         paths=2048,
     )
-    assert found.incident.item() == 1e-6 * told["incident"]
-    for name, value in told["quantities"].items():
-        assert found[name].item() == pytest.approx(value["mean"], rel=1e-15)
-    for group, value in told["groups"].items():
-        part = found.absorbed.sel(group=group) / found.incident
+    assert light.incident.item() == 1e-6 * report["incident"]
+    for name, value in report["quantities"].items():
+        assert light[name].item() == pytest.approx(value["mean"], rel=1e-15)
+    for group, value in report["groups"].items():
+        part = light.absorbed.sel(group=group) / light.incident
         assert part.item() == pytest.approx(value["mean"], rel=1e-14)
 
 
@@ -140,7 +140,7 @@ def test_a_mesh_has_the_bits_of_the_command_line(tmp_path: Path) -> None:
         ),
         (
             {"period": (1, 1), "site": (42, 0, 0), "day": "7.8.2025"},
-            r"day is 7.8.2025 \(no date\)",
+            r"day is 7.8.2025 \(not a date\)",
         ),
         (
             {"period": (1, 1), "site": (42, 0, 0)},
@@ -149,7 +149,7 @@ def test_a_mesh_has_the_bits_of_the_command_line(tmp_path: Path) -> None:
         ({"isolated": True, "sun": (90, 0)}, "needs ground_area"),
     ],
 )
-def test_impossible_options_are_errors(
+def test_invalid_options_are_errors(
     options: dict[str, object], words: str
 ) -> None:
     with pytest.raises(ideotype.Error, match=words) as caught:
@@ -169,14 +169,14 @@ def test_impossible_options_are_errors(
         (SQUARE, [[0, 1, 2]], ["a", "b"], "2 names for 1 faces"),
     ],
 )
-def test_impossible_meshes_are_errors(
+def test_invalid_meshes_are_errors(
     vertices: np.ndarray, faces: list, groups: list | None, words: str
 ) -> None:
     with pytest.raises(ideotype.Error, match=words):
         ideotype.mesh(vertices, faces, groups=groups)
 
 
-def test_a_scene_file_tells_components_and_bands(tmp_path: Path) -> None:
+def test_a_scene_file_defines_components_and_bands(tmp_path: Path) -> None:
     scene = tmp_path / "scene.toml"
     scene.write_text(
         "soil_albedo = { par = 0.1, nir = 0.3 }\n"
@@ -191,14 +191,14 @@ def test_a_scene_file_tells_components_and_bands(tmp_path: Path) -> None:
         "beam_ppfd": 1000,
         "scene": scene,
     }
-    found = canopy.evaluate(**light)
-    assert found.sizes == {"band": 2, "component": 1, "group": 1}
-    absorbed = found.absorbed_by_component.sel(component="leaf")
-    closed = absorbed + found.soil + found.reflected
-    assert np.allclose(closed, found.incident)
+    evaluated = canopy.evaluate(**light)
+    assert evaluated.sizes == {"band": 2, "component": 1, "group": 1}
+    absorbed = evaluated.absorbed_by_component.sel(component="leaf")
+    closed = absorbed + evaluated.soil + evaluated.reflected
+    assert np.allclose(closed, evaluated.incident)
     assert absorbed.sel(band="par") > 3 * absorbed.sel(band="nir") / 1.2
-    assert found.gross_assimilation.units == "umol m-2 s-1"
-    assert 20 < found.gross_assimilation.item() < 40
-    assert found.net_assimilation < found.gross_assimilation
+    assert evaluated.gross_assimilation.units == "umol m-2 s-1"
+    assert 20 < evaluated.gross_assimilation.item() < 40
+    assert evaluated.net_assimilation < evaluated.gross_assimilation
     with pytest.raises(ideotype.Error, match="scene excludes leaf"):
         canopy.evaluate(**light, leaf=(0.1, 0.1))

@@ -22,10 +22,10 @@ WHOLE = json.loads(
 )
 SCHEMA = {
     # Tables that occur at several places are defined once.
-    table: WHOLE["$defs"][each["$ref"].rpartition("/")[2]]
-    if "$ref" in each
-    else each
-    for table, each in WHOLE["properties"].items()
+    table: WHOLE["$defs"][schema["$ref"].rpartition("/")[2]]
+    if "$ref" in schema
+    else schema
+    for table, schema in WHOLE["properties"].items()
 }
 STATED = re.compile(r'; default: (-?[\d.]+(?:e[-+]?\d+)?|true|false|"\w+")')
 
@@ -72,9 +72,9 @@ def stated_rate(key: str, model: str) -> float:
     """Returns the default of a rate that its description states."""
     about = SCHEMA["photosynthesis"]["properties"][key]["description"]
     text = about.split("; default: ")[1]
-    own = re.search(rf"([\d.]+) (?:of the|by) {model}", text, re.IGNORECASE)
-    if own:
-        return float(own[1])
+    match = re.search(rf"([\d.]+) (?:of the|by) {model}", text, re.IGNORECASE)
+    if match:
+        return float(match[1])
     number = float(text.split()[0].rstrip(","))
     # The respiration of the hyperbola is a share of amax.
     share = stated_rate("amax", model) if "amax" in text else 1

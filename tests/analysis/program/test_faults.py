@@ -55,16 +55,16 @@ def test_no_fault_loses_or_changes_a_row(
             assert set(outcomes[at]) == {"right"}, at
 
 
-def test_data_that_the_disk_refuses_are_told(
+def test_data_that_the_disk_refuses_are_reported(
     setups: dict[str, Setup],
 ) -> None:
     setup = setups["day"]
     counts = setup.counts(None, None)
     assert counts["sync"] >= 3
     faults = [
-        each
-        for each in faults_of("day", counts, 9, 0, _SEED)
-        if each.kind == "sync"
+        fault
+        for fault in faults_of("day", counts, 9, 0, _SEED)
+        if fault.kind == "sync"
     ]
     for fault, verdict in tried(setup, faults, 2):
         expected = "right" if fault.mode == "EINTR" else "told"

@@ -8,7 +8,7 @@ import pytest
 
 
 @pytest.mark.parametrize("name", [*golden.CAMPAIGNS, *golden.MESHES])
-def test_figures_have_the_same_bits(name: str) -> None:
+def test_results_agree_bitwise_with_golden_files(name: str) -> None:
     expected = (golden.DATA / "golden" / f"{name}.txt").read_text()
     found = golden.text(golden.figures(name))
     changed = sorted(set(expected.splitlines()) ^ set(found.splitlines()))

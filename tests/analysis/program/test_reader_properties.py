@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Whatever a file has in it, its reader gives what the file says, or one error
-that names the file; hypothesis chooses the files."""
+"""For any content of a file, its reader returns this content or raises one
+error that names the file; hypothesis generates the files."""
 
 from __future__ import annotations
 
@@ -90,11 +90,11 @@ def numeric_keys() -> dict[tuple[str, str], dict[str, Any]]:
         *("constraints", "stop", "final", "day"),
     )
     return {
-        (table, key): each
+        (table, key): schema
         for table in tables
-        for key, each in SCHEMA["properties"][table]["properties"].items()
-        if each.get("type") in ("number", "integer")
-        and "maximum" in each
+        for key, schema in SCHEMA["properties"][table]["properties"].items()
+        if schema.get("type") in ("number", "integer")
+        and "maximum" in schema
         and (table, key) not in OTHERS
     }
 
@@ -111,7 +111,7 @@ def changed_keys(draw: st.DrawFn) -> dict[tuple[str, str], float]:
             st.sampled_from(sorted(KEYS)), min_size=1, max_size=3, unique=True
         )
     )
-    found = {}
+    values = {}
     for name in chosen:
         low, high = KEYS[name]["minimum"], KEYS[name]["maximum"]
         if KEYS[name]["type"] == "integer":
@@ -123,16 +123,16 @@ def changed_keys(draw: st.DrawFn) -> dict[tuple[str, str], float]:
             near = st.sampled_from(
                 [np.nextafter(low, -np.inf), low, high, high * 1.001 + 1]
             )
-        found[name] = draw(st.one_of(inside, inside, near))
-    return found
+        values[name] = draw(st.one_of(inside, inside, near))
+    return values
 
 
-def test_there_are_keys_to_change() -> None:
+def test_the_schema_has_numeric_keys_to_vary() -> None:
     assert len(KEYS) > 30
 
 
 @given(changed_keys())
-def test_campaigns_keep_each_number_and_read_back(
+def test_resolved_campaigns_keep_each_number(
     changed: dict[tuple[str, str], float],
 ) -> None:
     tables = tomllib.loads(SMALL)
@@ -167,7 +167,7 @@ def test_campaigns_keep_each_number_and_read_back(
 
 
 @given(spoilt([SMALL]))
-def test_spoilt_campaigns_give_an_error_of_their_file(text: str) -> None:
+def test_the_error_for_a_spoilt_campaign_names_the_file(text: str) -> None:
     try:
         _core.CaseStand.from_text(text, "spoilt.toml", 0, [], "")
     except Error as error:
@@ -186,12 +186,14 @@ def rectangles(draw: st.DrawFn) -> tuple[str, np.ndarray, float]:
         turn = draw(st.floats(0, 2 * np.pi))
         along = width * np.array([np.cos(turn), np.sin(turn), 0])
         up = height * np.array([0, 0, 1.0])
-        own = [corner, corner + along, corner + along + up, corner + up]
+        corners = [corner, corner + along, corner + along + up, corner + up]
         count = draw(st.sampled_from([3, 4]))
         first = len(vertices)
-        vertices += own[:count]
+        vertices += corners[:count]
         area += width * height * (1 if count == 4 else 0.5)
-        lines += ["v " + " ".join(map(repr, x.tolist())) for x in own[:count]]
+        lines += [
+            "v " + " ".join(map(repr, x.tolist())) for x in corners[:count]
+        ]
         places = range(first, first + count)
         if draw(st.booleans()):  # from the last vertex back
             words = [str(i - len(vertices)) for i in places]
@@ -218,19 +220,19 @@ def test_objects_have_the_surfaces_of_their_file(
 ) -> None:
     text, vertices, area = drawn
     (read,) = tomllib.loads(with_object(folder, text))["object"]
-    found = np.reshape(read["vertices"], (-1, 3))
-    faces = found[np.reshape(read["faces"], (-1, 4))]
+    corners = np.reshape(read["vertices"], (-1, 3))
+    faces = corners[np.reshape(read["faces"], (-1, 4))]
     sides = np.cross(faces[:, 2] - faces[:, 0], faces[:, 3] - faces[:, 1])
     assert np.linalg.norm(sides, axis=1).sum() / 2 == pytest.approx(area)
     # The reader's decimals may differ in their last digit.
-    used = np.unique(found.round(12), axis=0)
+    used = np.unique(corners.round(12), axis=0)
     assert used == pytest.approx(np.unique(vertices.round(12), axis=0))
 
 
 @given(
     spoilt([path.read_text() for path in sorted(FUZZ.glob("meshes/*.obj"))])
 )
-def test_spoilt_objects_give_an_error_of_their_file(
+def test_the_error_for_a_spoilt_object_names_the_file(
     folder: Path, text: str
 ) -> None:
     try:
@@ -273,7 +275,7 @@ def with_weather(
     st.floats(0, 100),
     st.sampled_from([1, 60, 300, -330]),
 )
-def test_weather_does_not_depend_on_clock_and_units(
+def test_weather_is_independent_of_clock_and_units(
     folder: Path,
     clearness: list[float],
     temperature: float,
@@ -304,11 +306,11 @@ def test_weather_does_not_depend_on_clock_and_units(
         'humidity = ["rh", "1"]\n'
     )
     other = by_instant(with_weather(folder, theirs, units))
-    found = by_instant(read)
-    shared = sorted(found.keys() & other.keys())
+    rows = by_instant(read)
+    shared = sorted(rows.keys() & other.keys())
     assert len(shared) >= 37
     assert [other[x] for x in shared] == [
-        pytest.approx(found[x], abs=1e-9) for x in shared
+        pytest.approx(rows[x], abs=1e-9) for x in shared
     ]
     assert read["temperature"] == pytest.approx(48 * [temperature])
     light = [x for time, x in expected if "1981-07-02" <= time < "1981-07-04"]
@@ -329,7 +331,7 @@ def by_instant(read: dict[str, Any]) -> dict[float, list[float]]:
 
 
 @given(spoilt(["\n".join(WEEK)]))
-def test_spoilt_weather_gives_an_error_of_its_file(
+def test_the_error_for_spoilt_weather_names_the_file(
     folder: Path, text: str
 ) -> None:
     try:
@@ -383,18 +385,18 @@ def leaf_tables(draw: st.DrawFn) -> tuple[str, list[dict[str, float]]]:
     return "\n".join(lines), leaves
 
 
-def crops_of(folder: Path, text: str) -> list[dict[str, Any]]:
+def read_crops(folder: Path, text: str) -> list[dict[str, Any]]:
     table = folder / "leaves.csv"
     table.write_text(text, newline="", errors="replace")
     return [each.tables for each in measured_crops(table, "maize")]
 
 
 @given(leaf_tables())
-def test_leaves_are_those_of_their_table(
+def test_crops_have_the_leaves_of_their_table(
     folder: Path, drawn: tuple[str, list[dict[str, float]]]
 ) -> None:
     text, leaves = drawn
-    (crop,) = crops_of(folder, text)
+    (crop,) = read_crops(folder, text)
     assert len(crop["leaf"]) == len(leaves)
     for read, leaf in zip(crop["leaf"], leaves, strict=True):
         for name, value in leaf.items():
@@ -407,12 +409,12 @@ LEAF_TABLES = [
 
 
 @given(spoilt(LEAF_TABLES))
-def test_spoilt_tables_of_leaves_give_problems_with_their_lines(
+def test_problems_of_a_spoilt_leaf_table_have_their_lines(
     folder: Path, text: str
 ) -> None:
     lines = text.count("\n") + 1
     try:
-        crops_of(folder, text)
+        read_crops(folder, text)
     except InputError as error:
         assert error.problems
         for each in error.problems:
@@ -462,7 +464,7 @@ def test_spoilt_weather_files_are_converted_or_refused(
 def damages(draw: st.DrawFn) -> bytes:
     """Draws a history that is cut short, or in which bytes are wrong."""
     content = SAMPLE.read_bytes()
-    # Headers at the beginning have most of what can go wrong.
+    # Most of the possible faults are in the headers at the beginning.
     near = st.integers(0, 30_000)
     at = draw(st.one_of(near, near, st.integers(0, len(content) - 1)))
     if draw(st.integers(0, 9)) == 0:
@@ -478,11 +480,11 @@ def test_damaged_histories_are_refused_or_read_as_before(
     path = folder / "damaged.h5"
     path.write_bytes(content)
     try:
-        found = ideotype.open(path)
+        arrays = ideotype.open(path)
     except HistoryError as error:
         assert "damaged.h5" in str(error)
     else:
-        assert found.identical(whole_sample())
+        assert arrays.identical(whole_sample())
 
 
 @functools.cache

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The JSON Schema of campaigns says of each file what the program says.
+"""The JSON Schema of campaigns and the program accept and refuse the same
+files.
 
 IDEOTYPE_WRITE_GOLDEN=1 writes the schema of the package again, after a change
 of keys."""
@@ -42,7 +43,7 @@ ONLY_CHECK_SEES = {
         "climate.to",
         "day.date",
         "day.end",
-        'site "bondville" has weather of its own',
+        'site "bondville" has a weather file',
     },
     "contradictions.toml": {
         "final.candidates",
@@ -103,7 +104,7 @@ other files, and of names that the rest of a file determines."""
 
 
 def plain(value: Any) -> Any:
-    """Returns TOML as JSON, whose dates and times are texts."""
+    """Returns TOML as JSON, with dates and times as texts."""
     if isinstance(value, dict):
         return {key: plain(each) for key, each in value.items()}
     if isinstance(value, list):
@@ -133,7 +134,7 @@ def crops(campaigns: Draft202012Validator) -> Draft202012Validator:
     return campaigns.evolve(schema=crop)
 
 
-def test_the_package_has_the_schema() -> None:
+def test_the_package_ships_the_schema_of_the_program() -> None:
     printed = output_of("schema")
     if "IDEOTYPE_WRITE_GOLDEN" in os.environ:
         IN_PACKAGE.write_text(printed)
@@ -152,7 +153,9 @@ def tables_in(schema: object) -> Iterator[dict[str, Any]]:
             yield from tables_in(each)
 
 
-def test_each_table_is_written_once(campaigns: Draft202012Validator) -> None:
+def test_the_schema_defines_each_table_once(
+    campaigns: Draft202012Validator,
+) -> None:
     texts = [json.dumps(x) for x in tables_in(campaigns.schema)]
     assert len(texts) > 20
     assert len({*texts}) == len(texts)
@@ -163,7 +166,7 @@ def test_each_table_is_written_once(campaigns: Draft202012Validator) -> None:
     assert inside["photosynthesis"] == of_leaves
 
 
-def test_both_forms_of_a_list_have_the_same_faults(
+def test_both_forms_of_a_list_have_the_same_problems(
     campaigns: Draft202012Validator,
 ) -> None:
     document = read(CAMPAIGNS / "alley.toml")
@@ -199,9 +202,9 @@ def test_shipped_crops_are_valid(crops: Draft202012Validator) -> None:
 
 
 def test_resolved_campaigns_are_valid(
-    campaigns: Draft202012Validator, own: Path
+    campaigns: Draft202012Validator, tiny_run: Path
 ) -> None:
-    with h5py.File(own) as file:
+    with h5py.File(tiny_run) as file:
         resolved = file["campaign/resolved"].asstr()[()]
     campaigns.validate(plain(tomllib.loads(resolved)))
 
@@ -210,11 +213,11 @@ def test_new_campaigns_name_the_schema(tmp_path: Path) -> None:
     path = tmp_path / "mine.toml"
     place = ["--latitude", 42, "--longitude", -93.6, "--date", "2021-07-01"]
     field = ["--row", 0.76, "--plant-spacing", 0.15, "--plant", "maize"]
-    told = output_of("new", path, *place, *field)
+    output = output_of("new", path, *place, *field)
     # An editor finds the schema by the first line of the campaign.
     directive, name = path.read_text().splitlines()[0].split()
     assert directive == "#:schema"
-    assert str(tmp_path / name) in told.splitlines()
+    assert str(tmp_path / name) in output.splitlines()
     schema = json.loads((tmp_path / name).read_text())
     document = read(path)
     Draft202012Validator(schema).validate(document)
@@ -243,7 +246,7 @@ def seen_by(
     ]
     unknown = "additionalProperties"
     tables = [x.absolute_path for x in errors if x.validator == unknown]
-    found, misspelt = set(), set()
+    known, misspelt = set(), set()
     for error in errors:
         path = [x for x in error.absolute_path if isinstance(x, str)]
         keys: set[str] = set()
@@ -252,33 +255,35 @@ def seen_by(
         elif error.validator == "required":
             keys = set(error.validator_value) - error.instance.keys()
         names = {".".join([*path, key]) for key in keys} or {".".join(path)}
-        found |= names
+        known |= names
         if error.validator == "required" and error.absolute_path in tables:
             misspelt |= names
-    return found, misspelt
+    return known, misspelt
 
 
 def named(messages: str, file: str) -> set[str]:
     """Returns the keys of a file that messages of the program name."""
-    found = set()
+    keys = set()
     for line in messages.splitlines():
         if not line.startswith(f"{file}:"):
             continue
-        what = line.split(": ", 1)[1]
+        problem = line.split(": ", 1)[1]
         if lacking := re.match(
             r"(?:unknown|missing) (?:key|table) '(\w+)' (?:in|at) "
             r"(?:\[+([\w.]+)\]|the top)",
-            what,
+            problem,
         ):
             key, table = lacking.groups()
-            found.add(f"{table}.{key}" if table else key)
-        elif lacking := re.match(r"missing table \[([\w.]+)\]", what):
-            found.add(lacking[1])
-        elif about := re.match(r"([a-z_.]+) (?:is|has|leave|of leaf) ", what):
-            found.add(about[1])
+            keys.add(f"{table}.{key}" if table else key)
+        elif lacking := re.match(r"missing table \[([\w.]+)\]", problem):
+            keys.add(lacking[1])
+        elif about := re.match(
+            r"([a-z_.]+) (?:is|has|exclude|of leaf) ", problem
+        ):
+            keys.add(about[1])
         else:
-            found.add(what.split(" (")[0])
-    return found
+            keys.add(problem.split(" (")[0])
+    return keys
 
 
 BROKEN_FILES = sorted(
@@ -287,7 +292,7 @@ BROKEN_FILES = sorted(
 
 
 @pytest.mark.parametrize("file", BROKEN_FILES)
-def test_faults_are_where_the_program_names_them(
+def test_schema_and_program_find_the_same_problems(
     file: str, campaigns: Draft202012Validator, crops: Draft202012Validator
 ) -> None:
     if Path(file).stem in NO_TOML:

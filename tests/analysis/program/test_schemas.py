@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""JSON of the verbs status, check, plan and compare agrees with the
-schemas."""
+"""JSON of the commands status, check, plan and compare follows the schemas."""
 
 from __future__ import annotations
 
@@ -14,7 +13,7 @@ from real_program import executable, output_of, write_campaign
 from schemas import assert_needs_all, validator
 
 
-def told(expected: int, *words: object) -> dict[str, Any]:
+def print_json(expected: int, *words: object) -> dict[str, Any]:
     """Returns the document that a command prints, and checks the command's
     exit code."""
     done = subprocess.run(
@@ -41,8 +40,10 @@ def history(folder: Path) -> Path:
     return path
 
 
-def test_status(folder: Path, tmp_path: Path) -> None:
-    document = told(0, "status", folder)
+def test_status_prints_json_of_its_schema(
+    folder: Path, tmp_path: Path
+) -> None:
+    document = print_json(0, "status", folder)
     assert_needs_all("status", document)
     (one,) = document["histories"]
     assert one["state"] == "finished"
@@ -60,7 +61,7 @@ def test_status(folder: Path, tmp_path: Path) -> None:
     data = history(folder).read_bytes()
     cut.write_bytes(data[: len(data) - 4096])
     no_history.write_text("nothing")
-    document = told(4, "status", cut, no_history, history(folder))
+    document = print_json(4, "status", cut, no_history, history(folder))
     validator("status").validate(document)
     assert [h["state"] for h in document["histories"]] == [
         "truncated",
@@ -70,13 +71,15 @@ def test_status(folder: Path, tmp_path: Path) -> None:
     assert [f["path"] for f in document["unreadable"]] == [str(no_history)]
 
 
-def test_status_of_what_stopped(tmp_path: Path) -> None:
+def test_status_of_stopped_runs_prints_json_of_its_schema(
+    tmp_path: Path,
+) -> None:
     campaign = write_campaign(tmp_path, 5000)
     words = [executable(), "run", campaign, "--out", tmp_path]
     subprocess.run(
         [*words, "--wall-time", "1s"], check=False, capture_output=True
     )
-    document = told(0, "status", tmp_path)
+    document = print_json(0, "status", tmp_path)
     assert_needs_all("status", document)
     (one,) = document["histories"]
     assert one["state"] == "drained"
@@ -85,8 +88,8 @@ def test_status_of_what_stopped(tmp_path: Path) -> None:
     assert document["go_on_with"][0].endswith("--resume")
 
 
-def test_check(folder: Path, tmp_path: Path) -> None:
-    document = told(0, "check", folder / "tiny.toml")
+def test_check_prints_json_of_its_schema(folder: Path, tmp_path: Path) -> None:
+    document = print_json(0, "check", folder / "tiny.toml")
     assert_needs_all("check", document)
     (case,) = document["cases"]
     assert case["name"] == history(folder).stem
@@ -109,7 +112,7 @@ def test_check(folder: Path, tmp_path: Path) -> None:
     settings = ("objective.maximise=net_assimilation", "search.optimizer=auto")
     words = [x for key in settings for x in ("--set", key)]
     more = ("--set", "search.population=8", "--set", "stop.generations=3")
-    document = told(0, "check", folder / "tiny.toml", *words, *more)
+    document = print_json(0, "check", folder / "tiny.toml", *words, *more)
     assert_needs_all("check", document)
     (leaves,) = document["leaves"]
     assert leaves["model"] == "hyperbola"
@@ -127,7 +130,7 @@ def test_check(folder: Path, tmp_path: Path) -> None:
 
     campaign = write_campaign(tmp_path, 2)
     campaign.write_text(campaign.read_text().replace("rows", "lines"))
-    document = told(3, "check", campaign)
+    document = print_json(3, "check", campaign)
     assert_needs_all("check", document)
     assert not document["is_valid"]
     problem = document["problems"][0]
@@ -139,19 +142,19 @@ def test_check(folder: Path, tmp_path: Path) -> None:
     assert (problem["key"], problem["code"]) == ("field.lines", "unknown_key")
 
 
-def test_scenarios(tmp_path: Path) -> None:
+def test_check_of_scenarios_prints_json_of_its_schema(tmp_path: Path) -> None:
     campaign = write_campaign(tmp_path, 2)
     spacing = "\n[[spacing]]\nrow = 0.5\nplant = 0.2\n"
     over = '\n[objective]\nover = ["spacing"]\n'
     campaign.write_text(campaign.read_text() + spacing + over)
-    document = told(0, "check", campaign)
+    document = print_json(0, "check", campaign)
     validator("check").validate(document)
     assert len(document["scenarios"]) == 2
 
 
-def test_compare(folder: Path) -> None:
+def test_compare_prints_json_of_its_schema(folder: Path) -> None:
     campaign = folder / "tiny.toml"
-    document = told(
+    document = print_json(
         0, "compare", history(folder), campaign, "--under", campaign
     )
     assert_needs_all("compare", document)

@@ -46,7 +46,9 @@ def campaign(history: Path) -> Path:
     return history.parents[1] / "tiny.toml"
 
 
-def test_rows_come_again(history: Path, campaign: Path) -> None:
+def test_served_evaluations_reproduce_rows(
+    history: Path, campaign: Path
+) -> None:
     names = ["absorbed_by_leaf", "lai"]
     with h5py.File(history) as file:
         rows = file["evaluations"]
@@ -63,25 +65,25 @@ def test_rows_come_again(history: Path, campaign: Path) -> None:
         assert len(answers) == len(genomes) + len(finals) > 12
         for name in ["absorbed_par", *asked]:
             for row, answer in enumerate(answers[: len(genomes)]):
-                found = (
+                served = (
                     answer["objectives"]
                     if name == "absorbed_par"
                     else answer["quantities"]
                 )[name]["mean"]
-                assert np.array_equal(found, rows[name][row]), (name, row)
+                assert np.array_equal(served, rows[name][row]), (name, row)
         again = [
             a["objectives"]["absorbed_par"]["mean"]
             for a in answers[len(genomes) :]
         ]
-        assert again == finals_of(file)
+        assert again == read_finals(file)
     assert hello["case"] == history.stem
 
 
-def finals_of(file: h5py.File) -> list[float]:
+def read_finals(file: h5py.File) -> list[float]:
     return file["final"]["absorbed_par"][:].tolist()
 
 
-def test_options_matter(campaign: Path) -> None:
+def test_options_of_requests_change_results(campaign: Path) -> None:
     genome = [g["baseline"] for g in serve(campaign)[0]["genes"]]
     variants: list[dict[str, Any]] = [
         {},
@@ -104,7 +106,7 @@ def test_options_matter(campaign: Path) -> None:
     assert error < 0.002 * means[-1]
 
 
-def test_lines_are_as_their_schemas_say(campaign: Path) -> None:
+def test_lines_of_serve_follow_their_schemas(campaign: Path) -> None:
     hello = serve(campaign)[0]
     assert_needs_all("serve_hello", hello)
     gene = hello["genes"][0]

@@ -26,7 +26,7 @@ def script() -> ModuleType:
 bench = script()
 
 
-def test_the_interval_is_that_of_the_sign_test() -> None:
+def test_the_interval_of_the_ratio_is_that_of_the_sign_test() -> None:
     # With 8 pairs one ratio on each side would leave 2 * 9/256 = 7 %, with 9
     # pairs 2 * 10/512 = 4 %.
     ranks = {5: -1, 6: 0, 8: 0, 9: 1, 11: 1, 12: 2, 15: 3, 20: 5}
@@ -42,7 +42,7 @@ def test_a_change_is_the_median_ratio_of_pairs() -> None:
     assert not found.is_slower
 
 
-def test_load_on_both_of_a_pair_and_single_pairs_change_nothing() -> None:
+def test_load_on_both_runs_of_a_pair_does_not_change_the_ratio() -> None:
     loads = [1, 3, 1.5, 1, 2, 1, 1, 4, 1, 1]
     now = [1.25 * x for x in loads]
     assert bench.change(loads, now).is_slower
@@ -52,13 +52,13 @@ def test_load_on_both_of_a_pair_and_single_pairs_change_nothing() -> None:
     assert not bench.change(loads, now).is_slower
 
 
-def test_what_is_slower_by_less_than_the_limit_passes() -> None:
+def test_a_slowdown_below_the_limit_passes() -> None:
     assert not bench.change([1.0] * 10, [bench.LIMIT] * 10).is_slower
     assert bench.change([1.0] * 10, [bench.LIMIT + 0.001] * 10).is_slower
     assert not bench.change([1.0] * 10, [0.5] * 10).is_slower
 
 
-def test_intervals_contain_the_ratio_as_often_as_they_promise() -> None:
+def test_intervals_of_the_ratio_have_their_coverage() -> None:
     draw = random.Random(1)
     trials, inside = 2000, 0
     for _ in range(trials):
@@ -83,7 +83,7 @@ def test_intervals_contain_the_ratio_as_often_as_they_promise() -> None:
         ([1.0] * 6, [math.nan] * 6),
     ],
 )
-def test_times_without_an_answer_are_refused(
+def test_invalid_times_are_refused(
     before: list[float], now: list[float]
 ) -> None:
     with pytest.raises(ValueError, match="pairs|positive"):

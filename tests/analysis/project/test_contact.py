@@ -63,15 +63,17 @@ OPTIONAL = {".ci/packaging/debian/control"}
 
 
 @pytest.mark.parametrize(("name", "around", "key"), PLACES)
-def test_values_are_those_of_contact(name: str, around: str, key: str) -> None:
+def test_documents_have_the_values_of_contact_toml(
+    name: str, around: str, key: str
+) -> None:
     path = TOP / name
     if name in OPTIONAL and not path.exists():
         pytest.skip(f"there is no {name}")
     text = path.read_text()
-    found = re.findall(f"(?m){around}", text)
-    if name in OPTIONAL and not found:
+    values = re.findall(f"(?m){around}", text)
+    if name in OPTIONAL and not values:
         pytest.skip(f"{name} does not state {key}")
-    assert found, f"{name} no longer states {key}"
+    assert values, f"{name} no longer states {key}"
     if "IDEOTYPE_WRITE_GOLDEN" in os.environ:
 
         def replaced(match: re.Match[str]) -> str:
@@ -80,12 +82,12 @@ def test_values_are_those_of_contact(name: str, around: str, key: str) -> None:
 
         path.write_text(re.sub(f"(?m){around}", replaced, text))
     else:
-        assert set(found) == {VALUES[key]}, f"{name} disagrees on {key}"
+        assert set(values) == {VALUES[key]}, f"{name} disagrees on {key}"
 
 
-def test_no_placeholder_stands_anywhere_else() -> None:
+def test_placeholders_are_only_in_known_places() -> None:
     """Addresses at the domain of the placeholders are those of contact.toml;
-    hosts in examples of the manual have a name of their own."""
+    hosts in examples of the manual have a separate name."""
     listed = subprocess.run(
         ["git", "grep", "-lI", r"[/@]example\.org"],
         cwd=TOP, capture_output=True, text=True, check=False,
@@ -107,7 +109,7 @@ def placeholders() -> set[str]:
     return {key for key, value in VALUES.items() if "example.org" in value}
 
 
-def test_the_page_of_policies_lists_what_is_open() -> None:
+def test_the_page_of_policies_lists_open_placeholders() -> None:
     page = (TOP / "docs/policies.md").read_text()
     _, section = page.split("\n## Only the owner can\n")
     listed = set(re.findall(r"`([a-z]+)`", section.split("\n## ")[0]))

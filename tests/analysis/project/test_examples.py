@@ -19,10 +19,10 @@ GALLERY = TOP / "docs" / "figures" / "gallery"
 
 
 def module(path: Path) -> ModuleType:
-    found = importlib.util.spec_from_file_location(path.stem, path)
-    assert found and found.loader
-    made = importlib.util.module_from_spec(found)
-    found.loader.exec_module(made)
+    spec = importlib.util.spec_from_file_location(path.stem, path)
+    assert spec and spec.loader
+    made = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(made)
     return made
 
 
@@ -47,23 +47,23 @@ TOLD = {
     "20_bifacial_radiance.py": (r"maize absorbs (\d+\.\d+) of", 0.5, 0.8),
 }
 TABLES = {"02_any_mesh.sh": 7, "05_day.sh": 27, "09_campaign.sh": 12}
-"""Rows of the tables that examples write beside what they print."""
+"""The numbers of rows of the tables that examples write."""
 IN_CPP = {"07_mesh.cpp", "13_responses.cpp", "18_field.cpp"}
 """These are built with the installed library, by Install.package."""
 
 
 @pytest.mark.parametrize("name", sorted(TOLD.keys() | TABLES.keys()))
-def test_an_example_finds_what_it_looks_for(
+def test_the_result_of_an_example_is_within_its_range(
     name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     if name.endswith(".sh"):
         monkeypatch.setenv("IDEOTYPE_EXECUTABLE", str(executable()))
     said = draw.run(EXAMPLES / name, tmp_path)
     if name in TOLD:
-        pattern, least, most = TOLD[name]
+        pattern, least, upper = TOLD[name]
         found = re.search(pattern, said)
         assert found, said
-        assert least <= float(found[1]) <= most
+        assert least <= float(found[1]) <= upper
     stem = tmp_path / name.partition(".")[0]
     if name in TABLES:
         table = pd.read_csv(stem.with_suffix(".csv"))
@@ -84,7 +84,7 @@ def test_every_example_is_tested_and_drawn() -> None:
         assert len(Image.open(path).convert("RGB").getcolors()) > 2
 
 
-def test_the_gallery_has_a_page_for_each(
+def test_the_gallery_has_a_page_for_each_example(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     pages = module(TOP / "docs" / "gallery_pages.py")
@@ -98,7 +98,7 @@ def test_the_gallery_has_a_page_for_each(
         assert f"({example.stem}.md)" in index
 
 
-def test_an_example_that_fails_is_told(tmp_path: Path) -> None:
+def test_a_failing_example_is_reported(tmp_path: Path) -> None:
     wrong = tmp_path / "99_wrong.py"
     wrong.write_text("raise SystemExit('no light')\n")
     with pytest.raises(RuntimeError, match="no light"):

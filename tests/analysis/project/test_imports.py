@@ -23,22 +23,22 @@ PACKAGE = TOP / "analysis/src/ideotype"
 
 def sources(package: Path) -> dict[str, Path]:
     """Returns the files of a package by the names of their modules."""
-    found = {}
+    modules = {}
     for path in package.rglob("*.py"):
         parts = path.relative_to(package.parent).with_suffix("").parts
         name = ".".join(parts).removesuffix(".__init__")
-        found[name] = path
-    return found
+        modules[name] = path
+    return modules
 
 
 def imported(name: str, files: dict[str, Path]) -> set[str]:
     """Returns the modules of the package that a module imports anywhere: at
     its top, in functions, and for types alone."""
     tree = ast.parse(files[name].read_text())
-    found = set()
+    modules = set()
     for node in ast.walk(tree):
         if isinstance(node, ast.Import):
-            found |= {each.name for each in node.names}
+            modules |= {each.name for each in node.names}
         elif isinstance(node, ast.ImportFrom):
             is_package = files[name].name == "__init__.py"
             place = name.split(".")
@@ -48,8 +48,8 @@ def imported(name: str, files: dict[str, Path]) -> set[str]:
                 module = ".".join([*above, *filter(None, [node.module])])
             for each in node.names:
                 inner = f"{module}.{each.name}"
-                found.add(inner if inner in files else module)
-    return (found & files.keys()) - {name}
+                modules.add(inner if inner in files else module)
+    return (modules & files.keys()) - {name}
 
 
 def graph(package: Path) -> dict[str, set[str]]:
@@ -58,15 +58,18 @@ def graph(package: Path) -> dict[str, set[str]]:
 
 
 def between_packages(modules: dict[str, set[str]]) -> dict[str, set[str]]:
-    """Returns the packages, and modules beside them, that each imports."""
+    """Returns the imports of each package, and of each module outside of
+    packages, at this level."""
 
     def place(module: str) -> str:
         return ".".join(module.split(".")[:2])
 
-    found: dict[str, set[str]] = {place(module): set() for module in modules}
+    packages: dict[str, set[str]] = {
+        place(module): set() for module in modules
+    }
     for module, others in modules.items():
-        found[place(module)] |= {place(x) for x in others} - {place(module)}
-    return found
+        packages[place(module)] |= {place(x) for x in others} - {place(module)}
+    return packages
 
 
 def test_modules_and_packages_import_without_a_circle() -> None:
@@ -83,10 +86,10 @@ def test_packages_import_those_above_them_in_the_table() -> None:
     text = (TOP / "analysis/README.md").read_text()
     table = re.findall(r"^\| `(ideotype\.\w+)` \|", text, re.MULTILINE)
     helpers = {"ideotype.common", "ideotype.errors"}
-    found = between_packages(graph(PACKAGE))
-    assert {*table, *helpers, "ideotype", "ideotype.__main__"} == {*found}
+    packages = between_packages(graph(PACKAGE))
+    assert {*table, *helpers, "ideotype", "ideotype.__main__"} == {*packages}
     for place, package in enumerate(table):
-        assert found[package] <= {*table[:place], *helpers}, package
+        assert packages[package] <= {*table[:place], *helpers}, package
 
 
 def test_a_circle_of_imports_is_found(tmp_path: Path) -> None:

@@ -33,50 +33,51 @@ def expanded(job: dict) -> list[dict]:
     """Returns the job once for each combination of its matrix, with the values
     of the matrix in its texts."""
     matrix = job.get("strategy", {}).get("matrix", {})
-    found = []
+    workflows = []
     for values in itertools.product(*matrix.values()):
         text = yaml.safe_dump(job)
         for name, value in zip(matrix, values, strict=True):
             place = f"${{{{ matrix.{name} }}}}"
             text = text.replace(place, str(value))
-        found.append(yaml.safe_load(text))
-    return found
+        workflows.append(yaml.safe_load(text))
+    return workflows
 
 
 def offences(workflow: dict, known: list[str]) -> list[str]:
-    """Returns what is wrong with jobs: each checks out, then runs one line."""
-    found = []
+    """Returns the offences of jobs against the rule that a job checks out,
+    then runs one line."""
+    offences = []
     for name, job in workflow["jobs"].items():
-        for each in expanded(job):
-            container = each["container"]
+        for variant in expanded(job):
+            container = variant["container"]
             image = (
                 container["image"]
                 if isinstance(container, dict)
                 else container
             )
             if not CONTAINER.fullmatch(image):
-                found.append(f"{name}: {image} is no Debian 12 or 13")
-            checkout, *rest = each["steps"]
+                offences.append(f"{name}: {image} is no Debian 12 or 13")
+            checkout, *rest = variant["steps"]
             if "run" in checkout or "checkout" not in checkout["uses"]:
-                found.append(f"{name}: the first step is no checkout")
+                offences.append(f"{name}: the first step is no checkout")
             if rest not in [[{"run": f".ci/job {job}"}] for job in known]:
-                found.append(f"{name}: {rest} is not one job of .ci/job")
+                offences.append(f"{name}: {rest} is not one job of .ci/job")
             if job.keys() - KEYS:
-                found.append(f"{name}: {job.keys() - KEYS}")
-    return found
+                offences.append(f"{name}: {job.keys() - KEYS}")
+    return offences
 
 
-def jobs_of(path: Path) -> set[tuple[str, str]]:
+def list_jobs(path: Path) -> set[tuple[str, str]]:
     """Returns the Debian and the name of each job of a workflow."""
-    found = set()
+    jobs = set()
     for job in yaml.safe_load(path.read_text())["jobs"].values():
-        for each in expanded(job):
-            text = yaml.safe_dump(each["container"])
+        for variant in expanded(job):
+            text = yaml.safe_dump(variant["container"])
             suite = CONTAINER.search(text)
             assert suite
-            name = each["steps"][-1]["run"].removeprefix(".ci/job ")
-            found.add((suite[1], name))
-    return found
+            name = variant["steps"][-1]["run"].removeprefix(".ci/job ")
+            jobs.add((suite[1], name))
+    return jobs
 
 
 @pytest.mark.parametrize("path", WORKFLOWS, ids=lambda path: path.stem)
@@ -86,9 +87,9 @@ def test_workflows_run_jobs_and_hold_no_logic(path: Path) -> None:
     assert text.count("- run: ") == len(yaml.safe_load(text)["jobs"])
 
 
-def test_each_job_runs_where_it_should() -> None:
-    push = jobs_of(TOP / ".github/workflows/ci.yml")
-    night = jobs_of(TOP / ".github/workflows/nightly.yml")
+def test_each_job_runs_on_its_debian_releases() -> None:
+    push = list_jobs(TOP / ".github/workflows/ci.yml")
+    night = list_jobs(TOP / ".github/workflows/nightly.yml")
     assert push == {
         *itertools.product(["bookworm", "trixie"], ["gcc", "clang"]),
         ("bookworm", "lint"),
@@ -106,18 +107,18 @@ def test_logic_in_a_workflow_is_found() -> None:
     steps = [{"uses": "actions/checkout@v4"}, {"run": ".ci/job gcc"}]
     image = "buildpack-deps:trixie-scm"
 
-    def found(**changes: object) -> list[str]:
+    def find_offences(**changes: object) -> list[str]:
         job = {"container": image, "steps": steps} | changes
         return offences({"jobs": {"a": job}}, ["gcc"])
 
-    assert not found()
-    assert found(container="ubuntu:24.04")
-    assert found(steps=[*steps, {"run": "echo done"}])
-    assert found(steps=steps[1:] + steps[:1])
-    assert found(steps=[steps[0], {"run": ".ci/job gcc && true"}])
-    assert found(steps=[steps[0], {"run": ".ci/job msvc"}])
-    assert found(steps=[steps[0], steps[1] | {"if": "always()"}])
-    assert found(env={"CI": "yes"})
+    assert not find_offences()
+    assert find_offences(container="ubuntu:24.04")
+    assert find_offences(steps=[*steps, {"run": "echo done"}])
+    assert find_offences(steps=steps[1:] + steps[:1])
+    assert find_offences(steps=[steps[0], {"run": ".ci/job gcc && true"}])
+    assert find_offences(steps=[steps[0], {"run": ".ci/job msvc"}])
+    assert find_offences(steps=[steps[0], steps[1] | {"if": "always()"}])
+    assert find_offences(env={"CI": "yes"})
     matrix = {"matrix": {"job": ["gcc", "msvc"]}}
     step = {"run": ".ci/job ${{ matrix.job }}"}
-    assert len(found(strategy=matrix, steps=[steps[0], step])) == 1
+    assert len(find_offences(strategy=matrix, steps=[steps[0], step])) == 1

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Every command block of the manual and of the READMEs for users runs, and no
-page is wider than a phone. A block of bash or python is a program of its own;
-pages begin in a clone of the project. A block of console has commands after `$ ` and their output: each line
-has to be in the real output, apart from numbers. A block whose caption is the
-name of a file is that file."""
+page is wider than a phone. A block of bash or python is a separate program;
+pages begin in a clone of the project. A block of console has commands after `$
+` and their output: each line must be in the real output, apart from numbers. A
+block with the name of a file as caption is this file."""
 
 from __future__ import annotations
 
@@ -66,17 +66,17 @@ class Block:
         return self.kind in ("bash", "console", "python")
 
 
-def blocks_of(page: Path) -> list[Block]:
+def list_blocks(page: Path) -> list[Block]:
     return [
         Block(
-            found["kind"], found["text"], found["file"] or "",
-            found["reason"] or "",
+            block["kind"], block["text"], block["file"] or "",
+            block["reason"] or "",
         )
-        for found in _BLOCK.finditer(page.read_text())
+        for block in _BLOCK.finditer(page.read_text())
     ]  # fmt: skip
 
 
-def commands_of(console: str) -> list[tuple[str, list[str]]]:
+def list_commands(console: str) -> list[tuple[str, list[str]]]:
     """Returns commands, each with the lines that it prints."""
     steps: list[tuple[str, list[str]]] = []
     for line in console.splitlines():
@@ -116,13 +116,13 @@ def clone(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return tmp_path
 
 
-def run(command: list[str], folder: Path, what: str) -> str:
+def run(command: list[str], folder: Path, title: str) -> str:
     done = subprocess.run(
         command, cwd=folder, capture_output=True, text=True, timeout=300,
         check=False,
     )  # fmt: skip
     said = done.stdout + done.stderr
-    assert done.returncode == 0, f"{what}\n{said[-3000:]}"
+    assert done.returncode == 0, f"{title}\n{said[-3000:]}"
     return said
 
 
@@ -132,7 +132,7 @@ def run(command: list[str], folder: Path, what: str) -> str:
     ids=lambda page: str(page.relative_to(DOCS).with_suffix("")),
 )
 def test_every_block_of_a_page_runs(page: Path, clone: Path) -> None:
-    for block in blocks_of(page):
+    for block in list_blocks(page):
         if block.file:
             (clone / block.file).write_text(block.text)
         elif block.reason or not block.is_run:
@@ -146,7 +146,7 @@ def test_every_block_of_a_page_runs(page: Path, clone: Path) -> None:
         elif block.kind == "python":
             run([sys.executable, "-c", block.text], clone, block.text)
         else:
-            for command, shown in commands_of(block.text):
+            for command, shown in list_commands(block.text):
                 said = run(
                     ["bash", "-euo", "pipefail", "-c", command], clone, command
                 )
@@ -188,7 +188,7 @@ def test_every_command_of_a_readme_runs(
 ) -> None:
     """Python blocks of analysis/README.md follow on each other; test_report
     runs them together."""
-    for block in blocks_of(page):
+    for block in list_blocks(page):
         if block.kind == "bash" and not block.reason:
             command = ["bash", "-euo", "pipefail", "-c", block.text]
             run(command, clone_with_results, block.text)
@@ -200,7 +200,7 @@ def test_every_submission_of_a_readme_can_be_planned(
     """tests/slurm submits; here the options of each command are checked."""
     commands = [
         line
-        for block in blocks_of(TOP / "slurm" / "README.md")
+        for block in list_blocks(TOP / "slurm" / "README.md")
         for line in block.text.splitlines()
         if line.startswith("slurm/submit ") and block.reason
     ]
@@ -267,10 +267,10 @@ def test_every_promise_of_the_contract_names_tests_that_exist() -> None:
 
 def test_few_blocks_are_exempt(capsys: pytest.CaptureFixture[str]) -> None:
     blocks = [
-        block for page in PAGES for block in blocks_of(page) if block.is_run
+        block for page in PAGES for block in list_blocks(page) if block.is_run
     ]
     exempt = [block for block in blocks if block.reason]
-    of_readmes = [block for page in READMES for block in blocks_of(page)]
+    of_readmes = [block for page in READMES for block in list_blocks(page)]
     for block in [*exempt, *of_readmes]:
         assert block.reason in ("", *REASONS), block
     # Half of those of READMEs install, begin servers, or need SLURM.
@@ -289,7 +289,7 @@ def test_few_blocks_are_exempt(capsys: pytest.CaptureFixture[str]) -> None:
     [*PAGES, *READMES],
     ids=lambda page: str(page.relative_to(TOP).with_suffix("")),
 )
-def test_no_block_escapes(page: Path) -> None:
+def test_all_blocks_are_found(page: Path) -> None:
     """Every block of code has a kind that this test knows or is no program."""
     text = page.read_text()
     fences = re.findall(r"(?m)^```+(?=[^`\s])(.*)$", text)
@@ -298,12 +298,12 @@ def test_no_block_escapes(page: Path) -> None:
         for fence in fences
         if not re.match(r"\{(?!code-block)|text$|json$", fence)
     ]
-    assert len(code) == len(blocks_of(page)), code
+    assert len(code) == len(list_blocks(page)), code
     outside = _BLOCK.sub("", text)
     indented = r"(?m)^    (ideotype |slurm/|\.venv/|\./)"
     assert not re.search(indented, outside), "an indented block"
     assert text.count("<!-- not run") == sum(
-        bool(block.reason) for block in blocks_of(page)
+        bool(block.reason) for block in list_blocks(page)
     )
 
 
@@ -325,8 +325,7 @@ def test_links_of_every_text_lead_somewhere(manual: Path) -> None:
 
 @pytest.fixture(scope="session")
 def manual() -> Path:
-    """Gives the manual, built anew where something changed; a warning is an
-    error."""
+    """Gives the manual, rebuilt after changes; a warning is an error."""
     done = subprocess.run(
         [DOCS / "build", sys.executable],
         capture_output=True, text=True, timeout=600, check=False,
@@ -354,7 +353,7 @@ def test_pages_are_as_wide_as_the_screen(manual: Path, tmp_path: Path) -> None:
                 assert wide <= width, f"{name} is {wide} wide at {width}"
 
 
-def test_the_reference_has_what_the_compiled_module_serves(
+def test_the_reference_documents_the_compiled_module(
     manual: Path,
 ) -> None:
     page = (manual / "python_api.html").read_text()
@@ -367,7 +366,7 @@ def test_the_reference_has_what_the_compiled_module_serves(
         assert f'id="ideotype.{name}"' in page
 
 
-def test_a_python_that_lacks_the_manual_s_needs_is_told(
+def test_the_manual_reports_missing_packages(
     tmp_path: Path,
 ) -> None:
     empty = tmp_path / "empty"

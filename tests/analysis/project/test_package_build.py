@@ -28,6 +28,6 @@ def test_the_package_needs_no_library_of_the_program(tmp_path: Path) -> None:
     assert done.returncode == 0, done.stderr
 
 
-def test_the_package_tells_its_version() -> None:
+def test_the_package_has_the_version_of_the_project() -> None:
     told = (PROJECT / "CMakeLists.txt").read_text()
     assert f"set(IDEOTYPE_VERSION {ideotype.__version__})" in told

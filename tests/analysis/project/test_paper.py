@@ -41,7 +41,7 @@ def test_citations_and_references_agree() -> None:
         assert re.search(r"(?m)^  (doi|url) = \{\S+\},?$", entry), name
 
 
-def test_figures_are_those_of_their_source() -> None:
+def test_figures_of_the_paper_agree_with_their_source() -> None:
     """A comment names the source, the figures and the command."""
     notes = re.findall(
         r"<!-- figures: (\S+): (.*?); command: (.*?) -->", PAPER

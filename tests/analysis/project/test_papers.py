@@ -54,7 +54,7 @@ def releases() -> dict[str, str]:
     return dict(zip(parts[1::2], parts[2::2], strict=True))
 
 
-def test_descriptions_agree() -> None:
+def test_descriptions_of_the_project_agree() -> None:
     assert CITATION["version"] == CODEMETA["version"] == VERSION
     assert CITATION["title"] == CODEMETA["name"] == PROJECT["name"]
     assert CITATION["abstract"] == CODEMETA["description"]
@@ -68,15 +68,15 @@ def test_descriptions_agree() -> None:
 
 
 def test_codemeta_has_no_unknown_term() -> None:
-    def keys_of(value: object) -> set[str]:
+    def collect_keys(value: object) -> set[str]:
         if isinstance(value, list):
-            return set().union(*map(keys_of, value))
+            return set().union(*map(collect_keys, value))
         if isinstance(value, dict):
-            return set(value).union(*map(keys_of, value.values()))
+            return set(value).union(*map(collect_keys, value.values()))
         return set()
 
     assert CODEMETA["@context"] == "https://w3id.org/codemeta/3.0"
-    assert keys_of(CODEMETA) - {"@context"} <= CODEMETA_TERMS
+    assert collect_keys(CODEMETA) - {"@context"} <= CODEMETA_TERMS
 
 
 def test_each_release_has_its_date_and_names_vulnerabilities() -> None:
@@ -93,7 +93,7 @@ def test_each_release_has_its_date_and_names_vulnerabilities() -> None:
     assert str(CITATION["date-released"]) == CODEMETA["datePublished"] == day
 
 
-def test_blame_passes_over_commits_of_the_history() -> None:
+def test_blame_ignores_listed_commits() -> None:
     def git(*words: str) -> str:
         return subprocess.check_output(["git", *words], cwd=TOP, text=True)
 
@@ -107,7 +107,7 @@ def test_blame_passes_over_commits_of_the_history() -> None:
         assert git("log", "-1", "--format=%s", commit).strip() == subject
 
 
-def test_archives_have_the_sources_without_settings_of_git() -> None:
+def test_archives_contain_the_sources_without_git_settings() -> None:
     tree = subprocess.check_output(
         ["git", "write-tree"], cwd=TOP, text=True
     ).strip()
@@ -119,7 +119,7 @@ def test_archives_have_the_sources_without_settings_of_git() -> None:
     assert hidden <= {".github", ".github/contact.toml"}
 
 
-def test_pages_on_the_web_are_built_by_the_script_of_the_manual() -> None:
+def test_read_the_docs_builds_the_manual_by_its_script() -> None:
     """Read the Docs installs as an administrator before it calls docs/build,
     which may not."""
     settings = yaml.safe_load((TOP / ".readthedocs.yaml").read_text())

@@ -16,7 +16,7 @@ LISTS = {
 }
 
 
-def test_counts_are_those_of_the_lists() -> None:
+def test_counts_of_policies_agree_with_their_lists() -> None:
     counts = re.findall(
         r"(?m)^\| \[(\w+)\]\(#\w+\) \| (\d+) \| (.*?) \| (.*?) \|$", PAGE
     )
@@ -32,7 +32,7 @@ def test_counts_are_those_of_the_lists() -> None:
             assert written == ", ".join(str(found[x]) for x in "ypn-"), name
 
 
-def test_evidence_exists() -> None:
+def test_evidence_of_policies_exists() -> None:
     for rows in LISTS.values():
         for item, _, now, evidence in rows:
             named = re.findall("`([^`]+)`", evidence)

@@ -42,7 +42,7 @@ def test_bred_plants_name_their_nearest_line(
     assert len(distances) == 2 or fronts
     assert distances
     assert fronts or all(0 < float(mean) < 2.5 for mean, _ in distances)
-    assert "the bred plant is" in shown
+    assert "Distance in standard deviations: best plant" in shown
 
 
 def test_the_nearest_line_is_a_name(

@@ -27,7 +27,7 @@ import ideotype
 from ideotype.history import open_history, open_study
 from ideotype.report.blocks import Section, Viewer
 from ideotype.report.page import render
-from ideotype.report.scene import build_plants, scene_of
+from ideotype.report.scene import build_plants, make_scene
 from ideotype.tools.commands import report
 
 
@@ -70,7 +70,7 @@ def page_of(folder: Path, history: Path, *, has_shapes: bool = True) -> Path:
     with open_study(history) as study:
         (case,) = study.cases()
         plants = build_plants(case) if has_shapes else None
-        scene = scene_of([(case, plants)])
+        scene = make_scene([(case, plants)])
     page = folder / "front.html"
     view = Section("Front", [Viewer(scene, "What is shown.")])
     page.write_text(render("Made", "front", [view]), encoding="utf-8")
@@ -157,7 +157,7 @@ def test_a_plant_of_the_front_is_chosen(
             for a, b, c, d in labels[:i]:
                 assert right < a or c < left or bottom < b or d < top
         first, looks = phone.value(CELLS), [phone.value(LOOK)]
-        assert first[0] == ["", "baseline", "plant 2", "higher by [%]"]
+        assert first[0] == ["", "baseline", "plant 2", "difference [%]"]
         assert first[2] == ["LAI [m² m⁻²]", "3.44", "3.5", "+1.74"]
         # Fingers touch a little beside the point.
         x, y = phone.value(MEMBER % 0)
@@ -174,7 +174,7 @@ def test_a_plant_of_the_front_is_chosen(
         about = phone.value(
             'document.activeElement.getAttribute("aria-label")'
         )
-        assert about.endswith("fallen off the front")
+        assert about.endswith("dominated after re-evaluation")
         phone.press("End")
         looks.append(phone.value(LOOK))
         assert looks[3] == looks[0] and len(set(looks)) == 3
@@ -215,7 +215,9 @@ def test_without_shapes_the_front_is_there_all_the_same(
         phone.tap(*phone.value(MEMBER % 0))
         assert phone.value(CELLS)[0][2] == "plant 1"
         assert phone.value(f"{CANVAS}.clientHeight") == 0
-        assert "not shown; the" in phone.value("document.body.innerText")
+        assert "No plants are shown; the" in phone.value(
+            "document.body.innerText"
+        )
 
 
 def test_of_three_objectives_two_are_chosen(tmp_path: Path) -> None:
@@ -244,7 +246,7 @@ def test_of_three_objectives_two_are_chosen(tmp_path: Path) -> None:
     assert after[1].startswith(f"↑ {leaves} [MJ")
 
 
-def test_scenarios_stand_beside_the_plant(tmp_path: Path) -> None:
+def test_the_page_shows_the_scenarios_of_a_plant(tmp_path: Path) -> None:
     """Readers also take an axis that they do not know."""
     path = make(
         tmp_path / "case.h5",
@@ -314,13 +316,16 @@ def test_a_report_of_a_front_that_the_program_bred(tmp_path: Path) -> None:
         clientX: left + width / 2, clientY: top + height / 2 }));
       return {
         count: points.length, changes: look() !== before,
-        told: document.getElementById("view-told").textContent,
+        told: document.getElementById("view-text").textContent,
         heading: document.querySelector("#s3 h2").textContent,
       };
     """
     shown, errors = run_in_browser(out / "report.html", script, tmp_path, 1280)
     assert errors == []
-    assert shown["heading"] == "Front, and its plants in three dimensions"
+    assert shown["heading"] == "Pareto front and its plants in 3D"
     assert shown["count"] == len(found) and shown["changes"]
-    told = f"Evaluated again, {kept} of {len(found)} plants are still in the front"
+    told = (
+        f"After re-evaluation {kept} of {len(found)} plants remain in the "
+        "Pareto front"
+    )
     assert shown["told"].startswith(told)

@@ -12,8 +12,8 @@ import pytest
 from matplotlib.figure import Figure
 
 from ideotype.common.progress import bar
-from ideotype.figures.numbers import HEADER, numbers
-from ideotype.figures.style import answer
+from ideotype.figures.numbers import HEADER, read_numbers
+from ideotype.figures.style import set_answer
 from ideotype.history import HistoryError
 from ideotype.report.blocks import Drawing, Picture, Section
 from ideotype.report.gallery import draw, draw_all
@@ -28,7 +28,7 @@ def test_a_figure_is_a_vector_file_that_is_the_same_again(
         axes.plot([0, 1], [2, 3])
         axes.set_xlabel("leaf area")
         axes.imshow(np.random.default_rng(1).random((300, 300)))
-        answer(figure, "Yes.")
+        set_answer(figure, "Yes.")
         return figure
 
     texts = []
@@ -61,14 +61,16 @@ def test_words_of_a_figure_keep_their_digits(tmp_path: Path) -> None:
     assert not re.search(r'="[^"<>]*\d\.\d{3,}', text)
 
 
-def test_the_numbers_of_each_kind_of_mark_are_told(tmp_path: Path) -> None:
+def test_csv_files_have_the_numbers_of_each_kind_of_mark(
+    tmp_path: Path,
+) -> None:
     figure = Figure()
     first, second = figure.subplots(1, 2)
     first.errorbar([1, 2], [3, 4], [0.1, 0.2], [0.3, 0.4], label="bars")
     first.plot([5, 6], [7, 8], label="line")
     second.barh([0, 1], [0.25, 0.5], label="parts")
     second.set_yticks([0, 1], ["ames", "oslo"])
-    (tmp_path / "numbers.csv").write_text(numbers(figure))
+    (tmp_path / "numbers.csv").write_text(read_numbers(figure))
     with (tmp_path / "numbers.csv").open() as file:
         header, *rows = csv.reader(file)
     assert tuple(header) == HEADER
@@ -87,7 +89,7 @@ def test_the_numbers_of_each_kind_of_mark_are_told(tmp_path: Path) -> None:
     ]
 
 
-def test_progress_tells_each_figure(tmp_path: Path) -> None:
+def test_progress_reports_each_figure(tmp_path: Path) -> None:
     def missing() -> Figure:
         raise HistoryError("no light")
 

@@ -21,12 +21,12 @@ from ideotype.report.organ_split import (
     Split,
     Variant,
     columns_of,
-    in_words,
-    split,
-    split_of,
-    splits_of,
-    table_of,
-    variants_of,
+    describe_splits,
+    make_variants,
+    split_case,
+    split_cases,
+    split_gain,
+    tabulate_splits,
 )
 from ideotype.tools.commands import report, summary
 
@@ -46,11 +46,11 @@ def made(gain: float, count: int, noise: float, seed: int = 1) -> np.ndarray:
 
 
 def test_the_gain_of_leaves_is_that_of_plants_without_other_organs(
-    own: Path,
+    tiny_run: Path,
 ) -> None:
-    with open_study(own) as study:
+    with open_study(tiny_run) as study:
         (case,) = study.cases()
-        found = split_of(case)
+        found = split_case(case)
         gain = case.best_pair.gain
         plants = [x.row.genome[0] for x in (case.baseline, case.best)]
     assert isinstance(found, Split)
@@ -62,12 +62,14 @@ def test_the_gain_of_leaves_is_that_of_plants_without_other_organs(
     assert whole.mean == pytest.approx(gain.mean, rel=1e-4)
     assert whole.standard_error == pytest.approx(gain.standard_error, rel=1e-3)
     stand = ideotype.Stand.from_campaign(
-        own.parents[1] / "tiny.toml", settings={"plant.organs": []}
+        tiny_run.parents[1] / "tiny.toml", settings={"plant.organs": []}
     )
     seen = stand.evaluate(plants, ["stalk_fraction"], final=True)
     assert (seen.stalk_fraction == 0).all()
     values = seen.objective_by_randomisation.values[:, 0]
-    whole_stand = ideotype.Stand.from_campaign(own.parents[1] / "tiny.toml")
+    whole_stand = ideotype.Stand.from_campaign(
+        tiny_run.parents[1] / "tiny.toml"
+    )
     reference = whole_stand.evaluate(plants[:1], [], final=True)
     assert alone.mean == pytest.approx(
         100
@@ -87,7 +89,7 @@ def test_rows_with_keys_of_a_search_are_split_with_their_keys(
     path = run_with(tmp_path, keys)
     with open_study(path) as study:
         (case,) = study.cases()
-        found = split_of(case)
+        found = split_case(case)
         gain = case.best_pair.gain
         genomes = [x.row.genome[0] for x in (case.baseline, case.best)]
     assert isinstance(found, Split)
@@ -102,14 +104,18 @@ def test_rows_with_keys_of_a_search_are_split_with_their_keys(
     assert seen.lai[1] != pytest.approx(bare.lai[1].item())
 
 
-def test_the_history_has_the_settings_of_its_stand(own: Path) -> None:
+def test_the_history_has_the_settings_of_its_stand(tiny_run: Path) -> None:
     settings = {"plant.organs": ["stalk"], "final.randomisations": 3}
-    stand = ideotype.Stand.from_history(own, settings=settings, same_isa=False)
+    stand = ideotype.Stand.from_history(
+        tiny_run, settings=settings, same_isa=False
+    )
     assert 'organs = ["stalk"]' in stand.campaign
     found = stand.evaluate(stand.baseline, [], final=True)
     assert found.sizes["randomisation"] == 3
     with pytest.raises(ideotype.InputError, match=r"plant\.organs"):
-        ideotype.Stand.from_history(own, settings={"plant.organs": ["wing"]})
+        ideotype.Stand.from_history(
+            tiny_run, settings={"plant.organs": ["wing"]}
+        )
 
 
 def test_95_of_100_intervals_of_a_part_contain_the_truth() -> None:
@@ -119,7 +125,7 @@ def test_95_of_100_intervals_of_a_part_contain_the_truth() -> None:
             made(0.06, 64, 0.02, 2 * seed),
             made(0.01, 64, 0.02, 2 * seed + 1),
         ]
-        (part,) = split([AS_SHIPPED, LEAVES_ALONE], values, "mol").parts
+        (part,) = split_gain([AS_SHIPPED, LEAVES_ALONE], values, "mol").parts
         hits += abs(part.mean - 5) < 1.96 * part.standard_error
     # Four standard errors of a share of 0.95 are allowed, and the bias of
     # ratios.
@@ -128,10 +134,10 @@ def test_95_of_100_intervals_of_a_part_contain_the_truth() -> None:
 
 def test_common_noise_leaves_the_difference() -> None:
     one = made(0.06, 64, 0.02)
-    (part,) = split([AS_SHIPPED, LEAVES_ALONE], [one, one], "mol").parts
+    (part,) = split_gain([AS_SHIPPED, LEAVES_ALONE], [one, one], "mol").parts
     assert (part.mean, part.standard_error) == (0, 0)
     other = made(0.06, 64, 0.02, 2)
-    apart = split([AS_SHIPPED, LEAVES_ALONE], [one, other], "mol")
+    apart = split_gain([AS_SHIPPED, LEAVES_ALONE], [one, other], "mol")
     errors = [x.standard_error for x in apart.gains]
     assert apart.parts[0].standard_error == pytest.approx(
         np.hypot(*errors), rel=0.3
@@ -140,13 +146,13 @@ def test_common_noise_leaves_the_difference() -> None:
 
 def test_parts_of_all_variants_add_up_to_the_gain() -> None:
     values = [made(gain, 64, 0.01) for gain in (0.06, 0.05, 0.01)]
-    found = split([AS_SHIPPED, DEAD, LEAVES_ALONE], values, "mol")
+    found = split_gain([AS_SHIPPED, DEAD, LEAVES_ALONE], values, "mol")
     first, *_, last = found.gains
     assert sum(x.mean for x in found.parts) == pytest.approx(
         first.mean - last.mean
     )
-    two = split([AS_SHIPPED, LEAVES_ALONE], values[::2], "mol")
-    table, note = table_of(
+    two = split_gain([AS_SHIPPED, LEAVES_ALONE], values[::2], "mol")
+    table, note = tabulate_splits(
         {"b": two, "a": found, "c": Note("The gain of c is not split.")}
     )
     assert isinstance(table, Table) and isinstance(note, Note)
@@ -155,8 +161,8 @@ def test_parts_of_all_variants_add_up_to_the_gain() -> None:
         "gain with all organs [%]",
         "gain with dead organs [%]",
         "gain with leaves alone [%]",
-        "by carbon of other organs [points]",
-        "by light of other organs [points]",
+        "by carbon of other organs [percentage points]",
+        "by light of other organs [percentage points]",
     )
     assert [bool(cell) for cell in table.rows[0]] == [
         *(True, True, False, True, False, True),
@@ -180,7 +186,7 @@ def test_organs_that_assimilate_are_also_evaluated_without() -> None:
         ],
     }
     plant = {"organs": ["stalk", "ear"], "baseline": crop}
-    first, dead, last = variants_of({"plant": plant})
+    first, dead, last = make_variants({"plant": plant})
     assert (first, last) == (AS_SHIPPED, LEAVES_ALONE)
     assert dead.settings == {
         "plant.baseline.stalk.capacity": 0,
@@ -191,50 +197,52 @@ def test_organs_that_assimilate_are_also_evaluated_without() -> None:
     }
     crop["stalk"]["capacity"] = 0
     del crop["organ"]
-    assert variants_of({"plant": plant}) == [AS_SHIPPED, LEAVES_ALONE]
-    assert variants_of({"plant": {"organs": []}}) == variants_of({}) == []
+    assert make_variants({"plant": plant}) == [AS_SHIPPED, LEAVES_ALONE]
+    assert make_variants({"plant": {"organs": []}}) == make_variants({}) == []
 
 
 def test_a_gain_over_a_loss_has_the_unit_of_the_objective() -> None:
     values = [made(0.06, 64, 0.02) - 1, made(0.01, 64, 0.02)]
-    found = split([AS_SHIPPED, LEAVES_ALONE], values, "mol m-2 day-1")
+    found = split_gain([AS_SHIPPED, LEAVES_ALONE], values, "mol m-2 day-1")
     assert found.unit == "mol m-2 day-1"
     assert found.gains[1].mean == pytest.approx(0.01, abs=0.02)
-    assert "mol m-2 day-1" in table_of({"a": found})[0].rows[0][1].replace(
-        "\N{NO-BREAK SPACE}", " "
-    ).replace("\N{MINUS SIGN}", "-")
-    assert "mol m-2 day-1 by light of other organs" in in_words([found])
+    assert "mol m-2 day-1" in tabulate_splits({"a": found})[0].rows[0][
+        1
+    ].replace("\N{NO-BREAK SPACE}", " ").replace("\N{MINUS SIGN}", "-")
+    facts = {fact.name: fact.value for fact in describe_splits([found])}
+    assert facts["gain by light of other organs"].endswith(" mol m-2 day-1")
+    assert facts["gain with leaves alone"].endswith(" % of the gain")
 
 
 def test_summary_and_report_show_the_split(
-    own: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    tiny_run: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    with open_study(own) as study:
-        splits = splits_of(study.cases())
+    with open_study(tiny_run) as study:
+        splits = split_cases(study.cases())
     ((name, found),) = splits.items()
     assert isinstance(found, Split)
     cells = [x.interval_text() for x in (*found.gains, *found.parts)]
-    assert summary([str(own)]) == 0
+    assert summary([str(tiny_run)]) == 0
     told = capsys.readouterr().out
     (row,) = (x for x in told.splitlines() if x.count("|") == 7 and name in x)
     assert [
         x.strip().replace("\N{MINUS SIGN}", "-") for x in row.split("|")[2:7]
     ] == cells
-    assert summary([str(own), "--no-split"]) == 0
+    assert summary([str(tiny_run), "--no-split"]) == 0
     assert told.splitlines()[0] in (bare := capsys.readouterr().out)
     assert "leaves alone" in told and "leaves alone" not in bare
 
-    assert summary([str(own), "--csv"]) == 0
+    assert summary([str(tiny_run), "--csv"]) == 0
     table = pd.read_csv(io.StringIO(capsys.readouterr().out))
-    assert report([str(own), "-o", str(tmp_path), "--figures", name]) == 0
+    assert report([str(tiny_run), "-o", str(tmp_path), "--figures", name]) == 0
     for line in (table, pd.read_csv(tmp_path / "results.csv")):
         assert line.gain_leaves_alone[0] == pytest.approx(found.gains[2].mean)
         assert line.gain_by_light_of_other_organs_standard_error[
             0
         ] == pytest.approx(found.parts[1].standard_error)
     page = (tmp_path / "report.html").read_text(encoding="utf-8")
-    assert "Evaluated again with leaves alone, the best plant gains" in page
-    assert "by light of other organs [points]" in page
+    assert "<dt>gain with leaves alone</dt>" in page
+    assert "by light of other organs [percentage points]" in page
 
 
 @pytest.mark.parametrize(
@@ -258,19 +266,19 @@ def test_other_objectives_and_plants_without_organs_are_not_split(
 
 def test_a_search_that_has_not_ended_is_not_split(drained: Path) -> None:
     with open_study(drained) as study:
-        assert splits_of(study.cases()) == {}
+        assert split_cases(study.cases()) == {}
 
 
 def test_a_plant_that_cannot_be_evaluated_again_is_named(
-    own: Path, monkeypatch: pytest.MonkeyPatch
+    tiny_run: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     broken = Variant("broken", "with wings", {"plant.organs": ["wing"]}, "air")
     monkeypatch.setattr(
-        organ_split, "variants_of", lambda _: [AS_SHIPPED, broken]
+        organ_split, "make_variants", lambda _: [AS_SHIPPED, broken]
     )
-    with open_study(own) as study:
+    with open_study(tiny_run) as study:
         (case,) = study.cases()
-        found = split_of(case)
+        found = split_case(case)
     assert isinstance(found, Note)
     assert f"The gain of {case.name} is not split" in found.text
     assert 'plant.organs has "wing"' in found.text

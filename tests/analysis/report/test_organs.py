@@ -9,18 +9,18 @@ from pathlib import Path
 
 import pytest
 
-from ideotype.figures.comparison import draw_energy, shares
+from ideotype.figures.comparison import compute_shares, draw_energy
 from ideotype.history.study import open_study
-from ideotype.report.light_tables import organs
+from ideotype.report.light_tables import tabulate_organs
 from ideotype.tools.commands import report
 
 
 def test_light_by_organ_is_drawn_and_listed(sorghum: list[Path]) -> None:
     with open_study(sorghum[1]) as study:
         cases = study.cases()
-        parts = shares(cases[0], "best")
+        parts = compute_shares(cases[0], "best")
         best, others = cases[0].best, cases[0].light_by_organ("best")
-        (table,) = organs(cases)
+        (table,) = tabulate_organs(cases)
         legend = draw_energy(cases).legends[0].get_texts()
     assert [*parts] == [
         *("leaves", "stalks", "sheaths", "other organs", "soil", "reflected"),

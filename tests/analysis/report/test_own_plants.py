@@ -15,8 +15,8 @@ from made_history import MadeHistory
 import ideotype
 from ideotype.history.case import Case
 from ideotype.history.study import open_study
-from ideotype.report.own_plants import own_plants
-from ideotype.report.scene import build_plants, scene_of
+from ideotype.report.own_plants import evaluate_own_plants
+from ideotype.report.scene import build_plants, make_scene
 
 PLANTS = Path(__file__).parents[3] / "campaigns" / "plants"
 
@@ -53,7 +53,7 @@ def test_measured_and_digitised_plants_have_their_own_shape(
                 if group == name
             )
     measured = PLANTS / "Dea_2008.csv"
-    found = list(own_plants(case, [measured, digitised]))
+    found = list(evaluate_own_plants(case, [measured, digitised]))
     rows = [
         line
         for line in measured.read_text().splitlines()
@@ -77,7 +77,7 @@ def test_measured_and_digitised_plants_have_their_own_shape(
 
 def test_the_view_has_them_after_those_of_the_case(case: Case) -> None:
     plants = build_plants(case, [PLANTS / "Dea_2008.csv"])
-    (scene,) = json.loads(scene_of([(case, plants)]))["cases"]
+    (scene,) = json.loads(make_scene([(case, plants)]))["cases"]
     *_, title = [plant["title"] for plant in scene["plants"]]
     assert title.startswith("Dea")
     colours = scene["quantities"][0]["values"][-1]
@@ -86,6 +86,6 @@ def test_the_view_has_them_after_those_of_the_case(case: Case) -> None:
     assert len(scene["plants"]) == len(scene["quantities"][0]["values"])
 
 
-def test_what_cannot_be_read_is_told(case: Case, tmp_path: Path) -> None:
+def test_unreadable_plants_are_reported(case: Case, tmp_path: Path) -> None:
     with pytest.raises(ideotype.Error, match="nowhere"):
-        list(own_plants(case, [tmp_path / "nowhere.obj"]))
+        list(evaluate_own_plants(case, [tmp_path / "nowhere.obj"]))

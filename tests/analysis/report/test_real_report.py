@@ -19,21 +19,23 @@ from ideotype.tools.commands import report
 
 
 @pytest.fixture(scope="module")
-def cross(own: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+def cross(tiny_run: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Gives the best plant and the baseline under the campaign's one case."""
-    campaign = own.parents[1] / "tiny.toml"
+    campaign = tiny_run.parents[1] / "tiny.toml"
     path = tmp_path_factory.mktemp("cross") / "cross.json"
     path.write_text(
-        output_of("compare", own, campaign, "--under", campaign, "--json")
+        output_of("compare", tiny_run, campaign, "--under", campaign, "--json")
     )
     return path
 
 
 def test_a_comparison_is_read_from_json_or_csv(
-    cross: Path, own: Path, tmp_path: Path
+    cross: Path, tiny_run: Path, tmp_path: Path
 ) -> None:
-    campaign, table = own.parents[1] / "tiny.toml", tmp_path / "cross.csv"
-    output_of("compare", own, campaign, "--under", campaign, "--csv", table)
+    campaign, table = tiny_run.parents[1] / "tiny.toml", tmp_path / "cross.csv"
+    output_of(
+        "compare", tiny_run, campaign, "--under", campaign, "--csv", table
+    )
     from_json, from_csv = read_cross(cross), read_cross(table)
     assert from_json.plants == from_csv.plants
     assert len(from_json.plants) == 2
@@ -45,10 +47,10 @@ def test_a_comparison_is_read_from_json_or_csv(
 
 
 def test_a_browser_shows_the_report_of_a_real_run(
-    own: Path, cross: Path, tmp_path: Path
+    tiny_run: Path, cross: Path, tmp_path: Path
 ) -> None:
     out = tmp_path / "report"
-    arguments = [own, "-o", out, "--cross", cross]
+    arguments = [tiny_run, "-o", out, "--cross", cross]
     assert report([str(argument) for argument in arguments]) == 0
     script = """
       for (const part of document.querySelectorAll("details"))
@@ -68,10 +70,11 @@ def test_a_browser_shows_the_report_of_a_real_run(
     assert shown["faces"] == 2 * FACES and shown["turns"]
     figures = {path.stem for path in (out / "figures").glob("*.svg")}
     assert {"cross", "gains", "energy"} < figures
-    assert len(shown["pictures"]) == len(figures)
+    # The figure for a paper is another picture.
+    assert len(shown["pictures"]) == len(figures) + 1
     assert min(shown["pictures"]) > 200
     words = re.sub(r"\s+", " ", shown["text"])
-    with open_history(own) as history:
+    with open_history(tiny_run) as history:
         has = history.attributes
         command = history.sessions()[0].command
     for told in ("seed", "isa", "program_version", "compiler"):

@@ -17,12 +17,13 @@ import pytest
 from made_history import MadeHistory
 from made_numbers import BASELINE, final_absorbed
 from made_report import CASES, DRAWN, ELITE, OWN, Made
+from PIL import Image
 
 from ideotype.figures.cross import read_cross
 from ideotype.history import HistoryError
 from ideotype.history.estimate import NORMAL
 from ideotype.history.study import open_study
-from ideotype.report.tables import gains
+from ideotype.report.tables import tabulate_gains
 from ideotype.tools.commands import report
 
 
@@ -33,7 +34,7 @@ def plain(text: str) -> str:
 
 
 def test_every_figure_is_a_file_and_in_the_page(made: Made) -> None:
-    names = {"gains", "energy", "latitudes", "cross"}
+    names = {"plants", "gains", "energy", "latitudes", "cross"}
     names |= {f"{case}_{name}" for case in CASES for name in DRAWN}
     names |= {f"{case}_{x}" for case in CASES for x in OWN}
     files = {path.name for path in (made.folder / "figures").iterdir()}
@@ -70,11 +71,11 @@ def test_the_numbers_of_a_figure_are_those_of_the_case(
 
 def test_each_figure_answers_the_question_above_it(made: Made) -> None:
     figures = re.findall(
-        r'(?s)<h3>(.*?)</h3>\s*<p class="told">(.*?)</p>\s*'
+        r'(?s)<h3>(.*?)</h3>\s*<p class="text">(.*?)</p>\s*'
         r'<img src="data:image/svg\+xml;base64,(.*?)" alt="(.*?)">',
         made.text,
     )
-    assert len(figures) == 4 + len(CASES) * (len(DRAWN) + len(OWN))
+    assert len(figures) == 5 + len(CASES) * (len(DRAWN) + len(OWN))
     for question, sentence, data, told in figures:
         assert re.fullmatch(r"[A-Z][^.?]+\?", question)
         assert re.fullmatch(r"[A-Z].+\.", sentence)
@@ -84,17 +85,41 @@ def test_each_figure_answers_the_question_above_it(made: Made) -> None:
 
 def test_the_page_begins_with_the_answer(made: Made) -> None:
     words = plain(made.text)
-    better = words.index("How much better, and how sure?")
-    cost = words.index("At what cost?")
-    rest = words.index("What was not searched?")
-    assert better < cost < rest < words.index("Where does the light go?")
-    assert re.search(
-        r"In 2 cases the bred plants have from [\d.]+ ± [\d.]+ % .* to [\d.]+ "
-        r"± [\d.]+ % more",
-        words[better:cost],
-    )
-    assert "leaf area differs from the baseline" in words[cost:rest]
-    assert words.count("± is half of a 95 % interval") == 1
+    gain = words.index("absorbed PAR of the best plants over the baseline")
+    sure = words.index("How sure")
+    cost = words.index("At what cost")
+    limits = words.index("Limits of the search")
+    plants = words.index("How does the best plant differ")
+    assert gain < sure < cost < limits < plants
+    assert plants < words.index("Where does the light go?")
+    assert re.search(r"\+[\d.]+ to \+[\d.]+ % $", words[:gain])
+    for name in ("smallest", "largest"):
+        assert re.search(
+            rf"{name} gain [\d.]+ ± [\d.]+ % \(", words[sure:cost]
+        )
+    assert "searches of each case 2 " in words[sure:cost]
+    assert re.search(r"evaluations \d+ in 4 searches", words[cost:limits])
+    assert "leaf area index +" in words[cost:limits]
+    assert words.count("± is half of a 95 % confidence interval") == 1
+
+
+def test_a_figure_for_a_paper_is_in_the_page_and_in_files(made: Made) -> None:
+    assert (made.folder / "figure.pdf").read_bytes().startswith(b"%PDF")
+    with Image.open(made.folder / "figure.png") as picture:
+        width, height = picture.size
+        assert picture.info["dpi"][0] == pytest.approx(300, abs=1)
+    assert width > 2000 and height > 700
+    words = plain(made.text)
+    caption = words[words.index("Figure 1.") :]
+    for text in (
+        "(a) Baseline and (b) best plant",
+        "(c) Gain in absorbed PAR over the baseline",
+        "2 independent searches in each case",
+        "95 % confidence interval over searches",
+        "re-evaluated with independent random numbers",
+        "Files: figure.pdf, figure.png.",
+    ):
+        assert text in caption[:2000]
 
 
 def test_the_page_needs_nothing_else(made: Made) -> None:
@@ -108,7 +133,7 @@ def test_the_page_needs_nothing_else(made: Made) -> None:
     assert not list(made.folder.glob("*.part"))
 
 
-def test_the_page_says_what_was_gained(made: Made) -> None:
+def test_the_page_states_the_gain(made: Made) -> None:
     words = plain(made.text).replace("\u00a0", " ")
     # There are two seeds, 1.5 % over 11 and 0.1 more in the second.
     assert re.search(
@@ -124,29 +149,34 @@ def test_the_page_says_what_was_gained(made: Made) -> None:
 def test_missing_things_are_plain_sentences(made: Made) -> None:
     words = plain(made.text)
     for trait in ("profile over leaf position", "trait of the whole plant"):
-        assert words.count(f"Not drawn: no {trait} is bred.") == len(CASES)
+        assert words.count(f"Not drawn: no {trait} is optimised.") == len(
+            CASES
+        )
     assert (
-        "What does plant density do to light and gain? Not drawn: all cases "
+        "How do absorbed PAR and gain depend on plant density? Not drawn: all cases "
         "have the same plant density." in words
     )
     assert (
-        "Where does breeding gain most? Not drawn: cases do not differ in two"
+        "Where is the gain largest? Not drawn: cases do not differ in two"
         in words
     )
     assert "Saturated" not in words and "Provisional" not in words
 
 
-def test_provenance_is_told(made: Made) -> None:
+def test_the_page_states_its_provenance(made: Made) -> None:
     words = plain(made.text)
     for told in (
         *("0123456789ab", "avx2", str(2**63 + 1), "ideotype run", "node1"),
-        *("This page was made by: ideotype report", "linke_turbidity = 3"),
+        *(
+            "Command that made this page: ideotype report",
+            "linke_turbidity = 3",
+        ),
         *(f"{case}_r{seed}.h5" for case in CASES for seed in (1, 2)),
     ):
         assert told in words
 
 
-def test_nothing_is_told_where_there_is_no_terminal(made: Made) -> None:
+def test_there_is_no_progress_without_a_terminal(made: Made) -> None:
     assert made.log == ""
 
 
@@ -161,7 +191,7 @@ def test_figures_of_single_cases_are_drawn_on_request(
     assert report([*arguments, "nowhere", "-o", str(tmp_path / "none")]) == 1
 
 
-def test_what_is_missing_or_saturated_is_told(
+def test_the_page_reports_missing_data_and_saturation(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     # An installation may lack the compiled module.
@@ -181,22 +211,22 @@ def test_what_is_missing_or_saturated_is_told(
     assert "&lt;full&gt;.h5" in text and "<full>" not in text
     words = plain(text)
     assert re.search(
-        r"Saturated, the best being [^.]*: ames_0807_762x152_all", words
+        r"Saturated: the best plant is [^.]*: ames_0807_762x152_all", words
     )
-    assert "Plants: not drawn, this needs the compiled module" in words
-    assert "The plants are not shown" in words and "<canvas" not in text
-    assert "the history has no figures by height layer" in words
-    assert "the history does not tell parts of the light" in words
+    assert "Plants are not drawn: this needs the compiled module" in words
+    assert "No plants are shown" in words and "<canvas" not in text
+    assert "the history has no quantities by height layer" in words
+    assert "the history does not distinguish parts of the light" in words
 
 
 def test_an_unfinished_run_is_provisional(drained: Path) -> None:
     with open_study(drained) as study:
-        notes = [b.text for b in gains(study.cases(), None)[1:]]
+        notes = [b.text for b in tabulate_gains(study.cases(), None)[1:]]
     (note,) = [note for note in notes if note.startswith("Provisional")]
     assert note.endswith(": ames_0807_762x152_all.")
 
 
-def test_three_searches_tell_how_far_the_optimum_may_be(
+def test_three_searches_bound_the_distance_of_the_optimum(
     sweep: Path, tmp_path: Path
 ) -> None:
     shifts = (0.1, 0.4, 0.2)
@@ -208,11 +238,11 @@ def test_three_searches_tell_how_far_the_optimum_may_be(
     told = []
     for folder in (sweep, tmp_path):
         with open_study(folder) as study:
-            notes = [b.text for b in gains(study.cases(), None)[1:]]
+            notes = [b.text for b in tabulate_gains(study.cases(), None)[1:]]
         # The note about intervals covers all cases.
         told.append([note for note in notes[1:] if "optimum" in note])
     (two,), (three,) = told
-    assert two.startswith("Three searches (replicates = 3) would tell")
+    assert two.startswith("Three searches (replicates = 3) would show")
     lowest, *_, highest = sorted(
         100 * ((final_absorbed(2) + shift) / BASELINE - 1) for shift in shifts
     )

@@ -75,7 +75,7 @@ def test_tables_of_the_origin_fit_on_a_phone(
       [...document.querySelectorAll(".table")]
         .map((table) => [table, table.querySelector("caption")?.textContent])
         .filter(([table, caption]) =>
-          ["Histories", "Starts of the program"].includes(caption))
+          ["Histories", "Sessions"].includes(caption))
         .map(([table]) => table.scrollWidth > table.clientWidth)
     """
     with phone_with(made.page, tmp_path, WIDTH) as phone:

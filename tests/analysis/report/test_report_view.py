@@ -76,7 +76,7 @@ def test_a_browser_shows_the_page(made: Made, tmp_path: Path) -> None:
     assert shown["cases"] == list(CASES) and shown["quantities"] == 2
     # Baseline and best, and the finalists of two searches but the best.
     assert shown["plants"] > 2 * len(CASES)
-    assert len(shown["pictures"]) == 4 + 2 * (len(DRAWN) + len(OWN))
+    assert len(shown["pictures"]) == 6 + 2 * (len(DRAWN) + len(OWN))
     assert min(shown["pictures"]) > 200
     assert shown["wide"]
 

@@ -14,7 +14,7 @@ from phone import WIDTH, phone_with
 
 from ideotype.report.blocks import Picture, Section, Viewer
 from ideotype.report.page import render
-from ideotype.report.scene import packed
+from ideotype.report.scene import pack_vertices
 
 TURN = 0.6
 """The turn of the view at its start, about the vertical."""
@@ -37,7 +37,7 @@ def upright(ends: list[tuple[float, float]]) -> list[list[float]]:
     return [*low, *high[::-1]]
 
 
-def scene_of(direction: float | None = 90.0) -> str:
+def make_scene(direction: float | None = 90.0) -> str:
     """Returns two leaves that cross: the first is nearer on the left, the
     second on the right."""
     vertices = upright([(-0.5, -0.5), (0.5, 0.5)])
@@ -55,13 +55,13 @@ def scene_of(direction: float | None = 90.0) -> str:
             {
                 "title": f"{name}: {TITLE}",
                 "shape": 0,
-                **packed(np.array(vertices)),
+                **pack_vertices(np.array(vertices)),
             }
             for name in ("baseline", "best")
         ],
         "quantities": [
             {
-                "label": "by each leaf [MJ m⁻² day⁻¹ of ground]",
+                "label": "of each leaf [MJ m⁻² day⁻¹ of ground]",
                 "values": [[0.0, 1.0], [1.0, 0.0]],
             }
         ],
@@ -116,8 +116,8 @@ def hue(color: list[int]) -> np.ndarray:
     return np.array(color) / max(color)
 
 
-def test_what_is_nearer_hides_what_crosses_it(tmp_path: Path) -> None:
-    page = page_of(tmp_path, scene_of())
+def test_nearer_leaves_hide_leaves_behind_them(tmp_path: Path) -> None:
+    page = page_of(tmp_path, make_scene())
     shown, errors = run_in_browser(page, NEARER, tmp_path)
     assert errors == []
     for plant, colors in zip(shown, ((PURPLE, YELLOW), (YELLOW, PURPLE))):
@@ -135,16 +135,16 @@ def test_plants_have_their_size(tmp_path: Path) -> None:
     """
     )
     shown, errors = run_in_browser(
-        page_of(tmp_path, scene_of()), script, tmp_path
+        page_of(tmp_path, make_scene()), script, tmp_path
     )
     assert errors == []
     assert shown[0] != [255, 255, 255] == shown[1]
 
 
-def test_organs_without_light_have_colours_of_their_own(
+def test_organs_without_light_have_separate_colours(
     tmp_path: Path,
 ) -> None:
-    scene = json.loads(scene_of())
+    scene = json.loads(make_scene())
     scene["cases"][0]["quantities"][0]["values"] = [[None, 1.0], [0.0, None]]
     page = page_of(tmp_path, json.dumps(scene))
     ((left, _), (_, right)), errors = run_in_browser(page, NEARER, tmp_path)
@@ -179,7 +179,7 @@ def test_the_ground_shows_north_from_above(
       };
     """
     )
-    page = page_of(tmp_path, scene_of(direction))
+    page = page_of(tmp_path, make_scene(direction))
     shown, errors = run_in_browser(page, script, tmp_path)
     assert errors == []
     assert shown["ground"] == [240, 233, 222]
@@ -209,7 +209,7 @@ def test_neighbours_come_on_request(tmp_path: Path) -> None:
     """
     )
     shown, errors = run_in_browser(
-        page_of(tmp_path, scene_of()), script, tmp_path
+        page_of(tmp_path, make_scene()), script, tmp_path
     )
     assert errors == []
     assert shown == [4, 4 * (1 + len(NEIGHBOURS)), 4, True, True]
@@ -234,14 +234,14 @@ def test_scale_and_colour_bar_are_labelled(tmp_path: Path) -> None:
     """
     )
     shown, errors = run_in_browser(
-        page_of(tmp_path, scene_of()), script, tmp_path
+        page_of(tmp_path, make_scene()), script, tmp_path
     )
     assert errors == []
     assert shown["metres"] in (0.5, 1)
     length = shown["metres"] * shown["scale"]
     assert shown["dark"] == pytest.approx(length, abs=2)
     assert shown["texts"] == [
-        "absorbed PAR by each leaf [MJ m⁻² day⁻¹ of ground]",
+        "absorbed PAR of each leaf [MJ m⁻² day⁻¹ of ground]",
         *("0.0", "1.0"),
     ]
     assert shown["ramp"].startswith("linear-gradient(to right, rgb(68, 1, 84)")
@@ -255,7 +255,7 @@ def test_wide_screens_use_their_width(tmp_path: Path) -> None:
       return [innerWidth, view.clientWidth, two.left - one.right,
         two.top - one.top];
     """
-    page = page_of(tmp_path, scene_of())
+    page = page_of(tmp_path, make_scene())
     shown, errors = run_in_browser(page, script, tmp_path, width=2000)
     assert errors == []
     width, view, gap, step = shown
@@ -274,7 +274,7 @@ def test_a_phone_scrolls_past_the_view_and_turns_it(tmp_path: Path) -> None:
         return [left, right];
       })
     """
-    page = page_of(tmp_path, scene_of())
+    page = page_of(tmp_path, make_scene())
     with phone_with(page, tmp_path) as phone:
         assert phone.value("innerWidth") == WIDTH
         assert phone.value("document.documentElement.scrollWidth") == WIDTH

@@ -15,7 +15,7 @@ from conftest import WriterProcess
 
 from ideotype.history.study import open_study
 from ideotype.report.report import write_report
-from ideotype.report.workers import workers
+from ideotype.report.workers import start_workers
 
 
 def meet(folder: Path, number: int) -> tuple[int, int]:
@@ -38,21 +38,21 @@ def die(number: int) -> None:
 
 
 def test_processes_work_at_once_and_keep_the_order(tmp_path: Path) -> None:
-    with workers(2) as run:
+    with start_workers(2) as run:
         found = list(run(partial(meet, tmp_path), [0, 1]))
     assert [number for number, _ in found] == [0, 1]
     assert len({os.getpid(), *(process for _, process in found)}) == 3
 
 
 def test_many_arguments_go_together_and_keep_the_order() -> None:
-    with workers(2) as run:
+    with start_workers(2) as run:
         assert list(run(abs, range(-100, 0))) == [*range(100, 0, -1)]
 
 
-def test_a_process_that_is_killed_is_told() -> None:
+def test_a_killed_process_is_reported() -> None:
     with (
         pytest.raises(OSError, match="was killed .* --jobs 1"),
-        workers(2) as run,
+        start_workers(2) as run,
     ):
         list(run(die, [0]))
 

@@ -37,21 +37,29 @@ def replay(*words: object, text: str = "") -> NDArray[np.float64]:
 
 
 @pytest.mark.parametrize("objectives", [2, 3])
-def test_same_fronts_and_crowding(objectives: int) -> None:
+def test_fronts_and_crowding_distances_agree_with_pymoo(
+    objectives: int,
+) -> None:
     points = np.random.default_rng(objectives).random((150, objectives))
     numbers = " ".join(map(repr, points.ravel().tolist()))
-    found = replay("sort", text=f"{len(points)} {objectives} {numbers}")
+    sorted_points = replay(
+        "sort", text=f"{len(points)} {objectives} {numbers}"
+    )
     for level, members in enumerate(NonDominatedSorting().do(points)):
-        assert set(np.flatnonzero(found[:, 0] == level)) == set(members)
+        assert set(np.flatnonzero(sorted_points[:, 0] == level)) == set(
+            members
+        )
         if len(members) < 3:
             continue
         np.testing.assert_allclose(
-            found[members, 1], calc_crowding_distance(points[members]), 1e-12
+            sorted_points[members, 1],
+            calc_crowding_distance(points[members]),
+            1e-12,
         )
 
 
 @pytest.mark.parametrize("objectives", [2, 3, 4])
-def test_same_hypervolume(objectives: int) -> None:
+def test_hypervolumes_agree_with_pymoo(objectives: int) -> None:
     points = np.random.default_rng(objectives).random((40, objectives))
     reference = np.full(objectives, 0.9)
     values = [*points.ravel().tolist(), *reference.tolist()]
@@ -64,7 +72,7 @@ def test_same_hypervolume(objectives: int) -> None:
 @pytest.mark.parametrize(
     "problem, size", [("zdt1", 2), ("zdt2", 2), ("dtlz2", 3)]
 )
-def test_as_large_a_hypervolume_in_as_many_generations(
+def test_searches_reach_the_hypervolume_of_pymoo(
     problem: str, size: int
 ) -> None:
     generations, parents = 250, 60

@@ -19,7 +19,7 @@ def searched(generations: int, **options):
 
 
 @pytest.mark.parametrize("optimizer", OPTIMIZERS)
-def test_points_are_within_bounds_and_the_same_again(optimizer: str) -> None:
+def test_points_are_within_bounds_and_reproducible(optimizer: str) -> None:
     one, other = (
         searched(5, optimizer=optimizer, population=12) for _ in range(2)
     )
@@ -43,7 +43,7 @@ def test_several_objectives_give_a_front() -> None:
     assert np.ptp(search.best(20)[:, 0]) > 0.5
 
 
-def test_points_that_fail_are_avoided() -> None:
+def test_failing_points_are_avoided() -> None:
     search = ideotype.Search([-5] * 3, [5] * 3, start=[1] * 3)
     for _ in range(100):
         x = search.ask()
@@ -68,18 +68,18 @@ def test_points_that_fail_are_avoided() -> None:
         ({"optimizer": "best"}, 'no optimizer "best"; use one of auto'),
     ],
 )
-def test_what_is_wrong_is_told(options, told: str) -> None:
+def test_the_error_names_an_invalid_argument(options, told: str) -> None:
     with pytest.raises(ideotype.Error, match=told):
         ideotype.Search(**{"lower": [-5, -5], "upper": [5, 5], **options})
 
 
-def test_as_many_values_as_points_are_needed() -> None:
+def test_the_number_of_values_must_be_that_of_points() -> None:
     search = searched(1)
     with pytest.raises(ideotype.Error, match="asked for, but 1 are given"):
         search.tell([1])
 
 
-def test_a_search_shows_its_settings() -> None:
+def test_the_repr_of_a_search_shows_its_settings() -> None:
     search = ideotype.Search(
         [0, 0], [1, 2], maximise=[False, False], optimizer="nsga2", seed=5
     )

@@ -33,7 +33,7 @@ def hours(largest: float, smallest: float) -> NDArray[np.float64]:
     return (largest + smallest) / 2 + (largest - smallest) / 2 * wave
 
 
-def test_a_hybrid_has_the_areas_of_the_reference() -> None:
+def test_leaf_areas_agree_with_the_reference_model() -> None:
     crop = ideotype.Crop.from_file(FORMER)
     given = json.loads((DATA / "growth_given.json").read_text())
     assert crop.silking == given["silking"]
@@ -96,14 +96,14 @@ def test_leaf_area_follows_bondville_1999() -> None:
     assert np.sqrt(np.mean(np.square(errors))) < 0.35
 
 
-def test_a_hybrid_of_today_has_larger_leaves_than_a_former_one() -> None:
+def test_a_modern_hybrid_has_larger_leaves_than_a_former_one() -> None:
     now, before = (ideotype.Crop.from_file(x) for x in (HYBRID, FORMER))
     assert now.silking == before.silking
     ratio = now.at(900).green_area / before.at(900).green_area
     np.testing.assert_allclose(ratio.dropna("rank"), 0.0784 / 0.07)
 
 
-def test_a_plant_has_its_green_area_as_surfaces() -> None:
+def test_the_mesh_of_a_growing_plant_has_its_green_area() -> None:
     crop = ideotype.Crop.from_file(HYBRID)
     young, grown = (crop.mesh(x).vertices[:, 2].max() for x in (400, 1000))
     assert 0.3 < young < 0.7 * grown
@@ -116,14 +116,14 @@ def test_a_plant_has_its_green_area_as_surfaces() -> None:
 def test_sorghum_grows_to_the_area_of_its_leaves() -> None:
     crop = ideotype.Crop.from_file(ROOT / "campaigns/crops/sorghum.toml")
     assert crop.silking == 16 * 41 + 20
-    # Leaves of the crop file have .40 m2 together; the lowest are dead.
+    # Leaves of the crop file have 0.40 m2 together; the lowest are dead.
     plant = crop.at(crop.silking)
     both = (plant.green_area + plant.dead_area).sum().item()
     assert both == pytest.approx(0.40, rel=0.05)
     assert 0 < plant.dead_area.sum() < 0.1
 
 
-def season_of(**light: float) -> ideotype.Stand:
+def make_season(**light: float) -> ideotype.Stand:
     return ideotype.Stand.from_campaign(
         ROOT / "campaigns/growing_season.toml",
         settings={
@@ -136,27 +136,27 @@ def season_of(**light: float) -> ideotype.Stand:
     )
 
 
-def test_ten_stages_have_the_carbon_of_twenty() -> None:
-    found = []
+def test_ten_growth_stages_give_the_carbon_of_twenty() -> None:
+    results = []
     for stages in (10, 20):
-        stand = season_of(stages=stages, paths=8192, dates=20)
+        stand = make_season(stages=stages, paths=8192, dates=20)
         one = stand.evaluate(stand.baseline)
         carbon = float(one.gross_assimilation[0])
         error = float(one.gross_assimilation_standard_error[0])
-        found.append((carbon, error))
+        results.append((carbon, error))
         assert one.sizes["stage"] == stages
         # The area of lower leaves, which only growing plants have, follows the
         # area of the leaves of the full-grown plant.
         assert one.lai_by_stage.max() == pytest.approx(5.05, rel=0.05)
         assert one.dead_area_index_by_stage[0, -1] > 1
-    (ten, ten_error), (twenty, twenty_error) = found
+    (ten, ten_error), (twenty, twenty_error) = results
     spread = 3 * np.hypot(ten_error, twenty_error)
-    # Fields are drawn anew for each stage.
+    # Each stage has newly sampled fields.
     assert abs(ten - twenty) < spread + 0.02 * twenty
 
 
-def test_a_season_does_not_depend_on_threads() -> None:
-    stand = season_of(paths=256)
+def test_results_of_a_season_do_not_depend_on_threads() -> None:
+    stand = make_season(paths=256)
     plants = np.array([stand.baseline] * 3)
     one, several = (
         stand.evaluate(plants, ["gross_assimilation"], threads=n)
@@ -165,7 +165,7 @@ def test_a_season_does_not_depend_on_threads() -> None:
     assert one.identical(several)
 
 
-def test_impossible_numbers_are_errors(tmp_path: Path) -> None:
+def test_invalid_arguments_of_a_crop_are_errors(tmp_path: Path) -> None:
     crop = ideotype.Crop.from_file(HYBRID)
     with pytest.raises(ideotype.Error, match="24 hours"):
         crop.season("1999-05-10", [20.0] * 25, 7)

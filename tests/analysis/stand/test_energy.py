@@ -22,24 +22,26 @@ NOON: dict[str, Any] = CASES[8]["input"]
 
 
 @pytest.mark.parametrize("case", CASES, ids=lambda x: x["name"])
-def test_a_case_is_that_of_the_reference(case: dict[str, Any]) -> None:
+def test_an_energy_balance_agrees_with_the_reference(
+    case: dict[str, Any],
+) -> None:
     found = ideotype.leaf_energy_balance(GIVEN["defaults"] | case["input"])
     assert found == pytest.approx(case["expected"], rel=1e-8, abs=1e-9)
 
 
-def test_arrays_are_what_each_of_their_points_is() -> None:
+def test_balances_of_arrays_equal_those_of_their_points() -> None:
     light = np.linspace(0, 2500, 12).reshape(4, 3)
     stomata = np.array(["medlyn", "ball-berry", "medlyn"])
     inputs = NOON | {"ppfd": light, "stomata": stomata, "g1": [1, 2, 3]}
-    found = ideotype.leaf_energy_balance(inputs, roots=True)
-    assert found["net"].shape == (4, 3)
-    assert found["roots"].tolist() == [[1] * 3] * 4
+    balances = ideotype.leaf_energy_balance(inputs, roots=True)
+    assert balances["net"].shape == (4, 3)
+    assert balances["roots"].tolist() == [[1] * 3] * 4
     for i, j in np.ndindex(4, 3):
         one = NOON | {"ppfd": light[i, j], "stomata": str(stomata[j])}
         alone = ideotype.leaf_energy_balance(
             one | {"parameters": {"g1": j + 1}}
         )
-        assert {k: found[k][i, j] for k in alone} == alone
+        assert {k: balances[k][i, j] for k in alone} == alone
 
 
 def test_a_c3_leaf_opens_wider_and_is_cooler() -> None:
@@ -69,12 +71,14 @@ def test_a_c3_leaf_opens_wider_and_is_cooler() -> None:
         ({"parameters": 2}, "parameters is no dict"),
     ],
 )
-def test_what_is_wrong_is_told(change: dict[str, Any], message: str) -> None:
+def test_the_error_names_an_invalid_input(
+    change: dict[str, Any], message: str
+) -> None:
     with pytest.raises(ideotype.Error, match=message):
         ideotype.leaf_energy_balance(NOON | change)
 
 
-def test_what_is_missing_is_told() -> None:
+def test_the_error_names_missing_inputs() -> None:
     with pytest.raises(ideotype.Error, match="lack nir, wind"):
         ideotype.leaf_energy_balance(
             {k: v for k, v in NOON.items() if k not in ("nir", "wind")}

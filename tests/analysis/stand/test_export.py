@@ -82,13 +82,13 @@ def totals(data: vtkPolyData) -> tuple[float, float]:
     return energy[is_leaf].sum(), energy[~is_leaf].sum()
 
 
-def test_the_light_of_a_plant_is_that_of_its_evaluation(
-    own: Path, tmp_path: Path
+def test_exported_light_of_a_plant_agrees_with_its_evaluation(
+    tiny_run: Path, tmp_path: Path
 ) -> None:
     paths = ("--paths", FINAL_PATHS)
-    path = exported(own, tmp_path / "best.vtp", "--best", *paths)
+    path = exported(tiny_run, tmp_path / "best.vtp", "--best", *paths)
     data = opened(vtkXMLPolyDataReader(), path)
-    with open_history(own) as history:
+    with open_history(tiny_run) as history:
         best = history.best()
         case = str(history.attributes["case"])
     assert best is not None and best.is_final
@@ -105,10 +105,10 @@ def test_the_light_of_a_plant_is_that_of_its_evaluation(
     assert stalks == pytest.approx(expected, rel=1e-4)
 
 
-def test_by_default_the_light_on_faces_is_well_known(
-    own: Path, tmp_path: Path
+def test_by_default_exported_light_of_faces_is_accurate(
+    tiny_run: Path, tmp_path: Path
 ) -> None:
-    path = exported(own, tmp_path / "best.vtp", "--best")
+    path = exported(tiny_run, tmp_path / "best.vtp", "--best")
     data = opened(vtkXMLPolyDataReader(), path)
     absorbed = cells(data, ABSORBED)
     is_leaf = cells(data, "organ") > 0
@@ -116,29 +116,29 @@ def test_by_default_the_light_on_faces_is_well_known(
     assert np.median((cells(data, ERROR) / absorbed)[bright]) < 0.1
 
 
-def test_the_light_of_a_field_is_that_of_its_evaluation(
-    own: Path, tmp_path: Path
+def test_exported_light_of_a_field_agrees_with_its_evaluation(
+    tiny_run: Path, tmp_path: Path
 ) -> None:
     row = ("--generation", 1, "--slot", 3)
     path = exported(
-        own, tmp_path / "field.vtp", *row, "--field", "--paths", 64
+        tiny_run, tmp_path / "field.vtp", *row, "--field", "--paths", 64
     )
     data = opened(vtkXMLPolyDataReader(), path)
     assert data.GetNumberOfCells() == 4 * FACES
     assert list(np.bincount(cells(data, "plant"))) == [0, *[FACES] * 4]
-    with open_history(own) as history:
+    with open_history(tiny_run) as history:
         rows = history.evaluations(1)
         (at,) = np.flatnonzero(rows.slot == 3)
         expected = rows["absorbed_par"].values[at]
     assert totals(data)[0] == pytest.approx(expected, rel=1e-5)
 
 
-def test_a_field_for_other_ray_tracers_has_the_same_surfaces(
-    own: Path, tmp_path: Path
+def test_fields_exported_in_both_formats_have_the_same_surfaces(
+    tiny_run: Path, tmp_path: Path
 ) -> None:
     field = ("--best", "--field")
-    obj = exported(own, tmp_path / "field.obj", *field)
-    vtp = exported(own, tmp_path / "field.vtp", *field, "--paths", 64)
+    obj = exported(tiny_run, tmp_path / "field.obj", *field)
+    vtp = exported(tiny_run, tmp_path / "field.vtp", *field, "--paths", 64)
     surfaces = opened(vtkOBJReader(), obj)
     lit = opened(vtkXMLPolyDataReader(), vtp)
     assert surfaces.GetNumberOfCells() == 4 * FACES
@@ -151,7 +151,7 @@ def test_a_field_for_other_ray_tracers_has_the_same_surfaces(
     assert len(groups) == len(set(groups)) == 4 * GROUPS
 
 
-def test_plants_that_grow_are_there_as_they_stood(tmp_path: Path) -> None:
+def test_growing_plants_are_exported_at_their_stage(tmp_path: Path) -> None:
     settings = [
         word
         for key in (
@@ -219,7 +219,7 @@ def test_plants_that_grow_are_there_as_they_stood(tmp_path: Path) -> None:
         assert done.returncode == 2 and why in done.stderr, done.stderr
 
 
-def test_modules_that_track_are_there_once(tmp_path: Path) -> None:
+def test_tracking_modules_are_exported_once(tmp_path: Path) -> None:
     campaign = write_campaign(tmp_path, 1)
     rows = "pitch=1.524, height=4, width=1, azimuth=0, tracks=true"
     output_of(

@@ -73,15 +73,15 @@ def problems(folder: Path, text: str, **more: Any) -> list[str]:
 
 
 def test_columns_have_units_and_conventions(folder: Path) -> None:
-    found = crop(
+    tables = crop(
         folder,
         "# row_direction: 100\n"
         "leaf,length_cm,width_mm,insertion_angle_from_horizontal_deg,"
         "azimuth_from_north_deg,insertion_height_m\n"
         '2,70.5,65,60,20,0.9\n1,"35",45,50,190,0.25\n',
     )
-    assert found["name"] == "field"
-    low, high = found["leaf"]
+    assert tables["name"] == "field"
+    low, high = tables["leaf"]
     # Curvatures are those of the crop.
     assert low == {
         "length": 0.35, "width": 0.045, "insertion_angle": 40, "azimuth": 90,
@@ -126,13 +126,13 @@ def test_the_stalk_and_its_organs_move_with_the_highest_leaf(
         "insertion_height_cm\n"
     )
     leaf = "50,5,40,60,90,"
-    found = crop(folder, f"{head}{leaf}20\n{leaf}40\n{leaf}160\n")
-    assert found["stalk"]["height"] == pytest.approx(1.7, abs=1e-12)
-    assert found["organ"][0]["leaf"] == 3
+    tables = crop(folder, f"{head}{leaf}20\n{leaf}40\n{leaf}160\n")
+    assert tables["stalk"]["height"] == pytest.approx(1.7, abs=1e-12)
+    assert tables["organ"][0]["leaf"] == 3
     assert crop(folder, f"{head}{leaf}20\n")["organ"][0]["leaf"] == 1
-    found = crop(folder, "internode_cm\n30\n50\n")
-    assert found["leaf"][1]["insertion_height"] == 0.8
-    assert found["stalk"]["height"] == pytest.approx(0.9)
+    tables = crop(folder, "internode_cm\n30\n50\n")
+    assert tables["leaf"][1]["insertion_height"] == 0.8
+    assert tables["stalk"]["height"] == pytest.approx(0.9)
 
 
 def test_measured_heights_and_internodes_of_soybean_agree(
@@ -141,13 +141,13 @@ def test_measured_heights_and_internodes_of_soybean_agree(
     soybean = tomllib.loads((CAMPAIGNS / "crops" / "soybean.toml").read_text())
     for column, growth in (("insertion_height_cm", 5), ("internode_cm", 0)):
         rows = "".join(f"{5 + growth * i}\n" for i in range(12))
-        found = crop(folder, f"# crop: soybean\n{column}\n{rows}")
-        leaves = found["leaf"]
+        tables = crop(folder, f"# crop: soybean\n{column}\n{rows}")
+        leaves = tables["leaf"]
         assert leaves[11]["insertion_height"] == pytest.approx(0.6)
         assert leaves[5]["internode"] == pytest.approx(0.05)
         petiole = soybean["leaf"][5]["petiole_length"]
         assert leaves[5]["petiole_length"] == petiole
-        assert "height" not in found["stalk"]
+        assert "height" not in tables["stalk"]
 
 
 def test_a_height_bends_a_leaf_with_a_digitised_midrib(folder: Path) -> None:
@@ -191,16 +191,16 @@ def test_all_problems_are_reported_in_one_pass(folder: Path) -> None:
         "field.csv:4:1: there are 5 entries (the table has 6 columns); give "
         "each column one",
     ]
-    for text, told in (
+    for text, position in (
         ("leaf;length_cm\n1;20\n", "1:1: columns are not separated by commas"),
         ("", "1:1: there are no leaves"),
         ("leaf,length_cm\n1,20\n1,30\n", "3:1: leaf 1 is given twice"),
         ("length_cm\nnan\n2_0\n", '2:1: length_cm is "nan"'),
     ):
-        assert problems(folder, text)[0].startswith(f"field.csv:{told}")
+        assert problems(folder, text)[0].startswith(f"field.csv:{position}")
 
 
-def test_leaves_are_checked_as_those_of_crop_files(folder: Path) -> None:
+def test_leaves_of_tables_are_checked_like_crop_files(folder: Path) -> None:
     assert problems(
         folder, "length_cm,width_cm,insertion_height_cm\n30,40,40\n50,5,20\n"
     ) == [
@@ -211,7 +211,7 @@ def test_leaves_are_checked_as_those_of_crop_files(folder: Path) -> None:
     ]
 
 
-def test_other_numbers_of_leaves_need_all_measures(folder: Path) -> None:
+def test_tables_with_other_leaf_counts_need_all_measures(folder: Path) -> None:
     told = problems(folder, "length_cm,width_cm,azimuth_deg\n30,4,90\n")
     reason = "(needed where plants do not have the 2 leaves of the crop); add "
     assert told == [
@@ -228,10 +228,10 @@ def test_other_numbers_of_leaves_need_all_measures(folder: Path) -> None:
 def test_unknown_columns_are_listed_once_with_the_known_ones(
     folder: Path,
 ) -> None:
-    (told,) = problems(
+    (problem,) = problems(
         folder, "name,height,length_cm,biomass,yield\n1,2,30,1,9\n"
     )
-    assert told.startswith(
+    assert problem.startswith(
         "field.csv:1:1: there are no columns 'name', 'height', 'biomass', "
         "'yield' (a table has one line for each leaf of a plant); columns are "
         "leaf, plant or line, length_cm/_m/_mm, width_cm/_m/_mm, "
@@ -251,7 +251,7 @@ def test_ranks_may_begin_above_1(folder: Path) -> None:
     ]
 
 
-def test_a_table_has_several_plants(folder: Path) -> None:
+def test_a_leaf_table_may_have_several_plants(folder: Path) -> None:
     table = "line,leaf,length_cm\nDH 1,1,40\nDH 1,2,50\nDH 2,2,70\nDH 2,1,60\n"
     first, second = crops(folder, table)
     assert (first["name"], first["leaf"][1]["length"]) == ("DH_1", 0.5)
@@ -263,37 +263,37 @@ def test_a_table_has_several_plants(folder: Path) -> None:
         "did you mean 'DH 1'?"
     ]
     # Plants with problems do not hide those of other plants.
-    told = problems(
+    listed = problems(
         folder,
         "plant,leaf,length_cm,width_cm\na,1,40,x\na,2,40,5\nb,1,40,50\n"
         "b,2,40,50\nc,1,40,70\n",
     )
-    assert [line.split(":")[1] for line in told] == list("2456")
+    assert [line.split(":")[1] for line in listed] == list("2456")
 
 
-def test_a_table_names_its_crop(folder: Path) -> None:
+def test_a_leaf_table_may_name_its_crop(folder: Path) -> None:
     ten = "length_cm\n" + "".join(f"{50 + i}\n" for i in range(1, 11))
-    found = crop(folder, f'"# crop: maize",,\n{ten}', otherwise=None)
+    tables = crop(folder, f'"# crop: maize",,\n{ten}', otherwise=None)
     maize = tomllib.loads((CAMPAIGNS / "crops" / "maize.toml").read_text())
-    assert found["organ"] == maize["organ"]
-    assert found["leaf"][9]["length"] == 0.6
+    assert tables["organ"] == maize["organ"]
+    assert tables["leaf"][9]["length"] == 0.6
     # The file of a crop is relative to the table; the command line has priority.
     two = "length_cm\n30\n40\n"
     named = f"# crop: two.toml\n{two}"
     assert crop(folder, named, otherwise=None)["organ"][0]["leaf"] == 2
     assert problems(folder, named, crop="maize")
-    (told,) = problems(folder, f"# crop: tow.toml\n{two}")
-    assert told.startswith("field.csv:1:9: ")
-    assert told.endswith("did you mean 'two.toml'? (named by # crop)")
-    (told,) = problems(folder, f"# crop: field.csv\n{two}")
-    assert "a table of leaves is no crop" in told
+    (problem,) = problems(folder, f"# crop: tow.toml\n{two}")
+    assert problem.startswith("field.csv:1:9: ")
+    assert problem.endswith("did you mean 'two.toml'? (named by # crop)")
+    (problem,) = problems(folder, f"# crop: field.csv\n{two}")
+    assert "a table of leaves is no crop" in problem
     # A wrong crop is reported at its own lines.
     (folder / "two.toml").write_text(CROP.replace("0.05\n", "0.05\nx = 1\n"))
-    (told, *_) = problems(folder, named)
-    assert told.startswith("two.toml:")
-    told = "\n".join(problems(folder, f"{two}x\n", otherwise=None))
-    assert "1:1: the table names no crop" in told
-    assert '4:1: length_cm is "x"' in told
+    (problem, *_) = problems(folder, named)
+    assert problem.startswith("two.toml:")
+    problem = "\n".join(problems(folder, f"{two}x\n", otherwise=None))
+    assert "1:1: the table names no crop" in problem
+    assert '4:1: length_cm is "x"' in problem
 
 
 def run(*words: object) -> int:
@@ -347,7 +347,7 @@ def test_the_tables_of_the_project_are_baselines_of_campaigns(
     assert tomllib.loads(stand.campaign)["plant"]["baseline"]["name"] == name
 
 
-def test_a_table_is_no_baseline(tmp_path: Path) -> None:
+def test_a_leaf_table_is_refused_as_baseline(tmp_path: Path) -> None:
     table = CAMPAIGNS / "plants" / "Dea_2008.csv"
     campaign = tomllib.loads((CAMPAIGNS / "ames_quick.toml").read_text())
     campaign["plant"] = {"baseline": str(table)}

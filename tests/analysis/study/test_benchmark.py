@@ -20,10 +20,10 @@ def benchmark() -> ModuleType:
     folders = [str(FOLDER), str(FOLDER / "adapters")]
     sys.path[:0] = folders
     try:
-        found = ModuleType("benchmark")
+        benchmark = ModuleType("benchmark")
         for name in NAMES:
-            setattr(found, name, __import__(name))
-        yield found
+            setattr(benchmark, name, __import__(name))
+        yield benchmark
     finally:
         del sys.path[:2]
         for name in NAMES:
@@ -52,15 +52,15 @@ def test_answers_are_scored(benchmark: ModuleType, tmp_path: Path) -> None:
             "b,leaf,21,0.4",
         )
     )
-    found = score.score(values, answers, {"a": "black", "b": "energy"})
-    assert list(found) == ["black", "energy", "all"]
+    scores = score.score(values, answers, {"a": "black", "b": "energy"})
+    assert list(scores) == ["black", "energy", "all"]
     # A small part of the light is relative to a hundredth of all light.
-    assert found["black"].relative == pytest.approx([0.02, 0.1])
-    assert found["black"].deviations == pytest.approx([2], rel=1e-6)
-    assert found["energy"].relative == pytest.approx([0.05])
-    assert found["energy"].deviations == pytest.approx([2], rel=1e-6)
-    assert found["energy"].asked == 2 and found["all"].asked == 4
-    rows = score.table(found).splitlines()
+    assert scores["black"].relative == pytest.approx([0.02, 0.1])
+    assert scores["black"].deviations == pytest.approx([2], rel=1e-6)
+    assert scores["energy"].relative == pytest.approx([0.05])
+    assert scores["energy"].deviations == pytest.approx([2], rel=1e-6)
+    assert scores["energy"].asked == 2 and scores["all"].asked == 4
+    rows = score.table(scores).splitlines()
     assert rows[2] == (
         "| black | 2 of 2 | 6.000 % | 10.000 % | 0 % | 100 % | 2.0 |"
     )
@@ -77,14 +77,14 @@ def test_answers_are_scored(benchmark: ModuleType, tmp_path: Path) -> None:
         (["a,soil,1,-1"], "a.csv:2: 1 ± -1 is no result"),
     ],
 )
-def test_a_wrong_answer_is_told(
+def test_a_wrong_answer_is_reported(
     benchmark: ModuleType, tmp_path: Path, rows: list[str], words: str
 ) -> None:
     with pytest.raises(benchmark.score.AnswersError, match=words):
         benchmark.score.read(write(tmp_path / "a.csv", *rows))
 
 
-def test_an_answer_to_nothing_is_told(
+def test_an_answer_to_an_unknown_case_is_reported(
     benchmark: ModuleType, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     path = write(tmp_path / "a.csv", "no_case,soil,1,")
@@ -95,7 +95,7 @@ def test_an_answer_to_nothing_is_told(
     assert "the header is 'case,value'" in capsys.readouterr().err
 
 
-def test_files_of_cases_are_those_that_are_made(
+def test_files_of_cases_agree_with_their_script(
     benchmark: ModuleType, tmp_path: Path
 ) -> None:
     made = benchmark.cases.all_cases()
@@ -130,7 +130,9 @@ def test_files_of_cases_are_those_that_are_made(
         "energy-calm",
     ],
 )
-def test_both_ways_find_the_values(benchmark: ModuleType, name: str) -> None:
+def test_both_methods_reproduce_the_values(
+    benchmark: ModuleType, name: str
+) -> None:
     case = benchmark.cases.read_cases()[name]
     values = benchmark.score.read(FOLDER / "values.csv")
     ways = [
@@ -144,15 +146,15 @@ def test_both_ways_find_the_values(benchmark: ModuleType, name: str) -> None:
             assert value == pytest.approx(exact[quantity], rel=1e-7)
             assert error == 0
         for way in filter(None, ways):
-            found, uncertain = way[quantity]
+            estimate, uncertain = way[quantity]
             together = (error**2 + uncertain**2) ** 0.5
             # The bound is wide since errors are those of 16 repetitions.
-            assert abs(found - value) <= 5 * together + 1e-6 * abs(value)
+            assert abs(estimate - value) <= 5 * together + 1e-6 * abs(value)
             scale = 50 if case["class"] == "assimilation" else 1
             assert together < 0.02 * scale
 
 
-def test_values_are_what_both_ways_found(benchmark: ModuleType) -> None:
+def test_stored_values_have_small_errors(benchmark: ModuleType) -> None:
     """Each value that theory lacks is between those of both ways or near."""
     values = benchmark.score.read(FOLDER / "values.csv")
     for (name, quantity), (value, error) in values.items():

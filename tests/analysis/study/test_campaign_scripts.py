@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Scripts of analysis/study do what their descriptions say."""
+"""Scripts of analysis/study run and print plausible tables."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from real_program import CAMPAIGNS, executable
-from short_study import STUDY, tables_of
+from short_study import STUDY, make_tables
 from short_study import run as run_study
 
 MAIZE = CAMPAIGNS / "crops" / "maize.toml"
@@ -52,35 +52,35 @@ def test_erect_leaves_pay_only_where_plants_stand_close() -> None:
 def test_the_hybrid_of_today_is_more_erect_and_lets_more_light_through() -> (
     None
 ):
-    told = run("modern_plant.py", "--rough")
+    tables = run("modern_plant.py", "--rough")
     cell = r" (\S+) ± \S+ \|"
 
     def rows(start: str, count: int) -> list[list[float]]:
-        found = re.findall(rf"(?m)^\| {start}.*?\|{count * cell}$", told)
+        found = re.findall(rf"(?m)^\| {start}.*?\|{count * cell}$", tables)
         return [[float(x) for x in row] for row in found]
 
     former, now = rows("hybrid", 4)[:2]
-    assert now[0] > former[0] + 2 and now[3] > former[3] + 5, told
+    assert now[0] > former[0] + 2 and now[3] > former[3] + 5, tables
     (iowa,) = rows("11 plants of Iowa", 4)
     assert iowa[0] == pytest.approx(53.9, abs=0.05)
     by_day = [row[0] for row in rows("hybrid.*plants", 3)]
-    assert len(by_day) == 9, told
-    assert sum(by_day[3:6]) < sum(by_day[:3]), told
+    assert len(by_day) == 9, tables
+    assert sum(by_day[3:6]) < sum(by_day[:3]), tables
 
 
 def test_neighbours_share_land_and_are_invaded(tmp_path: Path) -> None:
-    told = tables_of(tmp_path, ["strips", "invaders"])
+    tables = make_tables(tmp_path, ["strips", "invaders"])
     assert (tmp_path / "study" / "strip_rows.png").stat().st_size > 10_000
     cell = r" (\S+) ± (\S+) \|"
-    ratios = re.findall(rf"(?m)^\| [a-z ]+ \|{3 * cell}", told)
-    assert len(ratios) == 3, told
+    ratios = re.findall(rf"(?m)^\| [a-z ]+ \|{3 * cell}", tables)
+    assert len(ratios) == 3, tables
     for whole, error, maize, _, soybean, _ in ratios:
         parts = float(maize) + float(soybean)
         assert float(whole) == pytest.approx(parts, abs=0.002)
         assert 0.7 < float(whole) < 1.4 and float(error) < 0.2
     cell = r" (\S+) ± \S+ % \(95 %; by seed \S+\) \|"
-    invaders = re.findall(rf"(?m)^\| [a-z\' ]+ \|{2 * cell}$", told)
-    assert len(invaders) == 2, told
+    invaders = re.findall(rf"(?m)^\| [a-z\' ]+ \|{2 * cell}$", tables)
+    assert len(invaders) == 2, tables
     # No neighbour shades a larger plant, whose stand has the value of the
     # plant.
     for alone, stand in invaders:
@@ -88,14 +88,14 @@ def test_neighbours_share_land_and_are_invaded(tmp_path: Path) -> None:
 
 
 def test_light_of_strips_agrees_with_reports_by_sign(tmp_path: Path) -> None:
-    told = run("strip_light.py", "--rough")
+    table = run("strip_light.py", "--rough")
     rows = re.findall(
-        r"(?m)^\|.*\| ([+-]\d+)[^|]*\| ([+-]\d+) ± (\d+) \|", told
+        r"(?m)^\|.*\| ([+-]\d+)[^|]*\| ([+-]\d+) ± (\d+) \|", table
     )
-    assert len(rows) == 6, told
+    assert len(rows) == 6, table
     for reported, found, error in rows[:3] + rows[4:]:
-        assert int(reported) * int(found) > 0, told
-        assert abs(int(found)) > int(error), told
+        assert int(reported) * int(found) > 0, table
+        assert abs(int(found)) > int(error), table
     form = (
         CAMPAIGNS.parent
         / "analysis"
@@ -121,37 +121,41 @@ def test_crops_below_panels_lose_light_and_leave_some_land(
     assert known and 0.1 < float(known[1]) < 1
     costs = run("panels.py", *words, "cost")
     assert len(re.findall(r"(?m)^\| (uniform|clear) \|", costs)) == 2
-    told = tables_of(
+    tables = make_tables(
         tmp_path, ["panels_measured", "panels_trial", "panels_bred"]
     )
     assert (tmp_path / "study" / "panels.png").stat().st_size > 10_000
     # Measured at Foulum, with the sun above 27 deg.
-    front = re.search(r"(?m)^\| 15:45 \| 43 \| 906: (\S+) \|", told)
-    assert front and abs(float(front[1])) < 5, told
-    shade = re.findall(r"(?m)^(?:\| [\d.]+ m ){3}\| ([\d.]+) \| (\S+) ±", told)
-    assert len(shade) == 2, told
-    for part, net in shade:
-        assert 10 < float(part) < 30 and float(net) < 0, told
-    assert len(
-        re.findall(r"(?m)^\| (baseline|below modules|the open) \|", told)
+    front = re.search(r"(?m)^\| 15:45 \| 43 \| 906: (\S+) \|", tables)
+    assert front and abs(float(front[1])) < 5, tables
+    shade = re.findall(
+        r"(?m)^(?:\| [\d.]+ m ){3}\| ([\d.]+) \| (\S+) ±", tables
     )
-    most = re.search(r"best pitch .* is (\S+) m of (\S+) to (\S+) m", told)
-    assert most and most[1] == most[2], told
+    assert len(shade) == 2, tables
+    for part, net in shade:
+        assert 10 < float(part) < 30 and float(net) < 0, tables
+    assert len(
+        re.findall(r"(?m)^\| (baseline|below modules|the open) \|", tables)
+    )
+    most = re.search(r"best pitch .* is (\S+) m of (\S+) to (\S+) m", tables)
+    assert most and most[1] == most[2], tables
     row = r"(?m)^\| [\d.]+ \| [\d.]+ \| [^|]+\| [\d.]+ \| (\S+) \| (\S+) \| (\S+) ±"
-    ratios = re.findall(row, told)
-    assert ratios, told
+    ratios = re.findall(row, tables)
+    assert ratios, tables
     for crop, power, both in ratios:
         assert float(both) == pytest.approx(
             float(crop) + float(power), abs=0.011
         )
 
 
-def test_growth_changes_carbon_as_it_should(tmp_path: Path) -> None:
-    told = run("growing.py", "--rough", "--figure", tmp_path)
+def test_growth_changes_carbon_in_the_expected_direction(
+    tmp_path: Path,
+) -> None:
+    table = run("growing.py", "--rough", "--figure", tmp_path)
 
     def number(name: str) -> float:
-        found = re.search(rf"(?m)^{re.escape(name)}\s+(\S+)", told)
-        assert found is not None, told
+        found = re.search(rf"(?m)^{re.escape(name)}\s+(\S+)", table)
+        assert found is not None, table
         return float(found[1])
 
     assert 40 < number("full canopy: more carbon [%]") < 70
@@ -162,21 +166,21 @@ def test_growth_changes_carbon_as_it_should(tmp_path: Path) -> None:
     }  # fmt: skip
 
 
-def test_plants_bred_with_growth_are_told_beside_others(
+def test_plants_optimised_with_growth_are_tabulated(
     tmp_path: Path,
 ) -> None:
-    told = tables_of(tmp_path, ["growth_best", "growth_tops", "seasons"])
+    tables = make_tables(tmp_path, ["growth_best", "growth_tops", "seasons"])
     gain = r"-?\d\S* ± \d\S* % \(95 %; by seed [+-]\S+\)"
     (tops,) = re.findall(
-        rf"(?m)^\| 8 \| (\S+) \| {gain} \| (\S+) \| {gain} \|$", told
+        rf"(?m)^\| 8 \| (\S+) \| {gain} \| (\S+) \| {gain} \|$", tables
     )
-    assert all(2 < float(x) < 5 for x in tops), told
+    assert all(2 < float(x) < 5 for x in tops), tables
     row = r"(?m)^\| (?:growth|full canopy) \| \S+ ± \S+ \| \S+ ± \S+ "
-    assert len(re.findall(rf"{row}\| {gain} \|$", told)) == 2, told
+    assert len(re.findall(rf"{row}\| {gain} \|$", tables)) == 2, tables
 
     def season(figure: str) -> float:
-        found = re.search(rf"(?m)^\| {re.escape(figure)}.*?\| (\S+) ±", told)
-        assert found is not None, told
+        found = re.search(rf"(?m)^\| {re.escape(figure)}.*?\| (\S+) ±", tables)
+        assert found is not None, tables
         return float(found[1])
 
     # Gainesville 1982 had 8.3 and 22.0: more than is left by all respiration.
@@ -193,35 +197,35 @@ def test_plants_bred_with_growth_are_told_beside_others(
 
 
 def test_maize_transpires_as_in_the_field() -> None:
-    told = run("water.py", "--rough")
+    table = run("water.py", "--rough")
     change = re.search(
-        r"(?m)^\| all \| (\S+) \| (\S+) \| (\S+) \| \S+ \|$", told
+        r"(?m)^\| all \| (\S+) \| (\S+) \| (\S+) \| \S+ \|$", table
     )
-    assert change is not None, told
+    assert change is not None, table
     less, shut, warmer = map(float, change.groups())
     # The field has -34 % and 0.5 to 0.6 K; its 7 to 11 % less water hold what
     # the soil evaporates.
-    assert -20 < less < -7 and -45 < shut < -25 and 0.2 < warmer < 1, told
-    season = re.search(r"(?m)^\| 2011 \| (\S+) \|", told)
-    assert season is not None and 200 < float(season[1]) < 578, told
-    assert "at an equal error" in told
-    assert "| four times the stages |" in told
+    assert -20 < less < -7 and -45 < shut < -25 and 0.2 < warmer < 1, table
+    season = re.search(r"(?m)^\| 2011 \| (\S+) \|", table)
+    assert season is not None and 200 < float(season[1]) < 578, table
+    assert "at an equal error" in table
+    assert "| four times the stages |" in table
 
 
-def test_plants_are_bred_within_a_limit_of_water(tmp_path: Path) -> None:
-    told = tables_of(tmp_path, ["water"])
-    rows = re.findall(r"(?m)^\| strip \| (\S+) \| ([^|]*) \|", told)
-    assert rows[0][0] == "none", told
-    assert 5 < float(rows[1][0]) < 60, told
+def test_plants_are_optimised_within_a_limit_of_water(tmp_path: Path) -> None:
+    table = make_tables(tmp_path, ["water"])
+    rows = re.findall(r"(?m)^\| strip \| (\S+) \| ([^|]*) \|", table)
+    assert rows[0][0] == "none", table
+    assert 5 < float(rows[1][0]) < 60, table
 
 
-def test_carbon_of_a_dry_month_has_a_price_in_water(tmp_path: Path) -> None:
-    told = tables_of(tmp_path, ["front_water"])
+def test_carbon_gained_in_a_dry_month_costs_water(tmp_path: Path) -> None:
+    table = make_tables(tmp_path, ["front_water"])
     figure = tmp_path / "study" / "front_water.png"
     assert figure.stat().st_size > 10_000
     cell = r" (\S+) ± \S+ \|[^|]*\|"
-    rows = re.findall(rf"(?m)^\| \w+ \|{2 * cell} (\S+) ±", told)
-    assert len(rows) > 1, told
+    rows = re.findall(rf"(?m)^\| \w+ \|{2 * cell} (\S+) ±", table)
+    assert len(rows) > 1, table
     for water, carbon, per_water in np.array(rows, float):
         assert 1 < water < 9
         # A mean of ratios, in few fields.
@@ -251,13 +255,15 @@ def test_searches_are_compared_by_their_gains(tmp_path: Path) -> None:
         for checkpoint in ("100", "250")
     ]
     gains = [float(row[2]) for row in rows]
-    # CMA-ES goes on from what it has found.
+    # CMA-ES continues from its former result.
     assert gains[3] > gains[2]
     assert min(gains) > 5
     assert figure.stat().st_size > 10000
 
 
-def test_gains_over_a_loss_are_told_in_the_unit(tmp_path: Path) -> None:
+def test_gains_over_a_loss_are_in_the_unit_of_the_objective(
+    tmp_path: Path,
+) -> None:
     """In this dense stand the baseline's season ends with a loss."""
     words = ["--objective", "carbon_balance", "--condition", "15x3"]
     table = run(
@@ -296,7 +302,7 @@ def test_gains_are_split_into_leaves_and_light_of_other_organs(
         gain, dead, alone, carbon, light = map(float, row[2::2])
         assert carbon == pytest.approx(gain - dead, abs=0.16)
         assert light == pytest.approx(dead - alone, abs=0.16)
-    # The plants bred for light gain by light of other organs.
+    # Plants optimised for light gain light of other organs.
     assert float(rows[0][10]) > float(rows[0][11])
 
 
@@ -305,12 +311,12 @@ def test_strong_light_and_age_change_the_efficiency_of_a_season() -> None:
     rates = re.findall(r"(?m)^\| (?:default|rate).*\| (\S+) \|$", leaf)
     # Anchored at the rate that was measured in full light.
     assert rates == ["40.1", "48.7"]
-    found = run("strong_light.py", "--rough", "--only", "efficiency")
+    table = run("strong_light.py", "--rough", "--only", "efficiency")
     rows = re.findall(
         r"(?m)^\| season.*\| (\S+ \S+ \S+) \| ((?:no )?ageing) \| (\S+) ",
-        found,
+        table,
     )
-    assert len(rows) >= 4, found
+    assert len(rows) >= 4, table
     young, old = (
         np.array([float(x) for _, leaves, x in rows if leaves == name])
         for name in ("no ageing", "ageing")
@@ -318,33 +324,35 @@ def test_strong_light_and_age_change_the_efficiency_of_a_season() -> None:
     assert (old < young).all() and (old > 0.8 * young).all()
 
 
-def test_the_best_known_is_as_near_as_triples_of_searches_say(
+def test_the_distance_to_the_best_known_agrees_with_triples(
     tmp_path: Path,
 ) -> None:
     counts = ["--evaluations", 80, "--long-evaluations", 400]
-    told = run("distance.py", tmp_path, "--rough", "--triples", 2, *counts)
-    near = re.search(r"(?m)^(\d) of 2 triples miss .*, (\S+) %, by", told)
-    rows = re.findall(r"(?m)^\| (\S+) \| (\S+) \| (\S+) \|$", told)
-    assert near is not None and len(rows) == 2, told
-    found = np.array(rows, float)
-    assert (found[:, 2] <= found[:, 1]).sum() == int(near[1])
-    assert found[:, 0] + found[:, 2] == pytest.approx(float(near[2]), abs=0.06)
-    assert (found[:, 1] > 0).all() and (found[:, 2] >= 0).all()
+    table = run("distance.py", tmp_path, "--rough", "--triples", 2, *counts)
+    near = re.search(r"(?m)^(\d) of 2 triples miss .*, (\S+) %, by", table)
+    rows = re.findall(r"(?m)^\| (\S+) \| (\S+) \| (\S+) \|$", table)
+    assert near is not None and len(rows) == 2, table
+    numbers = np.array(rows, float)
+    assert (numbers[:, 2] <= numbers[:, 1]).sum() == int(near[1])
+    assert numbers[:, 0] + numbers[:, 2] == pytest.approx(
+        float(near[2]), abs=0.06
+    )
+    assert (numbers[:, 1] > 0).all() and (numbers[:, 2] >= 0).all()
 
 
-def test_the_blades_of_the_script_take_the_light_of_the_program(
+def test_blades_of_the_script_absorb_the_light_of_the_program(
     tmp_path: Path,
 ) -> None:
     words = [tmp_path, "--seeds", 1, "--fields", 2, "--paths", 8192]
     table = run("leaf_shapes.py", *words, "--only", "mesh")
     row = re.search(r"(?m)^\| as in crop files \|  \| (\S+) \| (\S+) ", table)
-    own = re.search(r"(?m)^\| the program's mesh \|  \| (\S+) ±", table)
-    assert row is not None and own is not None, table
+    program = re.search(r"(?m)^\| the program's mesh \|  \| (\S+) ±", table)
+    assert row is not None and program is not None, table
     assert 70 < float(row[1]) < float(row[2]) < 100
-    assert abs(float(own[1])) < 1
+    assert abs(float(program[1])) < 1
 
 
-def test_the_error_of_a_gain_is_that_of_the_ratio(
+def test_the_error_of_a_gain_agrees_with_simulated_ratios(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """The carbon balance at 15 x 3 inches is such a case: the baseline has
@@ -355,13 +363,13 @@ def test_the_error_of_a_gain_is_that_of_the_ratio(
     common = draw.normal(0.0, 0.004, (runs, 1, count))
     values = common + draw.normal(0.0, 0.002, (runs, 2, count))
     values += np.array([0.171, 0.728])[:, None]
-    found = np.array([shared.gain(*both) for both in values.tolist()])
-    assert found[:, 0].mean() == pytest.approx(100 * (0.728 / 0.171 - 1), 0.01)
-    error = np.sqrt((found[:, 1] ** 2).mean())
-    assert error == pytest.approx(found[:, 0].std(), rel=0.05)
+    gains = np.array([shared.gain(*both) for both in values.tolist()])
+    assert gains[:, 0].mean() == pytest.approx(100 * (0.728 / 0.171 - 1), 0.01)
+    error = np.sqrt((gains[:, 1] ** 2).mean())
+    assert error == pytest.approx(gains[:, 0].std(), rel=0.05)
 
 
-def test_a_study_that_is_told_to_end_leaves_no_program_running(
+def test_a_terminated_study_leaves_no_program_running(
     tmp_path: Path,
 ) -> None:
     results = tmp_path / "results"
@@ -388,7 +396,7 @@ def test_a_study_that_is_told_to_end_leaves_no_program_running(
     assert left.returncode == 1, "a program is still running"
 
 
-def test_parts_of_the_light_are_told_by_organ(
+def test_shares_of_the_light_are_tabulated_by_organ(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     monkeypatch.syspath_prepend(CAMPAIGNS.parent / "analysis" / "study")

@@ -21,7 +21,7 @@ def draw(*arguments: object) -> subprocess.CompletedProcess[str]:
     )
 
 
-def test_baselines_and_bred_plants_are_drawn(
+def test_baselines_and_optimised_plants_are_drawn(
     sorghum: list[Path], tmp_path: Path
 ) -> None:
     to, crops = tmp_path / "plants.png", CAMPAIGNS / "crops"
@@ -39,7 +39,7 @@ def test_baselines_and_bred_plants_are_drawn(
     assert wood[: len(wood) // 2].sum() > 100
 
 
-def test_what_is_no_plant_is_told(tmp_path: Path) -> None:
+def test_the_error_names_a_file_that_is_no_plant(tmp_path: Path) -> None:
     path = tmp_path / "none.toml"
     path.write_text('name = "none"')
     done = draw("--to", tmp_path / "none.png", path)

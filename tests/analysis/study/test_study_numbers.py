@@ -11,7 +11,7 @@ from types import ModuleType
 import numpy as np
 import pytest
 from real_program import CAMPAIGNS
-from short_study import tables_of
+from short_study import make_tables
 
 STUDY = CAMPAIGNS.parent / "analysis" / "study"
 PAGES = sorted((CAMPAIGNS.parent / "docs" / "results").glob("*.md"))
@@ -58,7 +58,7 @@ def test_gains_over_a_loss_are_differences(
     assert over_gain.told().startswith("+20.0 ±")
 
 
-def test_only_the_last_digit_of_an_interval_may_differ(
+def test_intervals_may_differ_in_the_last_digit_only(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     agree = module("study", monkeypatch).agree
@@ -135,7 +135,7 @@ def test_texts_quote_numbers_of_their_tables() -> None:
         ), f"{name}: no table has {mean} ± {half}"
 
 
-def test_each_bred_trait_is_changed_alone_in_both_directions(
+def test_each_varied_trait_is_changed_alone_in_both_directions(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     interventions = module("interventions", monkeypatch)
@@ -159,7 +159,7 @@ def test_each_bred_trait_is_changed_alone_in_both_directions(
         found = plants[f"height x {name}"][is_height]
         assert found == pytest.approx([height])
 
-    table = tables_of(tmp_path, ["interventions"])
+    table = make_tables(tmp_path, ["interventions"])
     cell = r" ([+-]\d+\.\d\d) ± \d+\.\d\d(?: mol)? \|"
     rows = re.findall(
         rf"(?m)^\| (.* (?:x \S+|deg\S*)[^|]*) \|{8 * cell}", table
@@ -189,7 +189,7 @@ def test_leaves_alone_have_no_other_organs(
         assert (found.others[0] > 5) == (variant.name != "leaves_alone")
 
 
-def test_the_sign_of_height_is_that_of_its_interventions() -> None:
+def test_the_sign_of_the_height_effect_agrees_with_interventions() -> None:
     """Results of searches cannot show which direction of a trait gains; the
     text must agree with the table that changes the trait alone."""
     table = RESULTS.partition("<!-- study: interventions -->")[2]

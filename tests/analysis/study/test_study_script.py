@@ -8,7 +8,7 @@ import re
 from pathlib import Path
 
 from real_program import CAMPAIGNS
-from short_study import PARTS, run, tables_of
+from short_study import PARTS, make_tables, run
 
 ELSEWHERE = {
     *("strips", "invaders", "panels_measured", "panels_trial", "panels_bred"),
@@ -17,9 +17,11 @@ ELSEWHERE = {
 """The parts that test_campaign_scripts.py makes."""
 
 
-def test_a_number_that_histories_do_not_say_is_found(tmp_path: Path) -> None:
+def test_numbers_without_support_in_histories_are_found(
+    tmp_path: Path,
+) -> None:
     assert set(PARTS) > ELSEWHERE
-    text = tables_of(tmp_path, [x for x in PARTS if x not in ELSEWHERE])
+    text = make_tables(tmp_path, [x for x in PARTS if x not in ELSEWHERE])
     results = tmp_path / "results" / "erect_tops.md"
     page = results.read_text()
     row = re.search(r"\| clear \| area \| 42 \| ([+-][\d.]+) ±", text)
@@ -40,7 +42,7 @@ def test_a_number_that_histories_do_not_say_is_found(tmp_path: Path) -> None:
     assert changed in results.read_text()
 
 
-def test_the_small_study_of_results_is_what_histories_say(
+def test_the_small_study_agrees_with_its_histories(
     tmp_path: Path,
 ) -> None:
     quoted = CAMPAIGNS.parent / "docs" / "results"
@@ -48,7 +50,7 @@ def test_the_small_study_of_results_is_what_histories_say(
     assert done.returncode == 0, done.stderr
 
 
-def test_a_missing_place_is_reported(tmp_path: Path) -> None:
+def test_a_missing_mark_in_results_is_reported(tmp_path: Path) -> None:
     results = tmp_path / "results"
     results.mkdir()
     (results / "index.md").write_text("# Results\n")

@@ -12,7 +12,7 @@ from pathlib import Path
 from real_program import CAMPAIGNS, executable, run_crop
 
 
-def test_traits_of_leaves_alone_are_undone(tmp_path: Path) -> None:
+def test_only_leaf_traits_are_reset(tmp_path: Path) -> None:
     """Sheaths and other organs have lengths and azimuths too."""
     history = run_crop(tmp_path, "maize", ["length", "azimuth"])
     script, under = (

@@ -13,10 +13,10 @@ from installed import BIN, report, summary
 from made_history import MadeHistory
 from real_program import executable
 
-from ideotype.__main__ import VERBS
+from ideotype.__main__ import COMMANDS
 
 
-def test_gains_are_a_table_with_a_line_for_each_case(sweep: Path) -> None:
+def test_summary_prints_one_line_for_each_case(sweep: Path) -> None:
     done = summary(sweep)
     assert (done.returncode, done.stderr) == (0, "")
     parts = done.stdout.split("\n\n")
@@ -67,7 +67,7 @@ def test_a_report_without_results_is_refused(
 
 
 @pytest.mark.parametrize("word", ["--help", "FILE"])
-def test_a_full_disk_is_told(finished: Path, word: str) -> None:
+def test_a_full_disk_is_reported(finished: Path, word: str) -> None:
     with open("/dev/full", "w") as full:
         done = subprocess.run(
             [
@@ -85,7 +85,9 @@ def test_a_full_disk_is_told(finished: Path, word: str) -> None:
     assert len(done.stderr.splitlines()) == 1
 
 
-def test_texts_of_a_history_control_no_terminal(tmp_path: Path) -> None:
+def test_texts_of_a_history_cannot_control_the_terminal(
+    tmp_path: Path,
+) -> None:
     path = tmp_path / "foreign\x1b[1A.h5"
     attributes = {"case": "a\x1b[2Jb\nstate  finished", "site": "\x9b1A"}
     made = MadeHistory(path, attributes=attributes)
@@ -98,7 +100,7 @@ def test_texts_of_a_history_control_no_terminal(tmp_path: Path) -> None:
     assert "foreign\\x1b[1A.h5: this is not an HDF5 file" in done.stderr
 
 
-def test_a_closed_pipe_is_quiet(finished: Path) -> None:
+def test_a_closed_pipe_gives_no_message(finished: Path) -> None:
     reader, writer = os.pipe()
     os.close(reader)
     with os.fdopen(writer, "w") as closed:
@@ -112,13 +114,15 @@ def test_a_closed_pipe_is_quiet(finished: Path) -> None:
     assert (done.returncode, done.stderr) == (1, "")
 
 
-def test_both_commands_hand_over(finished: Path, tmp_path: Path) -> None:
+def test_program_and_package_hand_commands_to_each_other(
+    finished: Path, tmp_path: Path
+) -> None:
     program = executable()
     helped = subprocess.run(
         [program, "--help"], capture_output=True, text=True, check=True
-    ).stdout.split("Of the Python package:\n")[1]
-    told = [line.split()[0] for line in helped.splitlines() if line.strip()]
-    assert told == list(VERBS)
+    ).stdout.split("Commands of the Python package:\n")[1]
+    listed = [line.split()[0] for line in helped.splitlines() if line.strip()]
+    assert listed == list(COMMANDS)
 
     def run(
         command: object,
@@ -157,8 +161,8 @@ def test_both_commands_hand_over(finished: Path, tmp_path: Path) -> None:
     itself = {"IDEOTYPE_EXECUTABLE": str(BIN / "ideotype")}
     missing = run(BIN / "ideotype", "status", **itself)
     assert missing[0] == 2 and "need the compiled program" in str(missing[2])
-    code, told, _ = run(BIN / "ideotype", "--help", **itself)
-    assert code == 0 and told == missing[2]
+    code, listed, _ = run(BIN / "ideotype", "--help", **itself)
+    assert code == 0 and listed == missing[2]
     back = tmp_path / "ideotype"
     back.write_text(f'#!/bin/sh\nexec {tmp_path}/again "$@"\n')
     back.chmod(0o755)

@@ -40,7 +40,7 @@ def run(*words: object) -> int:
     return compare.main([str(word) for word in words])
 
 
-def table_of(folder: Path, *words: object) -> pandas.DataFrame:
+def compare_to_table(folder: Path, *words: object) -> pandas.DataFrame:
     """Returns the CSV of a comparison."""
     path = folder / f"{len([*folder.glob('*.csv')])}.csv"
     assert run(*words, "--csv", path) == 0
@@ -50,17 +50,17 @@ def table_of(folder: Path, *words: object) -> pandas.DataFrame:
 def entry(
     table: pandas.DataFrame, plant: str, quantity: str, leaf: int = 0
 ) -> pandas.Series:
-    found = table[(table.plant == plant) & (table.quantity == quantity)]
+    rows = table[(table.plant == plant) & (table.quantity == quantity)]
     if leaf:
-        found = found[found.leaf == leaf]
-    assert len(found) == 1
-    return found.iloc[0]
+        rows = rows[rows.leaf == leaf]
+    assert len(rows) == 1
+    return rows.iloc[0]
 
 
-def test_differences_are_those_of_pairs(
+def test_differences_have_paired_standard_errors(
     under: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    table = table_of(tmp_path, MAIZE, ELITE, "--under", under)
+    table = compare_to_table(tmp_path, MAIZE, ELITE, "--under", under)
     text = capsys.readouterr().out
     # The text fits on one screen.
     assert len(text.splitlines()) < 24
@@ -80,39 +80,43 @@ def test_differences_are_those_of_pairs(
     assert "exists already and is not overwritten" in capsys.readouterr().err
 
 
-def test_the_result_is_a_function_of_plant_campaign_and_seed(
+def test_a_comparison_depends_only_on_plants_campaign_and_seed(
     under: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     def printed(*words: object) -> str:
         assert run(MAIZE, ELITE, "--under", under, "--json", *words) == 0
         return capsys.readouterr().out
 
-    own = printed()
-    assert printed("--threads", 1) == printed("--threads", 3) == own
+    output = printed()
+    assert printed("--threads", 1) == printed("--threads", 3) == output
     nine = printed("--seed", 9)
-    assert nine == printed("--set", "seed=9") != own
-    told = json.loads(
+    assert nine == printed("--set", "seed=9") != output
+    report = json.loads(
         output_of("evaluate", under, "--set", "seed=9", "--json")
     )
-    mean = told["quantities"]["absorbed_par"]["mean"]
+    mean = report["quantities"]["absorbed_par"]["mean"]
     assert json.loads(nine)["mean"][0][0] == mean
 
 
-def test_more_accuracy_takes_more_paths(under: Path, tmp_path: Path) -> None:
-    usual = table_of(tmp_path, MAIZE, "--under", under)
-    exact = table_of(tmp_path, MAIZE, "--under", under, "--tolerance", 0.003)
+def test_a_smaller_tolerance_takes_more_paths(
+    under: Path, tmp_path: Path
+) -> None:
+    usual = compare_to_table(tmp_path, MAIZE, "--under", under)
+    exact = compare_to_table(
+        tmp_path, MAIZE, "--under", under, "--tolerance", 0.003
+    )
     light = entry(exact, "b73", "absorbed_par")
     assert light.standard_error < 0.0045 * light["mean"]
     paths = (entry(x, "b73", "paths")["mean"] for x in (exact, usual))
     assert np.divide(*paths) > 2
 
 
-def test_leaves_of_other_counts_are_matched_from_the_top(
+def test_leaves_are_matched_from_the_top_for_other_leaf_counts(
     under: Path, tmp_path: Path
 ) -> None:
     field = tmp_path / "field.csv"
     field.write_text(MEASURED)
-    table = table_of(tmp_path, MAIZE, MAIZE, field, "--under", under)
+    table = compare_to_table(tmp_path, MAIZE, MAIZE, field, "--under", under)
     assert {*table.plant} == {"b73", "b73 (2)", "field"}
     again = table[table.plant == "b73 (2)"]
     assert (again.difference == 0).all()
@@ -127,14 +131,14 @@ def test_leaves_of_other_counts_are_matched_from_the_top(
         assert leaf.difference == pytest.approx(leaf.mean - match.mean)
 
 
-def test_plants_of_a_history_or_a_file_are_the_same(
-    own: Path, tmp_path: Path
+def test_plants_of_a_history_and_of_exported_files_are_equal(
+    tiny_run: Path, tmp_path: Path
 ) -> None:
-    campaign = own.parents[1] / "tiny.toml"
+    campaign = tiny_run.parents[1] / "tiny.toml"
     files = [tmp_path / f"best.{end}" for end in ("toml", "csv")]
     for file in files:
-        output_of("export", own, "--best", "--to", file)
-    table = table_of(tmp_path, own, *files, "--under", campaign)
+        output_of("export", tiny_run, "--best", "--to", file)
+    table = compare_to_table(tmp_path, tiny_run, *files, "--under", campaign)
     assert table.plant.nunique() == 3
     # Crop files have all digits, tables of measures those of measurements.
     rounded = table.plant == table.plant.unique()[2]
@@ -148,12 +152,14 @@ def test_plants_of_a_history_or_a_file_are_the_same(
     )
 
 
-def test_weights_of_components_count(under: Path, tmp_path: Path) -> None:
+def test_weights_of_components_enter_the_objective(
+    under: Path, tmp_path: Path
+) -> None:
     shutil.copytree(CAMPAIGNS / "crops", tmp_path / "crops")
     beside = 'component=[{name="other",crop="crops/maize.toml",rows=[2]}]'
     light = []
     for weights in ([1, 0], [0, 1], [1, 1]):
-        table = table_of(
+        table = compare_to_table(
             tmp_path, MAIZE, ELITE, "--under", under, "--set", beside,
             "--set", f"objective.weights={weights}",
         )  # fmt: skip
@@ -164,7 +170,7 @@ def test_weights_of_components_count(under: Path, tmp_path: Path) -> None:
 
 
 @pytest.mark.long
-def test_plants_that_grow_are_compared_over_their_stages(
+def test_growing_plants_are_compared_over_their_stages(
     tmp_path: Path,
 ) -> None:
     campaigns = shutil.copytree(CAMPAIGNS, tmp_path / "campaigns")
@@ -181,7 +187,7 @@ def test_plants_that_grow_are_compared_over_their_stages(
     ]
     output_of("run", campaign, "--out", tmp_path, *settings)
     (history,) = (tmp_path / "growing_season").glob("*.h5")
-    table = table_of(
+    table = compare_to_table(
         tmp_path, campaign, history, "--under", campaign, *settings
     )
     assert table.case.nunique() == 2
@@ -192,7 +198,7 @@ def test_plants_that_grow_are_compared_over_their_stages(
             assert np.isfinite(b.difference_standard_error)
 
 
-def test_several_cases_are_lines_of_one_screen(
+def test_several_cases_fit_on_one_screen(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     campaign = write_campaign(tmp_path, 2)
@@ -254,18 +260,18 @@ def test_plants_of_a_table_are_ranked_with_a_line_each(
     text = capsys.readouterr().out
     assert ranked(text) == names
     assert "compared with DH003" in text and "soil fraction" in text
-    cases = [name for name, *_ in compare.cases_of(campaign, [])]
+    cases = [name for name, *_ in compare.make_stands(campaign, [])]
     assert run(*words, "--sort", cases[1]) == 0
     assert f"largest in {cases[1]} first" in capsys.readouterr().out
     assert run(*words, "--reference", "DH003", "--json") == 0
-    told = json.loads(capsys.readouterr().out)
-    validator("compare").validate(told)
-    assert told["reference"] == "DH003"
-    assert told["difference"]["mean"][3] == [0, 0]
-    assert [row[0] for row in told["rank"]] == [8, 7, 6, 5, 4, 3, 2, 1]
+    report = json.loads(capsys.readouterr().out)
+    validator("compare").validate(report)
+    assert report["reference"] == "DH003"
+    assert report["difference"]["mean"][3] == [0, 0]
+    assert [row[0] for row in report["rank"]] == [8, 7, 6, 5, 4, 3, 2, 1]
 
 
-def test_the_recommended_tolerance_is_that_of_a_reliable_ranking(
+def test_the_recommended_tolerance_gives_a_reliable_ranking(
     under: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     table = lines_of_maize(tmp_path, 6, step=0.02)
@@ -284,20 +290,20 @@ def test_the_recommended_tolerance_is_that_of_a_reliable_ranking(
 
 
 @pytest.mark.parametrize(
-    ("words", "told"),
+    ("words", "message"),
     [
         (("--sort", "absorbed_parr"), "did you mean 'absorbed_par'?"),
         (("--reference", "b37"), "there is no plant b37 to compare with"),
     ],
 )
-def test_wrong_names_are_told(
+def test_the_error_names_an_unknown_plant_or_case(
     words: Sequence[str],
-    told: str,
+    message: str,
     under: Path,
     capsys: pytest.CaptureFixture[str],
 ) -> None:
     assert run(MAIZE, ELITE, *words, "--under", under) == 1
-    assert told in capsys.readouterr().err
+    assert message in capsys.readouterr().err
 
 
 def test_equal_names_get_the_part_in_which_their_paths_differ(
@@ -307,7 +313,7 @@ def test_equal_names_get_the_part_in_which_their_paths_differ(
         (tmp_path / name).mkdir()
         shutil.copy(MAIZE, tmp_path / name)
     files = [tmp_path / name / MAIZE.name for name in ("results", "long")]
-    table = table_of(tmp_path, *files, "--under", under)
+    table = compare_to_table(tmp_path, *files, "--under", under)
     assert [*table.plant.unique()] == ["b73 (results)", "b73 (long)"]
 
 
@@ -333,7 +339,7 @@ def test_wrong_use_is_refused(
         assert f"{words[1]} (expected: " in told
 
 
-def test_a_wrong_table_is_told(
+def test_the_error_names_the_line_of_a_wrong_table(
     under: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     field = tmp_path / "field.csv"
@@ -346,12 +352,12 @@ def test_a_wrong_table_is_told(
 
 
 def test_a_damaged_history_is_refused(
-    own: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    tiny_run: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    campaign = own.parents[1] / "tiny.toml"
+    campaign = tiny_run.parents[1] / "tiny.toml"
     copy = tmp_path / "damaged.h5"
-    data = bytearray(own.read_bytes())
-    with ideotype.open_history(own) as history:
+    data = bytearray(tiny_run.read_bytes())
+    with ideotype.open_history(tiny_run) as history:
         genome = history.finalists().genome[1].tobytes()
     at = data.index(genome)
     data[at + 3] ^= 0x55
@@ -364,28 +370,28 @@ def test_python_compares_genomes_and_files(under: Path) -> None:
     stand = ideotype.Stand.from_campaign(under)
     longer = stand.baseline
     longer[0] *= 1.2
-    found = stand.compare(stand.baseline, longer, ELITE)
-    assert found.plants == ("baseline", "plant 2", "elite")
+    comparison = stand.compare(stand.baseline, longer, ELITE)
+    assert comparison.plants == ("baseline", "plant 2", "elite")
     both = stand.evaluate([stand.baseline, longer], final=True)
     draws = both.objective_by_randomisation.values[:, 0]
     by = draws[1] - draws[0]
-    told = found.table[
-        (found.table.plant == "plant 2")
-        & (found.table.quantity == "absorbed_par")
+    row = comparison.table[
+        (comparison.table.plant == "plant 2")
+        & (comparison.table.quantity == "absorbed_par")
     ].iloc[0]
-    assert told.difference == pytest.approx(by.mean())
-    assert told.difference_standard_error == pytest.approx(
+    assert row.difference == pytest.approx(by.mean())
+    assert row.difference_standard_error == pytest.approx(
         by.std(ddof=1) / np.sqrt(len(by))
     )
     percent = 100 * by.mean() / draws[0].mean()
-    assert told.percent == pytest.approx(percent)
-    assert "plant 2, elite compared with baseline" in repr(found)
-    assert found._repr_html_().count("<table>") == 1
+    assert row.percent == pytest.approx(percent)
+    assert "plant 2, elite compared with baseline" in repr(comparison)
+    assert comparison._repr_html_().count("<table>") == 1
     with pytest.raises(ideotype.Error, match="at least one plant"):
         stand.compare()
 
 
-def test_a_stand_tells_what_it_is_and_draws_its_plants(under: Path) -> None:
+def test_a_stand_has_a_repr_and_draws_its_plants(under: Path) -> None:
     stand = ideotype.Stand.from_campaign(under)
     assert "maximise absorbed_par" in repr(stand)
     assert "b73, 10 leaves" in stand._repr_html_()

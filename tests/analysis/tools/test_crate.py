@@ -30,19 +30,19 @@ TERMS = {
 """The terms of schema.org that a crate has."""
 
 
-def crate_of(folder: Path, where: str | None = None) -> dict[str, Any]:
+def write_and_read(folder: Path, where: str | None = None) -> dict[str, Any]:
     with open_study(folder) as study:
         path = write_crate(study, folder, [ADA, "Grace"], "CC-BY-4.0", where)
     assert path == folder / METADATA
     return json.loads(path.read_text(encoding="utf-8"))
 
 
-def test_a_crate_tells_files_makers_licence_and_program(
+def test_a_crate_describes_files_authors_licence_and_program(
     sweep: Path, tmp_path: Path
 ) -> None:
     folder = tmp_path / "of a study"
     shutil.copytree(sweep, folder)
-    crate = crate_of(folder)
+    crate = write_and_read(folder)
     graph = {each["@id"]: each for each in crate["@graph"]}
     root = graph["./"]
     assert graph[METADATA]["about"] == {"@id": "./"}
@@ -53,14 +53,14 @@ def test_a_crate_tells_files_makers_licence_and_program(
     histories = {path.name for path in folder.glob("*.h5")}
     assert histories < files and len(histories) == 4
     for name in files:
-        path, each = folder / name, graph[name]
+        path, entity = folder / name, graph[name]
         digest = hashlib.sha256(path.read_bytes()).hexdigest()
-        assert each["sha256"] == digest
-        assert each["contentSize"] == str(path.stat().st_size)
+        assert entity["sha256"] == digest
+        assert entity["contentSize"] == str(path.stat().st_size)
     people = [graph[each["@id"]]["name"] for each in root["author"]]
     assert people == ["Ada Lovelace", "Grace"]
-    for each in root["mentions"]:
-        made = graph[each["@id"]]
+    for entity in root["mentions"]:
+        made = graph[entity["@id"]]
         assert made["result"]["@id"] in histories
         assert {x["@id"] for x in made["object"]} < files
         program = graph[made["instrument"]["@id"]]
@@ -75,10 +75,10 @@ def test_a_crate_tells_files_makers_licence_and_program(
         for form in ("source", "resolved"):
             assert study[0].campaign(form) in texts
     # A second crate takes the place of the first.
-    assert crate_of(folder) == crate
+    assert write_and_read(folder) == crate
 
 
-def test_what_is_not_finished_or_elsewhere_has_no_crate(
+def test_unfinished_or_outside_histories_have_no_crate(
     drained: Path, sweep: Path, tmp_path: Path
 ) -> None:
     words = ["--author", "Ada", "--license", "CC-BY-4.0"]
@@ -96,7 +96,7 @@ def test_what_is_not_finished_or_elsewhere_has_no_crate(
         write_crate(study, sweep, ["Ada, 12"], "CC-BY-4.0")
 
 
-def test_without_rocrate_the_way_to_install_it_is_told(
+def test_without_rocrate_the_error_states_its_installation(
     sweep: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setitem(sys.modules, "rocrate.rocrate", None)
@@ -106,7 +106,7 @@ def test_without_rocrate_the_way_to_install_it_is_told(
 
 
 @pytest.mark.long
-def test_a_validator_finds_nothing_wrong(
+def test_a_crate_passes_the_official_validator(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """The context, which the validator would load from the network, is given
@@ -136,12 +136,12 @@ def test_a_validator_finds_nothing_wrong(
     made.evolve(1)
     made.finish()
     made.close()
-    crate = crate_of(tmp_path, "Analytical Society, https://a.org")
+    crate = write_and_read(tmp_path, "Analytical Society, https://a.org")
     names = set().union(*crate["@graph"])
     assert names - {"@id", "@type", "conformsTo"} <= TERMS
 
     def problems() -> list[str]:
-        found = services.validate(
+        validation = services.validate(
             services.ValidationSettings(
                 rocrate_uri=models.URI(str(tmp_path)),
                 profile_identifier="ro-crate-1.1",
@@ -150,7 +150,8 @@ def test_a_validator_finds_nothing_wrong(
             )
         )
         return [
-            f"{x.check.identifier}: {x.message}" for x in found.get_issues()
+            f"{x.check.identifier}: {x.message}"
+            for x in validation.get_issues()
         ]
 
     assert problems() == []

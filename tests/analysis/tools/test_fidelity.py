@@ -27,7 +27,7 @@ from ideotype.tools.survey import (
     Survey,
     ladder,
     pareto,
-    result,
+    summarize,
 )
 
 KEYS = [
@@ -37,7 +37,7 @@ KEYS = [
 
 
 class Fake:
-    """Evaluations of known error, whose long times a fake clock counts."""
+    """Evaluations of known error; a fake clock counts their long times."""
 
     def __init__(self, second: float = 1.0) -> None:
         self.now = 0.0
@@ -68,7 +68,7 @@ def test_no_evaluation_begins_that_would_end_late(seconds: float) -> None:
     assert sum(map(len, survey.draws.values())) == len(fake.calls)
 
 
-def test_what_takes_too_long_is_left_out_and_told() -> None:
+def test_settings_that_take_too_long_are_left_out_and_reported() -> None:
     fake = Fake()
     survey = Survey(KEYS, fake, 170, fake.clock)
     survey.run(0.008)
@@ -81,12 +81,12 @@ def test_what_takes_too_long_is_left_out_and_told() -> None:
     assert survey.ladders[0][-1] == OWN
 
 
-def test_biases_and_noise_are_found() -> None:
+def test_biases_and_noise_are_estimated() -> None:
     fake = Fake(1e-3)
     survey = Survey(KEYS, fake, 100, fake.clock)
     survey.run(0.008)
-    found = result(survey, 0.008)
-    cells, tolerances = found["keys"]
+    results = summarize(survey, 0.008)
+    cells, tolerances = results["keys"]
     assert [row["settings"] for row in cells] == [
         {"plant.cells": 4},
         {"plant.cells": 8},
@@ -101,8 +101,8 @@ def test_biases_and_noise_are_found() -> None:
     for row, noise in zip(tolerances, (0.02, 0.01, 0.005), strict=True):
         mean, error = row["value"]["noise"]
         assert abs(mean - noise) < 4 * error < noise
-    chosen = found["chosen"]
-    assert found["is_met"] and chosen["value"]["error"].mean <= 0.008
+    chosen = results["chosen"]
+    assert results["is_met"] and chosen["value"]["error"].mean <= 0.008
     assert chosen["settings"]["light.tolerance"] == 0.005
     assert chosen["is_on_front"]
 
@@ -112,13 +112,13 @@ def test_ladders_end_with_the_most_accurate() -> None:
     assert ladder("a.b", 3, [9, 1]) == [(("a.b", 9),), OWN, (("a.b", 1),)]
 
 
-def test_of_a_front_each_is_more_accurate_than_all_cheaper() -> None:
+def test_each_member_of_a_front_is_more_accurate_than_all_cheaper() -> None:
     points = [(3, 1, "c"), (1, 5, "a"), (2, 5, "no"), (2, 4, "b"), (4, 2, "")]
     assert [name for _, _, name in pareto(points)] == ["a", "b", "c"]
 
 
 def measure(campaign: Path, *options: object) -> str:
-    # The program hands the verb to Python, as for users, and then serves
+    # The program hands the command to Python, as for users, and then serves
     # Python.
     done = subprocess.run(
         [executable(), "fidelity", campaign, *map(str, options)],
@@ -133,7 +133,7 @@ def measure(campaign: Path, *options: object) -> str:
 
 
 def pasted(campaign: Path, told: str) -> Path:
-    """Returns the campaign, whose tables the tables of the output replace."""
+    """Returns the campaign with its tables replaced by those of the output."""
     block = told.split("\n# ")[1].split("\n", 1)[1]
     headers = re.findall(r"^\[.*", block, re.MULTILINE)
     # The output has no tables if the campaign itself is the cheapest setting.
@@ -165,42 +165,46 @@ def of_a_season(folder: Path) -> Path:
 
 
 @pytest.mark.parametrize("made", (of_a_day, of_a_season))
-def test_keys_can_be_pasted_and_time_is_kept(made, tmp_path: Path) -> None:
+def test_printed_keys_are_valid_and_the_time_is_kept(
+    made, tmp_path: Path
+) -> None:
     campaign, file = made(tmp_path), tmp_path / "fidelity.json"
     began = time.monotonic()
     options = ("--seconds", 12, "--tolerance", 1e-4, "--json", file)
-    told = measure(campaign, *options, "--figure", tmp_path / "fidelity.png")
+    output = measure(campaign, *options, "--figure", tmp_path / "fidelity.png")
     # The time includes the start and the figure.
     assert time.monotonic() - began < 60
-    found = json.loads(file.read_text())
-    rows = [row for rows in found["keys"] for row in rows]
-    rows += found["settings"]
+    results = json.loads(file.read_text())
+    rows = [row for rows in results["keys"] for row in rows]
+    rows += results["settings"]
     unique = {str(r["settings"]): 2 * r["draws"] * r["seconds"] for r in rows}
     assert 1 < sum(unique.values()) < 12.5
     keys = {key for row in rows for key in row["settings"]}
     assert keys
-    # A busy machine leaves out what it has no time for, and says so.
+    # On a busy machine some settings are left out and named.
     keys |= {
         word.split("=")[0]
-        for setting, why in found["left_out"].items()
+        for setting, why in results["left_out"].items()
         for word in setting.split()
         if "takes too long" in why
     }
     assert {"plant.cells_along", "field.rows"} <= keys
     assert ("light.dates" in keys) == (made is of_a_season)
     assert ("day.step_minutes" in keys) == (made is of_a_day)
-    assert "is none; the most accurate" in told
-    resolved = json.loads(output_of("check", pasted(campaign, told), "--json"))
+    assert "there is none; the most accurate" in output
+    resolved = json.loads(
+        output_of("check", pasted(campaign, output), "--json")
+    )
     assert resolved["is_valid"]
     text = (tmp_path / "pasted.toml").read_text()
-    for key, value in found["chosen"]["settings"].items():
+    for key, value in results["chosen"]["settings"].items():
         table, name = key.split(".")
         entry = tomllib.loads(text)[table]
         assert (entry[0] if table == "day" else entry)[name] == value
     assert (tmp_path / "fidelity.png").stat().st_size > 10_000
 
 
-def test_ctrl_c_prints_what_is_measured(tmp_path: Path) -> None:
+def test_ctrl_c_prints_the_measurements_so_far(tmp_path: Path) -> None:
     command = [sys.executable, "-m", "ideotype.tools.fidelity"]
     command += [of_a_day(tmp_path), "--seconds", "600"]
     with subprocess.Popen(
@@ -212,13 +216,13 @@ def test_ctrl_c_prints_what_is_measured(tmp_path: Path) -> None:
     ) as process:
         time.sleep(8)
         os.killpg(process.pid, signal.SIGINT)
-        told, errors = process.communicate(timeout=10)
+        output, errors = process.communicate(timeout=10)
     assert (process.returncode, errors) == (5, "")
-    assert told.startswith("stopped before the end")
-    assert "keys together" in told and "the campaign" in told
+    assert output.startswith("stopped before the end")
+    assert "keys together" in output and "the campaign" in output
 
 
-def test_what_is_wrong_is_told_once(
+def test_errors_are_reported_once(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     campaign = of_a_day(tmp_path)
@@ -232,7 +236,7 @@ def test_what_is_wrong_is_told_once(
     assert "-1 (expected: 1 .. 1e+06)" in capsys.readouterr().err
 
 
-def test_evaluations_are_those_of_the_program(tmp_path: Path) -> None:
+def test_the_evaluator_agrees_with_the_program(tmp_path: Path) -> None:
     campaign = of_a_day(tmp_path)
     evaluator = fidelity.Evaluator(campaign, 0, ["light.paths=256"])
     draw = evaluator.draw((("field.rows", 1.0),), 7)
@@ -258,7 +262,11 @@ def test_both_panels_have_all_settings() -> None:
     fake = Fake(1e-3)
     survey = Survey(KEYS, fake, 30, fake.clock)
     survey.run(0.008)
-    found = {"case": "ames", "objective": "light", **result(survey, 0.008)}
-    for axes in draw_fidelity(found).axes:
+    results = {
+        "case": "ames",
+        "objective": "light",
+        **summarize(survey, 0.008),
+    }
+    for axes in draw_fidelity(results).axes:
         counts = [len(each[0].get_xdata()) for each in axes.containers]
-        assert counts == [7, len(found["settings"]) - 1, 1]
+        assert counts == [7, len(results["settings"]) - 1, 1]

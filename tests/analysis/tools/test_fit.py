@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Digitised plants become crop files: plants whose leaves are known are
-written in every readable layout, and found again."""
+"""Crop files are fitted to digitised plants: known plants are written in every
+readable format, and their leaves are recovered."""
 
 from __future__ import annotations
 
@@ -81,7 +81,7 @@ def write_obj(mesh: Mesh, path: Path, unit: float, noise: float = 0) -> None:
 
 
 @pytest.mark.parametrize("source", [MAIZE, IOWA])
-def test_a_segmented_mesh_is_met(
+def test_leaves_of_a_segmented_mesh_are_fitted(
     source: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     known, mesh = plant(source)
@@ -106,7 +106,7 @@ def test_a_segmented_mesh_is_met(
         )
 
 
-def test_a_noisy_mesh_without_two_leaves_and_stalk(
+def test_leaves_of_a_noisy_incomplete_mesh_are_fitted(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     known, mesh = plant(MAIZE)
@@ -121,10 +121,10 @@ def test_a_noisy_mesh_without_two_leaves_and_stalk(
         tuple(mesh.groups[i] for i in kept),
     )
     write_obj(part, tmp_path / "part.obj", unit=1, noise=0.002)
-    found, _ = fitted(tmp_path / "part.obj", capsys, "--ground", "900")
+    leaves, _ = fitted(tmp_path / "part.obj", capsys, "--ground", "900")
     names = [x for i, x in enumerate(known, 1) if i not in {3, 9}]
-    assert len(found) == 8
-    for ours, true in zip(found, names):
+    assert len(leaves) == 8
+    for ours, true in zip(leaves, names):
         assert ours["length"] == pytest.approx(true["length"], rel=0.03)
         assert ours["width"] == pytest.approx(true["width"], rel=0.15)
         height = pytest.approx(true["insertion_height"], abs=0.01)
@@ -170,7 +170,7 @@ def write_nurbs(
         (True, True, True, 0.001),
     ],
 )
-def test_nurbs_leaves_are_met(
+def test_leaves_of_nurbs_surfaces_are_fitted(
     u_fastest: bool, from_tip: bool, names: bool, unit: float,
     tmp_path: Path, capsys: pytest.CaptureFixture[str],
 ) -> None:  # fmt: skip
@@ -195,7 +195,7 @@ def test_nurbs_leaves_are_met(
 
 
 @pytest.mark.parametrize("cloud", [True, False])
-def test_leaves_by_colour_are_met(
+def test_leaves_distinguished_by_colour_are_fitted(
     cloud: bool, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     known, mesh = plant(MAIZE)
@@ -231,12 +231,12 @@ def triangulated(faces: list[tuple[int, ...]]) -> list[tuple[int, ...]]:
     return [(face[0], *pair) for face in faces for pair in pairwise(face[1:])]
 
 
-def test_midribs_are_met(
+def test_leaves_of_midribs_are_fitted(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """The source has points in centimetres, two digitisations of each leaf,
-    and another plant in the same file; lengths and azimuths come from a table
-    beside it."""
+    and another plant in the same file; lengths and azimuths are from a
+    separate table."""
     known, mesh = plant(MAIZE)
     lines = ["plant,leaf,number,x_cm,z_cm", "other,1,0,0,0", "other,1,0,9,9"]
     measures = ["leaf,length_cm,width_cm,azimuth_deg,insertion_height_cm"]
@@ -256,22 +256,22 @@ def test_midribs_are_met(
     (tmp_path / "midribs.csv").write_text("\n".join(lines))
     (tmp_path / "leaves.csv").write_text("\n".join(measures))
     words = ("--plant", "one", "--leaves", str(tmp_path / "leaves.csv"))
-    found, table = fitted(tmp_path / "midribs.csv", capsys, *words)
+    leaves, table = fitted(tmp_path / "midribs.csv", capsys, *words)
     assert max(row["midrib_rms_mm"] for row in table) < 4
-    for ours, true in zip(found, known):
+    for ours, true in zip(leaves, known):
         for key in ("length", "width", "azimuth", "insertion_height"):
             assert ours[key] == pytest.approx(true[key], abs=1e-4)
-    found, table = fitted(
+    leaves, table = fitted(
         tmp_path / "midribs.csv", capsys, *words, "--form", "angles"
     )
-    for ours, true in zip(found, known):
+    for ours, true in zip(leaves, known):
         assert ours["insertion_angle"] == pytest.approx(
             true["insertion_angle"], abs=2
         )
         assert ours["curvature"] == pytest.approx(true["curvature"], abs=5)
 
 
-def test_what_is_wrong_is_told(
+def test_the_error_names_the_file_and_a_remedy(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     table = tmp_path / "midribs.csv"
@@ -291,7 +291,7 @@ def test_what_is_wrong_is_told(
     assert "x.obj: " in refused(mesh, capsys)
     assert "there is no such file" in refused(tmp_path / "no.ply", capsys)
     table.write_text("leaf,x,z\n1,0,0\n1,9000,0\n")
-    assert "tell its unit by --unit" in refused(table, capsys)
+    assert "give the unit by --unit" in refused(table, capsys)
 
 
 def test_leaves_with_petioles_are_not_fitted(

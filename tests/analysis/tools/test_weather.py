@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`ideotype weather` converts what pvlib, which is independent code, reads
-from the same file, and the program reads the same from the conversion."""
+"""Conversions by `ideotype weather` agree with pvlib, which is independent
+code, and the program reads the same values from the converted file."""
 
 from __future__ import annotations
 
@@ -62,7 +62,7 @@ def read(file: Path) -> pd.DataFrame:
     return table
 
 
-def weather_of(folder: Path, file: Path, first: str, last: str) -> dict:
+def read_weather(folder: Path, file: Path, first: str, last: str) -> dict:
     """Returns the weather that the program reads for a campaign of the given
     period."""
     campaign = write_campaign(folder, 1)
@@ -84,7 +84,7 @@ def test_the_program_reads_a_typical_year_as_pvlib(
 ) -> None:
     first, last = f"{year}-01-01", f"{year}-12-31"
     convert(tmp_path, YEAR, "--from", first, "--until", last)
-    weather = weather_of(tmp_path, tmp_path / "weather.csv", first, last)
+    weather = read_weather(tmp_path, tmp_path / "weather.csv", first, last)
     table = pvlib.iotools.read_tmy3(YEAR, map_variables=True)[0]
     steps = len(table)
     assert len(weather["dates"]) * 24 == steps
@@ -120,44 +120,46 @@ def test_the_program_reads_a_typical_year_as_pvlib(
     "name",
     ["tmy3.csv", "small.epw", "nsrdb.csv", "power_utc.csv", "power_lst.csv"],
 )
-def test_formats_that_the_program_once_read(name: str, tmp_path: Path) -> None:
-    found = convert(tmp_path, DATA / name)
-    # test_wind_and_pressure() tests wind and pressure.
-    found = found.drop(columns=["wind", "pressure"], errors="ignore")
-    expected = read_expected()[list(found)]
-    assert ("diffuse" in found) == (name != "power_lst.csv")
-    assert list(found.index) == list(expected.index)
-    assert found.to_numpy() == pytest.approx(expected.to_numpy(), rel=1e-5)
+def test_formats_of_earlier_versions_are_converted(
+    name: str, tmp_path: Path
+) -> None:
+    converted = convert(tmp_path, DATA / name)
+    # test_wind_and_pressure_are_converted() tests wind and pressure.
+    converted = converted.drop(columns=["wind", "pressure"], errors="ignore")
+    expected = read_expected()[list(converted)]
+    assert ("diffuse" in converted) == (name != "power_lst.csv")
+    assert list(converted.index) == list(expected.index)
+    assert converted.to_numpy() == pytest.approx(expected.to_numpy(), rel=1e-5)
 
 
 @pytest.mark.parametrize("name", ["tmy3.csv", "small.epw"])
-def test_wind_and_pressure(name: str, tmp_path: Path) -> None:
-    found = convert(tmp_path, DATA / name)
-    assert "longwave" not in found
-    assert found["pressure"].iloc[0] == pytest.approx(98.6)
+def test_wind_and_pressure_are_converted(name: str, tmp_path: Path) -> None:
+    converted = convert(tmp_path, DATA / name)
+    assert "longwave" not in converted
+    assert converted["pressure"].iloc[0] == pytest.approx(98.6)
     if name == "tmy3.csv":
-        assert found["wind"].iloc[0] == pytest.approx(2.6)
+        assert converted["wind"].iloc[0] == pytest.approx(2.6)
 
 
-def test_the_program_reads_what_is_written(tmp_path: Path) -> None:
+def test_the_program_reads_the_converted_file(tmp_path: Path) -> None:
     convert(tmp_path, DATA / "nsrdb.csv")
     written = (tmp_path / "weather.csv").read_text()
     assert written == (DATA / "converted.csv").read_text()
-    weather = weather_of(
+    weather = read_weather(
         tmp_path, tmp_path / "weather.csv", "1981-07-01", "1981-07-05"
     )
     found = np.array(weather["beam"]) + np.array(weather["diffuse"])
     assert found == pytest.approx(PAR * read_expected()["global"].to_numpy())
 
 
-def test_a_file_of_another_format_is_told_how_to_convert(
+def test_the_error_for_another_format_states_the_conversion(
     tmp_path: Path,
 ) -> None:
     """The command in the error message works."""
     file = tmp_path / "mine.epw"
     file.write_bytes((DATA / "small.epw").read_bytes())
     with pytest.raises(AssertionError) as failure:
-        weather_of(tmp_path, file, "1981-07-02", "1981-07-03")
+        read_weather(tmp_path, file, "1981-07-02", "1981-07-03")
     (command,) = (
         line.split("ideotype weather", 1)[1]
         for line in str(failure.value).splitlines()
@@ -175,7 +177,9 @@ def test_a_file_of_another_format_is_told_how_to_convert(
     assert len(read(tmp_path / "mine_weather.csv")) == 48
 
 
-def test_what_pvlib_refuses_or_misreads(tmp_path: Path) -> None:
+def test_files_that_pvlib_refuses_or_misreads_are_converted(
+    tmp_path: Path,
+) -> None:
     """The cases are half hours, names in Latin-1, commas in names, the end of
     28 February in a leap year, and clocks of half an hour."""
     sun = read_expected()["global"].iloc[:24].tolist()
@@ -188,11 +192,11 @@ def test_what_pvlib_refuses_or_misreads(tmp_path: Path) -> None:
     ]
     file = tmp_path / "half.epw"
     file.write_text(head + "\n".join(rows) + "\n", encoding="latin-1")
-    found = convert(tmp_path, file)
-    assert len(found) == 480
-    assert found.index[0] == pd.Timestamp("2011-07-01 00:15")
-    assert found["global"].iloc[24] == sun[12]
-    assert "beam_normal" not in found
+    converted = convert(tmp_path, file)
+    assert len(converted) == 480
+    assert converted.index[0] == pd.Timestamp("2011-07-01 00:15")
+    assert converted["global"].iloc[24] == sun[12]
+    assert "beam_normal" not in converted
     assert "-05:30" in (tmp_path / "weather.csv").read_text()
     head = (
         '1,"MADE, FOR A TEST",NC,-5.0,36.1,-79.95,300\n'
@@ -204,34 +208,36 @@ def test_what_pvlib_refuses_or_misreads(tmp_path: Path) -> None:
         for hour in range(24)
     ]
     file.write_text(head + "\n".join(rows) + "\n")
-    found = convert(tmp_path, file)
-    assert found.index[-1] == pd.Timestamp("2012-02-28 23:30")
-    assert list(found) == ["global", "humidity"]
+    converted = convert(tmp_path, file)
+    assert converted.index[-1] == pd.Timestamp("2012-02-28 23:30")
+    assert list(converted) == ["global", "humidity"]
 
 
 # ------------------------------------------------------------- other formats
 
 
 @pytest.mark.parametrize("form", MADE)
-def test_other_formats(form: str, tmp_path: Path) -> None:
+def test_files_of_other_formats_are_converted(
+    form: str, tmp_path: Path
+) -> None:
     write, columns = MADE[form]
     file = tmp_path / f"file.{'csv' if form == 'pvgis' else 'txt'}"
     write(file)
     place = ["--latitude", 36.1, "--longitude", -79.95]
-    found = convert(tmp_path, file, "--step", 60, *place)
-    assert list(found) == columns
-    expected = read_expected().reindex(found.index)[columns]
-    assert len(found) == 120
-    assert np.abs(found - expected).max(axis=None) <= (
+    converted = convert(tmp_path, file, "--step", 60, *place)
+    assert list(converted) == columns
+    expected = read_expected().reindex(converted.index)[columns]
+    assert len(converted) == 120
+    assert np.abs(converted - expected).max(axis=None) <= (
         0.51 if form in ("crn", "knmi") else 0.06
     )
 
 
-def test_hours_of_the_true_solar_time_keep_their_light(
+def test_hours_of_true_solar_time_keep_their_light(
     tmp_path: Path,
 ) -> None:
-    """DWD's hours of light end some minutes after the hours of its clock; its
-    temperature has a file of its own."""
+    """Hours of light of DWD end some minutes after the hours of its clock;
+    temperature is in a separate file."""
     light = minutes(1)[["global"]]
     light.index += pd.Timedelta("18min")
     hours = light.resample("1h", offset="18min").mean()
@@ -253,15 +259,15 @@ def test_hours_of_the_true_solar_time_keep_their_light(
     (tmp_path / "air.txt").write_text(head + "\n".join(rows))
     place = ["--latitude", 36.1, "--longitude", -79.95]
     files = (tmp_path / "light.zip", tmp_path / "air.txt")
-    found = convert(tmp_path, *files, *place)
+    converted = convert(tmp_path, *files, *place)
     expected = read_expected()
-    assert list(found) == ["global", "temperature", "humidity"]
+    assert list(converted) == ["global", "temperature", "humidity"]
     shifted = light["global"].resample("1D").mean()
-    assert found["global"].sum() == pytest.approx(
+    assert converted["global"].sum() == pytest.approx(
         expected["global"].sum(), rel=0.01
     )
     assert len(shifted) >= 5
-    known = found["temperature"].dropna()
+    known = converted["temperature"].dropna()
     assert known.to_numpy() == pytest.approx(
         expected["temperature"].reindex(known.index).to_numpy()
     )
@@ -288,12 +294,12 @@ def test_a_typical_year_of_pvgis_begins_on_the_site_s_clock(
     for month, other in ((2, 2011), (7, 2015)):
         text = text.replace(f"\n2005{month:02}", f"\n{other}{month:02}")
     file.write_text(text)
-    found = convert(
+    converted = convert(
         tmp_path, file, "--from", "2023-01-01", "--until", "2023-12-31"
     )
-    assert len(found) == 8760
-    assert found.index[0] == pd.Timestamp("2023-01-01 00:30")
-    assert found["global"].to_numpy() == pytest.approx(
+    assert len(converted) == 8760
+    assert converted.index[0] == pd.Timestamp("2023-01-01 00:30")
+    assert converted["global"].to_numpy() == pytest.approx(
         year["GHI (W/m^2)"].to_numpy()
     )
 
@@ -311,30 +317,30 @@ def without_hours(folder: Path, *hours: int) -> Path:
     return file
 
 
-def test_gaps_are_told_with_their_dates_and_can_be_filled(
+def test_gaps_are_reported_with_their_dates_and_can_be_filled(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     file = without_hours(tmp_path, 34, 36, 37, 50)
-    found = convert(tmp_path, file)
-    told = capsys.readouterr().err
-    assert "the light of 1981-07-02 10:00 to 1981-07-02 11:00" in told
-    assert "the light of 1981-07-02 12:00 to 1981-07-02 14:00" in told
-    assert "2 gaps by day, the longest of 2 h" in told
-    assert "--fill HOURS" in told
-    assert found["global"].isna().sum() == 4
-    found = convert(tmp_path, file, "--fill", 1)
-    assert found["global"].isna().sum() == 2
+    converted = convert(tmp_path, file)
+    warnings = capsys.readouterr().err
+    assert "the light from 1981-07-02 10:00 to 1981-07-02 11:00" in warnings
+    assert "the light from 1981-07-02 12:00 to 1981-07-02 14:00" in warnings
+    assert "2 gaps by day, the longest of 2 h" in warnings
+    assert "--fill HOURS" in warnings
+    assert converted["global"].isna().sum() == 4
+    converted = convert(tmp_path, file, "--fill", 1)
+    assert converted["global"].isna().sum() == 2
     assert "1 gaps by day" in capsys.readouterr().err
-    found = convert(tmp_path, file, "--fill", 2)
+    converted = convert(tmp_path, file, "--fill", 2)
     assert capsys.readouterr().err == ""
     expected = read_expected()
-    assert not found.isna().any(axis=None)
+    assert not converted.isna().any(axis=None)
     for hour in (34, 36, 37):
         near = expected["global"].iloc[[hour - 2, hour + 2]]
-        assert near.min() * 0.8 < found["global"].iloc[hour] < 1100
+        assert near.min() * 0.8 < converted["global"].iloc[hour] < 1100
 
 
-def test_a_wrong_clock_or_place_is_refused(
+def test_a_wrong_clock_or_location_is_refused(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     to = ["--to", str(tmp_path / "x.csv")]
@@ -353,7 +359,7 @@ def test_a_wrong_clock_or_place_is_refused(
     assert "give --latitude and --longitude" in capsys.readouterr().err
 
 
-def test_what_cannot_be_read_is_told_on_one_line(
+def test_errors_of_unreadable_files_take_one_line(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     to = ["--to", str(tmp_path / "x.csv")]
@@ -378,7 +384,7 @@ def test_what_cannot_be_read_is_told_on_one_line(
     assert not (tmp_path / "x.csv").exists()
 
 
-def test_without_pvlib_the_way_to_install_it_is_told(
+def test_without_pvlib_the_error_states_its_installation(
     tmp_path: Path,
     capsys: pytest.CaptureFixture[str],
     monkeypatch: pytest.MonkeyPatch,

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Facts are read with all of their problems, and judged by their own errors."""
+"""Facts are read with all of their problems, and judged by their own
+errors."""
 
 from __future__ import annotations
 
@@ -45,12 +46,12 @@ def test_leaves_and_tables_of_a_crop_are_changed() -> None:
         "stalk": {"height": 2.0},
         "leaf": [{"length": 1.0}, {"length": 1.0}, {"length": 1.0}],
     }
-    found = changed(
+    tables = changed(
         crop,
         {"leaf.upper.length": {"times": 0.5}, "crop.stalk.height": 1.5},
     )
-    assert [leaf["length"] for leaf in found["leaf"]] == [1, 1, 0.5]
-    assert found["stalk"] == {"height": 1.5} and crop["stalk"]["height"] == 2
+    assert [leaf["length"] for leaf in tables["leaf"]] == [1, 1, 0.5]
+    assert tables["stalk"] == {"height": 1.5} and crop["stalk"]["height"] == 2
     for key in ("leaf.top.length", "leaf.all.size", "crop.stalk.size"):
         with pytest.raises(ideotype.Error, match=f"no key '{key}'"):
             changed(crop, {key: 1})
@@ -106,23 +107,22 @@ def test_a_worse_plant_is_noticed(capsys: pytest.CaptureFixture[str]) -> None:
     assert "1 of 1 facts pass" in capsys.readouterr().out
     words += ["--set", "leaf.all.length={times = 0.5}"]
     assert validate.main(words) == validate.WORSE
-    found = capsys.readouterr()
-    assert "0 of 1 facts pass" in found.out
-    assert "pass and miss now: intercepted_by_density" in found.err.replace(
-        "passed", "pass"
-    )
+    printed = capsys.readouterr()
+    assert "0 of 1 facts pass" in printed.out
+    expected = "passed before and miss now: intercepted_by_density"
+    assert expected in printed.err
 
 
-def test_light_that_the_program_computed_agrees(
+def test_light_on_sensors_agrees_with_the_program(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     stand = ideotype.Stand.from_campaign(QUICK)
     heights, positions = [0.0, 0.4, 1.0], [0.1, 0.38, 0.6]
-    found = stand.light_at(
+    light = stand.light_at(
         stand.baseline, heights, positions, fields=32, points=64
     )
-    share = (found.fraction * found.incident).sum("instant")
-    share /= found.incident.sum()
+    share = (light.fraction * light.incident).sum("instant")
+    share /= light.incident.sum()
     for factor, verdict in ((1.0, "passes"), (0.7, "misses")):
         table = tmp_path / "light.csv"
         rows = [
@@ -148,7 +148,7 @@ def test_light_that_the_program_computed_agrees(
         ("lai,4,1,2025-13-40", "write it as 2025-08-07"),
     ),
 )
-def test_faults_of_a_users_table_name_its_line(
+def test_the_error_for_a_users_table_names_its_line(
     row: str, words: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     table = tmp_path / "mine.csv"
@@ -167,7 +167,7 @@ def test_a_table_needs_a_campaign(
     assert "--campaign FILE.toml" in capsys.readouterr().err
 
 
-def test_verdicts_are_those_of_the_file() -> None:
+def test_verdicts_have_the_names_of_fact_files() -> None:
     assert {str(x) for x in Verdict} == {
         "passes", "misses", "cannot be compared",
     }  # fmt: skip

@@ -46,11 +46,13 @@ def test_a_table_is_read(tmp_path: Path) -> None:
         ("", "1", 1.0),
     ),
 )
-def test_units_have_many_spellings(unit: str, to: str, factor: float) -> None:
+def test_units_are_read_in_many_spellings(
+    unit: str, to: str, factor: float
+) -> None:
     assert factor_to(unit, to) == pytest.approx(factor, rel=1e-12)
 
 
-def test_units_of_something_else_are_refused() -> None:
+def test_units_of_other_dimensions_are_refused() -> None:
     with pytest.raises(ideotype.Error, match="kg ha-1.*cannot be read as"):
         factor_to("kg ha-1", "m")
 
@@ -79,8 +81,8 @@ def test_all_problems_of_a_table_are_reported(tmp_path: Path) -> None:
         (6, "value is 'inf'; give a finite number"),
     ):
         assert any(
-            each.startswith(f"{path}:{line}: ") and words in each
-            for each in problems
+            problem.startswith(f"{path}:{line}: ") and words in problem
+            for problem in problems
         ), (line, words, problems)
 
 

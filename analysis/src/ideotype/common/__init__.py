@@ -1,3 +1,2 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Helpers that several packages use: arrays, files, names, options,
-progress."""
+"""Helpers of several packages: arrays, files, labels, options, progress."""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Checks arrays and tables that users give."""
+"""Checks arrays and tables from users."""
 
 from __future__ import annotations
 
@@ -24,14 +24,14 @@ def real(given: ArrayLike, name: str) -> NDArray[np.float64]:
     the hidden values of a masked array, drop the imaginary part of complex
     numbers, and count dates from 1970."""
     try:
-        found = np.asarray(unmasked(given, name))
-        if found.dtype.kind in "mM":
+        array = np.asarray(unmasked(given, name))
+        if array.dtype.kind in "mM":
             raise Error(
                 f"{name} is no array of numbers: it has dates or times "
-                f"({found.dtype}); give real numbers"
+                f"({array.dtype}); give real numbers"
             )
-        if not np.iscomplexobj(found):
-            return np.asarray(found, float)
+        if not np.iscomplexobj(array):
+            return np.asarray(array, float)
     except (
         TypeError, ValueError, OverflowError, RecursionError
     ) as error:  # fmt: skip
@@ -42,11 +42,11 @@ def real(given: ArrayLike, name: str) -> NDArray[np.float64]:
 
 
 def unmasked(given: _Given, name: str) -> _Given:
-    """Returns the argument. Raises Error if the argument is or holds a masked
-    array."""
+    """Returns the argument unchanged. Raises Error if it is or contains a
+    masked array."""
     if _is_masked(given):
         raise Error(
-            f"{name} is or holds a masked array, whose hidden values would "
+            f"{name} is or contains a masked array, and masked values would "
             "count; give an array without a mask, such as its .filled() or "
             ".compressed()"
         )
@@ -59,17 +59,17 @@ def _is_masked(given: Any) -> bool:
     return isinstance(given, np.ma.MaskedArray)
 
 
-def require_whole(given: object, name: str, least: int, most: int) -> None:
+def require_whole(given: object, name: str, lower: int, upper: int) -> None:
     """Raises Error unless the argument is a whole number in a range."""
-    if not isinstance(given, (int, np.integer)) or not least <= given <= most:
+    if not isinstance(given, (int, np.integer)) or not lower <= given <= upper:
         raise Error(
-            f"{name} is {given!r}; use a whole number from {least} to {most}"
+            f"{name} is {given!r}; use a whole number from {lower} to {upper}"
         )
 
 
 def require_file(path: Path) -> None:
-    """Raises Error unless a regular file is there: pipes and devices could be
-    read without end."""
+    """Raises Error unless the path is a regular file: reading a pipe or device
+    might never end."""
     if not path.exists():
         raise Error(f"{path}: there is no such file")
     if not path.is_file():
@@ -77,7 +77,7 @@ def require_file(path: Path) -> None:
 
 
 def read_columns(path: Path) -> pandas.DataFrame:
-    """Reads a CSV file, whose column names are then in lower case.
+    """Reads a CSV file and returns it with column names in lower case.
 
     Raises Error if the file cannot be read."""
     import pandas

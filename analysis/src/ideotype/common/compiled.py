@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The compiled module, or an error that says that it is missing."""
+"""The compiled module. Raises NotCompiled if the installation lacks it."""
 
 from ..errors import NotCompiled
 
@@ -10,8 +10,8 @@ except ModuleNotFoundError as error:
         raise
     raise NotCompiled(
         "this needs the compiled module, which the installation lacks (it can "
-        "only read and report); install a wheel of this system, or build it "
-        "with pip install and without IDEOTYPE_PURE_PYTHON"
+        "only read and report); install a wheel for this system, or build it "
+        "by pip install without IDEOTYPE_PURE_PYTHON"
     ) from error
 
 __all__ = ["_core"]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Names of quantities and units as they are printed."""
+"""Printed names of quantities and units."""
 
 from __future__ import annotations
 
@@ -12,7 +12,10 @@ ABBREVIATIONS = {
     "nir": "NIR",
     "par": "PAR",
 }
-"""Abbreviations in names, as they are printed."""
+"""Printed forms of abbreviations in names."""
+
+_TERMS = {"carbon_balance": "net carbon balance"}
+"""Names of quantities that differ from their terms in print."""
 
 _SUPERSCRIPT = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
@@ -23,20 +26,22 @@ def words(name: str) -> str:
 
 
 def title(name: str) -> str:
-    """Returns the words of a name with a capital at the beginning, as in
-    "Gross CO\N{SUBSCRIPT TWO}"; an abbreviation stays as it is."""
+    """Returns the words of a name with an initial capital, as in
+    "Gross CO\N{SUBSCRIPT TWO}"; abbreviations are unchanged."""
     first, *others = _parts(name)
     first = ABBREVIATIONS.get(first, first[:1].upper() + first[1:])
     return " ".join([first, *map(words, others)])
 
 
 def _parts(name: str) -> list[str]:
+    for key, term in _TERMS.items():
+        name = name.replace(key, term)
     return name.replace("_", " ").split(" ")
 
 
 def unit_label(unit: str) -> str:
-    """Returns a unit as it is printed: "MJ m-2" has a raised -2, "deg" is
-    "°"."""
+    """Returns the printed form of a unit: "MJ m-2" with superscripts, "°" for
+    "deg"."""
     raised = re.sub(
         r"(?<=[A-Za-z])-?\d+", lambda m: m[0].translate(_SUPERSCRIPT), unit
     )

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Writes every file of the package: complete or absent, and never through a
-symbolic link."""
+"""Writes the files of the package. A file is complete or absent, and no file
+is written through a symbolic link."""
 
 from __future__ import annotations
 
@@ -30,8 +30,8 @@ _FOLDER = os.O_RDONLY | os.O_DIRECTORY | os.O_CLOEXEC
 _NO_HARD_LINKS = (errno.EPERM, errno.EOPNOTSUPP, errno.ENOSYS, errno.EMLINK)
 _FIGURES = ("png", "pdf", "svg")
 _LONGEST = 200
-"""The longest name that file_name() returns [bytes]; file systems allow 255,
-and endings are added."""
+"""The length of the longest name that file_name() returns [bytes]: file
+systems allow 255, and extensions are added."""
 
 
 class OutputRefused(Error):
@@ -46,19 +46,19 @@ def write_file(
     *,
     replaces: bool = True,
 ) -> None:
-    """Writes a file, which gets its name when it is complete; after a failure
-    the former file is there, or none.
+    """Writes a file under a temporary name and renames it when it is complete.
+    After a failure the former file, if any, is unchanged.
 
-    root: folder that the user has named, which may itself be a symbolic link;
-    it is made if need be, with all folders in it that lead to the file. By
-    default it is the folder of the file, which must exist.
-    replaces: whether the file may take the place of a regular file.
+    root: folder that the user has named, which may itself be a symbolic link.
+        It is created if necessary, with all folders in it that lead to the
+        file. By default it is the folder of the file, which must exist.
+    replaces: whether the file may replace a regular file.
 
     Raises OutputRefused if the path or a folder below the root is a symbolic
-    link or another special file, or if a file exists and is not to be
-    replaced; OSError if writing fails."""
+    link or another special file, or if a file exists and `replaces` is false;
+    OSError if writing fails."""
     data = content.encode() if isinstance(content, str) else content
-    with _folder_of(path, root) as folder:
+    with _opened_folder(path, root) as folder:
         _require(_status(path.name, folder), path, replaces)
         part = f"{path.name}.{secrets.token_hex(4)}.part"
         try:
@@ -80,7 +80,8 @@ def write_file(
 def require_output(
     path: Path, root: Path | None = None, *, replaces: bool = True
 ) -> None:
-    """Checks before long work whether write_file() would refuse a file."""
+    """Raises OutputRefused if write_file() would refuse the file; for a check
+    before long computations."""
     for folder in _folders(path, root):
         status = _status(folder)
         if status and not stat.S_ISDIR(status.st_mode):
@@ -91,7 +92,8 @@ def require_output(
 def figure_path(text: str) -> Path:
     """Returns the path of a figure, for options of a command line.
 
-    Raises ArgumentTypeError if its ending names no format of figures."""
+    Raises ArgumentTypeError unless the file name ends in .png, .pdf or
+    .svg."""
     path = Path(text)
     if path.suffix.lower()[1:] not in _FIGURES:
         raise argparse.ArgumentTypeError(
@@ -101,8 +103,8 @@ def figure_path(text: str) -> Path:
 
 
 def save_figure(figure: Figure, path: Path) -> None:
-    """Writes a figure by write_file(), in the format that the ending of the
-    path names."""
+    """Writes a figure by write_file(), in the format given by the file name
+    extension."""
     out = io.BytesIO()
     figure.savefig(out, format=path.suffix.lower()[1:])
     write_file(path, out.getvalue())
@@ -134,8 +136,9 @@ def _folders(path: Path, root: Path | None) -> list[Path]:
 
 
 @contextmanager
-def _folder_of(path: Path, root: Path | None) -> Iterator[int]:
-    """Opens the folder of a file, so that no link can take its place."""
+def _opened_folder(path: Path, root: Path | None) -> Iterator[int]:
+    """Opens the folder of a file, so that no link can replace it, and yields
+    its descriptor."""
     folders = _folders(path, root)
     if root is not None:
         root.mkdir(parents=True, exist_ok=True)
@@ -180,8 +183,8 @@ def _require(
 def _refusal(path: Path, status: os.stat_result) -> OutputRefused:
     if stat.S_ISLNK(status.st_mode):
         return OutputRefused(
-            f"{path}: this is a symbolic link, through which nothing is "
-            "written; remove it, or choose another output"
+            f"{path}: this is a symbolic link, and files are not written "
+            "through links; remove it, or choose another output"
         )
     kind = "a folder" if stat.S_ISDIR(status.st_mode) else "a special file"
     if stat.S_ISREG(status.st_mode):
@@ -197,7 +200,7 @@ def _exists(path: Path) -> OutputRefused:
 
 
 def _give_name(part: str, path: Path, folder: int, replaces: bool) -> None:
-    """Gives a complete file its name."""
+    """Renames a complete file to its final name."""
     if not replaces:
         try:
             os.link(part, path.name, src_dir_fd=folder, dst_dir_fd=folder)

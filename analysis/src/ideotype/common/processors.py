@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The processors of this machine."""
+"""The processors available to this process."""
 
 from __future__ import annotations
 

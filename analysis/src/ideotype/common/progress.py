@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A bar on a terminal that shows the progress of a task."""
+"""A progress bar for terminals."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from typing import Self, TextIO
 
 class Progress:
     """A progress bar that fits the width of the terminal and disappears at the
-    end. Nothing is written where there is no terminal."""
+    end. Nothing is written if the stream is no terminal."""
 
-    def __init__(self, what: str, stream: TextIO | None = None) -> None:
-        """Begins a bar; `what` is the participle for finished steps, such as
+    def __init__(self, participle: str, stream: TextIO | None = None) -> None:
+        """Begins a bar. participle: word for finished steps, such as
         "drawn"."""
-        self._what = what
+        self._participle = participle
         self._stream = stream or sys.stderr
         self._is_shown = self._stream.isatty()
         self._started = time.monotonic()
@@ -29,13 +29,14 @@ class Progress:
     def __exit__(self, *_: object) -> None:
         self._write("")
 
-    def tell(self, done: int, count: int, about: str = "") -> None:
-        """Shows how many of `count` steps are done."""
+    def show(self, done: int, count: int, about: str = "") -> None:
+        """Shows the number of finished steps, `done` of `count`, and the name
+        of the present step."""
         spent = time.monotonic() - self._started
         left = spent / done * (count - done) if done else 0
         self._write(
             bar(
-                done, count, f"{done} of {count} {self._what}", left, about,
+                done, count, f"{done} of {count} {self._participle}", left, about,
                 shutil.get_terminal_size().columns - 1,
             )
         )  # fmt: skip
@@ -56,9 +57,9 @@ def bar(
     if left >= 1:
         words += f", {int(left) // 60}:{int(left) % 60:02} left"
     whole = f"{words}  {about}" if about else words
-    told = whole if len(whole) + 12 <= columns else words
-    width = min(columns - len(told) - 3, 40)
+    label = whole if len(whole) + 12 <= columns else words
+    width = min(columns - len(label) - 3, 40)
     if width < 5:
-        return told[:columns]
+        return label[:columns]
     full = round(width * done / max(count, 1))
-    return f"[{'#' * full}{'.' * (width - full)}] {told}"
+    return f"[{'#' * full}{'.' * (width - full)}] {label}"

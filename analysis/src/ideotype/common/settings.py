@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Turns settings of a campaign from Python into words of a command line, and
-words of a command line into numbers."""
+"""Converts settings of a campaign from Python to words of a command line, and
+words of a command line to numbers."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ import tomli_w
 from .arrays import unmasked
 
 Settings = Mapping[str, Any] | Iterable[str]
-"""Keys of a campaign with values that replace the values of its file:
+"""Keys of a campaign with values that replace those of its file:
 {"light.paths": 1024} or ["light.paths=1024"]. Tables are dictionaries."""
 
 
-def words_of(settings: Settings) -> list[str]:
+def format_settings(settings: Settings) -> list[str]:
     """Returns settings as words for the option `--set`."""
     if isinstance(settings, str):
         return [settings]
@@ -31,7 +31,7 @@ def words_of(settings: Settings) -> list[str]:
 def _toml(value: Any) -> str:
     """Returns a value as TOML on one line."""
     if isinstance(value, Mapping):
-        pairs = (f"{key} = {_toml(each)}" for key, each in value.items())
+        pairs = (f"{key} = {_toml(item)}" for key, item in value.items())
         return f"{{{', '.join(pairs)}}}"
     if isinstance(value, (list, tuple, np.ndarray)):
         return f"[{', '.join(map(_toml, unmasked(value, 'a setting')))}]"
@@ -40,18 +40,19 @@ def _toml(value: Any) -> str:
 
 
 def number_within(
-    kind: type[int] | type[float], least: float, most: float
+    kind: type[int] | type[float], lower: float, upper: float
 ) -> Callable[[str], Any]:
-    """Returns a function that reads the number of an option in a range."""
+    """Returns a parser for option values from `lower` to `upper`. It raises
+    ArgumentTypeError for other values."""
 
     def read(word: str) -> Any:
         try:
             value = kind(word)
         except ValueError:
             value = math.nan
-        if not least <= value <= most:
+        if not lower <= value <= upper:
             raise argparse.ArgumentTypeError(
-                f"{word} (expected: {least:g} .. {most:g})"
+                f"{word} (expected: {lower:g} .. {upper:g})"
             )
         return value
 

@@ -1,2 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """The figures of reports and of stands."""
+
+from .cross import Cross, read_cross
+
+__all__ = ["Cross", "read_cross"]

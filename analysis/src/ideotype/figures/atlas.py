@@ -21,7 +21,7 @@ def draw_atlas(case: Case) -> Figure:
     Raises HistoryError if no leader is evaluated yet."""
     atlas = case.best_history.atlas()
     if atlas is None:
-        raise HistoryError("no leader of the atlas is evaluated again yet")
+        raise HistoryError("no leader of the atlas is re-evaluated yet")
     shown = np.array(atlas.on_two_axes())
     rows = 1 if len(atlas.axes) == 1 else atlas.axes[1].cells
     figure = style.new_figure(style.WIDTH, 2.6 + 0.3 * rows)
@@ -29,7 +29,7 @@ def draw_atlas(case: Case) -> Figure:
     (_draw_line if len(atlas.axes) == 1 else _draw_map)(axes, atlas, shown)
     if np.any(~atlas.is_confirmed[shown]):
         figure.legend(loc="outside upper center")
-    style.answer(figure, _answer(atlas))
+    style.set_answer(figure, _answer(atlas))
     return figure
 
 
@@ -41,7 +41,7 @@ def _draw_map(axes: Axes, atlas: Atlas, shown: np.ndarray) -> None:
     image = axes.imshow(table, cmap="viridis", origin="lower", aspect="auto")
     open_ = ~atlas.is_confirmed[shown]
     axes.plot(
-        x[open_], y[open_], "x", color="white", markeredgecolor=style.ANEW,
+        x[open_], y[open_], "x", color="white", markeredgecolor=style.ACCENT,
         markeredgewidth=2, label="not confirmed",
     )  # fmt: skip
     for which, axis in ((axes.xaxis, across), (axes.yaxis, up)):
@@ -91,9 +91,10 @@ def _answer(atlas: Atlas) -> str:
     )
     return (
         f"The best of {len(leaders)} kinds has {place}, and reaches "
-        f"{interval([best]).number()}{_unit(goal.unit)}; {near - 1} others "
-        f"cannot be told from it. {int(atlas.is_confirmed.sum())} leaders were "
-        "confirmed by evaluating them again in the search."
+        f"{interval([best]).number()}{_unit(goal.unit)}. {near - 1} others do "
+        "not differ significantly from it. "
+        f"{int(atlas.is_confirmed.sum())} leaders were confirmed by "
+        "re-evaluation in the search."
     )
 
 

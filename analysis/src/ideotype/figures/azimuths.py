@@ -29,10 +29,10 @@ _RANK_LABEL: dict[str, Any] = {
 }
 
 
-def azimuths(case: Case, genomes: NDArray) -> NDArray[np.float64]:
+def compute_azimuths(case: Case, genomes: NDArray) -> NDArray[np.float64]:
     """Returns the azimuths of the leaves of plants, lowest first [plants,
-    leaves], in [0, 360) [deg]: all traits that act on azimuths act, whether
-    they are bred or not.
+    leaves], in [0, 360) [deg], with the effects of all traits that act on
+    azimuths, free or fixed.
 
     Raises HistoryError if no trait acts on azimuths."""
     baseline = case.resolved.get("plant", {}).get("baseline", {})
@@ -44,18 +44,22 @@ def azimuths(case: Case, genomes: NDArray) -> NDArray[np.float64]:
         if not len(columns):
             raise HistoryError("the plants have no azimuths")
         return genomes[:, columns]
-    own = np.array([leaf["azimuth"] for leaf in baseline["leaf"]], dtype=float)
-    found = np.tile(own, (len(genomes), 1))
+    initial = np.array(
+        [leaf["azimuth"] for leaf in baseline["leaf"]], dtype=float
+    )
+    values = np.tile(initial, (len(genomes), 1))
     acting = False
     for trait in traits:
         for effect in ("sets", "scales", "shifts"):
             if _MEASURE in trait.get(effect, []):
-                numbers = _by_leaf(case, trait["name"], genomes, len(own))
-                found = _act(effect, found, numbers)
+                numbers = _spread_over_leaves(
+                    case, trait["name"], genomes, len(initial)
+                )
+                values = _act(effect, values, numbers)
                 acting = True
     if not acting:
         raise HistoryError("no trait acts on azimuths")
-    return np.mod(found, 360.0)
+    return np.mod(values, 360.0)
 
 
 def _act(effect: str, values: NDArray, numbers: NDArray) -> NDArray:
@@ -64,7 +68,9 @@ def _act(effect: str, values: NDArray, numbers: NDArray) -> NDArray:
     return values * numbers if effect == "scales" else values + numbers
 
 
-def _by_leaf(case: Case, trait: str, genomes: NDArray, leaves: int) -> NDArray:
+def _spread_over_leaves(
+    case: Case, trait: str, genomes: NDArray, leaves: int
+) -> NDArray:
     """Returns a trait's number for each leaf."""
     numbers = genomes[:, case.genes.columns(trait)]
     if case.genes.kind(trait) == "profile":
@@ -75,7 +81,7 @@ def _by_leaf(case: Case, trait: str, genomes: NDArray, leaves: int) -> NDArray:
 def draw_azimuths(case: Case) -> Figure:
     """Draws leaf azimuths from above, the lowest leaf innermost: the fittest
     plants, their circular mean and deviation, and the baseline."""
-    plants = azimuths(case, case.top(COUNT).genome)
+    plants = compute_azimuths(case, case.top(COUNT).genome)
     leaves = np.arange(plants.shape[1]) + 1
     figure = style.new_figure(style.WIDTH, 5.2)
     grid = figure.add_gridspec(1, 2, width_ratios=(1, 0.16))
@@ -85,7 +91,10 @@ def draw_azimuths(case: Case) -> Figure:
     axes.set_theta_direction(-1)
     _draw_arcs(axes, plants, leaves)
     draw_plants(
-        axes, case, lambda genomes: np.deg2rad(azimuths(case, genomes)), leaves
+        axes,
+        case,
+        lambda genomes: np.deg2rad(compute_azimuths(case, genomes)),
+        leaves,
     )
     for row in (0, np.pi):
         end = 1.1 * leaves.max()
@@ -100,15 +109,15 @@ def draw_azimuths(case: Case) -> Figure:
         ["0° along the row"] + [f"{a}°" for a in range(45, 360, 45)],
     )
     if case.pairs:
-        both = azimuths(
+        both = compute_azimuths(
             case,
             np.vstack([p.row.genome for p in (case.best, case.baseline)]),
         )
         turn = np.abs((both[0] - both[1] + 180) % 360 - 180)
-        style.answer(
+        style.set_answer(
             figure,
-            f"The leaves of the best plant point {turn.mean():.0f}° away from "
-            "where the baseline's point, on average.",
+            f"The azimuths of the leaves of the best plant differ from the "
+            f"baseline by {turn.mean():.0f}° on average.",
         )
     return finish(figure, axes)
 
@@ -118,15 +127,17 @@ def _draw_arcs(axes: Axes, values: NDArray, leaves: NDArray) -> None:
     mean, deviation = circular_mean_and_deviation(values)
     for center, width, leaf in zip(mean, deviation, leaves):
         arc = np.deg2rad(np.linspace(center - width, center + width, 60))
-        axes.plot(arc, np.full(len(arc), leaf + 0.3), color=style.ANEW, lw=1.2)
+        axes.plot(
+            arc, np.full(len(arc), leaf + 0.3), color=style.ACCENT, lw=1.2
+        )
     axes.plot(
-        np.deg2rad(mean), leaves + 0.3, "s", color=style.ANEW, markersize=3,
+        np.deg2rad(mean), leaves + 0.3, "s", color=style.ACCENT, markersize=3,
         label="circular mean and deviation",
     )  # fmt: skip
 
 
 def _draw_compass(axes: Axes, case: Case) -> None:
-    """Draws north, the row, and the direction in which azimuths count, for a
+    """Draws north, the row, and the direction of increasing azimuth, for a
     view from above with azimuth 0 at the top. The compass fills the axes."""
     axes.set_axis_off()
     axes.set_aspect("equal")

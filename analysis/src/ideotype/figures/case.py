@@ -22,7 +22,7 @@ from .shares import draw_assimilation, draw_parts
 
 class CaseFigure(NamedTuple):
     """A function that draws a figure, the question that the figure answers,
-    and its caption."""
+    and the caption of the figure."""
 
     draw: Callable[[Case], Figure]
     question: str
@@ -33,86 +33,83 @@ CASE_FIGURES: dict[str, CaseFigure] = {
     "convergence": CaseFigure(
         draw_convergence,
         "Has the search converged?",
-        "The grey band is the interval of the baseline. Coloured bands are the "
-        "range of seeds or, with a single seed, the standard deviation of the "
-        "population. The trend is that of the second half of the generations.",
+        "Grey band: 95 % confidence interval of the baseline. Coloured bands: "
+        "range over seeds or, with a single seed, standard deviation of the "
+        "population. The trend is fitted to the second half of the generations.",
     ),
     "traits": CaseFigure(
         draw_traits,
-        "Which traits do the leaves of the fittest plants have?",
-        "Bred traits by leaf of the ten fittest plants of all seeds. Orange: "
-        "their mean and standard deviation, on the circle for azimuths.",
+        "Which leaf traits do the fittest plants have?",
+        "Optimised traits by leaf rank; the ten fittest plants of all seeds. "
+        "Orange: mean and standard deviation (circular for azimuths).",
     ),
     "profiles": CaseFigure(
         draw_profiles,
-        "How do traits of the fittest plants change from leaf to leaf?",
-        "Bred profiles over leaf position of the ten fittest plants. Points "
-        "are bred numbers; factors [1] multiply the baseline's measures, other "
-        "numbers are added to them or take their place.",
+        "How do the traits of the fittest plants vary with leaf position?",
+        "Optimised profiles over leaf position; the ten fittest plants. Points: "
+        "genes. Factors [1] multiply the values of the baseline; other genes "
+        "are added to them or replace them.",
     ),
     "plant_traits": CaseFigure(
         draw_plant_traits,
-        "Which traits do the fittest plants have as a whole?",
-        "Bred traits of the whole plant of the ten fittest plants. Factors "
-        "[1] multiply the baseline's measures.",
+        "Which whole-plant traits do the fittest plants have?",
+        "Optimised traits of the whole plant; the ten fittest plants. Factors "
+        "[1] multiply the values of the baseline.",
     ),
     "azimuths": CaseFigure(
         draw_azimuths,
-        "Where do the leaves of the fittest plants point?",
-        "Plants are seen from above. Arcs are the circular standard "
-        "deviation.",
+        "Which azimuths do the leaves of the fittest plants have?",
+        "View from above. Arcs: circular standard deviation.",
     ),
     "hours": CaseFigure(
         draw_hours,
         "When do the leaves absorb light?",
-        "PAR by hour; several days are shown by their mean. Bars of the "
-        "difference take baseline and best as independent.",
+        "PAR absorbed by leaves, by hour; mean over days. Error bars of the "
+        "difference treat baseline and best as independent.",
     ),
     "sunlit": CaseFigure(
         draw_sunlit,
-        "How much of the leaf area does the sun shine on?",
-        "Sunlit over all leaf area, by hour; several days are shown by their "
-        "mean.",
+        "How much of the leaf area is sunlit?",
+        "Sunlit fraction of leaf area, by hour; mean over days.",
     ),
     "assimilation": CaseFigure(
         draw_assimilation,
-        "When do the leaves assimilate, and which of them?",
-        "CO₂ that leaves take up, gross by hour, and gross and net of their "
-        "respiration by leaf rank, per area of ground.",
+        "When do the leaves assimilate, and which leaves?",
+        "Gross CO₂ assimilation by hour; gross and net assimilation (less leaf "
+        "respiration) by leaf rank. Per ground area.",
     ),
     "days": CaseFigure(
         draw_days,
         "On which days is the best plant better?",
-        "Each day of the season. Respiration and the building of leaves are not "
-        "known by day: where they are subtracted, each day has those of the "
-        "mean day.",
+        "Daily values over the season. Respiration and construction cost of "
+        "leaves are known as seasonal means only, and subtracted as such.",
     ),
     "leaves": CaseFigure(
         draw_leaves,
         "Which leaves absorb the light?",
-        "By leaf rank, per area of ground.",
+        "By leaf rank, per ground area.",
     ),
     "layers": CaseFigure(
         draw_layers,
-        "How high above the soil is the light absorbed?",
-        "By height layer, per area of ground.",
+        "At which height is the light absorbed?",
+        "By height layer, per ground area.",
     ),
     "parts": CaseFigure(
         draw_parts,
-        "Where does the absorbed light come from, and on which face?",
-        "Beam comes straight from the sun, scattered light from other "
-        "surfaces; adaxial is the upper face.",
+        "Which light is absorbed, and on which leaf side?",
+        "Beam: direct sunlight. Scattered: light from other surfaces. Adaxial: "
+        "upper leaf side.",
     ),
     "leaf_area": CaseFigure(
         draw_leaf_area,
-        "How much leaf area has the stand over the season?",
-        "At each age at which plants are evaluated.",
+        "How does leaf area develop over the season?",
+        "At each evaluated plant age.",
     ),
     "carbon": CaseFigure(
         draw_carbon,
-        "In which weeks does the stand gain carbon?",
-        "Sums of each week since emergence; ages between those that are "
-        "evaluated are linear in time. The last week may be short.",
+        "When does the stand gain carbon?",
+        "Weekly sums since emergence, interpolated linearly between evaluated "
+        "plant ages. The last week may be shorter.",
     ),
 }
 """The figures by name, in the order of the page."""
@@ -120,17 +117,17 @@ CASE_FIGURES: dict[str, CaseFigure] = {
 _FRONT_FIGURES: dict[str, CaseFigure] = {
     "front": CaseFigure(
         draw_front,
-        "What does more of one objective cost in the other?",
-        "The front has plants that no other of their seed betters in all "
-        "objectives. They were evaluated again, and some fell off it then. "
-        "",
+        "How do the objectives trade off?",
+        "Pareto front of each seed: no other plant is at least as good in all "
+        "objectives and better in one. Open symbols: plants that are dominated "
+        "after re-evaluation.",
     ),
     "hypervolume": CaseFigure(
         draw_hypervolume,
-        "Does the front still grow?",
-        "The hypervolume is the part that the front of each generation "
-        "dominates of all that is better than the reference of its seed. "
-        "Bands are 95 % confidence intervals.",
+        "Does the Pareto front still improve?",
+        "Hypervolume: fraction of the objective space above the reference of "
+        "the seed that the Pareto front dominates. Bands: 95 % confidence "
+        "intervals.",
     ),
 }
 
@@ -139,10 +136,9 @@ _ATLAS = {
     "atlas": CaseFigure(
         draw_atlas,
         "How good can a plant of each kind be?",
-        "The objective of the best plant of each kind, evaluated again at the "
-        "end; where a third quantity tells kinds apart, the best over it. A "
-        "plant that is not confirmed was evaluated only once in the search, and "
-        "may lead by luck.",
+        "Objective of the best plant of each kind after re-evaluation; with a "
+        "third axis, the best over it. A plant that is not confirmed was "
+        "evaluated only once in the search, and may lead by chance.",
     )
 }
 

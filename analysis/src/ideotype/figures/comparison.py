@@ -15,6 +15,9 @@ from ..history.interval import Interval, bars, interval, meaning
 from . import style
 from .cross import Cross
 
+OVER_BASELINE = "over the baseline"
+"""The label of gains over the baseline."""
+
 ELITE = "elite"
 """The name of the elite plant in a cross-evaluation."""
 
@@ -25,7 +28,7 @@ _PARTS = {
     "leaves": (style.MEAN, ""),
     "stalks": ("#E69F00", "//"),
     "sheaths": ("#F0E442", "xx"),
-    "other organs": (style.ANEW, "--"),
+    "other organs": (style.ACCENT, "--"),
     "soil": ("#CC79A7", ".."),
     "reflected": ("#56B4E9", "\\\\"),
 }
@@ -38,7 +41,7 @@ ones are dots on the bar."""
 _ORGANS = {"stalk": "stalks", "sheath": "sheaths"}
 
 
-def known_cases(cases: Sequence[Case]) -> list[Case]:
+def select_known(cases: Sequence[Case]) -> list[Case]:
     """Returns the cases with a baseline and a best plant. Raises HistoryError
     if there is no such case."""
     known = [case for case in cases if case.pairs]
@@ -47,9 +50,9 @@ def known_cases(cases: Sequence[Case]) -> list[Case]:
     return known
 
 
-def intervals_of(cases: Sequence[Case]) -> str:
+def describe_intervals(cases: Sequence[Case]) -> str:
     """Explains the intervals of cases, which depend on their numbers of
-    seeds."""
+    searches."""
     return meaning(len(case.pairs) for case in cases if case.pairs)
 
 
@@ -57,12 +60,30 @@ def draw_gains(cases: Sequence[Case], cross: Cross | None = None) -> Figure:
     """Draws for each case the gain of the best plant over the baseline, and
     over the elite plant if a cross-evaluation has this plant, in %: the mean
     of searches with its interval, and each search."""
-    known = known_cases(cases)
-    lines = _gain_lines(known, cross)
-    rows = sorted({y for y, *_ in lines})
-    step = 0.27 if len(rows) > _MANY else 0.5
-    figure = style.new_figure(style.WIDTH, 1.5 + step * len(rows))
+    known = select_known(cases)
+    figure = style.new_figure(style.WIDTH, 1.5 + measure_gains(known, cross))
     axes = figure.add_subplot()
+    draw_gain_axes(axes, known, cross)
+    handles, labels = axes.get_legend_handles_labels()
+    entries = dict(zip(labels, handles))
+    figure.legend(
+        entries.values(), entries.keys(), loc="outside lower center", ncols=1
+    )
+    style.set_answer(figure, _describe_gains(known))
+    return figure
+
+
+def measure_gains(known: Sequence[Case], cross: Cross | None = None) -> float:
+    """Returns the height of the lines of draw_gain_axes() [inches]."""
+    rows = {y for y, *_ in _list_gain_lines(known, cross)}
+    return (0.27 if len(rows) > _MANY else 0.5) * len(rows)
+
+
+def draw_gain_axes(
+    axes: Axes, known: Sequence[Case], cross: Cross | None = None
+) -> None:
+    """Draws the gains of draw_gains() into axes, without a legend."""
+    lines = _list_gain_lines(known, cross)
     for y, _, gain, color, marker, label in lines:
         _draw_interval(axes, gain, y, color, marker, label)
     for y, case in enumerate(known):
@@ -70,32 +91,27 @@ def draw_gains(cases: Sequence[Case], cross: Cross | None = None) -> Figure:
             axes.plot(
                 [pair.gain.mean for pair in case.pairs],
                 [y] * len(case.pairs), "|", color=style.QUIET, markersize=9,
-                label="one search",
+                label="single search",
             )  # fmt: skip
     axes.axvline(0, color=style.BASELINE, linewidth=1, linestyle="--")
     ticks = {y: name for y, name, *_ in lines if name}
     axes.set_yticks([*ticks], [*ticks.values()])
     axes.set_ylim(max(ticks) + 0.5, -0.5)
     goals = {case.best.row.goals[0].name for case in known}
-    what = style.words(goals.pop()) if len(goals) == 1 else "the objective"
-    axes.set_xlabel(f"gain in {what} [%]")
-    handles, labels = axes.get_legend_handles_labels()
-    shown = dict(zip(labels, handles))
-    figure.legend(
-        shown.values(), shown.keys(), loc="outside lower center", ncols=2
-    )
-    style.answer(figure, _sure(known))
-    return figure
+    quantity = style.words(goals.pop()) if len(goals) == 1 else "the objective"
+    axes.set_xlabel(f"gain in {quantity} [%]")
 
 
 _Line = tuple[float, str, Interval, str, str, str]
-"""A mark in the figure of gains: place, name of the line, gain, colour, marker
-and label."""
+"""A mark in the figure of gains: position, name of the line, gain, colour,
+marker and label."""
 
 
-def _gain_lines(known: Sequence[Case], cross: Cross | None) -> list[_Line]:
+def _list_gain_lines(
+    known: Sequence[Case], cross: Cross | None
+) -> list[_Line]:
     """Returns the gain of each case; for a single case also the gain of each
-    search, whose interval covers the error of the light only."""
+    search, with the interval of evaluation noise only."""
     names = short_names(known)
     lines: list[_Line] = []
     if len(known) == 1 and len(known[0].pairs) > 1:
@@ -103,32 +119,32 @@ def _gain_lines(known: Sequence[Case], cross: Cross | None) -> list[_Line]:
             gain = interval([pair.gain])
             lines.append(
                 (search, f"search {search}", gain, style.QUIET, "|",
-                 "one search, with the noise of its light")
+                 "single search, interval of evaluation noise only")
             )  # fmt: skip
         names = {known[0].name: "mean of searches"}
     elif len(known) == 1:
-        names = {known[0].name: "the search"}
+        names = {known[0].name: "single search"}
     for y, case in enumerate(known):
         lines.append(
             (y, names[case.name], case.relative_gain(), style.BEST, "o",
-             "over the baseline")
+             OVER_BASELINE)
         )  # fmt: skip
         if elite := cross and cross.relative_gain(case, ELITE):
             lines.append(
-                (y + 0.2, "", elite, style.ANEW, "s", "over the elite plant")
+                (y + 0.2, "", elite, style.ACCENT, "s", "over the elite plant")
             )
     return lines
 
 
-def _sure(known: Sequence[Case]) -> str:
+def _describe_gains(known: Sequence[Case]) -> str:
     gains = [case.relative_gain() for case in known]
     if len(gains) == 1:
         return f"By {gains[0].number()} %."
-    sure = sum(x.is_sure for x in gains)
+    significant = sum(gain.is_sure for gain in gains)
     low, high = min(x.mean for x in gains), max(x.mean for x in gains)
     return (
-        f"By {low:.1f} to {high:.1f} %; in {sure} of {len(gains)} cases the "
-        "interval of the gain is on one side of 0."
+        f"By {low:.1f} to {high:.1f} %. The 95 % confidence interval excludes 0 "
+        f"in {significant} of {len(gains)} cases."
     )
 
 
@@ -145,9 +161,9 @@ def _draw_interval(
 def draw_energy(cases: Sequence[Case]) -> Figure:
     """Draws the parts of the incident PAR with their intervals, for the
     baseline and the best plant of each case, or of the cases with the largest
-    and smallest gains. Isolated plots have a separate panel: light from their
-    sides adds to the light that falls on their ground."""
-    every = known_cases(cases)
+    and smallest gains. Isolated plots have a separate panel, since they also
+    receive light from the sides."""
+    every = select_known(cases)
     known = every
     if len(every) > _MANY:
         ranked = sorted(every, key=lambda case: case.relative_gain().mean)
@@ -177,37 +193,37 @@ def draw_energy(cases: Sequence[Case]) -> Figure:
         [bars[part] for part in parts], parts,
         loc="outside lower center", ncols=3,
     )  # fmt: skip
-    style.answer(figure, _leaves_take(every))
+    style.set_answer(figure, _describe_leaves(every))
     return figure
 
 
-def _leaves_take(known: Sequence[Case]) -> str:
-    told = []
+def _describe_leaves(known: Sequence[Case]) -> str:
+    texts = []
     for who in ("best", "baseline"):
         parts = [case.number(who, "absorbed_fraction") for case in known]
         low, high = (f(100 * x.mean for x in parts) for f in (min, max))
-        told.append(
+        texts.append(
             f"{parts[0].scaled(100, '%')}"
             if len(parts) == 1
             else f"{low:.0f} to {high:.0f} %"
         )
     return (
-        f"Leaves of the best plants take {told[0]} of it, and those of the "
-        f"baseline {told[1]}."
+        f"The leaves of the best plants absorb {texts[0]} of the incident PAR; "
+        f"those of the baseline absorb {texts[1]}."
     )
 
 
-def shares(case: Case, who: str) -> dict[str, Interval]:
+def compute_shares(case: Case, who: str) -> dict[str, Interval]:
     """Returns parts of the incident PAR in the order of the figure; organs
     other than leaves, stalks and sheaths are added, and their errors are added
     too as an upper bound."""
-    found = {"leaves": case.number(who, "absorbed_fraction")}
+    parts = {"leaves": case.number(who, "absorbed_fraction")}
     for organ, share in case.light_by_organ(who).items():
         part = _ORGANS.get(organ, "other organs")
-        found[part] = share.plus(found[part]) if part in found else share
+        parts[part] = share.plus(parts[part]) if part in parts else share
     for part in ("soil", "reflected"):
-        found[part] = case.number(who, f"{part}_fraction")
-    return found
+        parts[part] = case.number(who, f"{part}_fraction")
+    return parts
 
 
 def _draw_balance(
@@ -219,7 +235,7 @@ def _draw_balance(
         for j, who in enumerate(("baseline", "best")):
             y = i + 0.4 * j
             start = 0.0
-            for part, share in shares(case, who).items():
+            for part, share in compute_shares(case, who).items():
                 color, hatch = _PARTS[part]
                 axes.barh(
                     y, share.mean, 0.34, left=start, color=color, hatch=hatch,
@@ -235,9 +251,9 @@ def _draw_balance(
     axes.set_ylim(len(known) - 0.4, -0.4)
     if known[0].is_isolated:
         axes.set_xlabel(
-            "PAR in an isolated plot,\nover the incident on its ground"
+            "PAR in an isolated plot,\nrelative to incident PAR on its ground"
         )
     else:
         axes.set_xlim(0, 1.02)
-        axes.set_xlabel("part of the incident PAR")
+        axes.set_xlabel("fraction of incident PAR")
     axes.grid(axis="y", visible=False)

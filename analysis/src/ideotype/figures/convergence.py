@@ -26,10 +26,10 @@ from ..history.trend import (
     verdict,
 )
 from . import style
-from .style import answer, axis_label, half_width
+from .style import axis_label, half_width, set_answer
 
 _WITHOUT_LEARNING = ("random", "sobol")
-"""Optimisers whose plants do not depend on earlier plants."""
+"""Optimisers that sample plants independently of earlier plants."""
 
 RACE = 16
 """The generations of the race with which `auto` begins, with its design
@@ -38,7 +38,7 @@ RACE = 16
 
 def draw_convergence(case: Case) -> Figure:
     """Draws the first objective by generation, numbered from 0 as in the file,
-    against the baseline, and the best plant evaluated again. For a single seed
+    against the baseline, and the re-evaluated best plant. For a single seed
     the figure has the best plant with its standard error, and the mean with
     the spread of the population; for several seeds it has means over seeds,
     with the range of seeds as a band."""
@@ -60,30 +60,30 @@ def draw_convergence(case: Case) -> Figure:
     axes.set_xlabel("generation")
     _set_ticks(axes, count, case.is_final)
     figure.legend(loc="outside lower center", ncols=1)
-    answer(figure, verdict_of(case, runs))
+    set_answer(figure, judge_convergence(case, runs))
     return figure
 
 
-def verdict_of(case: Case, runs: Sequence[Generations]) -> str:
-    """States whether the searches of a case have converged, by how much as
-    many generations again could still gain."""
+def judge_convergence(case: Case, runs: Sequence[Generations]) -> str:
+    """States whether the searches of a case have converged, from the expected
+    gain of as many further generations."""
     optimizer = case.resolved.get("search", {}).get("optimizer", "")
     if optimizer in _WITHOUT_LEARNING:
         return (
-            "Cannot tell: this search draws plants without learning, so that "
-            "its populations have no trend."
+            "Unknown: this search samples plants without learning, so that its "
+            "populations have no trend."
         )
     if len(case.histories[0].objectives) > 1:
         return (
-            "Cannot tell from one of several objectives; the hypervolume of "
-            "the front shows progress in all of them."
+            "Unknown from one of several objectives; the hypervolume of the "
+            "Pareto front shows progress in all of them."
         )
     scale = _scale(case, runs)
     sign = case.histories[0].objectives[0].sign
     further = further_gain([run.mean.values for run in runs], sign)
     if further is None or not scale > 0:
         return (
-            f"Cannot tell: {_count(runs)} generations are too few; at least "
+            f"Unknown: {_count(runs)} generations are too few; at least "
             f"{2 * LEAST - 1} are needed."
         )
     low, mean, high = (
@@ -92,30 +92,30 @@ def verdict_of(case: Case, runs: Sequence[Generations]) -> str:
     gains = [pair.gain for pair in case.pairs if pair.is_final]
     gain = abs(float(np.mean([x.mean for x in gains]))) if gains else 0.0
     matters = max(MATTERS, PART_THAT_MATTERS * gain)
-    found = verdict(FurtherGain(mean, low, high), matters)
+    end = verdict(FurtherGain(mean, low, high), matters)
     again = (
-        f"by the trend of the mean plant, as many generations again "
+        f"by the trend of the population mean, as many further generations "
         f"({_count(runs)}) would gain {_range(low, high)} % more (95 % "
         "confidence interval)"
     )
-    if found is End.NO:
+    if end is End.NO:
         return f"No: {again}."
     if optimizer == "auto" and min(map(len, runs)) < RACE:
         return (
-            f"Cannot tell: the race of two searches with which this optimiser "
-            f"begins takes {RACE} generations; {again}."
+            f"Unknown: the initial race of two searches of this optimiser takes "
+            f"{RACE} generations; {again}."
         )
     if searches_differ(gains, matters):
         least, most = (f(x.mean for x in gains) for f in (min, max))
         return (
-            f"Cannot tell: the searches gained {least:.1f} to {most:.1f} %, "
-            f"which differ by more than their errors; {again}."
+            f"Unknown: the searches gained {least:.1f} to {most:.1f} %, which "
+            f"differ by more than their errors; {again}."
         )
-    if found is End.UNKNOWN:
-        return f"Cannot tell: {again}."
+    if end is End.UNKNOWN:
+        return f"Unknown: {again}."
     return (
-        f"Yes: {again}, and less than {matters:.1f} % is taken as converged. "
-        "A better plant elsewhere is not excluded."
+        f"Yes: {again}; less than {matters:.1f} % counts as converged. A better "
+        "plant elsewhere in the design space is not excluded."
     )
 
 
@@ -147,7 +147,7 @@ def _draw_seed(axes: Axes, run: Generations) -> None:
         marker="o",
         markersize=3,
         elinewidth=1,
-        label="best of its generation (not evaluated again)",
+        label="best of its generation (not re-evaluated)",
     )
     mean, spread = run.mean.values, run.spread.values
     axes.plot(number, mean, color=style.MEAN, label="mean")
@@ -158,19 +158,19 @@ def _draw_seed(axes: Axes, run: Generations) -> None:
 
 
 def _draw_seeds(axes: Axes, runs: list[Generations]) -> None:
-    for what, color, label in (
-        ("best", style.BEST, "best of its generation (not evaluated again)"),
+    for quantity, color, label in (
+        ("best", style.BEST, "best of its generation (not re-evaluated)"),
         ("mean", style.MEAN, "mean of the population"),
     ):
         # The table has NaN for generations that a seed has not reached.
         table = pandas.DataFrame(
-            [[*getattr(run, what).values] for run in runs]
+            [[*getattr(run, quantity).values] for run in runs]
         )
         axes.plot(
             range(table.shape[1]),
             table.mean(),
             color=color,
-            marker="o" if what == "best" else None,
+            marker="o" if quantity == "best" else None,
             markersize=3,
             label=f"{label}, mean of seeds",
         )
@@ -210,10 +210,10 @@ def _draw_pairs(axes: Axes, case: Case, end: int) -> None:
             [end] * len(again),
             [best.mean for best in again],
             half_width([best.standard_error for best in again]),
-            color=style.ANEW,
+            color=style.ACCENT,
             marker="D",
             linestyle="none",
-            label="best plant, evaluated again",
+            label="best plant, re-evaluated",
         )
 
 

@@ -94,10 +94,9 @@ def read_cross(path: str | Path) -> Cross:
         cross = _from_csv(path) if path.suffix == ".csv" else _from_json(path)
     except (KeyError, ValueError, TypeError) as error:
         raise HistoryError(
-            f"{path}: this is no cross-evaluation ({error!r}); it should be "
-            "JSON "
-            "with plants, cases, mean and standard_error, or CSV with a "
-            "column for each"
+            f"{path}: this is no cross-evaluation ({error!r}); give JSON with "
+            "plants, cases, mean and standard_error, or CSV with the columns "
+            "plant, case, mean and standard_error"
         ) from error
     if not cross.plants or not cross.cases:
         raise HistoryError(
@@ -141,11 +140,11 @@ def draw_cross(cross: Cross) -> Figure:
     mean, error = (
         np.array(
             [
-                [getattr(x, what) if x else np.nan for x in row]
+                [getattr(x, attribute) if x else np.nan for x in row]
                 for _, row in table
             ]
         )
-        for what in ("mean", "below")
+        for attribute in ("mean", "below")
     )
     best = np.nanmax(mean, axis=0)
     share, error = 100 * mean / best, 100 * error / best
@@ -167,17 +166,20 @@ def draw_cross(cross: Cross) -> Figure:
         range(len(cross.cases)), cross.cases, rotation=30, ha="right"
     )
     axes.set_yticks(range(len(table)), [name for name, _ in table])
-    axes.set_xlabel("under the light of")
+    axes.set_xlabel("in the light of")
     axes.set_ylabel("plant")
     figure.colorbar(
-        image, location="bottom", aspect=40, label="% of the best there"
+        image,
+        location="bottom",
+        aspect=40,
+        label="% of the best plant in this light",
     )
     worst = np.nanmin(share, axis=1)
     robust = int(np.nanargmax(worst))
-    style.answer(
+    style.set_answer(
         figure,
-        f"Most robust is {table[robust][0]}: nowhere does it have less than "
-        f"{worst[robust]:.1f} % of the best there.",
+        f"The most robust plant is {table[robust][0]}: it reaches at least "
+        f"{worst[robust]:.1f} % of the best plant in the light of each case.",
     )
     return figure
 

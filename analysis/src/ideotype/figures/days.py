@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 from ..history.case import Case
 from ..history.estimate import NORMAL, Estimate
 from . import style
-from .profiles import PLANTS, Course, course_of, draw_courses, names_along
+from .profiles import PLANTS, Course, draw_courses, list_names, make_course
 from .season import DAY
 
 _BY_DAY = {
@@ -23,8 +23,8 @@ _BY_DAY = {
 
 _GROSS, _GROSS_BY_DAY = "gross_assimilation", "assimilation_by_day"
 _LOWERED = {
-    "net_assimilation": "respiration in the light",
-    "carbon_balance": "respiration and the building of leaves",
+    "net_assimilation": "day respiration",
+    "carbon_balance": "respiration and leaf construction cost",
 }
 """Objectives that are gross assimilation less losses, and the losses."""
 
@@ -36,30 +36,30 @@ def draw_days(case: Case) -> Figure:
     Losses of carbon are not known by day: each day has those of the mean day.
 
     Raises HistoryError if no quantity is known by day."""
-    names = names_along(case, "day", "day")
+    names = list_names(case, "day", "day")
     goal = case.best.row.goals[0].name
-    own = _BY_DAY.get(goal, "")
+    objective_by_day = _BY_DAY.get(goal, "")
     computed = _lowered(case, goal) if _GROSS_BY_DAY in names else None
-    nearest = _GROSS_BY_DAY if goal in _LOWERED else own
+    nearest = _GROSS_BY_DAY if goal in _LOWERED else objective_by_day
     names.sort(key=lambda name: name != nearest)
     courses = [_course(case, name) for name in names]
     if computed:
         courses.insert(0, computed)
     figure = draw_courses(courses)
-    is_objective = computed is not None or own == names[0]
-    ahead = _days_ahead(case, courses[0], is_objective)
-    style.answer(figure, f"{ahead}{_how(case)}")
+    is_objective = computed is not None or objective_by_day == names[0]
+    ahead = _count_days_ahead(case, courses[0], is_objective)
+    style.set_answer(figure, f"{ahead}{_how(case)}")
     return figure
 
 
 def _course(case: Case, name: str) -> Course:
-    found = course_of(case, name)
+    found = make_course(case, name)
     return replace(found, title=_GROSS) if name == _GROSS_BY_DAY else found
 
 
 def _lowered(case: Case, goal: str) -> Course | None:
     """Returns an objective that is gross assimilation less losses. None for
-    plants that grow: what they lose changes with their leaf area."""
+    plants that grow: their losses change with their leaf area."""
     losses = _losses(case)
     if (
         goal not in _LOWERED
@@ -67,7 +67,7 @@ def _lowered(case: Case, goal: str) -> Course | None:
         or DAY in case.best.row.quantities
     ):
         return None
-    gross = course_of(case, _GROSS_BY_DAY).plants
+    gross = make_course(case, _GROSS_BY_DAY).plants
     return Course(
         goal,
         {who: gross[who].lowered(loss) for who, loss in zip(PLANTS, losses)},
@@ -85,7 +85,7 @@ def _losses(case: Case) -> tuple[float, ...] | None:
     )
 
 
-def _days_ahead(case: Case, course: Course, is_objective: bool) -> str:
+def _count_days_ahead(case: Case, course: Course, is_objective: bool) -> str:
     was, now = course.plants["baseline"], course.plants["best"]
     sign = case.best.row.goals[0].sign if is_objective else 1
     count = int(np.count_nonzero(sign * (now.values - was.values) > 0))
@@ -107,18 +107,21 @@ def _how(case: Case) -> str:
     gain = case.best_pair.difference
     gross = gain.mean - less
     reach = NORMAL * gain.standard_error
-    text = Estimate(gross, gain.standard_error).interval_text()
+    interval = Estimate(gross, gain.standard_error).interval_text()
     unit = style.unit_label(gain.unit)
-    told = (
-        f" On a mean day its gross assimilation differs by {_signed(text)} {unit}, and "
-        f"it loses {abs(less):.2g} {unit} {'less' if less > 0 else 'more'} by "
-        f"{_LOWERED[goal.name]}"
+    text = (
+        f" On a mean day its gross assimilation differs by {_signed(interval)} {unit}; "
+        f"its losses by {_LOWERED[goal.name]} are {abs(less):.2g} {unit} "
+        f"{'lower' if less > 0 else 'higher'}"
     )
     if gain.mean - reach > 0 and less > 0 and gross + reach < 0:
-        return told + ": it gains by losing less, not by assimilating more."
+        return (
+            text + ". The gain comes from lower losses, not from more "
+            "assimilation."
+        )
     if gain.mean - reach > 0 and less < 0:
-        return told + ": it gains by assimilating more."
-    return told + "."
+        return text + ". The gain comes from more assimilation."
+    return text + "."
 
 
 def _signed(text: str) -> str:

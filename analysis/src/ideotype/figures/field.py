@@ -81,10 +81,12 @@ def plant_field(
         copies.append(np.stack(moved, axis=-1))
     corners = np.concatenate(copies)
     every = np.tile(colors, (len(places), 1))
-    return Field(corners, lit(every, corners), rows, plant * (size[1] - 1))
+    return Field(
+        corners, shade_faces(every, corners), rows, plant * (size[1] - 1)
+    )
 
 
-def lit(
+def shade_faces(
     colors: NDArray[np.float64], corners: NDArray[np.float64]
 ) -> NDArray[np.float64]:
     """Returns the colours of faces, darker for faces that look away from the
@@ -105,7 +107,7 @@ class View:
     """The height on the plane below which there is soil."""
 
 
-def at_eye_height(field: Field) -> View:
+def view_at_eye_height(field: Field) -> View:
     """Returns the view of the field for eyes before its rows, farther away
     from tall plants."""
     back = _STEPS_BACK * max(1, field.corners[..., 2].max() / _IN_VIEW)
@@ -126,7 +128,7 @@ def at_eye_height(field: Field) -> View:
     )  # fmt: skip
 
 
-def from_above(field: Field) -> View:
+def view_from_above(field: Field) -> View:
     """Returns the view from above on the middle of the field; plants reach
     across the edges of the view."""
     order = np.argsort(field.corners[..., 2].mean(axis=1))
@@ -231,7 +233,8 @@ def draw_stand(mesh: Mesh, resolved: dict[str, Any], case: str) -> Figure:
     field = plant_field(mesh, colors, row, plant, jitter, size)
     figure = style.new_figure(5.8, 2.3)
     for axes, view in zip(
-        figure.subplots(1, 2), (at_eye_height(field), from_above(field))
+        figure.subplots(1, 2),
+        (view_at_eye_height(field), view_from_above(field)),
     ):
         show(axes, view)
     return figure
@@ -244,18 +247,18 @@ def draw_field(case: Case, baseline: Mesh, best: Mesh) -> Figure:
     Raises HistoryError if the history lacks this light or the distances of
     plants."""
     if case.is_over("spacing"):
-        raise HistoryError("each plant stands at several spacings")
+        raise HistoryError("each plant is evaluated at several spacings")
     try:
         row = float(case.attributes["row_spacing"])
         plant = float(case.attributes["plant_spacing"])
     except (KeyError, ValueError):
-        raise HistoryError("the history does not say its spacing") from None
+        raise HistoryError("the history has no spacing") from None
     pairs = ((case.baseline, baseline), (case.best, best))
     lights = [leaf_light(*pair, row * plant) for pair in pairs]
-    told = [x for light in lights for x in light.values() if x is not None]
-    if not told:
-        raise HistoryError("the history does not tell leaves apart")
-    brightest = max(told)
+    known = [x for light in lights for x in light.values() if x is not None]
+    if not known:
+        raise HistoryError("the history does not distinguish leaves")
+    brightest = max(known)
     field = case.resolved.get("field", {})
     size = (_ROWS, int(np.clip(_LENGTH / plant, _PLANTS, 2 * _PLANTS)))
     if case.is_isolated:
@@ -270,20 +273,20 @@ def draw_field(case: Case, baseline: Mesh, best: Mesh) -> Figure:
         colors = face_colors(mesh, by_face, brightest)
         jitter = float(field.get("jitter", 0))
         stand = plant_field(mesh, colors, row, plant, jitter, size)
-        show(column[0], at_eye_height(stand))
-        show(column[1], from_above(stand))
+        show(column[0], view_at_eye_height(stand))
+        show(column[1], view_from_above(stand))
         column[0].set_title(name)
     unit = style.unit_label(case.best.profile("absorbed_by_leaf").unit)
     add_key(
         figure, list(grid.ravel()), brightest,
         f"absorbed PAR [{unit} of leaf]",
     )  # fmt: skip
-    told_best = {k: x for k, x in lights[1].items() if x is not None}
-    most = max(told_best, key=lambda group: told_best[group])
-    style.answer(
+    light_of_best = {k: x for k, x in lights[1].items() if x is not None}
+    brightest_leaf = max(light_of_best, key=lambda group: light_of_best[group])
+    style.set_answer(
         figure,
-        f"Leaf {int(most.removeprefix('leaf'))} of {len(told_best)} of the best "
-        f"plant absorbs most per area of leaf, {told_best[most]:.3g} "
+        f"Leaf {int(brightest_leaf.removeprefix('leaf'))} of {len(light_of_best)} of the best "
+        f"plant absorbs most per leaf area, {light_of_best[brightest_leaf]:.3g} "
         f"{style.unit_label(case.best.profile('absorbed_by_leaf').unit)}.",
     )
     return figure

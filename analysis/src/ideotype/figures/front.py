@@ -49,37 +49,47 @@ def draw_front(case: Case) -> Figure:
         axes.set_ylabel(y)
     handles, labels = panels[0].get_legend_handles_labels()
     figure.legend(handles, labels, loc="outside lower center", ncols=1)
-    style.answer(figure, _exchange(case))
+    style.set_answer(figure, _exchange(case))
     return figure
 
 
 def _exchange(case: Case) -> str:
-    """Tells the objectives at the ends of the front of the best seed."""
+    """States the objectives at both ends of the front of the best seed."""
     _, front = max(case.fronts, key=lambda each: int(each[1].is_kept.sum()))
     rows = front.members.take(front.is_kept)
     order = np.argsort(rows.objectives[:, 0])
-    told = []
+    texts = []
     for k, goal in enumerate(case.histories[0].objectives[:2]):
         first, last = rows.objectives[order[[0, -1]], k]
         unit = "" if goal.unit == "1" else f" {style.unit_label(goal.unit)}"
-        told.append(
-            f"{style.words(goal.name)} goes from {first:.3g} to {last:.3g}{unit}"
+        texts.append(
+            f"{style.words(goal.name)} changes from {first:.3g} to {last:.3g}{unit}"
         )
-    return f"Along the front of {len(rows)} plants {' while '.join(told)}."
+    return (
+        f"Along the Pareto front of {len(rows)} plants "
+        f"{' while '.join(texts)}."
+    )
 
 
 def _draw_pair(axes: Axes, case: Case, shown: list[int]) -> None:
     for seed, (_, front) in enumerate(case.fronts):
-        of = f" of seed {seed + 1}" if len(case.histories) > 1 else ""
+        suffix = f" of seed {seed + 1}" if len(case.histories) > 1 else ""
         marker = _MARKERS[seed % len(_MARKERS)]
         for which, color, face, label in (
-            (front.is_kept, style.BEST, style.BEST, "front"),
-            (~front.is_kept, style.ANEW, "white", "fallen off"),
+            (front.is_kept, style.BEST, style.BEST, "Pareto front"),
+            (
+                ~front.is_kept,
+                style.ACCENT,
+                "white",
+                "dominated after re-evaluation",
+            ),
         ):
             rows = front.members.take(which)
             if len(rows):
                 style_of = {"color": color, "markerfacecolor": face}
-                _draw_rows(axes, rows, shown, marker, label + of, **style_of)
+                _draw_rows(
+                    axes, rows, shown, marker, label + suffix, **style_of
+                )
     baseline = case.fronts[0][1].baseline.row
     _draw_rows(axes, baseline, shown, "D", "baseline", color=style.BASELINE)
     axes.set(xlim=axes.get_xlim(), ylim=axes.get_ylim())
@@ -88,7 +98,7 @@ def _draw_pair(axes: Axes, case: Case, shown: list[int]) -> None:
     )
     axes.plot(
         *others[:, shown].T, ".", color=style.QUIET, alpha=0.5, zorder=0,
-        label="last generation, not evaluated again",
+        label="last generation, not re-evaluated",
     )  # fmt: skip
 
 
@@ -116,7 +126,7 @@ def draw_hypervolume(case: Case) -> Figure:
         if run is not None and len(run.values)
     ]
     if not known:
-        raise HistoryError("the histories do not tell the hypervolume")
+        raise HistoryError("the histories have no hypervolume")
     figure = style.new_figure(style.WIDTH, 3.6)
     axes = figure.add_subplot()
     for seed, run in known:
@@ -138,9 +148,10 @@ def draw_hypervolume(case: Case) -> Figure:
     run = known[0][1]
     half = len(run.values) // 2
     before, now = run.values[half], run.values[-1]
-    style.answer(
+    style.set_answer(
         figure,
-        f"In the second half of its generations the hypervolume grew by "
-        f"{100 * (now - before) / max(abs(now), 1e-12):.2g} % of what it is.",
+        f"In the second half of the generations the hypervolume grew by "
+        f"{100 * (now - before) / max(abs(now), 1e-12):.2g} % of its final "
+        "value.",
     )
     return figure

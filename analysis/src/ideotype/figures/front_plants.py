@@ -57,13 +57,13 @@ def draw_front_plants(
     for axes, (plant, mesh, name) in zip(chain(*panels), shown):
         draw_side(axes, mesh)
         axes.set(xlim=(left, reach), ylim=(0, top))
-        told = "\n".join(_objectives(plant))
-        axes.set_title(f"{name}\n{told}", fontsize=9)
+        text = "\n".join(_objectives(plant))
+        axes.set_title(f"{name}\n{text}", fontsize=9)
     for axes in chain(*panels):
         axes.set_axis_off()
-    style.answer(
+    style.set_answer(
         figure,
-        "Numbers are those of "
+        "Numbers: "
         + ", ".join(
             style.axis_label(objective.name, objective.unit)
             for objective in objectives

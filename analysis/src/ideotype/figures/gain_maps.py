@@ -16,8 +16,8 @@ from ..history.estimate import Estimate, relative_gain
 from ..history.file import HistoryError
 from ..history.interval import Interval, over_searches
 from . import style
-from .comparison import known_cases
-from .places import AXES, elsewhere
+from .comparison import select_known
+from .places import AXES, describe_place
 
 _Place = tuple[float, float]
 _Cells = dict[_Place, Interval]
@@ -28,18 +28,18 @@ def draw_gain_map(cases: Sequence[Case]) -> Figure:
     other axes.
 
     Raises HistoryError unless cases differ in two numbers."""
-    known = known_cases(cases)
+    known = select_known(cases)
     labels, groups = _maps(known)
     maps: dict[str, _Cells] = {
         name: {at: case.relative_gain() for at, case in members.items()}
         for name, members in groups.items()
     }
     figure = _draw(maps, labels, "gain over the baseline [%]")
-    most = max(known, key=lambda case: case.relative_gain().mean)
-    style.answer(
+    largest = max(known, key=lambda case: case.relative_gain().mean)
+    style.set_answer(
         figure,
-        f"Most in {short_names(known)[most.name]}: "
-        f"{most.relative_gain().number()} %.",
+        f"Largest in {short_names(known)[largest.name]}: "
+        f"{largest.relative_gain().number()} %.",
     )
     return figure
 
@@ -52,7 +52,7 @@ def draw_set_map(cases: Sequence[Case], sets: tuple[str, str]) -> Figure:
     Raises HistoryError unless the cases of both trait sets differ in two
     numbers."""
     first, second = sets
-    known = known_cases(cases)
+    known = select_known(cases)
     labels, groups = _maps(known)
     maps: dict[str, _Cells] = {}
     for name, members in groups.items():
@@ -70,15 +70,15 @@ def draw_set_map(cases: Sequence[Case], sets: tuple[str, str]) -> Figure:
     figure = _draw(maps, labels, f"{first} over {second} [%]", has_line=True)
     better = [x for cells in maps.values() for x in cells.values()]
     clearly = sum(x.low > 0 for x in better)
-    style.answer(
+    style.set_answer(
         figure,
-        f"Clearly, with the whole interval above 0, in {clearly} of "
+        f"Significantly (95 % confidence interval above 0) in {clearly} of "
         f"{len(better)} places.",
     )
     return figure
 
 
-def two_sets(cases: Sequence[Case]) -> tuple[str, str] | None:
+def find_sets(cases: Sequence[Case]) -> tuple[str, str] | None:
     """Returns the trait sets of cases, if there are exactly two sets."""
     names = dict.fromkeys(
         str(case.attributes.get("trait_set", "")) for case in cases
@@ -96,14 +96,14 @@ def _over(case: Case, other: Case) -> Interval:
         )
         for each in (case, other)
     )
-    # Half widths are passed in the place of standard errors, so that the
-    # result is a half width too.
-    found = relative_gain(
+    # Half widths are passed as standard errors, so that the result is a half
+    # width too.
+    ratio = relative_gain(
         *(Estimate(x.mean, x.below, x.unit) for x in (mine, theirs))
     )
     sign = case.best.row.goals[0].sign
-    half_width, seeds = found.standard_error, min(mine.seeds, theirs.seeds)
-    return Interval(sign * found.mean, half_width, half_width, "%", seeds)
+    half_width, seeds = ratio.standard_error, min(mine.seeds, theirs.seeds)
+    return Interval(sign * ratio.mean, half_width, half_width, "%", seeds)
 
 
 def _maps(
@@ -122,7 +122,7 @@ def _maps(
             try:
                 for case in shown:
                     at = place(case), other_place(case)
-                    name = elsewhere(case, axis, other)
+                    name = describe_place(case, axis, other)
                     members = groups.setdefault(name, {})
                     if at in members:
                         raise HistoryError("several cases are at one place")
@@ -158,18 +158,20 @@ def _draw(
     tallest = max(len({at[1] for at in cells}) for cells in maps.values())
     figure = style.new_figure(style.WIDTH, 0.8 + rows * (0.9 + 0.42 * tallest))
     panels = figure.subplots(rows, columns, squeeze=False).ravel()
-    most = max(abs(x.mean) for cells in maps.values() for x in cells.values())
-    norm = Normalize(-most, most)
+    largest = max(
+        abs(x.mean) for cells in maps.values() for x in cells.values()
+    )
+    norm = Normalize(-largest, largest)
     for axes in panels[len(maps) :]:
         axes.set_visible(False)
     image = None
     for axes, (name, cells) in zip(panels, maps.items()):
         across, up = (sorted({at[k] for at in cells}) for k in (0, 1))
         table = np.full((len(up), len(across)), np.nan)
-        for (x, y), found in cells.items():
+        for (x, y), gain in cells.items():
             i, j = up.index(y), across.index(x)
-            table[i, j] = found.mean
-            _write(axes, j, i, found, norm)
+            table[i, j] = gain.mean
+            _write(axes, j, i, gain, norm)
         image = axes.imshow(
             table, cmap="PuOr_r", norm=norm, origin="lower", aspect="auto"
         )
@@ -189,11 +191,11 @@ def _draw(
 
 
 def _write(
-    axes: Axes, x: int, y: int, found: Interval, norm: Normalize
+    axes: Axes, x: int, y: int, gain: Interval, norm: Normalize
 ) -> None:
-    dark = abs(float(norm(found.mean)) - 0.5) > 0.33
-    plus = "+" if found.mean > 0 else ""
-    number, _, rest = found.number().partition(" ")
+    dark = abs(float(norm(gain.mean)) - 0.5) > 0.33
+    plus = "+" if gain.mean > 0 else ""
+    number, _, rest = gain.number().partition(" ")
     text = f"{plus}{number}\n{rest.replace('± ', '±')}"
     axes.text(
         x, y, text.replace("-", "\N{MINUS SIGN}"),

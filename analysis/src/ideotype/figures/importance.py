@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from matplotlib.figure import Figure
 
+from ..common.labels import title
 from ..history.case import Case
 from ..history.estimate import NORMAL, Estimate
 from . import style
@@ -31,15 +32,15 @@ def draw_importance(case: Case, changes: Sequence[Change]) -> Figure:
     """Draws the loss of the best plant by each change."""
     figure = style.new_figure(style.WIDTH, 1.4 + 0.5 * len(changes))
     axes = figure.add_subplot()
-    for shift, what, color, marker, label in (
-        (-0.12, "back", style.BEST, "o", "as the baseline has it"),
-        (0.12, "off", style.ANEW, "s", "10 % or 10° off"),
+    for shift, attribute, color, marker, label in (
+        (-0.12, "back", style.BEST, "o", "set to the baseline"),
+        (0.12, "off", style.ACCENT, "s", "changed by 10 % or 10°"),
     ):
-        found = [getattr(change, what) for change in changes]
+        losses = [getattr(change, attribute) for change in changes]
         axes.errorbar(
-            [x.mean for x in found],
+            [x.mean for x in losses],
             np.arange(len(changes)) + shift,
-            xerr=style.half_width([x.standard_error for x in found]),
+            xerr=style.half_width([x.standard_error for x in losses]),
             color=color, marker=marker, linestyle="none", label=label,
         )  # fmt: skip
     axes.axvline(0, color=style.BASELINE, linewidth=1, linestyle="--")
@@ -50,29 +51,30 @@ def draw_importance(case: Case, changes: Sequence[Change]) -> Figure:
         "[% of the baseline]"
     )
     figure.legend(loc="outside lower center", ncols=2)
-    style.answer(figure, answer_of(changes))
+    style.set_answer(figure, get_answer(changes))
     return figure
 
 
-def answer_of(changes: Sequence[Change]) -> str:
-    """Tells which traits cause the gain, and which traits must be exact."""
+def get_answer(changes: Sequence[Change]) -> str:
+    """States which traits cause the gain, and which trait is most sensitive."""
     clear = [
         x for x in changes if x.back.mean > NORMAL * x.back.standard_error
     ]
     if not clear:
         return (
-            "No single trait: with any of them as in the baseline the best "
-            "plant loses no more than the interval."
+            "No single trait has a significant effect when it is set to the "
+            "baseline."
         )
-    makes = " and ".join(
-        f"{_words(x.trait)} ({x.back.interval_text()} points)"
+    causes = " and ".join(
+        f"{_words(x.trait)} ({x.back.interval_text()} percentage points)"
         for x in clear[:2]
     )
     worst = max(changes, key=lambda x: x.off.mean)
     return (
-        f"{makes[:1].upper()}{makes[1:]} most: that is lost if only this is as in the baseline. "
-        f"Most care is due to {_words(worst.trait)}, which costs "
-        f"{worst.off.interval_text()} points if it is 10 % or 10° off."
+        f"Largest loss if one trait is set to the baseline: {causes}. "
+        f"{title(worst.trait.removesuffix('_profile'))} is the most sensitive "
+        f"trait: an error of 10 % or 10° costs {worst.off.interval_text()} "
+        "percentage points."
     )
 
 

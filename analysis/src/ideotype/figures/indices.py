@@ -16,7 +16,7 @@ _SHOWN = 15
 _LABELS = {
     "first": "first order",
     "total": "total",
-    "mu_star": "mean size μ*",
+    "mu_star": "mean absolute effect μ*",
     "sigma": "standard deviation σ",
 }
 
@@ -28,20 +28,22 @@ def draw_indices(case: Case) -> Figure:
     Raises HistoryError if the study is not finished or has no indices."""
     history = case.histories[0]
     name = history.objectives[0].name
-    found = indices_of(history).get(name)
-    if found is None:
+    indices = indices_of(history).get(name)
+    if indices is None:
         raise HistoryError("the sensitivity study is not finished yet")
-    shown = SOBOL if "total" in found.index else MORRIS
-    main = found.main
+    shown = SOBOL if "total" in indices.index else MORRIS
+    main = indices.main
     if not np.isfinite(main).any():
-        raise HistoryError(f"{style.words(name)} varies by no more than noise")
+        raise HistoryError(
+            f"the variation of {style.words(name)} does not exceed noise"
+        )
     order = np.argsort(-np.nan_to_num(main, nan=-np.inf))[:_SHOWN][::-1]
     figure = style.new_figure(style.WIDTH, 1.3 + 0.32 * len(order))
     axes = figure.subplots()
-    labels = [style.words(found.factors[k]) for k in order]
+    labels = [style.words(indices.factors[k]) for k in order]
     bars, errors = (
         pandas.DataFrame({_LABELS[x]: of[x][order] for x in shown}, labels)
-        for of in (found.index, found.standard_error)
+        for of in (indices.index, indices.standard_error)
     )
     bars.plot.barh(
         ax=axes, xerr=NORMAL * errors, width=0.8, capsize=2,
@@ -49,7 +51,7 @@ def draw_indices(case: Case) -> Figure:
     )  # fmt: skip
     if shown == MORRIS:
         axes.axvline(
-            float(np.nanmax(found.index[OF_NOISE])),
+            float(np.nanmax(indices.index[OF_NOISE])),
             color=style.BASELINE,
             linewidth=1,
             linestyle="--",
@@ -58,16 +60,16 @@ def draw_indices(case: Case) -> Figure:
     axes.axvline(0, color=style.BASELINE, linewidth=1)
     axes.grid(visible=False, axis="y")
     axes.set_xlabel(
-        f"share of the variance of {style.words(name)}, 95 % intervals"
+        f"fraction of the variance of {style.words(name)}, 95 % confidence intervals"
         if shown == SOBOL
-        else f"change of {style.axis_label(name, found.unit)} over the range"
+        else f"change of {style.axis_label(name, indices.unit)} over the range"
     )
     axes.legend(loc="lower right")
-    most = style.words(found.factors[order[-1]])
-    style.answer(
+    first = style.words(indices.factors[order[-1]])
+    style.set_answer(
         figure,
-        f"Most on {most}, as {found.samples} samples tell. They have "
-        f"{found.mean:.4g} {style.unit_label(found.unit)} on average, with a "
-        f"standard deviation of {found.standard_deviation:.2g}.",
+        f"Mainly on {first} ({indices.samples} samples; mean {indices.mean:.4g}, "
+        f"standard deviation {indices.standard_deviation:.2g} "
+        f"{style.unit_label(indices.unit)}).",
     )
     return figure

@@ -26,7 +26,7 @@ RANGE = "range"
 _NO_BARS = ("",) * 4
 
 
-def numbers(figure: Figure) -> str:
+def read_numbers(figure: Figure) -> str:
     """Returns the numbers of a figure as CSV, a line for each point, bar or
     cell of a map."""
     text = io.StringIO(newline="")

@@ -15,7 +15,7 @@ from ..history.case import Case
 from ..history.file import HistoryError
 from ..history.interval import Interval, bars
 from . import style
-from .comparison import known_cases
+from .comparison import select_known
 
 _Number = Callable[[Case], float]
 
@@ -35,14 +35,14 @@ def _density(case: Case) -> float:
 AXES: tuple[tuple[str, str, _Number], ...] = (
     ("spacing", "plant density [m⁻²]", _density),
     ("site", "latitude [°N]", _latitude),
-    ("spacing", "distance of plants [m]", _plants),
-    ("spacing", "distance of rows [m]", _rows),
+    ("spacing", "plant distance in the row [m]", _plants),
+    ("spacing", "row distance [m]", _rows),
 )
 """The axes of figures: name of the axis of campaigns, label, and a function
 that returns the place of a case."""
 
 
-def elsewhere(case: Case, *axes: str) -> str:
+def describe_place(case: Case, *axes: str) -> str:
     """Returns the case's place on all axes except the given axes; the trait
     set comes last."""
     names = ("site", "day", "spacing", "trait_set")
@@ -71,13 +71,13 @@ def draw_spacings(cases: Sequence[Case]) -> Figure:
 def _draw_against(
     cases: Sequence[Case], axis: str, label: str, position: _Number
 ) -> Figure:
-    what = label.split(" [")[0]
-    known = [c for c in known_cases(cases) if not c.is_over(axis)]
+    quantity = label.split(" [")[0]
+    known = [c for c in select_known(cases) if not c.is_over(axis)]
     try:
         if len({position(case) for case in known}) < 2:
-            raise HistoryError(f"all cases have the same {what}")
+            raise HistoryError(f"all cases have the same {quantity}")
     except (KeyError, ZeroDivisionError) as error:
-        raise HistoryError(f"the histories do not say their {what}") from error
+        raise HistoryError(f"the histories have no {quantity}") from error
     lines, points = _lines(known, axis, position)
     figure = style.new_figure(
         style.WIDTH, 6.4 + 0.16 * (len(lines) + len(points))
@@ -113,8 +113,8 @@ def _draw_against(
         handles, labels, loc="outside lower center", ncols=1 + many,
         fontsize=8 if many else 9,
     )  # fmt: skip
-    upper.set_title("full: best; open, dashed: baseline", fontsize=9)
-    style.answer(figure, _tendency(known, position, label))
+    upper.set_title("filled: best plant; open, dashed: baseline", fontsize=9)
+    style.set_answer(figure, _tendency(known, position, label))
     return figure
 
 
@@ -129,7 +129,7 @@ def _lines(
 
     groups: dict[str, list[Case]] = {}
     for case in known:
-        groups.setdefault(elsewhere(case, axis), []).append(case)
+        groups.setdefault(describe_place(case, axis), []).append(case)
     lines: dict[str, list[Case]] = {}
     for name, members in groups.items():
         members.sort(key=position)
@@ -161,9 +161,9 @@ def _in_order(
 
 
 def _tendency(known: Sequence[Case], position: _Number, label: str) -> str:
-    """Tells the mean gains at both ends of an axis."""
+    """States the mean gains at both ends of an axis."""
     at = sorted({position(case) for case in known})
-    what, _, unit = label.partition(" [")
+    _, _, unit = label.partition(" [")
     ends = []
     for place in (at[0], at[-1]):
         gains = [
@@ -172,10 +172,7 @@ def _tendency(known: Sequence[Case], position: _Number, label: str) -> str:
             if position(case) == place
         ]
         ends.append(f"{np.mean(gains):.1f} % at {place:g} {unit.rstrip(']')}")
-    return (
-        f"Over the range of {what} the gain, as a mean of the cases there, goes "
-        f"from {ends[0]} to {ends[1]}."
-    )
+    return f"The mean gain changes from {ends[0]} to {ends[1]}."
 
 
 def _by_rows(name: str, members: Sequence[Case]) -> dict[str, list[Case]]:

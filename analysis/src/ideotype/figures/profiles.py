@@ -17,7 +17,7 @@ from ..history.case import Case
 from ..history.file import HistoryError
 from ..history.quantity import Axis, Profile
 from . import style
-from .style import answer, axis_label, half_width
+from .style import axis_label, half_width, set_answer
 
 _SUNLIT = "sunlit_lai_by_hour"
 BY_HOUR = "assimilation_by_hour"
@@ -50,10 +50,10 @@ class Course:
     plants: Mapping[str, Profile]
 
 
-def course_of(case: Case, name: str) -> Course:
+def make_course(case: Case, name: str) -> Course:
     """Returns a quantity of a history as a course."""
     return Course(
-        title_of(name),
+        make_title(name),
         {who: getattr(case, who).profile(name) for who in PLANTS},
     )
 
@@ -62,18 +62,18 @@ def draw_hours(case: Case) -> Figure:
     """Draws PAR absorbed by leaves at each hour, and best minus baseline. The
     error of the difference assumes that both plants are independent. Each part
     of the light has a panel if the history distinguishes parts."""
-    names = names_along(case, "hour", "hour")
-    figure = draw_courses([course_of(case, name) for name in names])
-    hour, more = _most_different(case, names[0])
-    answer(
+    names = list_names(case, "hour", "hour")
+    figure = draw_courses([make_course(case, name) for name in names])
+    hour, more = _find_largest_difference(case, names[0])
+    set_answer(
         figure,
-        f"The leaves of the best plant differ most from the baseline's at "
-        f"{_clock(hour)}, when they absorb {more}.",
+        f"The largest difference is at {_clock(hour)}: the leaves of the best "
+        f"plant absorb {more}.",
     )
     return figure
 
 
-def _most_different(case: Case, name: str) -> tuple[Any, str]:
+def _find_largest_difference(case: Case, name: str) -> tuple[Any, str]:
     """Returns the label of the largest difference between baseline and best
     plant, and this difference."""
     was, now = case.baseline.profile(name), case.best.profile(name)
@@ -124,16 +124,16 @@ def draw_sunlit(case: Case) -> Figure:
     case.need_pairs()
     figure, (axes,) = new_panels(1, 3.2)
     draw_course(axes, case, _SUNLIT, over="lai", factor=100)
-    axes.set_ylabel("sunlit part of the leaf area [%]")
+    axes.set_ylabel("sunlit fraction of leaf area [%]")
     axes.legend()
     was, now = (
         100 * plant.profile(_SUNLIT).values.max() / plant.estimate("lai").mean
         for plant in (case.baseline, case.best)
     )
-    answer(
+    set_answer(
         figure,
-        f"At most {now:.0f} % of the leaf area of the best plant is sunlit, "
-        f"and {was:.0f} % of the baseline's.",
+        f"At the maximum, {now:.0f} % of the leaf area of the best plant is "
+        f"sunlit, and {was:.0f} % of that of the baseline.",
     )
     return figure
 
@@ -148,46 +148,48 @@ def draw_course(
         plant = getattr(case, who)
         scale = factor / plant.estimate(over).mean if over else factor
         plants[who] = plant.profile(name).scaled(scale)
-    _draw_course(axes, Course(title_of(name), plants))
+    _draw_course(axes, Course(make_title(name), plants))
 
 
 def _draw_course(axes: Axes, course: Course) -> None:
     for who, looks in PLANTS.items():
-        found = course.plants[who]
+        profile = course.plants[who]
         axes.errorbar(
-            _instants(found),
-            found.values,
-            half_width(found.standard_error),
+            _instants(profile),
+            profile.values,
+            half_width(profile.standard_error),
             **looks | _SIZE,
         )
     lowest = min(map(_lowest, course.plants.values()))
     axes.set_ylim(bottom=min(0.0, 1.1 * lowest))
-    if found.labels.dtype.kind == "U":
-        days = _instants(found)[:: -(-len(found.labels) // 4)]
+    if profile.labels.dtype.kind == "U":
+        days = _instants(profile)[:: -(-len(profile.labels) // 4)]
         axes.set_xticks(days, [f"{day:%-d %b}" for day in days.tolist()])
         return
-    axes.set_xlabel(f"{found.meaning} [h]")
-    first, last = np.floor(found.labels.min()), np.ceil(found.labels.max())
+    axes.set_xlabel(f"{profile.meaning} [h]")
+    first, last = np.floor(profile.labels.min()), np.ceil(profile.labels.max())
     step = max(1, round((last - first) / 8))
     axes.set_xticks(np.arange(first, last + 1, step))
 
 
-def _lowest(found: Profile) -> float:
+def _lowest(profile: Profile) -> float:
     """Returns the lower end of the lowest error bar."""
-    ends = found.values - np.nan_to_num(half_width(found.standard_error))
+    ends = profile.values - np.nan_to_num(half_width(profile.standard_error))
     return float(np.nanmin(ends))
 
 
-def _instants(found: Profile) -> NDArray:
+def _instants(profile: Profile) -> NDArray:
     """Returns the labels as hours, or as dates."""
-    is_date = found.labels.dtype.kind == "U"
-    return found.labels.astype("datetime64[D]") if is_date else found.labels
+    is_date = profile.labels.dtype.kind == "U"
+    return (
+        profile.labels.astype("datetime64[D]") if is_date else profile.labels
+    )
 
 
 def draw_leaves(case: Case) -> Figure:
     """Draws quantities by leaf rank, such as absorbed PAR: baseline and best
     with standard errors, each quantity in a panel."""
-    names = names_along(case, "leaf", "leaf rank")
+    names = list_names(case, "leaf", "leaf rank")
     figure, panels = _draw_along(case, names)
     leaf = cast(Axis, case.best.row.with_axis("leaf")[0].axis)
     for axes in panels:
@@ -198,10 +200,10 @@ def draw_leaves(case: Case) -> Figure:
         values = plant.profile(names[0]).values
         upper = values[len(values) // 2 :].sum()
         shares.append(f"{100 * upper / values.sum():.0f} %")
-    answer(
+    set_answer(
         figure,
-        f"The upper half of the leaves absorbs {shares[0]} of the light of "
-        f"the best plant's leaves, and {shares[1]} of the baseline's.",
+        f"The upper half of the leaves absorbs {shares[0]} of all light that "
+        f"the leaves absorb in the best plant, and {shares[1]} in the baseline.",
     )
     return figure
 
@@ -209,7 +211,7 @@ def draw_leaves(case: Case) -> Figure:
 def draw_layers(case: Case) -> Figure:
     """Draws quantities by height above the soil like draw_leaves(); points are
     at the middle of their layers."""
-    names = names_along(case, "layer", "height layer")
+    names = list_names(case, "layer", "height layer")
     figure, panels = _draw_along(case, names)
     for axes, name in zip(panels, names):
         axes.set_ylim(0, _top(case, name))
@@ -219,10 +221,10 @@ def draw_layers(case: Case) -> Figure:
         found = plant.profile(names[0])
         weights = found.values / found.values.sum()
         heights.append(f"{float(weights @ found.labels):.2f} m")
-    answer(
+    set_answer(
         figure,
-        f"Light is absorbed {heights[0]} above the soil on average by the best "
-        f"plant, and {heights[1]} by the baseline.",
+        f"The mean height of absorption is {heights[0]} in the best plant and "
+        f"{heights[1]} in the baseline.",
     )
     return figure
 
@@ -247,13 +249,13 @@ def _draw_along(case: Case, names: list[str]) -> tuple[Figure, NDArray]:
         for who, looks in PLANTS.items():
             found = getattr(case, who).profile(name)
             draw_profile(axes, found, **looks)
-        axes.set_xlabel(axis_label(title_of(name), found.unit))
+        axes.set_xlabel(axis_label(make_title(name), found.unit))
         axes.set_xlim(left=min(0, axes.get_xlim()[0]))
     panels[0].legend()
     return figure, panels
 
 
-def names_along(case: Case, axis: str, what: str) -> list[str]:
+def list_names(case: Case, axis: str, description: str) -> list[str]:
     """Returns the quantities with an axis that have no figure elsewhere.
 
     Raises HistoryError if there is none."""
@@ -264,7 +266,7 @@ def names_along(case: Case, axis: str, what: str) -> list[str]:
         if q.name not in _ELSEWHERE
     ]
     if not names:
-        raise HistoryError(f"the history has no figures by {what}")
+        raise HistoryError(f"the history has no quantities by {description}")
     return names
 
 
@@ -273,16 +275,16 @@ def new_panels(count: int, height: float = 3.4) -> tuple[Figure, NDArray]:
     return figure, figure.subplots(count, 1, squeeze=False)[:, 0]
 
 
-def draw_profile(axes: Axes, found: Profile, **looks: Any) -> None:
+def draw_profile(axes: Axes, profile: Profile, **looks: Any) -> None:
     axes.errorbar(
-        found.values, found.labels, xerr=half_width(found.standard_error),
+        profile.values, profile.labels, xerr=half_width(profile.standard_error),
         **_SIZE | looks,
     )  # fmt: skip
 
 
-def title_of(name: str) -> str:
-    what = style.words(name).split(" by ")[0]
-    return "absorbed PAR" if what == "absorbed" else what
+def make_title(name: str) -> str:
+    title = style.words(name).split(" by ")[0]
+    return "absorbed PAR" if title == "absorbed" else title
 
 
 def _two_lines(label: str) -> str:

@@ -28,9 +28,9 @@ _LOOKS = (
 )
 
 
-def stages(case: Case) -> Profile:
-    """Returns the day since emergence of each stage, whose labels are thermal
-    time [deg C d].
+def read_stages(case: Case) -> Profile:
+    """Returns the day since emergence of each stage; labels are thermal time
+    [deg C d].
 
     Raises HistoryError if plants do not grow."""
     case.need_pairs()
@@ -42,10 +42,10 @@ def stages(case: Case) -> Profile:
 def draw_leaf_area(case: Case) -> Figure:
     """Draws green and dead leaf area index of baseline and best over the days
     since emergence."""
-    days = stages(case).values
+    days = read_stages(case).values
     figure = style.new_figure(style.WIDTH, 3.6)
     axes = figure.add_subplot()
-    most = {}
+    maxima = {}
     for who, color, marker, dash in _LOOKS:
         plant: Evaluation = getattr(case, who)
         green = plant.profile("lai_by_stage")
@@ -59,20 +59,20 @@ def draw_leaf_area(case: Case) -> Figure:
                 days, dead.values, ":", marker=marker, fillstyle="none",
                 color=color, label=f"{who}, dead",
             )  # fmt: skip
-        most[who] = green.values.max(), days[int(green.values.argmax())]
+        maxima[who] = green.values.max(), days[int(green.values.argmax())]
     axes.set(xlabel="days since emergence", ylabel="leaf area index")
     axes.set_ylim(bottom=0)
     figure.legend(loc="outside lower center", ncols=2)
-    (now, day), (was, _) = most["best"], most["baseline"]
-    style.answer(
+    (now, day), (was, _) = maxima["best"], maxima["baseline"]
+    style.set_answer(
         figure,
-        f"The best plant has most, {now:.2f}, {day:.0f} days after emergence, "
-        f"and the baseline {was:.2f}.",
+        f"The maximum of the best plant is {now:.2f}, {day:.0f} days after "
+        f"emergence; that of the baseline is {was:.2f}.",
     )
     return figure
 
 
-def weekly(
+def sum_weeks(
     days: NDArray[np.float64], rates: NDArray[np.float64], last: float
 ) -> NDArray[np.float64]:
     """Returns sums over the weeks since emergence of a rate per day, which is
@@ -86,32 +86,34 @@ def weekly(
 
 
 def draw_carbon(case: Case) -> Figure:
-    """Draws the carbon balance of each week, of baseline and best."""
-    days = stages(case).values
+    """Draws the net carbon balance of each week, of baseline and best."""
+    days = read_stages(case).values
     name = "carbon_balance_by_stage"
     if name not in case.best.row.quantities:
-        raise HistoryError("the history does not tell carbon by stage")
+        raise HistoryError("the history has no carbon balance by stage")
     figure = style.new_figure(style.WIDTH, 3.6)
     axes = figure.add_subplot()
     sums = {}
     for who, color, marker, dash in _LOOKS:
-        found = getattr(case, who).profile(name)
-        weeks = weekly(days, found.values, float(days.max()))
+        profile = getattr(case, who).profile(name)
+        weeks = sum_weeks(days, profile.values, float(days.max()))
         axes.plot(
             np.arange(len(weeks)) + 1, weeks, dash, marker=marker, color=color,
             label=who,
         )  # fmt: skip
         sums[who] = weeks
     axes.axhline(0, color=style.QUIET, linewidth=1)
-    unit = style.unit_label(found.unit.replace(" day-1", ""))
-    axes.set(xlabel="week since emergence", ylabel=f"carbon balance [{unit}]")
+    unit = style.unit_label(profile.unit.replace(" day-1", ""))
+    axes.set(
+        xlabel="week since emergence", ylabel=f"net carbon balance [{unit}]"
+    )
     figure.legend(loc="outside lower center", ncols=2)
     by = sums["best"] - sums["baseline"]
     week = int(np.argmax(by))
-    style.answer(
+    style.set_answer(
         figure,
         f"The best plant is ahead in {np.count_nonzero(by > 0)} of {len(by)} "
-        f"weeks, and most in week {week + 1}, by {by[week]:.3g} {unit}.",
+        f"weeks; the largest lead is {by[week]:.3g} {unit} in week {week + 1}.",
     )
     return figure
 
@@ -120,8 +122,8 @@ def draw_stages(
     case: Case, plants: Sequence[tuple[str, Sequence[Mesh]]]
 ) -> Figure:
     """Draws baseline and best at each stage from the side, at one scale."""
-    days = stages(case).values
-    chosen = chosen_stages(len(days))
+    days = read_stages(case).values
+    chosen = choose_stages(len(days))
     left, right, top = side_limits([m for _, each in plants for m in each])
     width = style.WIDTH / 4
     height = width * top / (right - left) + 0.3
@@ -138,15 +140,15 @@ def draw_stages(
             axes = panels[p * per_plant + k]
             draw_side(axes, mesh)
             axes.set_title(f"{name}, day {days[stage]:.0f}", fontsize=9)
-    style.answer(
+    style.set_answer(
         figure,
-        f"{len(chosen)} of the {len(days)} ages at which they are evaluated, "
-        "at one scale; dead parts are brown.",
+        f"{len(chosen)} of the {len(days)} evaluated plant ages; dead organs are "
+        "brown.",
     )
     return figure
 
 
-def chosen_stages(count: int) -> list[int]:
+def choose_stages(count: int) -> list[int]:
     """Returns the positions of the stages that are drawn."""
     if count <= _SHOWN:
         return [*range(count)]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Draws the bred traits of the fittest plants."""
+"""Draws the optimised traits of the fittest plants."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ from ..history.file import HistoryError
 from ..history.genes import Kind, curve
 from . import style
 from .numbers import RANGE
-from .trait_changes import change_in
+from .trait_changes import describe_changes
 
 COUNT = 10
 """The number of plants that are shown."""
 
 _ACROSS = 2
-"""The number of panels beside each other."""
+"""The number of panels in a row."""
 
 _BASELINE_MARKER: dict[str, Any] = {
     "marker": "D",
@@ -38,7 +38,7 @@ _BEST_MARKER = _BASELINE_MARKER | {
     "color": style.BEST,
     "label": "best of each seed",
 }
-_WHAT: dict[Kind, str] = {
+_MISSING: dict[Kind, str] = {
     "leaf": "no trait of single leaves",
     "plant": "no trait of the whole plant",
     "profile": "no profile over leaf position",
@@ -46,7 +46,7 @@ _WHAT: dict[Kind, str] = {
 
 
 def draw_traits(case: Case) -> Figure:
-    """Draws each bred trait by leaf rank: the fittest plants, their mean and
+    """Draws each optimised trait by leaf rank: the fittest plants, their mean and
     standard deviation, the baseline, and the bounds."""
     traits = _bred(case, "leaf")
     leaves = case.genes.leaves[case.genes.columns(traits[0])]
@@ -57,12 +57,12 @@ def draw_traits(case: Case) -> Figure:
         axes.set_ylim(leaves.min() - 0.6, leaves.max() + 0.6)
     for axes in panels[::_ACROSS]:
         axes.set_ylabel("leaf rank (1 = lowest)")
-    style.answer(figure, _change(case, traits))
+    style.set_answer(figure, describe_changes(case, traits))
     return finish(figure, panels[0])
 
 
 def draw_profiles(case: Case) -> Figure:
-    """Draws each bred trait that is a smooth curve over leaf position: the
+    """Draws each optimised trait that is a smooth curve over leaf position: the
     points of the profile as in draw_traits(), and the curves of the fittest
     plants and of the baseline."""
     traits = _bred(case, "profile")
@@ -79,27 +79,27 @@ def draw_profiles(case: Case) -> Figure:
         axes.set_yticks([0, 0.5, 1], ["lowest", "middle", "highest"])
     for axes in panels[::_ACROSS]:
         axes.set_ylabel("leaf position")
-    style.answer(figure, _change(case, traits))
+    style.set_answer(figure, describe_changes(case, traits))
     return finish(figure, panels[0])
 
 
 def draw_plant_traits(case: Case) -> Figure:
-    """Draws each bred trait of the whole plant, as in draw_traits()."""
+    """Draws each optimised trait of the whole plant, as in draw_traits()."""
     traits = _bred(case, "plant")
     figure = style.new_figure(style.WIDTH, 1.2 + 0.8 * len(traits))
     panels = figure.subplots(len(traits), 1, squeeze=False)[:, 0]
     for axes, trait in zip(panels, traits):
         _draw_trait(axes, case, trait, np.zeros(1))
         axes.set_yticks([])
-    style.answer(figure, _change(case, traits))
+    style.set_answer(figure, describe_changes(case, traits))
     return finish(figure, panels[0])
 
 
 def _bred(case: Case, kind: Kind) -> list[str]:
-    found = case.genes.bred(kind)
-    if not found:
-        raise HistoryError(f"{_WHAT[kind]} is bred")
-    return found
+    traits = case.genes.bred(kind)
+    if not traits:
+        raise HistoryError(f"{_MISSING[kind]} is optimised")
+    return traits
 
 
 def _panels(traits: list[str], height: float) -> tuple[Figure, list[Axes]]:
@@ -125,19 +125,6 @@ def finish(figure: Figure, first: Axes) -> Figure:
     return figure
 
 
-def _change(case: Case, traits: list[str]) -> str:
-    """Names the two traits in which the best plant is farthest from the
-    baseline, relative to their bounds, and how its leaves differ."""
-    if not case.pairs:
-        return ""
-    found = sorted(
-        (change_in(case, trait) for trait in traits),
-        key=lambda change: -change.size,
-    )
-    told = " and ".join(map(str, found[:2]))
-    return f"The best plant differs most from the baseline in {told}."
-
-
 def draw_plants(
     axes: Axes,
     case: Case,
@@ -151,7 +138,7 @@ def draw_plants(
     for values, color in _colored(numbers(case.top(COUNT).genome)):
         axes.plot(
             values, place, "o", color=color, markersize=size, alpha=0.8,
-            label="one plant (dark: fitter)",
+            label="single plant (darker: fitter)",
         )  # fmt: skip
     if case.pairs:
         (values,) = numbers(case.baseline.row.genome)
@@ -199,16 +186,16 @@ def _draw_mean(
         # A bar that passes 360 deg continues at 0 deg.
         left, right = mean - deviation, 360.0 - mean - deviation
         past, before = y[right < 0], y[left < 0]
-        axes.hlines(past, 0.0, -right[right < 0], color=style.ANEW)
-        axes.hlines(before, 360.0 + left[left < 0], 360.0, color=style.ANEW)
+        axes.hlines(past, 0.0, -right[right < 0], color=style.ACCENT)
+        axes.hlines(before, 360.0 + left[left < 0], 360.0, color=style.ACCENT)
         reach = np.minimum(deviation, [mean, 360.0 - mean])
     else:
         mean = values.mean(0)
         deviation = values.std(0, ddof=1) if len(values) > 1 else 0 * mean
         reach = np.array([deviation, deviation])
     axes.errorbar(
-        mean, y, xerr=reach, color=style.ANEW, marker="|", linestyle="none",
-        label="their mean and standard deviation",
+        mean, y, xerr=reach, color=style.ACCENT, marker="|", linestyle="none",
+        label="mean and standard deviation",
     )  # fmt: skip
 
 

@@ -18,14 +18,14 @@ from .profiles import (
     PLANTS,
     draw_course,
     draw_profile,
-    title_of,
+    make_title,
 )
-from .style import answer, axis_label
+from .style import axis_label, set_answer
 
 
 def draw_parts(case: Case) -> Figure:
     """Draws the absorbed light of leaves by origin, by face of the leaf, or by
-    any axis whose labels are words, in the unit of the objective."""
+    any axis with words as labels, in the unit of the objective."""
     case.need_pairs()
     unit = case.best.objective.unit
     names = [
@@ -37,7 +37,9 @@ def draw_parts(case: Case) -> Figure:
         and q.unit == unit
     ]
     if not names:
-        raise HistoryError("the history does not tell parts of the light")
+        raise HistoryError(
+            "the history does not distinguish parts of the light"
+        )
     counts = [len(case.best.profile(name).labels) for name in names]
     figure = style.new_figure(
         style.WIDTH, 1.0 + sum(0.5 + 0.45 * count for count in counts)
@@ -49,12 +51,12 @@ def draw_parts(case: Case) -> Figure:
         for (who, looks), shift in zip(PLANTS.items(), (-0.15, 0.15)):
             part = getattr(case, who).profile(name)
             place = np.arange(count) + shift
-            found = Profile(place, unit, part.values, part.standard_error)
-            draw_profile(axes, found, **looks | {"linestyle": "none"})
+            profile = Profile(place, unit, part.values, part.standard_error)
+            draw_profile(axes, profile, **looks | {"linestyle": "none"})
         axes.set_yticks(range(count), part.labels)
         axes.set_ylim(count - 0.5, -0.5)
     panels[-1].set_xlim(left=0)
-    panels[-1].set_xlabel(axis_label(title_of(names[0]), unit))
+    panels[-1].set_xlabel(axis_label(make_title(names[0]), unit))
     panels[0].legend()
     now, was = (
         plant.profile(names[0]) for plant in (case.best, case.baseline)
@@ -62,10 +64,10 @@ def draw_parts(case: Case) -> Figure:
     change = now.values - was.values
     at = int(np.argmax(np.abs(change)))
     sense = "more" if change[at] > 0 else "less"
-    answer(
+    set_answer(
         figure,
-        f"The largest change is of {now.labels[at]}: the best plant absorbs "
-        f"{abs(change[at]):.3g} {style.unit_label(unit)} {sense}.",
+        f"The largest difference is in {now.labels[at]}: the best plant "
+        f"absorbs {abs(change[at]):.3g} {style.unit_label(unit)} {sense}.",
     )
     return figure
 
@@ -92,15 +94,15 @@ def draw_assimilation(case: Case) -> Figure:
     for axes in panels:
         for who, looks in PLANTS.items():
             for kind, name in by_leaf.items():
-                found = getattr(case, who).profile(name)
-                own: dict[str, Any] = {"label": f"{who}, {kind}"}
+                profile = getattr(case, who).profile(name)
+                changes: dict[str, Any] = {"label": f"{who}, {kind}"}
                 if kind == "net":
-                    own |= {"alpha": 0.55, "fillstyle": "none"}
-                draw_profile(axes, found, **looks | own)
-        unit = style.unit_label(found.unit)
+                    changes |= {"alpha": 0.55, "fillstyle": "none"}
+                draw_profile(axes, profile, **looks | changes)
+        unit = style.unit_label(profile.unit)
         axes.set_xlabel(f"assimilation [{unit} of ground]")
         axes.set_ylabel("leaf rank (1 = lowest)")
-        axes.set_yticks(found.labels)
+        axes.set_yticks(profile.labels)
         axes.set_xlim(left=min(0, axes.get_xlim()[0]))
         axes.legend()
     total = [
@@ -110,10 +112,9 @@ def draw_assimilation(case: Case) -> Figure:
     ]
     if len(total) == 2:
         unit = style.unit_label(total[0].unit)
-        answer(
+        set_answer(
             figure,
-            f"The leaves of the best plant take up {total[0].mean:.3g} {unit} "
-            f"before respiration, and those of the baseline "
-            f"{total[1].mean:.3g}.",
+            f"Gross assimilation is {total[0].mean:.3g} {unit} in the best "
+            f"plant and {total[1].mean:.3g} in the baseline.",
         )
     return figure

@@ -20,7 +20,7 @@ from ..history.estimate import DAILY_ENERGY, NORMAL
 BASELINE = "#000000"
 BEST = "#0072B2"
 MEAN = "#009E73"
-ANEW = "#D55E00"
+ACCENT = "#D55E00"
 QUIET = "#8C8C8C"
 
 WIDTH = 4.8
@@ -56,12 +56,12 @@ _LIGHT = (DAILY_ENERGY, "W m-2")
 name says this."""
 
 
-def answer(figure: Figure, text: str) -> None:
-    """Keeps the sentence that answers the question of a figure."""
+def set_answer(figure: Figure, text: str) -> None:
+    """Stores the sentence that answers the question of a figure."""
     figure.set_label(text)
 
 
-def answer_of(figure: Figure) -> str:
+def get_answer(figure: Figure) -> str:
     """Returns the sentence that answers the question of a figure, or ""."""
     return str(figure.get_label() or "")
 
@@ -101,7 +101,7 @@ def short(value: float) -> float:
 
 def series(index: int) -> tuple[str, str]:
     """Returns colour and marker of a line among several; markers distinguish
-    lines whose colours repeat."""
+    lines of the same colour."""
     return (
         _SERIES_COLORS[index % len(_SERIES_COLORS)],
         _SERIES_MARKERS[index % len(_SERIES_MARKERS)],

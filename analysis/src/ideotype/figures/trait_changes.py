@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""States in words how a bred plant differs from the baseline in a trait."""
+"""Describes the differences of the best plant from the baseline in words."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -49,7 +50,7 @@ class TraitChange:
         return f"{words(self.trait).removesuffix(' profile')} ({self.text})"
 
 
-def direction_words(case: Case, trait: str) -> tuple[str, str]:
+def find_direction_words(case: Case, trait: str) -> tuple[str, str]:
     """Returns the words for less and more of a trait."""
     baseline = case.resolved.get("plant", {}).get("baseline", {})
     declared: list[dict[str, Any]] = baseline.get("trait", [])
@@ -61,9 +62,9 @@ def direction_words(case: Case, trait: str) -> tuple[str, str]:
     return next((_DIRECTIONS[m] for m in measures if m in _DIRECTIONS), _OTHER)
 
 
-def change_in(case: Case, trait: str) -> TraitChange:
-    """Returns the difference of the best plant from the baseline in a bred
-    trait: of an angle in degrees, of other measures in % of the baseline, or
+def measure_change(case: Case, trait: str) -> TraitChange:
+    """Returns the difference of the best plant from the baseline in an
+    optimised trait: of an angle in degrees, of other measures in % of the baseline, or
     in their unit if the baseline has none."""
     genes = case.genes
     columns = genes.columns(trait)
@@ -79,8 +80,21 @@ def change_in(case: Case, trait: str) -> TraitChange:
     unit = f" {unit_label(genes.units[columns[0]])}".replace(" °", "°")
     if genes.units[columns[0]] != "deg" and baseline.all():
         change, unit = 100 * change / np.abs(baseline), " %"
-    text = _in_words(change, unit, direction_words(case, trait), is_circular)
+    text = _in_words(
+        change, unit, find_direction_words(case, trait), is_circular
+    )
     return TraitChange(trait, size, text)
+
+
+def describe_changes(case: Case, traits: Sequence[str]) -> str:
+    """Names the two of some traits in which the best plant differs most from
+    the baseline, relative to their bounds; "" before both are known."""
+    if not case.pairs or not traits:
+        return ""
+    changes = [measure_change(case, trait) for trait in traits]
+    changes.sort(key=lambda change: -change.size)
+    largest = " and ".join(map(str, changes[:2]))
+    return f"The best plant differs most from the baseline in {largest}."
 
 
 def _in_words(
@@ -99,4 +113,4 @@ def _in_words(
     less, more = directions
     if abs(net) > _ONE_WAY * mean:
         return f"{number}{unit} {more if net > 0 else less}{average}"
-    return f"{number}{unit}{average}, {less} or {more} by leaf"
+    return f"{number}{unit}{average}, {less} or {more} depending on the leaf"

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Reads the histories of ideotype; FORMAT.md describes the files."""
+"""Reads the histories that the program writes; analysis/FORMAT.md specifies
+the files."""
 
 from .atlas import Atlas, AtlasAxis
 from .case import Case

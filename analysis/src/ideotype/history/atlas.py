@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Atlases, which hold the best plant of each kind."""
+"""Atlases: the best plant in each cell of a grid of quantities
+(quality-diversity search)."""
 
 from __future__ import annotations
 
@@ -16,7 +17,7 @@ from .rows import Evaluation, Origin, Rows
 
 @dataclass(frozen=True)
 class AtlasAxis:
-    """A quantity that tells kinds of plants apart."""
+    """A quantity by which an atlas classifies plants."""
 
     name: str
     unit: str
@@ -39,14 +40,14 @@ class AtlasAxis:
         """Returns the cells to which values belong, by the rule of the
         search."""
         low, high = self.edges[[0, -1]]
-        places = np.floor((values - low) / (high - low) * self.cells)
-        return places.astype(int)
+        cells = np.floor((values - low) / (high - low) * self.cells)
+        return cells.astype(int)
 
 
 @dataclass(frozen=True)
 class Atlas:
-    """The leaders of all kinds of plants that a search has found, evaluated
-    again at its end with the same new random numbers."""
+    """The best plants of all occupied cells (leaders), re-evaluated after the
+    search with independent random numbers, common to all leaders."""
 
     axes: tuple[AtlasAxis, ...]
     leaders: Rows
@@ -57,7 +58,7 @@ class Atlas:
 
     @property
     def is_confirmed(self) -> NDArray[np.bool_]:
-        """Whether a leader was evaluated again in the search."""
+        """Whether each leader was re-evaluated during the search [leaders]."""
         return self.looks > 1
 
     def one(self, index: int) -> Evaluation:
@@ -75,35 +76,34 @@ class Atlas:
         return sorted(int(i) for i in order[first])
 
 
-def _axis_of(axis: dict[str, Any], unit: str) -> AtlasAxis:
+def _make_axis(axis: dict[str, Any], unit: str) -> AtlasAxis:
     low, high = axis["range"]
     edges = np.linspace(float(low), float(high), int(axis["cells"]) + 1)
     return AtlasAxis(axis["quantity"], unit, edges)
 
 
-def atlas_of(
+def make_atlas(
     axes: Sequence[dict[str, Any]], finalists: Rows, rows: Rows
 ) -> Atlas | None:
-    """Returns the atlas of a search; None if no leader is evaluated at the
-    end.
+    """Returns the atlas of a search; None without finalists.
 
-    axes: quantity, range and cells of each axis of the campaign.
+    axes: quantity, range and number of cells of each axis of the campaign.
     finalists: evaluated finalists, without the baseline.
-    rows: all evaluations."""
+    rows: all evaluations of the search."""
     if not len(finalists):
         return None
-    places = dict(zip(rows.row.tolist(), range(len(rows))))
+    positions = dict(zip(rows.row.tolist(), range(len(rows))))
     first, looks = [], []
     for row in finalists.parents[:, 0].tolist():
-        # The parent of a row that is evaluated again is the preceding row.
-        count, at = 1, places[row]
+        # The parent of a re-evaluated row is its previous evaluation.
+        count, at = 1, positions[row]
         while rows.origin[at] == Origin.ELITE:
-            count, at = count + 1, places[int(rows.parents[at, 0])]
+            count, at = count + 1, positions[int(rows.parents[at, 0])]
         first.append(at)
         looks.append(count)
     founders = rows.take(np.array(first))
     known = tuple(
-        _axis_of(axis, founders[axis["quantity"]].unit) for axis in axes
+        _make_axis(axis, founders[axis["quantity"]].unit) for axis in axes
     )
     cells = [axis.cell_of(founders[axis.name].values) for axis in known]
     return Atlas(known, finalists, np.stack(cells, 1), np.array(looks))

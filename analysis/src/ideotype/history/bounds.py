@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Counts the best plants with traits at a bound, by the rule of the program:
-src/search/population.hpp and src/run/bounds.cpp have the same numbers."""
+"""Counts the best plants with traits at a bound, by the rule of the program;
+src/search/population.hpp and src/run/bounds.cpp have the same constants."""
 
 from __future__ import annotations
 
@@ -13,21 +13,21 @@ from numpy.typing import NDArray
 from .case import Case
 from .genes import Genes
 
-BESIDE = 0.05
-"""The distance from a bound, over the range of a gene, within which a value is
-at the bound."""
+MARGIN = 0.05
+"""The largest distance of a value from a bound, relative to the range of the
+gene, at which the value counts as at the bound."""
 
-_LEAST_PART = 0.2
-"""The part of a trait's values at a bound from which on it is reported."""
+_LEAST_SHARE = 0.2
+"""The smallest share of the values of a trait at a bound that is reported."""
 
 _SIDES = {"lower": -1, "upper": 1}
 
 
 def sides(genes: Genes, genome: NDArray[np.float64]) -> NDArray[np.int64]:
-    """Returns -1 for each gene of a plant at its lower bound, 1 for each at
-    its upper bound, else 0. Circular genes have no bounds, nor have genes that
-    are not bred or have no range."""
-    reach = BESIDE * (genes.upper - genes.lower)
+    """Returns -1 for each gene at its lower bound, 1 at its upper bound, else
+    0 [genes]. Circular genes, fixed genes and genes without a range have no
+    bounds."""
+    reach = MARGIN * (genes.upper - genes.lower)
     can_be = genes.is_free & ~genes.is_circular & (reach > 0)
     low = genome <= genes.lower + reach
     high = (genome >= genes.upper - reach) & ~low
@@ -42,23 +42,23 @@ class TraitAtBound:
     bound: str
     """The bound, lower or upper."""
     count: int
-    """The values at the bound."""
+    """The number of values at the bound."""
     values: int
-    """The genes of the trait in all searches."""
+    """The number of genes of the trait in all searches."""
     searches: int
 
     def __str__(self) -> str:
         trait = self.trait.replace("_", " ")
-        told = f"{trait} is at its {self.bound} bound"
+        clause = f"{trait} is at its {self.bound} bound"
         if self.values == 1:
-            return told
-        what = "searches" if self.values == self.searches else "values"
-        return f"{told} in {self.count} of {self.values} {what}"
+            return clause
+        unit = "searches" if self.values == self.searches else "values"
+        return f"{clause} in {self.count} of {self.values} {unit}"
 
 
 def traits_at_bounds(cases: Sequence[Case]) -> list[TraitAtBound]:
-    """Returns the traits that are at a bound in at least a fifth of their
-    values, of the best plants that were evaluated again."""
+    """Returns the traits with at least a fifth of their values at one bound,
+    over the re-evaluated best plants of the cases."""
     plants = [
         (pair.best.row.genes, sides(pair.best.row.genes, genome))
         for case in cases
@@ -72,25 +72,26 @@ def traits_at_bounds(cases: Sequence[Case]) -> list[TraitAtBound]:
 def _counted(
     plants: Sequence[tuple[Genes, NDArray[np.int64]]],
 ) -> Iterator[TraitAtBound]:
-    found: dict[str, list[int]] = {}
+    sides_by_trait: dict[str, list[int]] = {}
     for genes, side in plants:
         can_be = genes.is_free & ~genes.is_circular
         for gene in np.flatnonzero(can_be):
-            found.setdefault(genes.traits[gene], []).append(int(side[gene]))
-    for trait, values in found.items():
+            sides_by_trait.setdefault(genes.traits[gene], []).append(
+                int(side[gene])
+            )
+    for trait, values in sides_by_trait.items():
         for bound, sign in _SIDES.items():
             count = values.count(sign)
-            if count and count >= _LEAST_PART * len(values):
+            if count and count >= _LEAST_SHARE * len(values):
                 yield TraitAtBound(
                     trait, bound, count, len(values), len(plants)
                 )
 
 
 def bounds_in_words(cases: Sequence[Case]) -> str:
-    """Returns a clause about the traits that are at a bound; "" if there is
-    none."""
-    found = traits_at_bounds(cases)
-    if not found:
+    """Returns a clause on the traits at a bound; "" if there is none."""
+    traits = traits_at_bounds(cases)
+    if not traits:
         return ""
-    limit = "the bound" if len(found) == 1 else "these bounds"
-    return f"{', '.join(map(str, found))}; the gain may be limited by {limit}"
+    limit = "the bound" if len(traits) == 1 else "these bounds"
+    return f"{', '.join(map(str, traits))}; the gain may be limited by {limit}"

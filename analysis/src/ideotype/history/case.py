@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A case of a campaign with all its seeds."""
+"""A case of a campaign with its replicates."""
 
 from __future__ import annotations
 
@@ -24,9 +24,9 @@ _TAKEN = ("stalk_fraction", "soil_fraction")
 
 
 class Case:
-    """The replicates of one case, which share light, field and genes and
-    differ in random numbers. A case remembers its answers, so that all figures
-    show one moment of a run."""
+    """The replicates of one case, which have the same light, field and genes
+    and different random numbers. Results are cached, so that all figures show
+    one moment of a run."""
 
     def __init__(
         self, name: str, histories: Sequence[History], light: str = ""
@@ -46,52 +46,51 @@ class Case:
 
     @property
     def is_sensitivity(self) -> bool:
-        """Whether the case is a sensitivity study and no search."""
+        """Whether the case is a sensitivity study, not a search."""
         return self.histories[0].is_sensitivity
 
     @property
     def known(self) -> tuple[tuple[History, Pair], ...]:
-        """The histories that have a baseline and a best plant, with both
-        plants."""
+        """The histories with an evaluated baseline and best plant, each with
+        this pair."""
         return self._known
 
     @cached_property
     def _known(self) -> tuple[tuple[History, Pair], ...]:
-        found = ((h, h.comparison()) for h in self.histories)
-        return tuple((h, pair) for h, pair in found if pair is not None)
+        pairs = ((h, h.comparison()) for h in self.histories)
+        return tuple((h, pair) for h, pair in pairs if pair is not None)
 
     def remember(self) -> None:
-        """Reads the data that several figures show, so that a copy in another
+        """Caches the data of several figures, so that a copy in another
         process shows the same moment of a run."""
         with suppress(HistoryError):
             _ = self._known, self._latest, self.fronts
 
     def is_over(self, axis: str) -> bool:
-        """Returns whether each plant is evaluated in all of the "site"s,
-        "day"s, "climate"s or "spacing"s of its campaign; the case then has the
-        properties of the first scenario."""
+        """Returns whether the objective is taken over all entries of an axis
+        of the campaign, "site", "day", "climate" or "spacing"; the case then
+        has the properties of the first scenario."""
         return axis in self.resolved.get("objective", {}).get("over", ())
 
     @property
     def pairs(self) -> tuple[Pair, ...]:
-        """The baseline and the best plant of each seed that has both
-        plants."""
+        """The baseline and the best plant of each seed with both
+        evaluated."""
         return tuple(pair for _, pair in self._known)
 
     @cached_property
     def fronts(self) -> tuple[tuple[History, Front], ...]:
-        """The front of each seed that already has a front, for several
-        objectives."""
-        found = ((h, h.front()) for h in self.histories)
-        return tuple((h, front) for h, front in found if front is not None)
+        """The Pareto front of each seed that already has one; empty for a
+        single objective."""
+        fronts = ((h, h.front()) for h in self.histories)
+        return tuple((h, front) for h, front in fronts if front is not None)
 
     def member_title(self, seed: int, index: int) -> str:
-        """Returns the name in every figure, table and view of a member of the
-        front of one of `fronts`: "plant 3", with the seed if there are several
-        seeds."""
+        """Returns the name of a member of `fronts[seed]` in all figures,
+        tables and views: "plant 3", with the seed if there are several."""
         _, front = self.fronts[seed]
-        of = f" of seed {seed + 1}" if len(self.histories) > 1 else ""
-        return f"plant {front.number(index)}{of}"
+        replicate = f" of seed {seed + 1}" if len(self.histories) > 1 else ""
+        return f"plant {front.number(index)}{replicate}"
 
     @property
     def is_final(self) -> bool:
@@ -108,13 +107,12 @@ class Case:
 
     @property
     def best_history(self) -> History:
-        """The history that holds the best plant of all seeds."""
+        """The history with the best plant of all seeds."""
         return self._winner[0]
 
     @property
     def best_pair(self) -> Pair:
-        """The baseline and the best plant of the history that holds the best
-        plant."""
+        """The baseline and the best plant of `best_history`."""
         return self._winner[1]
 
     @property
@@ -124,24 +122,25 @@ class Case:
 
     @property
     def baseline(self) -> Evaluation:
-        """The unbred plant, evaluated together with the best plant."""
+        """The baseline plant, evaluated together with the best plant."""
         return self.best_pair.baseline
 
     def need_pairs(self) -> None:
-        """Raises HistoryError if no seed has a baseline and a best plant."""
+        """Raises HistoryError unless a seed has an evaluated baseline and best
+        plant."""
         if not self.pairs:
             raise HistoryError("baseline and best are not evaluated yet")
 
     @cached_property
     def _latest(self) -> tuple[Rows, NDArray[np.int64]]:
-        """The last complete generations, and the number of each row's
-        history."""
+        """The last complete generations, and the index of the history of each
+        row."""
         parts = [history.latest().done for history in self.histories]
         seed = np.repeat(np.arange(len(parts)), [len(p) for p in parts])
         return join(parts), seed
 
     def top(self, count: int) -> Rows:
-        """Returns the fittest plants of the last complete generations of all
+        """Returns the best plants of the last complete generations of all
         seeds together, best first.
 
         Raises HistoryError if there is no complete generation."""
@@ -156,18 +155,18 @@ class Case:
         return len(set(seed[rows.ranking(count)]))
 
     def gains(self) -> list[Estimate]:
-        """Returns the best plant less the baseline by seed, in the unit of the
-        objective."""
+        """Returns the difference of the best plant from the baseline by seed,
+        in the unit of the objective."""
         return [pair.difference for pair in self.pairs]
 
     def gain(self) -> Interval:
-        """Returns the mean over seeds of the gain, whose interval holds the
-        optimum."""
+        """Returns the mean gain over seeds, in the unit of the objective; the
+        interval includes the optimum (see gain_interval())."""
         self.need_pairs()
         return gain_interval(self.gains(), self._sign)
 
     def relative_gain(self) -> Interval:
-        """Returns the mean over seeds of the gain in % of the baseline."""
+        """Returns the mean gain over seeds [% of the baseline]."""
         self.need_pairs()
         return gain_interval([pair.gain for pair in self.pairs], self._sign)
 
@@ -177,9 +176,9 @@ class Case:
         return self.best.row.goals[0].sign
 
     def gain_per_leaf_area(self) -> Interval:
-        """Returns the mean over seeds of the gain in PAR per leaf area [%].
+        """Returns the mean gain over seeds in absorbed PAR per leaf area [%].
 
-        Raises HistoryError if it is not known."""
+        Raises HistoryError if a history lacks this quantity."""
         self.need_pairs()
         return over_searches(
             [pair.gain_per_leaf_area for pair in self.pairs],
@@ -187,19 +186,20 @@ class Case:
         )
 
     def number(self, who: str, name: str | None = None) -> Interval:
-        """Returns a quantity without axes of "baseline" or "best", by default
-        the objective, with the interval of its light and field: the number
-        that every table and figure shows for this plant.
+        """Returns a quantity without axes of the plant `who`, "baseline" or
+        "best", by default the objective. All tables and figures show this
+        number; its interval covers light and field.
 
-        Raises HistoryError if it is not known."""
+        Raises HistoryError if the history lacks the quantity."""
         self.need_pairs()
         plant: Evaluation = getattr(self, who)
         return interval([plant.estimate(name) if name else plant.objective])
 
     def light_by_organ(self, who: str) -> dict[str, Interval]:
-        """Returns the light that each organ of "baseline" or "best" except
-        leaves absorbs over the incident PAR; stalks, sheaths and all other
-        organs are put together if the history does not distinguish organs."""
+        """Returns the PAR absorbed by each organ except leaves, relative to
+        the incident PAR, of the plant `who`, "baseline" or "best". If the
+        history does not distinguish organs, "stalk" is the sum of all of
+        them."""
         self.need_pairs()
         plant: Evaluation = getattr(self, who)
         try:
@@ -214,22 +214,25 @@ class Case:
         }
 
     def headroom(self) -> Estimate:
-        """Returns how much more the leaves of the best plant could absorb if
-        other organs and soil took nothing: incident (1 - reflected) -
-        absorbed. Reflected light is lost to any canopy of these leaves.
+        """Returns the additional light that the leaves of the best plant would
+        absorb if other organs and the soil absorbed nothing: incident (1 -
+        reflected) - absorbed. Any canopy of these leaves loses the reflected
+        light.
 
-        Each randomisation distributes all its light, so that the headroom is
-        the light that other organs and soil take, and its standard error is at
-        most the sum of their standard errors; absorbed and reflected light
-        have larger errors, which cancel.
+        Each randomisation conserves energy, so the headroom is the light
+        absorbed by other organs and the soil, and its standard error is at
+        most the sum of theirs. The larger errors of absorbed and reflected
+        light cancel.
 
-        Raises HistoryError if light has no such ceiling, or a quantity is
+        Raises HistoryError if there is no such ceiling, or a quantity is
         missing."""
         best = self.best
         if best.row.goals[0].name != "absorbed_par":
             raise HistoryError("the objective is not absorbed PAR alone")
         if self.is_isolated:
-            raise HistoryError("an isolated plot is lit from its sides too")
+            raise HistoryError(
+                "an isolated plot receives light from the sides too"
+            )
         if best.row.with_axis("scenario"):
             raise HistoryError("the objective is taken over scenarios")
         names = ("incident", "reflected_fraction", *_TAKEN)
@@ -242,6 +245,6 @@ class Case:
 
     def is_saturated(self) -> bool:
         """Returns whether the best plant is within its standard error of the
-        ceiling: nearly all light is absorbed, and breeding can't gain more."""
+        ceiling: nearly all light is absorbed, and no plant gains more."""
         error = self.best.objective.standard_error
         return self.headroom().mean <= max(error, _SMALL)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The arrays of a group of a history, with their dimensions and units."""
+"""Reads the arrays of a group of a history, with dimensions and units."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ from .file import HistoryError, text
 from .rows import Status
 
 _OLD = "local clock"
-"""The name of the clock for hours of a season until version 0.2.0, when hours
-were on the clock of the weather file."""
+"""The name of the clock in histories of version 0.2.0 and earlier, whose
+seasons have hours on the clock of the weather file."""
 
 
 class Column(NamedTuple):
-    """An array of a history, whose texts are Python strings."""
+    """An array of a history; texts are Python strings."""
 
     axes: tuple[str, ...]
     values: NDArray
@@ -29,7 +29,7 @@ class Column(NamedTuple):
 
 
 class Columns(dict[str, Column]):
-    """Columns by name. Raises HistoryError where there is no such column."""
+    """Columns by name. Raises HistoryError for unknown names."""
 
     def __init__(self, where: str) -> None:
         super().__init__()
@@ -47,17 +47,17 @@ def columns(
     *,
     all_rows: bool = False,
 ) -> Columns:
-    """Reads a group. /evaluations and /final give the chosen rows, and without
-    `all_rows` only the rows whose outcome is recorded; hours are on the clock
-    of the site.
+    """Reads a group. Of /evaluations and /final it reads rows first to last,
+    without `all_rows` only the rows with a recorded outcome. Hours are on the
+    clock of the site.
 
-    Raises HistoryError."""
+    Raises HistoryError if data are missing or damaged."""
     names = data.names(group)
-    found = Columns(f"{data.path}: has no {group}")
+    table = Columns(f"{data.path}: has no {group}")
     row = ""
     kept: Any = slice(None)
     if "status" in names:
-        # The status is read first, since it decides which rows count
+        # The status is read first: it marks the rows that are complete
         # (FORMAT.md).
         status = data.read(f"{group}/status", first, last)
         (row,) = data.axes(f"{group}/status")
@@ -74,32 +74,32 @@ def columns(
         if values.dtype.kind in "SO":
             texts = np.array([*map(text, values.ravel())], dtype=str)
             values = texts.reshape(values.shape)
-        found[name] = Column(axes, values, data.about(path))
-    if "hour" in found:
-        axes, hours, about = found["hour"]
+        table[name] = Column(axes, values, data.about(path))
+    if "hour" in table:
+        axes, hours, about = table["hour"]
         meaning, shift = _clock(data, about.get("long_name", ""))
         about = about | {"long_name": meaning}
-        found["hour"] = Column(axes, hours + shift, about)
-    return found
+        table["hour"] = Column(axes, hours + shift, about)
+    return table
 
 
 def _clock(data: Datasets, meaning: str) -> tuple[str, float]:
-    """Returns the name of the clock of a history, and the shift from the hours
-    of an old history to the clock of the site [h]."""
+    """Returns the name of the clock of a history, and the shift that converts
+    hours of histories of version 0.2.0 to the clock of the site [h]."""
     if meaning and meaning != _OLD:
         return meaning, 0.0
     try:
         campaign = tomllib.loads(data.texts("campaign/resolved")[0])
-        own = data.attributes()
+        attributes = data.attributes()
         places = [
             (site["utc_offset"], weather["utc_offset"])
             for site in campaign["site"]
-            if own.get("site") in ("all", site["name"])
+            if attributes.get("site") in ("all", site["name"])
             for weather in campaign.get("weather", [site])
             if weather is site
             or (
                 weather["site"] == site["name"]
-                and own.get("day") in ("all", weather["climate"])
+                and attributes.get("day") in ("all", weather["climate"])
             )
         ]
     except (HistoryError, KeyError, TypeError, ValueError):

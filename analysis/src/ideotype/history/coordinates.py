@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Names of cases: their natural order, and short names."""
+"""Natural order and short forms of the names of cases."""
 
 from __future__ import annotations
 
@@ -19,24 +19,25 @@ def natural(text: str) -> tuple[tuple[str, float, str], ...]:
 
 
 def short_names(cases: Sequence[Case]) -> dict[str, str]:
-    """Returns short names of cases, by their full names. A short name has the
-    campaign, site, day, spacing [m] and trait set only if they differ between
-    the cases."""
-    places = {case.name: _place(case) for case in cases}
+    """Returns short names of cases, by their full names. A short name contains
+    only those of campaign, site, day, spacing [m] and trait set that differ
+    between the cases."""
+    coordinates = {case.name: _coordinates(case) for case in cases}
     differ = [
-        len(set(values)) > 1 for values in zip(*places.values(), strict=True)
+        len(set(values)) > 1
+        for values in zip(*coordinates.values(), strict=True)
     ]
-    found = {
+    short = {
         name: ", ".join(
-            word for word, is_told in zip(place, differ) if is_told and word
+            word for word, is_shown in zip(parts, differ) if is_shown and word
         )
-        for name, place in places.items()
+        for name, parts in coordinates.items()
     }
-    is_unique = len({*found.values()}) == len(found)
-    return {name: (found[name] if is_unique else "") or name for name in found}
+    is_unique = len({*short.values()}) == len(short)
+    return {name: (short[name] if is_unique else "") or name for name in short}
 
 
-def _place(case: Case) -> tuple[str, ...]:
+def _coordinates(case: Case) -> tuple[str, ...]:
     campaign, _, _ = case.name.rpartition(": ")
     has = case.attributes
     site, day, spacing, traits = (str(has.get(axis, "")) for axis in _AXES)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Reads the present contents of an open file."""
+"""Reads datasets and attributes of an open HDF5 file, which may be growing."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from .file import HistoryError, open_file, text
 
 
 class Datasets:
-    """The datasets and root attributes of a history by name."""
+    """The datasets and root attributes of a history, by name."""
 
     def __init__(self, path: str | Path) -> None:
         self.path = Path(path)
@@ -25,7 +25,8 @@ class Datasets:
         self._open: dict[str, h5py.Dataset] = {}
 
     def __reduce__(self) -> tuple[type[Datasets], tuple[Path]]:
-        """Makes a copy in another process open the file again."""
+        """Pickles the path alone: a copy in another process reopens the
+        file."""
         return type(self), (self.path,)
 
     def close(self) -> None:
@@ -34,37 +35,35 @@ class Datasets:
 
     def attributes(self) -> dict[str, str | int | float]:
         """Returns the root attributes: texts and single numbers."""
-        found: dict[str, str | int | float] = {}
+        attributes: dict[str, str | int | float] = {}
         with self._reading("attributes"):
             for name, value in self._file.attrs.items():
                 if isinstance(value, (bytes, str)):
-                    found[name] = text(value)
+                    attributes[name] = text(value)
                 elif isinstance(value, np.generic):
-                    found[name] = value.item()
-        return found
+                    attributes[name] = value.item()
+        return attributes
 
     def names(self, group: str) -> list[str]:
-        """Returns the names of the datasets of a group, its scales
-        included."""
+        """Returns the names of the datasets of a group, including scales."""
         with self._reading(group):
             return list(self._file[group])
 
     def axes(self, name: str) -> tuple[str, ...]:
-        """Returns the names of a dataset's dimensions, which are the names of
-        the scales in its group; the dimension of a scale has the name of the
-        scale."""
+        """Returns the names of the dimensions of a dataset: those of the
+        dimension scales in its group."""
         group, _, dataset = name.rpartition("/")
         if group not in self._axes:
-            # Dimensions never change, and looking them up takes long.
-            self._axes[group] = self._axes_of(group)
+            # Dimensions never change, and reading them is slow.
+            self._axes[group] = self._read_axes(group)
         try:
             return self._axes[group][dataset]
         except KeyError as error:
             raise HistoryError(f"{self.path}: has no {name}") from error
 
     def about(self, name: str) -> dict[str, str]:
-        """Returns a dataset's unit, as "units", and description, as
-        "long_name"."""
+        """Returns the unit ("units") and description ("long_name") of a
+        dataset."""
         if name not in self._about:
             # Units and descriptions never change.
             with self._reading(name):
@@ -79,16 +78,16 @@ class Datasets:
     def read(
         self, name: str, first: int = 0, last: int | None = None
     ) -> NDArray:
-        """Returns a dataset, or some of its rows.
+        """Returns a dataset, or its rows from `first` to before `last`.
 
-        Raises HistoryError."""
+        Raises HistoryError if it is missing or damaged."""
         with self._reading(name):
             dataset = self._dataset(name)
             # A live file changes, but recorded values in the file do not.
             dataset.refresh()
             values = dataset[slice(first, last) if dataset.shape else ...]
-            # Any byte except 0 is true, as in the program; numpy takes only 1
-            # as true.
+            # As in the program, any byte except 0 is true; numpy expects 0 or
+            # 1.
             return values.view("i1") != 0 if values.dtype == bool else values
 
     def texts(self, name: str) -> tuple[str, ...]:
@@ -96,23 +95,23 @@ class Datasets:
         return tuple(text(entry) for entry in self.read(name).ravel())
 
     def attribute_bytes(self, name: str) -> bytes:
-        """Returns the bytes of a root attribute in the file."""
+        """Returns the raw bytes of a root attribute."""
         with self._reading(f"attribute {name}"):
             attribute = h5py.h5a.open(self._file.id, name.encode())
             value = np.empty(attribute.shape, attribute.dtype)
             attribute.read(value)
             return value.tobytes()
 
-    def _axes_of(self, group: str) -> dict[str, tuple[str, ...]]:
+    def _read_axes(self, group: str) -> dict[str, tuple[str, ...]]:
         def address(dataset: h5py.Dataset) -> int:
             return h5py.h5o.get_info(dataset.id).addr
 
         with self._reading(f"dimensions of /{group}"):
             datasets = dict(self._file[group])
             scales = {address(d): n for n, d in datasets.items() if d.is_scale}
-            found: dict[str, tuple[str, ...]] = {}
+            dimensions: dict[str, tuple[str, ...]] = {}
             for name, dataset in datasets.items():
-                found[name] = (
+                dimensions[name] = (
                     (name,)
                     if dataset.is_scale
                     else tuple(
@@ -121,28 +120,30 @@ class Datasets:
                     )
                 )
                 # HDF5 has no checksums of references to scales.
-                sizes = [len(datasets[a]) if a else -1 for a in found[name]]
-                if sizes != [*dataset.shape] or len({*found[name]}) < len(
+                sizes = [
+                    len(datasets[a]) if a else -1 for a in dimensions[name]
+                ]
+                if sizes != [*dataset.shape] or len({*dimensions[name]}) < len(
                     sizes
                 ):
                     raise HistoryError(
                         f"{self.path}: dimensions of /{group}/{name} have no "
                         "scales, or not theirs"
                     )
-        return found
+        return dimensions
 
     def _dataset(self, name: str) -> h5py.Dataset:
         if name not in self._open:
-            found = self._file[name]
-            if not isinstance(found, h5py.Dataset):
+            dataset = self._file[name]
+            if not isinstance(dataset, h5py.Dataset):
                 raise HistoryError(f"{self.path}: has no {name}")
-            self._open[name] = found
+            self._open[name] = dataset
         return self._open[name]
 
     @contextmanager
     def _reading(self, name: str) -> Iterator[None]:
-        """Turns exceptions of h5py, which may have any type in a damaged file,
-        into a HistoryError."""
+        """Converts exceptions of h5py to HistoryError; for damaged files they
+        may have any type."""
         try:
             yield
         except HistoryError:

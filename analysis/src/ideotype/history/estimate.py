@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Estimates: numbers with standard errors, in any unit."""
+"""Estimates: means with standard errors, in any unit."""
 
 from __future__ import annotations
 
@@ -10,18 +10,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 NORMAL = 1.960
-"""Half the width of a 95 % interval over the standard error."""
+"""The half-width of a 95 % confidence interval in standard errors."""
 
 _EXACT = 1e-9
-"""The error over the number below which a number is exact."""
+"""The relative error below which a number counts as exact."""
 
 DAILY_ENERGY = "MJ m-2 day-1"
 
 
 def with_interval(mean: float, below: float, above: float) -> str:
-    """Returns "1.50 ± 0.06", or "1.50 -0.06 +0.20"; the smaller distance
-    decides the number of digits, so that none is rounded to 0. An exact number
-    has no interval."""
+    """Returns "1.50 ± 0.06", or "1.50 -0.06 +0.20" for an asymmetric interval;
+    without an interval for an exact number. The shorter side determines the
+    number of digits, so that it is not rounded to 0."""
     if not math.isfinite(below + above):
         return f"{mean:.4g} ± ?"
     known = [end for end in (below, above) if end > _EXACT * abs(mean)]
@@ -36,8 +36,7 @@ def with_interval(mean: float, below: float, above: float) -> str:
 
 @dataclass(frozen=True)
 class Estimate:
-    """A number and its standard error in the same unit; an unknown standard
-    error is NaN."""
+    """A mean and its standard error in the same unit; NaN: unknown error."""
 
     mean: float
     standard_error: float
@@ -45,8 +44,8 @@ class Estimate:
     draws: NDArray[np.float64] = field(
         default_factory=lambda: np.empty(0), compare=False, repr=False
     )
-    """The number in each independent randomisation, which other estimates may
-    share; empty if randomisations are not known."""
+    """The value in each independent randomisation [randomisations]. Estimates
+    with common random numbers are paired by it; empty if unknown."""
 
     def scaled(self, factor: float, unit: str) -> Estimate:
         """Returns the estimate in another unit, for an exact factor."""
@@ -58,8 +57,8 @@ class Estimate:
         )
 
     def interval_text(self) -> str:
-        """Returns mean and half of the 95 % interval; an exact number, or a
-        number without a known error, has no interval."""
+        """Returns the mean ± half of its 95 % confidence interval; the mean
+        alone if it is exact or its error is unknown."""
         if not math.isfinite(self.standard_error):
             return f"{self.mean:.4g}"
         half_width = NORMAL * self.standard_error
@@ -70,14 +69,14 @@ class Estimate:
 
 
 def difference(a: Estimate, b: Estimate) -> Estimate:
-    """Returns a - b. The standard error is computed from paired randomisations
-    if both estimates have them, else for independent estimates."""
+    """Returns a - b, with a paired standard error if both have the same
+    randomisations, else with that of independent estimates."""
     return Estimate(a.mean - b.mean, _error(a, b, 1.0), a.unit)
 
 
 def relative_gain(best: Estimate, baseline: Estimate) -> Estimate:
-    """Returns 100 (best / baseline - 1) [%], with a standard error to first
-    order, paired as in difference()."""
+    """Returns 100 (best / baseline - 1) [%]. The standard error is first order
+    (delta method), paired as in difference()."""
     if baseline.mean == 0:
         return Estimate(math.nan, math.nan, "%")
     ratio = best.mean / baseline.mean

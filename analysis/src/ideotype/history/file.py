@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Opens the HDF5 file in any state in which its writer can leave it."""
+"""Opens the HDF5 file of a history in any state in which its writer may leave
+it."""
 
 from __future__ import annotations
 
@@ -22,26 +23,25 @@ MAJOR_VERSION = 2
 _SIGNATURE = b"\x89HDF\r\n\x1a\n"
 _SUPERBLOCK_SIZE = 48
 _CHECKED = 44
-"""The bytes of a superblock before its checksum."""
+"""The length of a superblock before its checksum [bytes]."""
 _LOOKS = 10
 _OPEN_FOR_WRITING = 0x01
 
 
 class HistoryError(Error):
-    """An error for a history that can't be used; the message is meant for the
-    user."""
+    """A history can't be used; the message is for the user."""
 
 
 class NotAHistory(HistoryError):
-    """An error for a file that is no history, or damaged."""
+    """The file is not a history, or is damaged."""
 
 
 class UnsupportedVersion(HistoryError):
-    """An error for a file whose major format version differs."""
+    """The file has another major format version."""
 
 
 class Writer(Enum):
-    """The known state of the process that writes a history."""
+    """The state of the process that writes a history."""
 
     WRITING = "being written"
     CLOSED = "closed"
@@ -51,14 +51,13 @@ class Writer(Enum):
 
 
 class _Unmarked(io.FileIO):
-    """A file without the marks of a writer that has the file open or was
-    killed, so that HDF5 reads a closed file.
+    """A file without the marks of a writer that has it open or was killed, so
+    that HDF5 reads it as a closed file.
 
-    HDF5 reads a marked file only in SWMR mode, in which HDF5 takes a wrong
-    checksum for a write in progress and reads a hundred times more with sleeps
-    that double: for days, and without reaction to interrupts. The metadata of
-    a history never change (FORMAT.md), so that a wrong checksum of metadata
-    means damage."""
+    HDF5 opens marked files only in SWMR mode. In this mode it takes a wrong
+    checksum for a write in progress and retries a hundred times, with sleeps
+    that double: for days, and deaf to interrupts. The metadata of a history
+    never change (FORMAT.md), so a wrong checksum of metadata means damage."""
 
     def __init__(self, path: Path) -> None:
         super().__init__(path)
@@ -68,7 +67,7 @@ class _Unmarked(io.FileIO):
         self.close()
 
     def readinto(self, buffer: Any) -> int:
-        """Fills the buffer with bytes of the file and returns their number."""
+        """Fills the buffer from the file and returns the number of bytes."""
         at, view = self.tell(), memoryview(buffer).cast("B")
         done = 0
         while done < len(view):
@@ -82,10 +81,10 @@ class _Unmarked(io.FileIO):
 
 
 def open_file(path: str | Path) -> h5py.File:
-    """Opens a history for reading without changing the file, which may be
-    closed, being written, or left by a writer that was killed.
+    """Opens a history for reading and leaves the file unchanged. The file may
+    be closed, being written, or left by a killed writer.
 
-    Raises FileNotFoundError or PermissionError, HistoryError."""
+    Raises FileNotFoundError, PermissionError or HistoryError."""
     path = Path(path)
     if not path.exists():
         raise FileNotFoundError(f"{path}: there is no such file")
@@ -111,9 +110,9 @@ def text(value: object) -> str:
     return str(value)
 
 
-def writer_of(path: str | Path) -> Writer:
-    """Returns the state of the process that writes the file, as far as this
-    machine can tell."""
+def find_writer(path: str | Path) -> Writer:
+    """Returns the state of the process that writes the file, as visible from
+    this machine."""
     if not _superblock(Path(path)).is_marked:
         return Writer.CLOSED
     return Writer.WRITING if _is_locked(Path(path)) else Writer.GONE
@@ -127,8 +126,8 @@ class _Superblock:
 
     @property
     def has_marks(self) -> bool:
-        """Whether the superblock can have marks: only version 3 has marks, and
-        the HDF5 of the program writes only addresses of 8 bytes."""
+        """Whether the superblock can have marks: only version 3 has, and the
+        program writes addresses of 8 bytes only."""
         return self.data[8] == 3 and self.data[9] == 8
 
     @property
@@ -138,8 +137,7 @@ class _Superblock:
 
     @property
     def is_marked(self) -> bool:
-        """Whether a process has the file open for writing, or was killed while
-        writing."""
+        """Whether a writer has the file open, or was killed."""
         return self.has_marks and bool(self.data[11] & _OPEN_FOR_WRITING)
 
     @property
@@ -200,7 +198,7 @@ def _superblock(path: Path) -> _Superblock:
                 f"{path}: this history was cut short, only {len(block.data)} "
                 "bytes are left"
             )
-        # A writer may be in the middle of changing its mark.
+        # A writer may be changing its mark just now.
         for _ in range(_LOOKS):
             if not block.has_marks or block.is_whole:
                 return block
@@ -220,18 +218,18 @@ def _check_length(path: Path) -> None:
     if missing > 0:
         raise NotAHistory(
             f"{path}: this history was cut short, {missing} bytes are "
-            "missing; copy it again "
-            "(`ideotype status` tells what is left)"
+            "missing; copy it again (`ideotype status` lists the readable "
+            "part)"
         )
 
 
 def _check_format(file: h5py.File, path: Path) -> None:
     try:
-        found = text(file.attrs.get("format", ""))
+        form = text(file.attrs.get("format", ""))
         version = text(file.attrs.get("format_version", ""))
     except (OSError, RuntimeError, KeyError) as error:
         raise NotAHistory(f"{path}: damaged ({error})") from error
-    if found != FORMAT:
+    if form != FORMAT:
         raise NotAHistory(
             f"{path}: this is an HDF5 file, but not a history "
             f'(no attribute format = "{FORMAT}")'
@@ -252,8 +250,8 @@ def _check_format(file: h5py.File, path: Path) -> None:
 
 def _is_locked(path: Path) -> bool:
     """Returns whether a writer holds its lock on the file, on any machine if
-    the file system has locks. The function takes no lock, because even a short
-    lock could stop a writer that starts."""
+    the file system supports locks. The function only queries the lock, because
+    even a short lock could stop a writer that starts."""
     try:
         import fcntl
 
@@ -264,7 +262,7 @@ def _is_locked(path: Path) -> bool:
     whole = struct.pack(form, write, os.SEEK_SET, 0, 0, 0)
     try:
         with path.open("rb") as file:
-            found = fcntl.fcntl(file, look, whole)
+            lock = fcntl.fcntl(file, look, whole)
     except OSError:
         return False
-    return bool(struct.unpack(form, found)[0] != none)
+    return bool(struct.unpack(form, lock)[0] != none)

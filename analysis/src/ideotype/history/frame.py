@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Evaluations as a pandas frame."""
+"""Evaluations as a pandas DataFrame."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from .history import History
 from .rows import Origin, Status
 
 _WORDS = ("campaign", "case", "site", "day", "spacing", "trait_set")
-_PLACE = {
+_COORDINATES = {
     **dict.fromkeys((*_WORDS, "replicate"), ""),
     **dict.fromkeys(("latitude", "longitude"), "deg"),
     **dict.fromkeys(("row_spacing", "plant_spacing"), "m"),
@@ -21,15 +21,14 @@ _PLACE = {
 """Root attributes of a history that become columns, with their units."""
 
 
-def frame_of(histories: Sequence[History]) -> pandas.DataFrame:
-    """Returns one row per complete evaluation. Columns: campaign, case, site,
-    day, spacing, trait_set, replicate, latitude, longitude, row_spacing and
-    plant_spacing, row, generation, slot, status, origin, seconds, worker,
-    violation, then quantities by their names (a quantity with an axis has one
-    column for each label, such as "absorbed_by_leaf 3"), each with its
-    standard error as <name>_standard_error, and genes. Histories that lack a
-    column have NaN in the column; the unit of a column is
-    .attrs["units"][column]."""
+def make_frame(histories: Sequence[History]) -> pandas.DataFrame:
+    """Returns one row per complete evaluation, with the columns campaign,
+    case, site, day, spacing, trait_set, replicate, latitude, longitude,
+    row_spacing, plant_spacing, row, generation, slot, status, origin, seconds,
+    worker and violation, then quantities by name, each with its standard error
+    as <name>_standard_error, and genes. A quantity with an axis has one column
+    for each label, such as "absorbed_by_leaf 3". Missing columns of a history
+    are NaN. The unit of a column is .attrs["units"][column]."""
     tables = [_columns(history) for history in histories]
     parts = (
         pandas.DataFrame({name: values for name, (values, _) in table.items()})
@@ -46,28 +45,28 @@ def frame_of(histories: Sequence[History]) -> pandas.DataFrame:
 def _columns(history: History) -> dict[str, tuple[Any, str]]:
     """Returns the values and the unit of each column by name."""
     rows, has = history.evaluations(), history.attributes
-    found: dict[str, tuple[Any, str]] = {
+    columns: dict[str, tuple[Any, str]] = {
         name: (np.repeat(has[name], len(rows)), unit)
-        for name, unit in _PLACE.items()
+        for name, unit in _COORDINATES.items()
         if name in has
     }
     for name in ("row", "generation", "slot"):
-        found[name] = getattr(rows, name), ""
-    found["status"] = [Status(s).name.lower() for s in rows.status], ""
-    found["origin"] = [Origin(o).name.lower() for o in rows.origin], ""
-    found["seconds"] = rows.seconds, "s"
-    found["worker"] = rows.worker, ""
-    found["violation"] = rows.violation, "1"
+        columns[name] = getattr(rows, name), ""
+    columns["status"] = [Status(s).name.lower() for s in rows.status], ""
+    columns["origin"] = [Origin(o).name.lower() for o in rows.origin], ""
+    columns["seconds"] = rows.seconds, "s"
+    columns["worker"] = rows.worker, ""
+    columns["violation"] = rows.violation, "1"
     for name, quantity in rows.quantities.items():
         for column, values in (
             (name, quantity.values),
             (f"{name}_standard_error", quantity.standard_error),
         ):
             if quantity.axis is None:
-                found[column] = values, quantity.unit
+                columns[column] = values, quantity.unit
                 continue
             for label, part in zip(quantity.axis.labels, values.T):
-                found[f"{column} {label}"] = part, quantity.unit
+                columns[f"{column} {label}"] = part, quantity.unit
     genes = rows.genes
     pairs = zip(rows.genome.T, genes.units)
-    return found | dict(zip(genes.names, pairs))
+    return columns | dict(zip(genes.names, pairs))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Fronts, which consist of the plants that no other plant dominates."""
+"""Pareto fronts: the plants that no other plant dominates."""
 
 from __future__ import annotations
 
@@ -16,36 +16,38 @@ from .rows import Evaluation, Rows
 def non_dominated(
     objectives: ArrayLike, signs: ArrayLike, violation: ArrayLike = 0.0
 ) -> NDArray[np.bool_]:
-    """Returns a mask of the rows of [rows, objectives] that no other row
-    dominates: a row dominates another row if it is as good in all objectives
-    and better in at least one. `signs` are 1 where larger is better, else -1.
-    A row that violates constraints is dominated by all rows with less
-    violation."""
+    """Returns a mask [rows] of the non-dominated rows of `objectives`
+    [rows, objectives]. A row dominates another if it is at least as good in
+    all objectives and better in one, or violates constraints less (Deb et al.
+    2002, doi:10.1109/4235.996017).
+
+    signs: 1 where larger is better, else -1 [objectives].
+    violation: violation of the constraints [rows], 0 if all are met."""
     values = real(objectives, "objectives") * real(signs, "signs")
     violation = np.broadcast_to(real(violation, "violation"), len(values))
-    one, other = values[:, None], values[None]
-    betters = (one >= other).all(2) & (one > other).any(2)
-    less = violation[:, None] < violation[None]
-    same = violation[:, None] == violation[None]
-    return ~(less | same & betters).any(0)
+    first, second = values[:, None], values[None]
+    is_better = (first >= second).all(2) & (first > second).any(2)
+    is_less = violation[:, None] < violation[None]
+    is_equal = violation[:, None] == violation[None]
+    return ~(is_less | is_equal & is_better).any(0)
 
 
 @dataclass(frozen=True)
 class Front:
-    """The plants that a search for several objectives has found."""
+    """The Pareto front of a search for several objectives."""
 
     members: Rows
     """The finalists without the baseline, or the front of the last generation
     until finalists are evaluated."""
     is_kept: NDArray[np.bool_]
-    """Whether no other member dominates a member; dominated members owed their
-    place to noise."""
+    """Whether each member is non-dominated; dominated members were selected by
+    noise."""
     baseline: Evaluation
 
     @property
     def is_final(self) -> bool:
-        """Whether the members were evaluated again at the end, with fresh
-        random numbers."""
+        """Whether the members were re-evaluated after the search, with
+        independent random numbers."""
         return self.baseline.is_final
 
     @property
@@ -58,8 +60,8 @@ class Front:
         return self.members.one(index, self.is_final)
 
     def number(self, index: int) -> int:
-        """Returns the number that names a member: the row in /final, or the
-        place in a front that is not evaluated again."""
+        """Returns the number that identifies a member: its row in /final, or
+        its position, from 1, in a front that is not re-evaluated yet."""
         return int(self.members.row[index]) if self.is_final else index + 1
 
     def pair(self, index: int) -> Pair:
@@ -67,9 +69,9 @@ class Front:
         return Pair(self.baseline, self.one(index))
 
 
-def front_of(rows: Rows, baseline: Evaluation) -> Front | None:
-    """Returns the front of bred rows: of finalists if a baseline is given, or
-    else of a generation. None if no row is done."""
+def make_front(rows: Rows, baseline: Evaluation) -> Front | None:
+    """Returns the Pareto front of rows without the baseline: of finalists if
+    the baseline is final, else of a generation. None if no row is done."""
     done = rows.done
     signs = [objective.sign for objective in done.goals]
     is_kept = non_dominated(done.objectives, signs, done.violation)

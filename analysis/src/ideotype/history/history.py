@@ -12,24 +12,25 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import NDArray
 
-from .atlas import Atlas, atlas_of
+from .atlas import Atlas, make_atlas
 from .columns import columns
 from .datasets import Datasets
-from .file import HistoryError, writer_of
-from .front import Front, front_of
+from .file import HistoryError, find_writer
+from .from_columns import make_rows
+from .front import Front, make_front
 from .genes import Genes
 from .integrity import verify
 from .pair import Pair
 from .quantity import Objective, Quantity
 from .rows import Evaluation, Origin, Rows, Status
-from .rows_of import rows_of
 from .state import Generations, Session, State
 
 _SESSION = tuple(field.name for field in fields(Session))
 
 
 def open_history(path: str | Path) -> History:
-    """Opens a history to read: finished, stopped, killed, or being written.
+    """Opens a history for reading: finished, stopped, killed, or being
+    written.
 
     Raises FileNotFoundError, or HistoryError if the file is no history, is
     damaged, or is of another major format version."""
@@ -37,7 +38,7 @@ def open_history(path: str | Path) -> History:
 
 
 class History:
-    """A history as a context manager. Every call reads the file again, so that
+    """A history, as a context manager. Each call reads the file again, so that
     repeated calls follow a run; complete rows never change."""
 
     def __init__(self, path: str | Path) -> None:
@@ -72,8 +73,8 @@ class History:
             raise
 
     def verify(self) -> None:
-        """Compares recorded data with their checksums. Raises HistoryError if
-        a part is damaged."""
+        """Verifies the checksums of recorded data. Raises HistoryError if a
+        part is damaged."""
         verify(self.datasets)
 
     def __repr__(self) -> str:
@@ -90,8 +91,8 @@ class History:
         self.datasets.close()
 
     def evaluations(self, generation: int | None = None) -> Rows:
-        """Returns complete evaluations, done or failed, of the whole history
-        or of one generation, which need not be committed."""
+        """Returns the complete evaluations, done or failed, of the whole
+        history or of one generation, which need not be committed."""
         if generation is None:
             return self._read("evaluations")
         if generation < 0:
@@ -101,8 +102,8 @@ class History:
         return self._read("evaluations", first, first + count)
 
     def unchecked(self) -> int:
-        """Counts complete evaluations of incomplete generations, which have no
-        checksum."""
+        """Returns the number of complete evaluations in incomplete
+        generations, which have no checksum."""
         committed = self.datasets.read("generations/committed").astype(bool)
         count = self.datasets.read("generations/count")
         status = self.datasets.read("evaluations/status")
@@ -116,22 +117,22 @@ class History:
 
     def generations(self) -> Generations:
         """Returns summaries of the committed generations."""
-        found = columns(self.datasets, "generations")
-        committed = found["committed"].values.astype(bool)
+        table = columns(self.datasets, "generations")
+        committed = table["committed"].values.astype(bool)
         count = len(committed) if committed.all() else int(committed.argmin())
 
         def integers(name: str) -> NDArray[np.int64]:
-            return found[name].values[:count].astype(int)
+            return table[name].values[:count].astype(int)
 
         def quantity(name: str) -> Quantity:
-            _, values, about = found[name]
+            _, values, about = table[name]
             error = np.full(count, np.nan)
-            if f"{name}_standard_error" in found:
-                error = found[f"{name}_standard_error"].values[:count]
+            if f"{name}_standard_error" in table:
+                error = table[f"{name}_standard_error"].values[:count]
             units = about.get("units", "")
             return Quantity(name, units, values[:count], error)
 
-        has_front = "hypervolume" in found
+        has_front = "hypervolume" in table
         return Generations(
             first_row=integers("first_row"),
             count=integers("count"),
@@ -147,20 +148,20 @@ class History:
         )
 
     def baseline(self) -> Evaluation | None:
-        """Returns the unbred plant: its final evaluation if the finals are
-        complete, or else its latest evaluation in the run; None if there is no
-        evaluation yet."""
+        """Returns the baseline plant: its final evaluation if the finals are
+        complete, else its latest evaluation in the run; None if it is not
+        evaluated yet."""
         if (pair := self._final_pair()) is not None:
             return pair.baseline
         done = self.evaluations().done
-        found = np.flatnonzero(done.origin == Origin.BASELINE)
-        return done.one(int(found[-1]), False) if len(found) else None
+        rows = np.flatnonzero(done.origin == Origin.BASELINE)
+        return done.one(int(rows[-1]), False) if len(rows) else None
 
     def best(self) -> Evaluation | None:
-        """Returns the fittest finalist except the baseline if the finals are
-        complete, or else, provisionally, the fittest plant of the last
-        committed generation, or of all rows before the first commit. None if
-        no row is done yet."""
+        """Returns the best finalist except the baseline if the finals are
+        complete; else, provisionally, the best plant of the last committed
+        generation, or of all rows before the first commit. None if no row is
+        done yet."""
         if (pair := self._final_pair()) is not None:
             return pair.best
         top = self.latest().top(1)
@@ -176,25 +177,25 @@ class History:
         return Pair(baseline, best)
 
     def front(self) -> Front | None:
-        """Returns the front of a search for several objectives: the finalists
-        without the baseline if the finals are complete, or else,
-        provisionally, the front of the last committed generation, or of all
-        rows before the first commit. None if there is a single objective, or
-        no row is done yet."""
+        """Returns the Pareto front of a search for several objectives: of the
+        finalists without the baseline if the finals are complete; else,
+        provisionally, of the last committed generation, or of all rows before
+        the first commit. None for a single objective, or if no row is done
+        yet."""
         if len(self.objectives) < 2:
             return None
         if (done := self._finals()) is not None:
-            return front_of(done.take(done.slot > 0), done.one(0, True))
+            return make_front(done.take(done.slot > 0), done.one(0, True))
         baseline = self.baseline()
-        return front_of(self.latest(), baseline) if baseline else None
+        return make_front(self.latest(), baseline) if baseline else None
 
     def atlas(self) -> Atlas | None:
-        """Returns the atlas of the best plant of each kind, if the search
-        makes an atlas and its finals are complete."""
+        """Returns the atlas if the search makes one and its finals are
+        complete, else None."""
         axes = self.resolved.get("search", {}).get("axes")
         if not axes or (done := self._finals()) is None:
             return None
-        return atlas_of(axes, done.take(done.slot > 0), self.evaluations())
+        return make_atlas(axes, done.take(done.slot > 0), self.evaluations())
 
     def latest(self) -> Rows:
         """Returns the last committed generation, or all complete rows before
@@ -204,8 +205,8 @@ class History:
 
     @property
     def is_sensitivity(self) -> bool:
-        """Whether the history holds a sensitivity study, in which no plant is
-        the best."""
+        """Whether the history contains a sensitivity study, which has no best
+        plant."""
         return "sensitivity" in self.resolved
 
     def state(self) -> State:
@@ -213,7 +214,7 @@ class History:
         finished."""
         finished = bool(self.datasets.read("state/finished"))
         return State(
-            writer_of(self.path),
+            find_writer(self.path),
             finished,
             self.datasets.texts("state/reason")[0] if finished else "",
             float(self.datasets.read("state/wall_time")),
@@ -221,12 +222,12 @@ class History:
 
     def sessions(self) -> list[Session]:
         """Returns the starts of the program, oldest first."""
-        found = columns(self.datasets, "sessions")
-        rows = zip(*(found[name].values.tolist() for name in _SESSION))
-        return [each for row in rows if (each := Session(*row)).started]
+        table = columns(self.datasets, "sessions")
+        rows = zip(*(table[name].values.tolist() for name in _SESSION))
+        return [session for row in rows if (session := Session(*row)).started]
 
     def messages(self) -> list[str]:
-        """Returns messages that the user should know, oldest first."""
+        """Returns the messages for the user, oldest first."""
         return [line for line in self.datasets.texts("messages/text") if line]
 
     def campaign(self, form: str = "source") -> str:
@@ -236,8 +237,8 @@ class History:
 
     @cached_property
     def resolved(self) -> dict[str, Any]:
-        """The campaign with every default; empty if the history has no
-        resolved campaign."""
+        """The tables of the campaign with every default; empty if the history
+        lacks them."""
         try:
             return tomllib.loads(self.campaign("resolved"))
         except (HistoryError, tomllib.TOMLDecodeError):
@@ -245,8 +246,8 @@ class History:
 
     @property
     def is_isolated(self) -> bool:
-        """Whether the plants are an isolated plot, lit from all sides, and no
-        periodic field."""
+        """Whether the plants are an isolated plot, which receives light from
+        the sides, not a periodic field."""
         return self.resolved.get("field", {}).get("boundary") == "isolated"
 
     def read_all(self) -> None:
@@ -264,19 +265,18 @@ class History:
     def _read(
         self, group: str, first: int = 0, last: int | None = None
     ) -> Rows:
-        found = columns(self.datasets, group, first, last)
+        table = columns(self.datasets, group, first, last)
         starts = None
         if group == "evaluations":
             count = self.datasets.read("generations/count")
             starts = self.datasets.read("generations/first_row").astype(int)
-            # Generations that have no rows yet come after all generations with
-            # rows.
+            # Generations without rows follow those with rows.
             starts = starts[: np.count_nonzero(count)]
-        return rows_of(found, starts, self.genes, self.objectives)
+        return make_rows(table, starts, self.genes, self.objectives)
 
     def _finals(self) -> Rows | None:
-        """Returns the finalists that are done, the baseline first, once the
-        baseline is done and no finalist is pending."""
+        """Returns the finalists that are done, the baseline first; None while
+        the baseline or another finalist is pending."""
         status = self.datasets.read("final/status")
         if not len(status) or status[0] != Status.DONE:
             return None
@@ -285,11 +285,11 @@ class History:
         return self.finalists().done
 
     def _final_pair(self) -> Pair | None:
-        """Returns the baseline and the best plant of the finalists, once no
-        finalist is pending."""
+        """Returns the baseline and the best plant of the finalists; None while
+        a finalist is pending."""
         if (done := self._finals()) is None:
             return None
-        bred = done.take(done.slot > 0).top(1)
+        best = done.take(done.slot > 0).top(1)
         return (
-            Pair(done.one(0, True), bred.one(0, True)) if len(bred) else None
+            Pair(done.one(0, True), best.one(0, True)) if len(best) else None
         )

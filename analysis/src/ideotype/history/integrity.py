@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Checks whether a file of format 2.0 is unchanged since it was written;
-FORMAT.md describes the checksums."""
+"""Verifies the checksums of a history; FORMAT.md specifies them."""
 
 from __future__ import annotations
 
@@ -16,15 +15,15 @@ from .rows import Status
 
 _HEADER = ("campaign", "genes", "objectives")
 _TABLES = ("evaluations", "final", "sensitivity")
-"""Groups whose scales are part of the header."""
+"""The groups with scales that are part of the header."""
 _NOT_HASHED = ("generation", "committed", "checksum")
 
 
 def verify(data: Datasets) -> None:
-    """Compares header, committed generations and recorded finalists with
-    their checksums.
+    """Verifies the header, the committed generations and the recorded
+    finalists.
 
-    Raises HistoryError, naming the file and the first part that differs."""
+    Raises HistoryError with the file and the first part that differs."""
     _check(
         data, "the header", _header(data), data.attributes().get("checksum")
     )
@@ -38,32 +37,32 @@ def verify(data: Datasets) -> None:
     for g in range(count):
         first = int(table["first_row"][g])
         last = first + int(table["count"][g])
-        found = _digest(
+        digest = _digest(
             *((name, values[first:last]) for name, values in rows.items()),
             *((name, values[g : g + 1]) for name, values in table.items()),
         )
-        _check(data, f"generation {g}", found, sums[g])
+        _check(data, f"generation {g}", digest, sums[g])
     recorded = (status == Status.DONE) | (status == Status.FAILED)
     finalists = _columns(data, "final", ("checksum",))
     final_sums = data.texts("final/checksum")
     for i in np.flatnonzero(recorded):
-        found = _digest(
+        digest = _digest(
             *((name, values[i : i + 1]) for name, values in finalists.items())
         )
-        _check(data, f"finalist {i}", found, final_sums[i])
+        _check(data, f"finalist {i}", digest, final_sums[i])
     if not data.read("state/finished"):
         return
-    # A finished case has no checksum of rows that are not recorded.
+    # A finished case has no checksums of rows that are not recorded.
     if count < len(sums):
         _check(data, f"the mark of generation {count}", "", sums[count])
     for i in np.flatnonzero(~recorded):
         _check(data, f"finalist {i}", "", final_sums[i])
 
 
-def _check(data: Datasets, what: str, found: str, kept: object) -> None:
-    if found != kept:
+def _check(data: Datasets, part: str, computed: str, stored: object) -> None:
+    if computed != stored:
         raise HistoryError(
-            f"{data.path}: damaged: {what} does not have its checksum; copy "
+            f"{data.path}: damaged: {part} does not have its checksum; copy "
             "the file again or resume from a backup"
         )
 
@@ -87,7 +86,7 @@ def _header(data: Datasets) -> str:
 def _columns(
     data: Datasets, group: str, without: Iterable[str]
 ) -> dict[str, NDArray]:
-    """Returns all datasets except scales by name."""
+    """Returns the datasets of a group except scales, by name."""
     return {
         name: data.read(f"{group}/{name}")
         for name in sorted({*data.names(group)} - {*without})

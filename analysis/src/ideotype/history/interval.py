@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Means over seeds with confidence intervals."""
+"""Means over independent searches with 95 % confidence intervals."""
 
 from __future__ import annotations
 
@@ -13,30 +13,31 @@ from numpy.typing import NDArray
 from .estimate import NORMAL, Estimate, with_interval
 
 SEARCH_SCATTER = 0.2
-"""The standard deviation of the gains of searches with different seeds over
-their mean gain, which a single search cannot estimate. For searches with a few
-hundred evaluations this ratio was .12 (net assimilation of a day, 15 cases
-with three searches each), .18 (carbon of a growing season) and .28 (net
-assimilation at a given leaf area)."""
+"""The coefficient of variation of gains between searches, which a single
+search cannot estimate. For searches of a few hundred evaluations it was 0.12
+(net assimilation of a day, 15 cases with three searches each), 0.18 (carbon of
+a growing season) and 0.28 (net assimilation at a given leaf area)."""
 
 BEYOND = 0.15
-"""The distance of the optimum above the mean gain of searches, over that gain.
-analysis/study/distance.py measures it by a much longer search: the optimum
-was above the mean of three searches of 600 evaluations by .12 to .15, and
-above single searches by .07 to .20. Shorter searches may miss more."""
+"""The distance of the optimum above the mean gain of searches, relative to
+this gain. analysis/study/distance.py measures it by a much longer search: the
+optimum was above the mean of three searches of 600 evaluations by 0.12 to
+0.15, and above single searches by 0.07 to 0.20. Shorter searches may miss
+more."""
 
 ENOUGH = 600
 """The number of evaluations of the searches with which BEYOND was measured."""
 
 ONE_SEED = (
-    f"one search: its interval takes from other searches that gains differ by "
-    f"{100 * SEARCH_SCATTER:.0f} % between seeds (standard deviation)"
+    "only one search was run; the interval assumes the spread of "
+    f"{100 * SEARCH_SCATTER:.0f} % between searches (standard deviation) seen "
+    "elsewhere"
 )
-"""The note beside every interval of a single search."""
+"""The note on each interval of a single search."""
 
 
 def meaning(seeds: Iterable[int]) -> str:
-    """Explains intervals that have the given numbers of seeds."""
+    """Returns an explanation of intervals over the given numbers of seeds."""
     counts = set(seeds)
     several = ["95 % confidence interval over searches"] * bool(counts - {1})
     return "; ".join([*several, *[ONE_SEED] * (1 in counts)])
@@ -52,12 +53,12 @@ def student(degrees_of_freedom: float) -> float:
 
 @dataclass(frozen=True)
 class Interval:
-    """A mean over searches with its 95 % interval, which may be asymmetric."""
+    """A mean over searches with its 95 % confidence interval, which may be
+    asymmetric."""
 
     mean: float
     below: float
-    """The mean less the lower end of the interval; NaN if the interval is not
-    known."""
+    """The mean less the lower end of the interval; NaN: unknown."""
     above: float
     """The upper end of the interval less the mean."""
     unit: str
@@ -80,7 +81,7 @@ class Interval:
 
     def number(self) -> str:
         """Returns "1.50 ± 0.06", or "1.50 -0.06 +0.20" for an asymmetric
-        interval, without the unit."""
+        interval."""
         return with_interval(self.mean, self.below, self.above)
 
     def __str__(self) -> str:
@@ -99,9 +100,8 @@ class Interval:
         )
 
     def plus(self, other: Interval) -> Interval:
-        """Returns the sum of two intervals with equal seeds and units; the sum
-        has the widest possible interval, since the terms need not be
-        independent."""
+        """Returns the sum of two intervals with equal seeds and units. The
+        half-widths are added, since the terms need not be independent."""
         return Interval(
             self.mean + other.mean,
             self.below + other.below,
@@ -112,11 +112,11 @@ class Interval:
 
 
 def interval(figures: Sequence[Estimate], search: float = 0.0) -> Interval:
-    """Returns the 95 % confidence interval of the mean of independent seeds:
-    Student's t interval of the seeds' scatter, or the normal interval of the
-    seeds' standard errors if this is wider, as for seeds that agree by chance.
-    The interval of a single seed also covers `search`, the standard deviation
-    between searches in the unit of the mean."""
+    """Returns the 95 % confidence interval of the mean over independent seeds:
+    Student's t interval from the scatter between seeds, or the normal interval
+    from their standard errors if it is wider, as for seeds that agree by
+    chance. The interval of a single seed also covers `search`, the standard
+    deviation between searches in the unit of the mean."""
     if not figures:
         raise ValueError("no figure to average")
     means = np.array([figure.mean for figure in figures])
@@ -138,24 +138,24 @@ def interval(figures: Sequence[Estimate], search: float = 0.0) -> Interval:
 def over_searches(
     figures: Sequence[Estimate], gains: Sequence[Estimate] = ()
 ) -> Interval:
-    """Returns the interval of the mean over searches. The interval of a single
-    search takes the scatter from other searches: SEARCH_SCATTER of `gains`, in
-    the unit of the estimates, which by default are the gains."""
+    """Returns the interval of the mean over searches. For a single search the
+    standard deviation between searches is assumed: SEARCH_SCATTER times
+    `gains`, by default the estimates themselves."""
     return interval(figures, SEARCH_SCATTER * abs((gains or figures)[0].mean))
 
 
 def gain_interval(gains: Sequence[Estimate], sign: int) -> Interval:
-    """Returns the interval of the mean gain over searches, as over_searches()
-    does; on the side of an improvement (`sign`: 1 above, -1 below) the
-    interval reaches at least to the possible optimum."""
-    found = over_searches(gains)
-    farther = max(found.above, BEYOND * abs(found.mean))
+    """Returns the interval of the mean gain over searches, as over_searches().
+    On the side of an improvement (`sign`: 1 above, -1 below) it extends by at
+    least BEYOND times the gain, to the expected optimum."""
+    gain = over_searches(gains)
+    farther = max(gain.above, BEYOND * abs(gain.mean))
     if sign > 0:
-        return replace(found, above=farther)
-    return replace(found, below=farther)
+        return replace(gain, above=farther)
+    return replace(gain, below=farther)
 
 
 def bars(intervals: Sequence[Interval]) -> NDArray[np.float64]:
-    """Returns the lengths of error bars below and above means [2, n]; unknown
-    lengths are 0."""
+    """Returns the lengths of error bars below and above means [2, intervals];
+    0 if unknown."""
     return np.nan_to_num([[x.below, x.above] for x in intervals]).T

@@ -19,23 +19,23 @@ def open_arrays(
     *,
     all_rows: bool = False,
 ) -> xarray.Dataset:
-    """Reads a group of a history, "evaluations", "final", "generations",
-    "genes" and so on, into memory: arrays by name, whose dimensions have names
-    and labels. Finished, live and killed files can be read. /evaluations and
-    /final give only the rows whose outcome is recorded, or with `all_rows` all
-    rows. The attribute `unchecked_rows` of /evaluations counts the rows of
-    incomplete generations, which have no checksum.
+    """Reads a group of a history, such as "evaluations", "final",
+    "generations" or "genes", into memory as labelled arrays. The history may
+    be finished, live or killed. Of /evaluations and /final only rows with a
+    recorded outcome are read, with `all_rows` all rows. The attribute
+    `unchecked_rows` of /evaluations is the number of rows in incomplete
+    generations, which have no checksum.
 
     Raises the errors of open_history(), and KeyError if there is no such
     group."""
     with open_history(Path(path)) as history:
         try:
-            found = columns(history.datasets, group, all_rows=all_rows)
+            table = columns(history.datasets, group, all_rows=all_rows)
         except HistoryError as error:
             if isinstance(error.__cause__, KeyError):
                 raise KeyError(str(error)) from error
             raise
-        arrays = xarray.Dataset(dict(found))
+        arrays = xarray.Dataset(dict(table))
         if group == "evaluations":
             arrays.attrs["unchecked_rows"] = history.unchecked()
     return arrays

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The places of the plants of a case, and the light that leaves absorb."""
+"""The positions of the plants of a case, and the light absorbed by their
+leaves."""
 
 from __future__ import annotations
 
@@ -22,9 +23,8 @@ class HasProfiles(Protocol):
 
 
 def row_direction(case: Case) -> float | None:
-    """Returns the direction of the case's rows [deg], clockwise from north;
-    azimuth 0 points in this direction. None if the history has no
-    direction."""
+    """Returns the direction of the rows [deg], clockwise from north, in which
+    azimuth 0 points. None if the history does not state it."""
     name = case.attributes.get("spacing")
     for spacing in case.resolved.get("spacing", []):
         if spacing.get("name") == name and "row_direction" in spacing:
@@ -33,10 +33,10 @@ def row_direction(case: Case) -> float | None:
 
 
 def places(case: Case, plants: int = 1) -> list[NDArray[np.float64]]:
-    """Returns the places [m] across and along the rows of a plant, which comes
-    first, and of its neighbours: one row on each side, and the given number of
-    plants before and behind. An isolated plot has only its own plants; a
-    history with no distances or with several has only the plant."""
+    """Returns the positions [2] of a plant and then of its neighbours, across
+    and along the rows [m]: one row on each side and `plants` plants in each
+    direction along a row. An isolated plot has only the plants that exist; a
+    history without a single spacing has only one plant."""
     if case.is_over("spacing"):
         return [np.zeros(2)]
     row = float(case.attributes.get("row_spacing", 0))
@@ -46,36 +46,36 @@ def places(case: Case, plants: int = 1) -> list[NDArray[np.float64]]:
         field = case.resolved.get("field", {})
         rows = min(rows, (int(field.get("rows", 1)) - 1) // 2)
         plants = min(plants, (int(field.get("plants", 1)) - 1) // 2)
-    found = [
+    positions = [
         np.array([row * i, plant * j])
         for i in range(-rows, rows + 1)
         for j in range(-plants, plants + 1)
         if (row or not i) and (plant or not j)
     ]
-    return sorted(found, key=lambda place: bool(place.any()))
+    return sorted(positions, key=lambda place: bool(place.any()))
 
 
 def leaf_light(
     plant: HasProfiles, mesh: Mesh, ground: float | None = None
 ) -> dict[str, float | None]:
-    """Returns the light that each group of the plant's mesh absorbs, as the
-    history has it, per area of ground, or per area of leaf on so much ground
-    of the plant [m2]; None for groups that are no leaves, and for all groups
-    if the history does not distinguish leaves."""
-    found: dict[str, float | None] = dict.fromkeys(mesh.groups)
+    """Returns the light absorbed by each leaf of a mesh, by group, from the
+    history: per area of ground, or per area of leaf if `ground`, the ground
+    area of the plant [m2], is given. None for groups that are not leaves, and
+    for all groups if the history does not distinguish leaves."""
+    light: dict[str, float | None] = dict.fromkeys(mesh.groups)
     try:
-        told = plant.profile("absorbed_by_leaf")
+        profile = plant.profile("absorbed_by_leaf")
     except HistoryError:
-        return found
-    if told.labels.dtype.kind == "U":  # of several components
-        return found
+        return light
+    if profile.labels.dtype.kind == "U":  # The leaves of several components.
+        return light
     leaves = {
         rank: group for group, rank in zip(mesh.groups, mesh.ranks) if rank
     }
-    # Crops that grow have lower leaves that a full-grown plant has lost.
-    lost = max(len(told.labels) - len(leaves), 0)
-    for leaf, value in zip(told.labels, told.values.tolist()):
+    # A growing crop has lower leaves that the full-grown plant has shed.
+    lost = max(len(profile.labels) - len(leaves), 0)
+    for leaf, value in zip(profile.labels, profile.values.tolist()):
         if group := leaves.get(leaf - lost):
-            over = mesh.area(group) / ground if ground else 1
-            found[group] = value / over
-    return found
+            lai = mesh.area(group) / ground if ground else 1
+            light[group] = value / lai
+    return light

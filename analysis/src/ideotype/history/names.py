@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Names that tell apart what several files contain."""
+"""Distinct names for the contents of several files."""
 
 from __future__ import annotations
 
@@ -9,28 +9,28 @@ from pathlib import Path
 
 
 def distinct_names(names: Sequence[str], paths: Sequence[str]) -> list[str]:
-    """Returns the names, with the part in which the paths differ added to
-    those that are equal, such as "b73 (results)" and "b73 (long)". Names of
-    equal paths get numbers. An empty path is none."""
+    """Returns the names; equal names are followed by the part in which their
+    paths differ, such as "b73 (results)" and "b73 (long)". Names with equal
+    paths get numbers. An empty path means none."""
     groups: dict[str, list[int]] = {}
     for i, name in enumerate(names):
         groups.setdefault(name, []).append(i)
-    found = list(names)
+    distinct = list(names)
     for name, members in groups.items():
         parts = _differing_parts([paths[i] for i in members])
         for i, part in zip(members, parts):
             if part:
-                found[i] = f"{name} ({part})"
+                distinct[i] = f"{name} ({part})"
     times: Counter[str] = Counter()
-    for i, name in enumerate(found):
+    for i, name in enumerate(distinct):
         times[name] += 1
         if times[name] > 1:
-            found[i] = f"{name} ({times[name]})"
-    return found
+            distinct[i] = f"{name} ({times[name]})"
+    return distinct
 
 
 def _differing_parts(paths: Sequence[str]) -> list[str]:
-    """Returns each path without the folders and ends that all share."""
+    """Returns each path without its common beginning and end."""
     parts = [Path(path).parts for path in paths]
     begin = _shared(parts)
     end = _shared([x[begin:][::-1] for x in parts])
@@ -38,7 +38,7 @@ def _differing_parts(paths: Sequence[str]) -> list[str]:
 
 
 def _shared(paths: Sequence[tuple[str, ...]]) -> int:
-    """Returns the number of first parts that all paths share."""
+    """Returns the number of leading parts that all paths share."""
     count = 0
     for parts in zip(*paths):
         if len({*parts}) > 1:

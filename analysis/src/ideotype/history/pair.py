@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The baseline compared with the best bred plant."""
+"""Compares the best plant with the baseline."""
 
 from __future__ import annotations
 
@@ -13,24 +13,22 @@ from .rows import Evaluation
 
 @dataclass(frozen=True)
 class Pair:
-    """The baseline and the best plant of one history, evaluated in the same
-    way."""
+    """The baseline and the best plant of one history, evaluated alike."""
 
     baseline: Evaluation
     best: Evaluation
 
     @property
     def is_final(self) -> bool:
-        """Whether both were evaluated again at the end. If not, the best plant
-        was chosen by noisy numbers, so that its objective is too high on
+        """Whether both were re-evaluated after the search. If not, the best
+        plant was selected by noisy values, and its objective is too good on
         average."""
         return self.baseline.is_final and self.best.is_final
 
     @property
     def is_paired(self) -> bool:
-        """Whether the history holds randomisations that both plants share:
-        errors of differences are then computed from paired randomisations;
-        otherwise both plants are taken as independent."""
+        """Whether both plants have common random numbers. Standard errors of
+        differences are then paired, else those of independent plants."""
         baseline, best = self.baseline.row, self.best.row
         return (
             baseline.generation[0] == best.generation[0]
@@ -41,8 +39,8 @@ class Pair:
 
     @property
     def difference(self) -> Estimate:
-        """The first objective of the best plant less the baseline's, in the
-        objective's unit."""
+        """The difference of the best plant from the baseline in the first
+        objective, in its unit."""
         return difference(
             *self._both(self.best.objective, self.baseline.objective)
         )
@@ -53,19 +51,19 @@ class Pair:
         return self.gain_in(self.best.row.goals[0].name)
 
     def gain_in(self, name: str) -> Estimate:
-        """Returns the gain of the best plant in a quantity without axes or an
-        objective [%]. Errors are paired for objectives; for quantities both
-        plants are taken as independent.
+        """Returns the gain of the best plant in an objective or a quantity
+        without axes [%]. Errors are paired for objectives; for quantities the
+        plants count as independent.
 
-        Raises HistoryError if the history does not tell it."""
+        Raises HistoryError if the history lacks the quantity."""
         best, baseline = self.best.estimate(name), self.baseline.estimate(name)
         return relative_gain(*self._both(best, baseline))
 
     @property
     def gain_per_leaf_area(self) -> Estimate:
-        """The gain in PAR that a unit of leaf area absorbs [%].
+        """The gain in absorbed PAR per leaf area [%].
 
-        Raises HistoryError if the history does not tell it."""
+        Raises HistoryError if the history lacks the quantity."""
         best, baseline = self.best.per_leaf_area, self.baseline.per_leaf_area
         return relative_gain(*self._both(best, baseline))
 

@@ -20,10 +20,10 @@ class Axis:
 
     name: str
     labels: NDArray
-    """The labels of the axis, numbers or words."""
+    """The labels along the axis, numbers or words."""
     units: str = "1"
     meaning: str = ""
-    """The meaning of the axis in words; "" if the name is clear."""
+    """The description of the axis; "" if the name is clear."""
 
     def __eq__(self, other: object) -> bool:
         return (
@@ -47,22 +47,22 @@ class Quantity:
     axis: Axis | None = None
 
     def take(self, index: NDArray) -> Quantity:
-        """Returns the quantity in the rows of a mask or of row numbers."""
+        """Returns the quantity of the rows given by a mask or row numbers."""
         values, error = self.values[index], self.standard_error[index]
         return Quantity(self.name, self.unit, values, error, self.axis)
 
 
 @dataclass(frozen=True)
 class Profile:
-    """A quantity of one plant along its axis, such as the time of day [h] or
-    the rank of leaves."""
+    """A quantity of one plant along an axis, such as the time of day [h] or
+    leaf rank."""
 
     labels: NDArray
     unit: str
     values: Floats
     standard_error: Floats
     meaning: str = ""
-    """The meaning of the labels."""
+    """The description of the labels."""
 
     def scaled(self, factor: float) -> Profile:
         """Returns the profile times an exact positive factor."""
@@ -73,7 +73,7 @@ class Profile:
         )
 
     def lowered(self, by: float) -> Profile:
-        """Returns the profile less an exact number in its unit."""
+        """Returns the profile less an exact number in the same unit."""
         return replace(self, values=self.values - by)
 
     def estimates(self) -> list[Estimate]:
@@ -84,7 +84,8 @@ class Profile:
         ]
 
     def over(self, whole: float) -> dict[str, Estimate]:
-        """Returns each label's part of an exact whole in the same unit."""
+        """Returns the share of each label in an exact total in the same
+        unit."""
         return {
             str(label): part.scaled(1 / whole, "1")
             for label, part in zip(self.labels, self.estimates())

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The results of a study as a table, one line for each case."""
+"""Tabulates the results of a study, one line for each case."""
 
 from __future__ import annotations
 
@@ -41,11 +41,11 @@ _UNITS = {
 def results_of(
     cases: Sequence[Case], further: Mapping[str, Mapping[str, Any]] = {}
 ) -> pandas.DataFrame:
-    """Returns a table with a line for each case: coordinates, baseline, best,
-    gain with the ends of its 95 % interval, leaf area index and number of
-    searches; unknown numbers are NaN. `further` has more columns by the names
-    of cases. Units are in .attrs["units"]."""
-    # pandas is imported at its use, because its import takes long.
+    """Returns a table with one line for each case: coordinates, baseline,
+    best, gain with the ends of its 95 % confidence interval, leaf area index
+    and number of searches; unknown numbers are NaN. further: additional
+    columns by the name of the case. Units are in .attrs["units"]."""
+    # pandas is imported here, because its import is slow.
     import pandas
 
     lines = [_line(case) | dict(further.get(case.name, {})) for case in cases]
@@ -79,13 +79,13 @@ def _line(case: Case) -> dict[str, Any]:
         )
         line[f"{who}_lai"] = lai.mean if lai else math.nan
     line["searches"] = len(case.histories)
-    line["evaluations"] = sum(map(evaluations_of, case.histories))
+    line["evaluations"] = sum(map(count_evaluations, case.histories))
     line["is_final"] = case.is_final
     line["best_history"] = str(case.best_history.path) if case.pairs else ""
     return line
 
 
-def evaluations_of(history: History) -> int:
+def count_evaluations(history: History) -> int:
     """Returns the number of evaluations in the committed generations of a
     search."""
     return int(history.generations().evaluations.sum())
@@ -107,9 +107,9 @@ def _known(case: Case, take: Callable[..., Interval]) -> Interval | None:
         return None
 
 
-def _columns(name: str, found: Interval | None) -> dict[str, float]:
+def _columns(name: str, number: Interval | None) -> dict[str, float]:
     return {
-        name: found.mean if found else math.nan,
-        f"{name}_low": found.low if found else math.nan,
-        f"{name}_high": found.high if found else math.nan,
+        name: number.mean if number else math.nan,
+        f"{name}_low": number.low if number else math.nan,
+        f"{name}_high": number.high if number else math.nan,
     }

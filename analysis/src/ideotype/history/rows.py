@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Evaluations as numpy arrays, and quantities that know their units."""
+"""Evaluations as numpy arrays, and quantities with units."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from .quantity import Floats, Integers, Objective, Profile, Quantity
 
 
 class Status(IntEnum):
-    """The progress of an evaluation, as numbered in the file."""
+    """The progress of an evaluation; values as in the file."""
 
     EMPTY = 0
     PROPOSED = 1
@@ -28,7 +28,7 @@ class Status(IntEnum):
 
 
 class Origin(IntEnum):
-    """The origin of a genome, as numbered in the file."""
+    """The origin of a genome; values as in the file."""
 
     NONE = 0
     BASELINE = 1
@@ -40,20 +40,20 @@ class Origin(IntEnum):
 
 @dataclass(frozen=True)
 class Rows:
-    """Complete evaluations, done or failed; outcomes of failed evaluations are
+    """Complete evaluations, done or failed; results of failed evaluations are
     NaN.
 
-    rows["absorbed_par"] is a quantity, objective or gene by its name."""
+    rows["absorbed_par"] returns a quantity, objective or gene by name."""
 
     genes: Genes
     goals: tuple[Objective, ...]
     quantities: dict[str, Quantity]
     row: Integers
-    """The number of the row in /evaluations, or for finalists in /final."""
+    """The row number in /evaluations, or for finalists in /final."""
     generation: Integers
-    """The generation, -1 for finalists."""
+    """The number of the generation; -1 for finalists."""
     slot: Integers
-    """The slot in the generation; for finalists the number of the row."""
+    """The slot in the generation; for finalists the row number."""
     status: Integers
     origin: Integers
     parents: Integers
@@ -65,10 +65,10 @@ class Rows:
     objectives_standard_error: Floats
     randomisations: Floats
     """The objectives by randomisation [rows, objectives, randomisations]; the
-    number of randomisations is 0 if the file has none. Rows of one generation,
-    and all finalists, share random numbers in the same randomisation."""
+    last dimension is 0 if the file has none. Rows of one generation, and all
+    finalists, have common random numbers in each randomisation."""
     violation: Floats
-    """The violation of constraints, 0 if all constraints are met."""
+    """The violation of the constraints; 0 if all are met."""
     attempt: Integers
     seconds: Floats
     worker: Integers
@@ -103,31 +103,31 @@ class Rows:
         return [*self.quantities, *names, *self.genes.names]
 
     def with_axis(self, axis: str) -> list[Quantity]:
-        """Returns the quantities that have the given axis."""
-        found = self.quantities.values()
-        return [q for q in found if q.axis and q.axis.name == axis]
+        """Returns the quantities along the given axis."""
+        quantities = self.quantities.values()
+        return [q for q in quantities if q.axis and q.axis.name == axis]
 
     def take(self, index: NDArray) -> Rows:
-        """Returns the rows of a mask or of row numbers."""
+        """Returns the rows given by a mask or row numbers."""
         quantities = {n: q.take(index) for n, q in self.quantities.items()}
         arrays = {name: getattr(self, name)[index] for name in _ARRAYS}
         return replace(self, quantities=quantities, **arrays)
 
     @property
     def done(self) -> Rows:
-        """The rows without the failed ones."""
+        """The rows that did not fail."""
         return self.take(self.status == Status.DONE)
 
     @property
     def failed(self) -> Rows:
-        """The failed rows alone; their message says why."""
+        """The failed rows; `message` states the reasons."""
         return self.take(self.status == Status.FAILED)
 
     def ranking(self, count: int) -> Integers:
-        """Returns row numbers of the best with different genomes, best first;
-        equal genomes are represented by their best row. Rows that violate
-        constraints come last, in the order of their violation. The result is
-        shorter if there are fewer different genomes than wanted."""
+        """Returns the row numbers of the best `count` different genomes, best
+        first; the best row represents equal genomes. Rows that violate
+        constraints come last, by increasing violation. The result is shorter
+        if there are fewer different genomes."""
         done = np.flatnonzero(self.status == Status.DONE)
         worse = -self.goals[0].sign * self.objectives[done, 0]
         violation = self.violation[done]
@@ -141,7 +141,7 @@ class Rows:
         return self.take(self.ranking(count))
 
     def one(self, index: int, is_final: bool) -> Evaluation:
-        """Returns one row as an evaluation; negative numbers count from the
+        """Returns one row as an evaluation; negative indices count from the
         end."""
         return Evaluation(self.take(np.array([index])), is_final)
 
@@ -150,8 +150,8 @@ _ARRAYS = [f.name for f in fields(Rows)][3:]
 
 
 def join(parts: Sequence[Rows]) -> Rows:
-    """Returns rows of several histories, one after the other, with the
-    quantities and the number of randomisations that all histories have.
+    """Concatenates the rows of several histories, with the quantities and the
+    number of randomisations that all have.
 
     Raises HistoryError if the genes or objectives of histories differ."""
     first = parts[0]
@@ -162,10 +162,10 @@ def join(parts: Sequence[Rows]) -> Rows:
             )
 
     def quantity(name: str) -> Quantity:
-        each = [part.quantities[name] for part in parts]
-        values = np.concatenate([q.values for q in each])
-        error = np.concatenate([q.standard_error for q in each])
-        return replace(each[0], values=values, standard_error=error)
+        quantities = [part.quantities[name] for part in parts]
+        values = np.concatenate([q.values for q in quantities])
+        error = np.concatenate([q.standard_error for q in quantities])
+        return replace(quantities[0], values=values, standard_error=error)
 
     shared = [
         name
@@ -195,7 +195,8 @@ class Evaluation:
 
     row: Rows
     is_final: bool
-    """Whether the row is a final evaluation, with new random numbers."""
+    """Whether this is the re-evaluation of a finalist, with independent random
+    numbers."""
 
     @property
     def objective(self) -> Estimate:
@@ -211,50 +212,51 @@ class Evaluation:
         )
 
     def estimate(self, name: str) -> Estimate:
-        """Returns by name an objective with its randomisations, a quantity
-        without axes, or a gene.
+        """Returns an objective with its randomisations, a quantity without
+        axes or a gene, by name.
 
-        Raises HistoryError if there is none."""
+        Raises HistoryError for unknown names."""
         for k, objective in enumerate(self.row.goals):
             if name == objective.name:
                 return self._goal(k)
         try:
-            found = self.row[name]
+            quantity = self.row[name]
         except KeyError as error:
             raise HistoryError(
                 f"the history has no {name}"
                 + did_you_mean(name, self.row.names)
             ) from error
         return Estimate(
-            float(found.values[0]), float(found.standard_error[0]), found.unit
+            float(quantity.values[0]),
+            float(quantity.standard_error[0]),
+            quantity.unit,
         )
 
     @property
     def per_leaf_area(self) -> Estimate:
-        """The absorbed PAR per one-sided leaf area, with randomisations if the
-        objective is the same light with randomisations: the leaf area is
-        exact.
+        """The absorbed PAR per one-sided leaf area. It has randomisations if
+        absorbed PAR is the objective, since leaf area is exact.
 
-        Raises HistoryError if the history lacks one of both quantities."""
+        Raises HistoryError if the history lacks the quantity."""
         name, objective = "absorbed_par_per_leaf_area", self.row.goals[0].name
         if objective == name:
             return self.objective
-        found = self.estimate(name)
+        light = self.estimate(name)
         if objective != "absorbed_par" or self.row.with_axis("scenario"):
-            return found
-        scale = found.mean / self.objective.mean
-        return replace(found, draws=scale * self.objective.draws)
+            return light
+        scale = light.mean / self.objective.mean
+        return replace(light, draws=scale * self.objective.draws)
 
     def profile(self, name: str) -> Profile:
         """Returns a quantity along its axis.
 
-        Raises HistoryError if there is none."""
-        found = self.row.quantities.get(name)
-        if found is None or found.axis is None:
+        Raises HistoryError for unknown names."""
+        quantity = self.row.quantities.get(name)
+        if quantity is None or quantity.axis is None:
             known = [n for n, q in self.row.quantities.items() if q.axis]
             raise HistoryError(
                 f"the history has no {name}" + did_you_mean(name, known)
             )
-        values, error = found.values[0], found.standard_error[0]
-        axis = found.axis
-        return Profile(axis.labels, found.unit, values, error, axis.meaning)
+        values, error = quantity.values[0], quantity.standard_error[0]
+        axis = quantity.axis
+        return Profile(axis.labels, quantity.unit, values, error, axis.meaning)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The expected value of a plant that was chosen as the best of many noisy
+"""The expected value of a plant that was selected as the best of many noisy
 evaluations."""
 
 from __future__ import annotations
@@ -10,24 +10,24 @@ from .estimate import Estimate
 from .rows import Rows
 
 _FEWEST = 4
-"""The number of rows from which on their spread can be divided into noise and
-differences between plants."""
+"""The smallest number of rows for which the variance can be partitioned into
+noise and differences between plants."""
 
 
 def shrunken(rows: Rows, index: int) -> Estimate:
-    """Returns the expected first objective of the row `index` of a generation.
+    """Returns the expected first objective of row `index` of a generation.
 
-    The largest of many noisy values is too large on average, so that the value
-    is shrunken towards the mean of the generation by parametric empirical
-    Bayes (Morris 1983, doi:10.1080/01621459.1983.10477920). Of n rows with
-    mean m, variance s2 between rows and noise variance v, the value y becomes
-    y - B (y - m) with B = (n - 3) / (n - 1) min(1, v / s2); its variance is
-    v (1 - (n - 1) / n B) + 2 / (n - 3) B^2 (y - m)^2. Noise is that of
-    differences within the generation, as all rows share random numbers; shared
-    noise is added to the standard error.
+    The largest of many noisy values is too large on average. The value is
+    therefore shrunken towards the mean of the generation by parametric
+    empirical Bayes (Morris 1983, doi:10.1080/01621459.1983.10477920). Of n
+    rows with mean m, variance s2 between rows and noise variance v, the value
+    y becomes y - B (y - m) with B = (n - 3) / (n - 1) min(1, v / s2); its
+    variance is v (1 - (n - 1) / n B) + 2 / (n - 3) B^2 (y - m)^2. All rows
+    have common random numbers, so v is the noise of differences within the
+    generation; common noise is added to the standard error.
 
-    rows: evaluations that are done; compared are those that meet the
-    constraints if the row does, else all."""
+    rows: evaluations that are done. If the row meets the constraints, only
+    rows that do so count."""
     unit = rows.goals[0].unit
     given = float(rows.objectives[index, 0])
     error = float(rows.objectives_standard_error[index, 0])
@@ -50,12 +50,14 @@ def shrunken(rows: Rows, index: int) -> Estimate:
 
 
 def _noise(rows: Rows, total: float) -> float:
-    """Returns the noise variance of one row, without noise that rows share."""
+    """Returns the noise variance of one row, without noise common to all
+    rows."""
     draws = rows.randomisations[:, 0, :]
     n, count = draws.shape
     if count < 2 or not np.isfinite(draws).all():
         return total
     apart = draws - draws.mean(axis=0)
     apart -= apart.mean(axis=1, keepdims=True)
-    # (n - 1) (count - 1) degrees of freedom; a row is a mean of draws.
+    # The residuals have (n - 1) (count - 1) degrees of freedom; a row is a mean
+    # of `count` draws.
     return float((apart**2).sum() / ((n - 1) * (count - 1) * count))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The state of a case, and the summaries of its generations."""
+"""The state of a case, its sessions and the summaries of its generations."""
 
 from __future__ import annotations
 
@@ -18,9 +18,9 @@ _REASONS = {
     "wall_time": "reached stop.wall_time",
     "no_gain": "gained no more, by stop.no_gain",
 }
-"""The reasons for an end in words, as in the state of a file. An optimiser with
-generations of changing sizes may fill the room of its file before the number
-of generations is reached."""
+"""The reasons for the end of a search in words. An optimiser with generations
+of varying size may fill its file ("room") before the number of generations is
+reached."""
 
 
 @dataclass(frozen=True)
@@ -30,7 +30,7 @@ class State:
     writer: Writer
     finished: bool
     reason: str
-    """The reason why the case finished, such as "generations"."""
+    """The reason for the end of the case, such as "generations"."""
     wall_time: float
     """The time of all sessions up to their last report [s]."""
 
@@ -39,20 +39,20 @@ class State:
             return f"finished ({_REASONS.get(self.reason, self.reason)})"
         return {
             Writer.WRITING: "running",
-            Writer.CLOSED: "stopped; ideotype run --resume goes on with it",
+            Writer.CLOSED: "stopped; resume it with ideotype run --resume",
             Writer.GONE: (
-                "interrupted; its writer was killed, or runs where this "
-                "machine can't see it"
+                "interrupted; its writer was killed, or runs on a machine "
+                "whose locks are not visible here"
             ),
         }[self.writer]
 
 
 @dataclass(frozen=True)
 class Session:
-    """One start of the program on this history."""
+    """One run of the program on this history."""
 
     started: str
-    """The time when the session started, UTC in ISO 8601."""
+    """The start of the session, UTC in ISO 8601."""
     host: str
     command: str
     ranks: int
@@ -63,30 +63,31 @@ class Session:
 
 @dataclass(frozen=True)
 class Generations:
-    """Committed generations, from the first. Values are those of the first
+    """The committed generations, from the first; values are those of the first
     objective."""
 
     first_row: NDArray[np.int64]
     count: NDArray[np.int64]
     """The number of rows of each generation; rows are consecutive."""
     best_row: NDArray[np.int64]
-    """The row of the best plant of each generation; -1: none."""
+    """The row of the best plant of each generation; -1 if there is none."""
     best: Quantity
     mean: Quantity
-    """The mean over the rows that meet all constraints, if there is such a
-    row; the standard error of the mean is not stored."""
+    """The mean over the rows that meet all constraints; its standard error is
+    not stored."""
     spread: Quantity
     """The standard deviation over the rows that meet all constraints."""
     diversity: Quantity
-    """The mean over the free genes of standard deviation over range."""
+    """The standard deviation relative to the range, averaged over free
+    genes."""
     failures: NDArray[np.int64]
     evaluations: NDArray[np.int64]
-    """The number of rows that were evaluated, and not copied from a row with
-    an equal genome."""
+    """The number of evaluated rows; rows copied from an equal genome do not
+    count."""
     wall_time: Quantity
     """The time since the case began, in all sessions [s]."""
     hypervolume: Quantity | None = None
-    """The hypervolume that the front dominates; only for several
+    """The hypervolume dominated by the Pareto front; only for several
     objectives."""
 
     def __len__(self) -> int:

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Many histories together: the cases of campaigns and their replicates."""
+"""Studies: the cases of campaigns and their replicates, from many
+histories."""
 
 from __future__ import annotations
 
@@ -20,50 +21,49 @@ from .history import History, open_history
 if TYPE_CHECKING:
     import pandas
 
-Place = str | os.PathLike[str]
+Location = str | os.PathLike[str]
 
 
-def open_study(*places: Place, skip_damaged: bool = False) -> Study:
-    """Opens histories: files, folders (looked through to any depth) and glob
-    patterns, in the order of their names and each only once. All data of the
-    histories are read and compared with their checksums.
+def open_study(*places: Location, skip_damaged: bool = False) -> Study:
+    """Opens the histories given by files, folders (searched recursively) and
+    glob patterns, in the order of their names and each only once. All data are
+    read and compared with their checksums.
 
-    Raises FileNotFoundError or HistoryError, naming what can't be used and
-    what to do about it; with `skip_damaged` only if no history can be used;
-    errors of single histories are then kept in `damaged`."""
+    Raises FileNotFoundError or HistoryError with the file and a remedy. With
+    `skip_damaged` it raises only if no history can be used; `Study.damaged`
+    has the errors of the others."""
     return Study(find_histories(*places), skip_damaged)
 
 
-def find_histories(*places: Place) -> list[Path]:
-    """Returns the files that the arguments name. Raises the errors of
-    open_study()."""
+def find_histories(*places: Location) -> list[Path]:
+    """Returns the files given by the arguments of open_study(), and raises its
+    errors."""
     if not places:
         raise HistoryError(
             "no history is given; name files, folders or patterns"
         )
-    found: dict[Path, Path] = {}
+    paths: dict[Path, Path] = {}
     for place in places:
-        for path in _histories_of(place):
-            found.setdefault(path.resolve(), path)
-    return list(found.values())
+        for path in _list_histories(place):
+            paths.setdefault(path.resolve(), path)
+    return list(paths.values())
 
 
-def _histories_of(place: Place) -> list[Path]:
+def _list_histories(place: Location) -> list[Path]:
     path = Path(place)
     if path.is_dir():
         files = sorted(path.rglob("*.h5"), key=lambda x: natural(str(x)))
         if not files:
             raise HistoryError(
-                f"{path}: there is no history (.h5) in this folder; give the "
-                "one that "
-                "`ideotype run --out` wrote to"
+                f"{path}: there is no history (.h5) in this folder; name the "
+                "folder that `ideotype run --out` wrote"
             )
         return files
     if not path.exists() and glob.has_magic(str(place)):
         matches = sorted(glob.glob(str(place), recursive=True), key=natural)
         if not matches:
             raise HistoryError(f"{place}: no file matches this pattern")
-        return [file for match in matches for file in _histories_of(match)]
+        return [file for match in matches for file in _list_histories(match)]
     if not path.exists():
         raise FileNotFoundError(f"{path}: there is no such file")
     return [path]
@@ -75,7 +75,7 @@ class Study:
     def __init__(self, paths: list[Path], skip_damaged: bool = False) -> None:
         self._histories: list[History] = []
         self.damaged: list[Exception] = []
-        """The reasons why histories were left out."""
+        """The errors of the histories that were left out."""
         with ExitStack() as stack:
             for path in paths:
                 try:
@@ -115,26 +115,26 @@ class Study:
 
     def cases(self) -> list[Case]:
         """Returns the cases with their replicates, in the order of the files.
-        Histories that differ in campaign, objectives or optimizer are
-        different cases, and names have the differing property if needed."""
+        Histories with different campaigns, objectives or optimizers are
+        different cases; their names contain the difference if necessary."""
         members: dict[_Identity, list[History]] = {}
         for history in self._histories:
             members.setdefault(_identity(history), []).append(history)
         shared = Counter(name for _, name in {key[:2] for key in members})
         return [
             Case(
-                _called(key, [*members]),
-                each,
+                _make_name(key, [*members]),
+                histories,
                 # Cross-evaluations do not name campaigns.
                 light=key[1] if shared[key[1]] == 1 else "",
             )
-            for key, each in members.items()
+            for key, histories in members.items()
         ]
 
     def results(self) -> pandas.DataFrame:
-        """Returns a line for each case: coordinates, baseline, best, gain with
-        the ends of its 95 % interval, leaf area index, number of searches; units
-        are in .attrs["units"]."""
+        """Returns one line for each case: coordinates, baseline, best, gain
+        with the ends of its 95 % confidence interval, leaf area index, number
+        of searches. Units are in .attrs["units"]."""
         from .results import results_of
 
         return results_of(
@@ -142,11 +142,11 @@ class Study:
         )
 
     def frame(self) -> pandas.DataFrame:
-        """Returns all complete evaluations of all histories, one per row; the
-        unit of a column is .attrs["units"][column]."""
-        from .frame import frame_of
+        """Returns all complete evaluations of all histories, one per row.
+        .attrs["units"] has the units of columns."""
+        from .frame import make_frame
 
-        return frame_of(self._histories)
+        return make_frame(self._histories)
 
 
 _Identity = tuple[str, str, str, str]
@@ -166,15 +166,15 @@ def _identity(history: History) -> _Identity:
     )
 
 
-def _called(key: _Identity, keys: list[_Identity]) -> str:
+def _make_name(key: _Identity, keys: list[_Identity]) -> str:
     name = key[1]
     if len({campaign for campaign, *_ in keys}) > 1:
         name = f"{key[0]}: {name}"
-    alike = [other for other in keys if other[:2] == key[:2]]
-    told = [
-        mine for mine, all_of in zip(key, zip(*alike)) if {*all_of} != {mine}
+    namesakes = [other for other in keys if other[:2] == key[:2]]
+    differing = [
+        part for part, parts in zip(key, zip(*namesakes)) if {*parts} != {part}
     ]
-    return f"{name} ({'; '.join(told)})" if told else name
+    return f"{name} ({'; '.join(differing)})" if differing else name
 
 
 def name_without_replicate(history: History) -> str:

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Estimates how much more searches would gain, by the trend of the means of
-their populations."""
+"""Estimates the further gain of searches from the trend of their population
+means."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ from .estimate import Estimate
 from .interval import student
 
 LEAST = 4
-"""The smallest number of generations from which a trend is estimated."""
+"""The smallest number of generations for the estimate of a trend."""
 
 MATTERS = 0.5
-"""The gain that matters [% of the baseline], if a tenth of the gain found is
-not larger."""
+"""The smallest relevant gain [% of the baseline], unless a tenth of the gain
+found is larger."""
 
 PART_THAT_MATTERS = 0.1
-"""The part of the gain found that matters."""
+"""The relevant share of the gain found."""
 
 
 class End(Enum):
@@ -36,8 +36,9 @@ class End(Enum):
 
 @dataclass(frozen=True)
 class FurtherGain:
-    """The gain by as many generations again, by a linear trend, with the ends
-    of its 95 % interval, in the unit of the values."""
+    """The gain expected from as many generations again, by a linear trend,
+    with the ends of its 95 % confidence interval, in the unit of the
+    values."""
 
     mean: float
     low: float
@@ -45,40 +46,40 @@ class FurtherGain:
 
 
 def further_gain(runs: Sequence[ArrayLike], sign: int) -> FurtherGain | None:
-    """Extrapolates the means of populations by generation of one or more
-    searches over as many generations again, and returns the mean over
-    searches. `sign` is that of an improvement.
+    """Extrapolates the population means of one or more searches over as many
+    generations again, and returns the mean over searches. runs: population
+    means by generation of each search. sign: sign of an improvement.
 
     A line is fitted to the second half of the generations of each search. The
-    standard error of its slope allows for the correlation of successive
-    residuals by the effective number of generations n (1 - r) / (1 + r), with
-    r their correlation at lag 1 if it is positive. A linear trend is an upper
-    bound where searches gain less and less. None if a search has fewer than
-    LEAST generations in its second half."""
-    found = []
+    standard error of its slope accounts for autocorrelation by the effective
+    number of generations n (1 - r) / (1 + r), where r is the lag-1
+    autocorrelation of residuals if positive. A linear trend is an upper bound
+    for searches with diminishing gains. None if a search has fewer than LEAST
+    generations in its second half."""
+    trends = []
     for run in runs:
         values = sign * np.asarray(run, dtype=float)
         half = values[len(values) // 2 :]
         if len(half) < LEAST or not np.isfinite(half).all():
             return None
         slope, error, freedom = _slope(half)
-        found.append((len(values) * slope, len(values) * error, freedom))
-    if not found:
+        trends.append((len(values) * slope, len(values) * error, freedom))
+    if not trends:
         return None
-    gains, errors, freedoms = np.array(found).T
+    gains, errors, freedoms = np.array(trends).T
     mean = float(gains.mean())
     variance = float(np.sum(errors**2))
-    # Welch and Satterthwaite: degrees of freedom of a sum of variances
+    # The degrees of freedom of a sum of variances (Welch and Satterthwaite).
     freedom = (
         variance**2 / float(np.sum(errors**4 / freedoms)) if variance else 1.0
     )
-    reach = student(freedom) * math.sqrt(variance) / len(found)
+    reach = student(freedom) * math.sqrt(variance) / len(trends)
     return FurtherGain(mean, mean - reach, mean + reach)
 
 
 def _slope(values: NDArray[np.float64]) -> tuple[float, float, float]:
-    """Returns the slope of a line through values, its standard error and its
-    degrees of freedom."""
+    """Returns the slope of the regression line through values, its standard
+    error and its degrees of freedom."""
     count = len(values)
     number = np.arange(count)
     slope, start = np.polyfit(number, values, 1)
@@ -94,17 +95,17 @@ def _slope(values: NDArray[np.float64]) -> tuple[float, float, float]:
 
 
 def verdict(further: FurtherGain, matters: float) -> End:
-    """Judges whether searches have converged: only if the interval of what
-    they could still gain excludes a gain that matters, and an equal loss, as
-    of populations after a restart; not if the interval is above 0."""
+    """Returns whether searches have converged: YES if the interval of the
+    further gain excludes relevant gains and equal losses (as after a restart),
+    NO if it is above 0, else UNKNOWN."""
     if -matters < further.low and further.high < matters:
         return End.YES
     return End.NO if further.low > 0 else End.UNKNOWN
 
 
 def searches_differ(gains: Sequence[Estimate], matters: float) -> bool:
-    """Returns whether the gains of searches differ by more than their errors
-    (Cochran's Q at 5 %) and by more than what matters."""
+    """Returns whether the gains of searches differ significantly (Cochran's Q
+    at 5 %) and by at least `matters`."""
     means = np.array([gain.mean for gain in gains])
     errors = np.array([gain.standard_error for gain in gains])
     if len(means) < 2 or np.ptp(means) < matters:

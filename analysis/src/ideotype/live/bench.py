@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The stands and threads that evaluate the plants of live pages."""
+"""The stands and threads that evaluate plants for live pages."""
 
 from __future__ import annotations
 
@@ -16,10 +16,10 @@ from numpy.typing import NDArray
 
 from ..common.processors import processors
 from ..stand.stand import Stand
-from .conditions import Conditions, Tables, tables_under
+from .conditions import Conditions, Tables, make_tables
 from .numbers import Array, Layout, Samples
 from .opened import Opened
-from .rough import coarse
+from .rough import coarsen
 from .shapes import Growth, grows
 
 Genome = NDArray[np.float64]
@@ -51,11 +51,11 @@ class Place:
     def samples(self, genome: Genome) -> Samples:
         """Returns the evaluations of a plant."""
         key = genome.tobytes()
-        found = self.plants.setdefault(key, Samples(self.spread))
+        samples = self.plants.setdefault(key, Samples(self.spread))
         self.plants.move_to_end(key)
         while len(self.plants) > _PLANTS:
             self.plants.popitem(last=False)
-        return found
+        return samples
 
     def evaluate(self, genome: Genome, seed: int) -> Array:
         """Returns the numbers of an evaluation [quantities, value and standard
@@ -75,7 +75,7 @@ class Shown:
     component: int
 
 
-def coarse_numbers(place: Place, layout: Layout, genome: Array) -> Array:
+def evaluate_coarse(place: Place, layout: Layout, genome: Array) -> Array:
     """Returns the numbers of a plant in the coarse stand of a place, in the
     layout of another stand; numbers that the coarse stand lacks or divides
     differently are NaN."""
@@ -98,9 +98,9 @@ class Bench:
         self.growth = Growth(opened.base) if grows(opened.base) else None
         count = processors()
         self.fast = ThreadPoolExecutor(1, "answer")
-        self.beside = ThreadPoolExecutor(1, "compare")
+        self.second = ThreadPoolExecutor(1, "compare")
         self.slow = ThreadPoolExecutor(
-            count, "refine", initializer=_yield_to_others
+            count, "refine", initializer=lower_priority
         )
         self.threads = count
         self._places: OrderedDict[tuple[bool, Conditions], Place | None]
@@ -122,42 +122,42 @@ class Bench:
         return self._place(now, True)
 
     def _place(self, now: Conditions, is_coarse: bool) -> Place | None:
-        key = is_coarse, _without_what_does_not_matter(now, self.own)
+        key = is_coarse, normalise_conditions(now, self.own)
         with self._lock:
             if key in self._places:
                 self._places.move_to_end(key)
                 return self._places[key]
-        found: Place | None = None
+        place: Place | None = None
         tables: Tables | None = self._tables(key[1], _ROUGH)
         if is_coarse and tables:
-            tables = coarse(tables)
+            tables = coarsen(tables)
         if tables:
             stand = Stand(tables)
             layout = Layout(stand)
             spread = layout.spread_of_fields(tables["field"])
-            found = Place(stand, layout, spread)
+            place = Place(stand, layout, spread)
         with self._lock:
-            found = self._places.setdefault(key, found)
+            place = self._places.setdefault(key, place)
             while len(self._places) > _STANDS:
                 self._places.popitem(last=False)
-        return found
+        return place
 
     def coarse_pair(
         self, place: Place, layout: Layout, shown: Shown
     ) -> tuple[Array, Array]:
         """Returns the numbers of the plant that is shown and of its reference,
         as coarse_numbers() does, side by side in two threads."""
-        its = self.beside.submit(
-            coarse_numbers, place, layout, shown.reference
+        reference = self.second.submit(
+            evaluate_coarse, place, layout, shown.reference
         )
-        return coarse_numbers(place, layout, shown.genome), its.result()
+        return evaluate_coarse(place, layout, shown.genome), reference.result()
 
     def careful(self, now: Conditions) -> Stand:
         """Returns a stand that evaluates each plant in several fields."""
         return Stand(self._tables(now, _CAREFUL))
 
     def _tables(self, now: Conditions, light: dict[str, int]) -> Tables:
-        tables = tables_under(self.opened.base, self.own, now)
+        tables = make_tables(self.opened.base, self.own, now)
         return {**tables, "light": tables["light"] | light}
 
     def map(self, work: Callable[..., object], *many: Iterable[Any]) -> list:
@@ -166,30 +166,28 @@ class Bench:
 
     def close(self) -> None:
         """Ends the threads after the running evaluations."""
-        for pool in (self.fast, self.beside, self.slow):
+        for pool in (self.fast, self.second, self.slow):
             pool.shutdown(cancel_futures=True)
 
 
-def _without_what_does_not_matter(
-    now: Conditions, own: Conditions
-) -> Conditions:
+def normalise_conditions(now: Conditions, original: Conditions) -> Conditions:
     """Returns conditions that are equal if they lead to equal stands."""
     same = replace(now, age=0)
     if now.when == "season":
-        same = replace(same, day=own.day, latitude=own.latitude)
+        same = replace(same, day=original.day, latitude=original.latitude)
     if now.when != "hour":
         same = replace(same, hour=0)
     if not now.panels:
         same = replace(
             same,
-            panel_height=own.panel_height,
-            panel_width=own.panel_width,
-            panel_rows=own.panel_rows,
+            panel_height=original.panel_height,
+            panel_width=original.panel_width,
+            panel_rows=original.panel_rows,
         )
     return same
 
 
-def _yield_to_others() -> None:
+def lower_priority() -> None:
     """Gives this thread the lowest priority, if the system can."""
     if hasattr(os, "setpriority"):
         os.setpriority(os.PRIO_PROCESS, threading.get_native_id(), 10)

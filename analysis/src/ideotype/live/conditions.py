@@ -26,17 +26,17 @@ class Conditions:
     direction: float
     """Direction of rows, clockwise from north [deg]."""
     latitude: float
-    """Latitude [deg]; a season has its own."""
+    """Latitude [deg], of clear days only; a season has that of its weather."""
     when: str
     """"season" of measured weather, clear "day", or "hour" of one."""
     day: int
     """Day of the year, from 1."""
     hour: int
-    """Beginning of the hour, on the clock of the site [h]."""
+    """Beginning of the hour in local time [h]."""
     age: int
     """Day after emergence at which a plant that grows is shown."""
     panels: bool
-    """Whether there are photovoltaic modules above the rows."""
+    """Whether photovoltaic modules stand above the rows."""
     panel_height: float
     """Height of the middle of modules above the soil [m]."""
     panel_width: float
@@ -70,13 +70,13 @@ class Conditions:
 
     @property
     def kind(self) -> tuple[str, bool]:
-        """Returns the kind of conditions, which decides their numbers."""
+        """Returns the kind of conditions, which determines their quantities."""
         return self.when, self.panels
 
     def changed(self, numbers: dict[str, Any]) -> Conditions:
         """Returns the conditions with the numbers of a page. Raises Error if a
         number is impossible."""
-        found: dict[str, Any] = {}
+        changes: dict[str, Any] = {}
         for field in fields(self):
             if field.name not in numbers:
                 continue
@@ -87,10 +87,10 @@ class Conditions:
             if not is_kind or not _is_possible(field.name, value):
                 raise Error(
                     f"{field.name} is {value!r:.40}, which is impossible; "
-                    "send a value of its range"
+                    "send a value within its range"
                 )
-            found[field.name] = kind(value)
-        return replace(self, **found)
+            changes[field.name] = kind(value)
+        return replace(self, **changes)
 
 
 _RANGES: dict[str, tuple[float, float]] = {
@@ -121,9 +121,9 @@ def _date(base: Tables) -> datetime.date:
     return dates[0] if isinstance(dates, list) else dates
 
 
-def one_case(tables: Tables, names: Mapping[str, str]) -> Tables:
+def cut_case(tables: Tables, names: Mapping[str, str]) -> Tables:
     """Returns a resolved campaign that varies no keys, with one entry of each
-    axis, which `names` tells."""
+    axis, given by `names`."""
     cut = copy.deepcopy(tables)
     for axis in names:
         if entries := cut.get(axis):
@@ -146,10 +146,10 @@ def one_case(tables: Tables, names: Mapping[str, str]) -> Tables:
     return cut
 
 
-def tables_under(base: Tables, own: Conditions, now: Conditions) -> Tables:
+def make_tables(base: Tables, original: Conditions, now: Conditions) -> Tables:
     """Returns a campaign with changed conditions."""
     changed = dict(base)
-    if (own.density, own.row, own.direction) != (
+    if (original.density, original.row, original.direction) != (
         now.density, now.row, now.direction,
     ):  # fmt: skip
         changed["spacing"] = [
@@ -164,16 +164,16 @@ def tables_under(base: Tables, own: Conditions, now: Conditions) -> Tables:
         changed.pop("weather", None)
         site = base["site"][0] | {"latitude": now.latitude}
         changed["site"] = [site]
-        if (now.when, now.day) != (own.when, own.day):
-            changed["day"] = [_day_of(base, now)]
+        if (now.when, now.day) != (original.when, original.day):
+            changed["day"] = [_make_day(base, now)]
     if now.panels:
-        changed |= _panels(changed, now, own)
+        changed |= _panels(changed, now, original)
     else:
         changed.pop("panel", None)
     return changed
 
 
-def _day_of(base: Tables, now: Conditions) -> dict[str, Any]:
+def _make_day(base: Tables, now: Conditions) -> dict[str, Any]:
     year = (
         base["climate"][0]["from"].year if "climate" in base
         else _date(base).year
@@ -189,7 +189,7 @@ def _day_of(base: Tables, now: Conditions) -> dict[str, Any]:
     }
 
 
-def _panels(base: Tables, now: Conditions, own: Conditions) -> Tables:
+def _panels(base: Tables, now: Conditions, original: Conditions) -> Tables:
     """Returns the tables of rows of modules above the rows of plants."""
     pitch = now.panel_rows * now.row
     panel = base.get("panel", [{}])[0] | {
@@ -197,10 +197,10 @@ def _panels(base: Tables, now: Conditions, own: Conditions) -> Tables:
         "height": now.panel_height,
         "width": now.panel_width,
     }
-    if not own.panels:
+    if not original.panels:
         panel |= {"azimuth": (now.direction + 90) % 360, "tracks": True}
-    elif own.direction != now.direction:
-        turn = now.direction - own.direction
+    elif original.direction != now.direction:
+        turn = now.direction - original.direction
         panel["azimuth"] = (panel["azimuth"] + turn) % 360
     field = base["field"] | {"rows": now.panel_rows}
     return {"panel": [panel], "field": field}

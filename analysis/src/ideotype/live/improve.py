@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A short search for a better plant, which begins with the plant that a page
+"""A short search for a better plant, which starts from the plant that a page
 shows."""
 
 from __future__ import annotations
@@ -20,12 +20,12 @@ EVALUATIONS = 200
 _POPULATION = 8
 _TOLERANCE = 0.01
 _SEED = 1
-"""The seed of all evaluations of a search, which compares plants in the same
-fields: 200 evaluations are too few for a search with varying fields."""
+"""The seed of all evaluations of a search, which thus uses common random
+numbers: 200 evaluations are too few for a search with varying fields."""
 
 _CHECKS = 12
-"""The number of evaluations, with random numbers that the search has not used,
-of the proposed plant and of the plant at the beginning."""
+"""The number of evaluations of the proposed plant and of the starting plant,
+with random numbers that the search has not used."""
 
 _FINALISTS = 3
 _MINIMISED = {"transpiration", "respiration", "distance_from_lines"}
@@ -41,7 +41,7 @@ class Improvement:
         self._free = np.flatnonzero(bench.opened.free)
         if not len(self._free):
             raise Error(
-                "the campaign breeds no trait of this plant; choose another "
+                "the campaign optimises no trait of this plant; choose another "
                 "component"
             )
         place = bench.place(bench.own)
@@ -61,29 +61,28 @@ class Improvement:
         """Ends the search without a result."""
         self.is_ended = self._is_dropped = True
 
-    def run(self, tell: Callable[[dict[str, Any]], None]) -> None:
-        """Searches, and tells the progress and the best plant so far after
-        each generation, and at the end the gain, which is measured with new
-        random numbers."""
+    def run(self, send: Callable[[dict[str, Any]], None]) -> None:
+        """Searches. Reports progress and the best plant after each generation,
+        and at the end the gain, estimated with independent random numbers."""
         stand = self._bench.careful(self._shown.conditions)
         layout = Layout(stand)
         if self._goal not in layout.places:
             raise Error(
-                f"there is no number that is called {self._goal!r:.40}; "
-                "choose one of the list"
+                f"there is no quantity {self._goal!r:.40}; choose one of the "
+                "list"
             )
 
         def value(genome: Genome, seed: int) -> tuple[float, float]:
             if self._is_dropped:
                 return float("nan"), 0.0
             try:
-                found = stand.evaluate_one(
+                evaluated = stand.evaluate_one(
                     genome, seed=seed, tolerance=_TOLERANCE
                 )
             except Error:
                 return float("nan"), 0.0
-            value = layout.scalar(found.numbers, self._goal)
-            return self._sign * value, found.violation
+            value = layout.scalar(evaluated.numbers, self._goal)
+            return self._sign * value, evaluated.violation
 
         search = Search(
             self._lower,
@@ -99,16 +98,16 @@ class Improvement:
         done = 0
         while done < EVALUATIONS and not self.is_ended:
             points = search.ask()
-            found = self._bench.map(
+            results = self._bench.map(
                 value, [self._plant(p) for p in points], [_SEED] * len(points)
             )
-            values, violations = np.array(found).T
+            values, violations = np.array(results).T
             search.tell(values, violations)
             done += len(points)
             best = self._plant(search.best()[0])
-            tell({"done": done, "of": EVALUATIONS, "genome": best.tolist()})
+            send({"done": done, "of": EVALUATIONS, "genome": best.tolist()})
         if not self._is_dropped:
-            self._judge(search, value, tell, done)
+            self._judge(search, value, send, done)
 
     def _plant(self, point: Genome) -> Genome:
         genome = self._shown.genome.copy()
@@ -119,11 +118,11 @@ class Improvement:
         self,
         search: Search,
         value: Callable[[Genome, int], tuple[float, float]],
-        tell: Callable[[dict[str, Any]], None],
+        send: Callable[[dict[str, Any]], None],
         done: int,
     ) -> None:
-        """Chooses among the best plants, and measures the gain with
-        evaluations that did not serve the choice."""
+        """Chooses among the best plants, and estimates the gain with random
+        numbers that are independent of this choice."""
         seeds = list(range(1000, 1000 + _CHECKS))
 
         def mean(genome: Genome, among: list[int]) -> np.ndarray:
@@ -142,7 +141,7 @@ class Improvement:
         )
         gain, error = apart.mean(), apart.std(ddof=1) / np.sqrt(len(apart))
         is_better = self._sign * gain > 0
-        tell(
+        send(
             {
                 "done": done,
                 "of": EVALUATIONS,

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The sliders of the live page: for each gene a name, a unit that breeders
-use, and its effect."""
+"""The sliders of the live page: for each gene a name, a usual unit and a
+description."""
 
 from __future__ import annotations
 
@@ -14,45 +14,45 @@ from ..stand.stand import Stand
 from .conditions import Tables
 
 _WORDS = {
-    "length": ("Leaf length", "How long the blade is, from collar to tip."),
-    "width": ("Leaf width", "The largest width of the blade."),
+    "length": ("Leaf length", "Length of the blade, from collar to tip."),
+    "width": ("Leaf width", "Largest width of the blade."),
     "insertion_angle": (
-        "Leaf angle",
-        "The angle between stalk and leaf base: 0° stands upright.",
+        "Leaf insertion angle",
+        "Angle between stalk and leaf base; 0° is vertical.",
     ),
     "curvature": (
-        "Leaf bend",
-        "How far the tip bends down from the direction of the base.",
+        "Leaf curvature",
+        "Downward bending from leaf base to tip.",
     ),
     "azimuth": (
-        "Leaf direction",
-        "Where the leaf points, seen from above, clockwise from the row.",
+        "Leaf azimuth",
+        "Direction of the leaf seen from above, clockwise from the row.",
     ),
     "azimuth_deviation": (
-        "Turn out of the plane",
-        "How far the leaf turns away from the plane of the plant.",
+        "Azimuth deviation",
+        "Rotation of the leaf out of the leaf plane of the plant.",
     ),
     "leaf_plane": (
-        "Turn of the plant",
-        "Turns all leaves of the plant about the stalk.",
+        "Leaf plane",
+        "Rotation of all leaves of the plant about the stalk.",
     ),
-    "height": ("Plant height", "The stalk with all leaf collars on it."),
-    "stalk_diameter": ("Stalk thickness", "The diameter of the stalk."),
-    "leaflet_size": ("Leaflet size", "All leaflets of a leaf together."),
+    "height": ("Plant height", "Height of the stalk with all leaf collars."),
+    "stalk_diameter": ("Stalk diameter", "Diameter of the stalk."),
+    "leaflet_size": ("Leaflet size", "Size of all leaflets of a leaf."),
     "leaflet_angle": (
         "Leaflet angle",
-        "The angle between leaflets and their stalk.",
+        "Angle between leaflets and petiole.",
     ),
-    "leaflet_width": ("Leaflet width", "The width of all leaflets."),
-    "petiole_length": ("Leaf stalk length", "The stalk of a leaf."),
+    "leaflet_width": ("Leaflet width", "Width of all leaflets."),
+    "petiole_length": ("Petiole length", "Length of the petioles."),
     "petiole_angle": (
-        "Leaf stalk angle",
-        "The angle between the stem and the stalk of a leaf.",
+        "Petiole angle",
+        "Angle between stem and petiole.",
     ),
-    "internode": ("Internode length", "The stem between two leaves."),
+    "internode": ("Internode length", "Length of stem between two leaves."),
     "internode_length": (
         "Internode length",
-        "The stem between leaves, everywhere alike.",
+        "Length of stem between leaves, the same for all internodes.",
     ),
 }
 _PLACES = {
@@ -62,7 +62,7 @@ _PLACES = {
 }
 
 
-def levers_of(stand: Stand, base: Tables) -> list[dict[str, Any]]:
+def make_levers(stand: Stand, base: Tables) -> list[dict[str, Any]]:
     """Returns a description of each gene: group and label; kind, "profile",
     "plant" or "leaf"; and the scale, shift and unit of the shown number, gene
     x scale + shift."""
@@ -87,7 +87,7 @@ def _lever(
     table: dict[str, Any] = next(
         (t for t in crop.get("trait", []) if t["name"] == trait), {}
     )
-    word, told = _WORDS.get(
+    word, description = _WORDS.get(
         trait.removesuffix("_profile"),
         (title(trait), ""),
     )
@@ -109,7 +109,7 @@ def _lever(
         "leaf": gene["leaf"],
         "lower": min(gene["lower"], gene["baseline"]),
         "upper": max(gene["upper"], gene["baseline"]),
-        "help": told,
+        "help": description,
         **_shown(gene, table, crop, place),
     }
 

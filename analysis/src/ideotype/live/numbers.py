@@ -34,21 +34,21 @@ _CURVES = (
 _HIDDEN = {"balance_error", "paths", "capped"}
 
 KEYS = {
-    "absorbed_par": "Light caught by leaves",
-    "fapar": "Share of light caught",
+    "absorbed_par": "Absorbed PAR",
+    "fapar": "Fraction of PAR absorbed",
     "net_assimilation": "Net assimilation",
-    "carbon_balance": "Carbon to spare",
+    "carbon_balance": "Net carbon balance",
     "dry_matter": "Dry matter",
-    "transpiration": "Water used",
-    "water_use_efficiency": "Carbon per water",
-    "lai": "Leaf area",
-    "distance_from_lines": "Distance to real lines",
+    "transpiration": "Transpiration",
+    "water_use_efficiency": "Water use efficiency",
+    "lai": "Leaf area index",
+    "distance_from_lines": "Distance from measured lines",
 }
-"""The quantities that are shown first, and their names in plain words."""
+"""The quantities that are shown first, and their names on the page."""
 
 
 class Layout:
-    """The places of quantities in the numbers of an evaluation."""
+    """The positions of quantities in the numbers of an evaluation."""
 
     def __init__(self, stand: Stand) -> None:
         self.axes = stand.axes
@@ -88,12 +88,12 @@ class Layout:
         error] in this layout; numbers that the first layout lacks or divides
         differently are NaN."""
         size = max(place.stop for place, _ in self.places.values())
-        found = np.full((size, 2), np.nan)
+        converted = np.full((size, 2), np.nan)
         for name, (place, _) in self.places.items():
             its = other.places.get(name, (slice(0, 0),))[0]
             if its.stop - its.start == place.stop - place.start:
-                found[place] = numbers[its]
-        return found
+                converted[place] = numbers[its]
+        return converted
 
     def spread_of_fields(self, field: dict[str, Any]) -> Array:
         """Returns the relative standard deviations among fields [numbers] that
@@ -101,15 +101,15 @@ class Layout:
         plants is binomial.
 
         field: the table [field] of a campaign."""
-        found = np.zeros(max(place.stop for place, _ in self.places.values()))
+        spread = np.zeros(max(place.stop for place, _ in self.places.values()))
         missing = field.get("variation", {}).get("missing", 0.0)
         plants = field["rows"] * field["plants"]
         for name in _AREAS:
             if name in self.places:
-                found[self.places[name][0]] = np.sqrt(
+                spread[self.places[name][0]] = np.sqrt(
                     missing / (1 - missing) / plants
                 )
-        return found
+        return spread
 
     def scalar(self, numbers: Array, name: str) -> float:
         """Returns the value of a single number of an evaluation."""
@@ -117,7 +117,7 @@ class Layout:
 
 
 class Samples:
-    """Evaluations of one plant, each with random numbers of its own.
+    """Evaluations of one plant with independent random numbers.
 
     spread: relative standard deviations among fields that one evaluation does
     not include [numbers]."""
@@ -132,8 +132,8 @@ class Samples:
         return self._mean(every[..., 0], every[..., 1])
 
     def less(self, other: Samples, seeds: list[int]) -> tuple[Array, Array]:
-        """Returns differences from another plant with standard errors
-        [numbers], paired by seeds with equal random numbers."""
+        """Returns differences from another plant with paired standard errors
+        [numbers], over seeds with common random numbers."""
         mine = np.array([self.by_seed[seed] for seed in seeds])
         others = np.array([other.by_seed[seed] for seed in seeds])
         apart = mine[..., 0] - others[..., 0]
@@ -144,10 +144,10 @@ class Samples:
     def _mean(self, values: Array, errors: Array) -> tuple[Array, Array]:
         count, mean = len(values), values.mean(axis=0)
         error = values.std(axis=0, ddof=1) / np.sqrt(count) if count > 1 else 0
-        own = np.abs(self._spread * values)
+        single = np.abs(self._spread * values)
         if count < ENOUGH:
-            own = np.hypot(np.nan_to_num(errors), own)
-        error = np.maximum(np.sqrt((own**2).sum(axis=0)) / count, error)
+            single = np.hypot(np.nan_to_num(errors), single)
+        error = np.maximum(np.sqrt((single**2).sum(axis=0)) / count, error)
         # Exact numbers differ only in their last digits.
         return mean, np.where(error > 1e-9 * np.abs(mean), error, 0.0)
 
@@ -156,7 +156,7 @@ Estimates = tuple[Array, Array]
 """Values and their standard errors [numbers]."""
 
 
-def message_of(
+def make_message(
     layout: Layout, mine: Samples, reference: Samples, seeds: list[int]
 ) -> dict[str, Any]:
     """Returns the message to the page about a plant and its reference plant,
@@ -165,10 +165,10 @@ def message_of(
     others = (
         (reference.together(both), mine.less(reference, both)) if both else ()
     )
-    return told(layout, len(seeds), mine.together(seeds), *others)
+    return format_message(layout, len(seeds), mine.together(seeds), *others)
 
 
-def told(
+def format_message(
     layout: Layout,
     evaluations: int,
     mine: Estimates,
@@ -177,21 +177,21 @@ def told(
 ) -> dict[str, Any]:
     """Returns the message to the page about a plant, its reference plant and
     their difference."""
-    found: dict[str, Any] = {"evaluations": evaluations}
+    message: dict[str, Any] = {"evaluations": evaluations}
     for kind, estimates in (
         ("numbers", mine),
         ("reference", reference),
         ("differences", apart),
     ):
         if estimates is not None:
-            found[kind] = {
+            message[kind] = {
                 each["name"]: _pair(layout, each["name"], *estimates)
                 for each in layout.scalars
             }
-    found["curves"] = _curves(layout, *mine)
+    message["curves"] = _curves(layout, *mine)
     if reference is not None:
-        found["reference_curves"] = _curves(layout, *reference)
-    return found
+        message["reference_curves"] = _curves(layout, *reference)
+    return message
 
 
 def _pair(

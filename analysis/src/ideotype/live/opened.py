@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Opens the input of the live page: a campaign, a crop, a measured plant, or a
-bred plant."""
+"""Opens the input of the live page: a campaign, a crop, a measured plant, or an
+optimised plant."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ from ..stand.measured.plant_sources import (
     require_blades,
 )
 from ..stand.stand import Stand
-from .conditions import Conditions, Tables, one_case
+from .conditions import Conditions, Tables, cut_case
 
 CROPS = ("maize", "sorghum", "soybean", "cowpea")
 """The crops that come with the package."""
@@ -40,13 +40,13 @@ class Opened:
 
     title: str
     about: str
-    """A sentence that tells where the plant comes from."""
+    """A sentence about the origin of the plant."""
     base: Tables
     """A resolved campaign of one case."""
     genome: NDArray[np.float64]
     """The plant that the page shows first [genes]."""
     free: NDArray[np.bool_]
-    """Whether the campaign breeds a gene [genes]."""
+    """Whether the campaign optimises a gene [genes]."""
     map: dict[str, Any] | None = None
     """The best plants of all kinds, if the plant comes from an atlas."""
 
@@ -68,28 +68,28 @@ def open_place(
     its name.
 
     case: number of the case of a campaign, from 0.
-    plant: name of the plant in a CSV file that has several.
-    crop: crop, by name or file, with everything that was not measured.
+    plant: name of the plant in a CSV file with several.
+    crop: crop, by name or file, with all traits that were not measured.
 
     Raises Error if the input cannot be used."""
     path = Path(place)
     suffix = path.suffix.lower()
     if place in CROPS:
-        return _of_crop(_known(place), place, "It comes with the package.")
+        return _open_crop(_known(place), place, "A crop of the package.")
     if not path.is_file():
         raise Error(
             f"{place}: there is no such file; give a campaign, a crop file, a "
             f"history, a measured plant, or one of {', '.join(CROPS)}"
         )
     if suffix == ".h5":
-        return _of_history(path)
+        return _open_history(path)
     if is_digitised(path):
-        return _of_measured(path, plant, crop)
+        return _open_measured(path, plant, crop)
     if suffix == ".csv":
-        return _of_leaves(path, plant, crop)
+        return _open_leaves(path, plant, crop)
     if suffix != ".toml":
         raise Error(
-            f"{place}: a file of this kind cannot be opened; give .toml, .h5, "
+            f"{place}: files of this kind cannot be opened; give .toml, .h5, "
             ".csv, .obj, .ply or .dat"
         )
     try:
@@ -97,11 +97,11 @@ def open_place(
     except ValueError as error:
         raise Error(f"{place}: this is no TOML ({error})") from None
     if "leaf" in content and "plant" not in content:
-        told = "It is the plant of a crop file."
-        return _of_crop(str(path.resolve()), path.stem, told)
+        about = "The plant of a crop file."
+        return _open_crop(str(path.resolve()), path.stem, about)
     stand = Stand.from_campaign(path, case=case)
-    told = f"It is the baseline of the campaign {path.name}."
-    return _opened(path.stem, told, stand, stand.baseline)
+    about = f"The baseline of the campaign {path.name}."
+    return _opened(path.stem, about, stand, stand.baseline)
 
 
 def _opened(
@@ -111,9 +111,9 @@ def _opened(
     genome: NDArray[np.float64],
     atlas: Atlas | None = None,
 ) -> Opened:
-    base = one_case(tomllib.loads(stand.campaign), stand.entries)
+    base = cut_case(tomllib.loads(stand.campaign), stand.entries)
     _add_profiles(base["plant"]["baseline"])
-    breeds = {gene for gene, is_free in zip(stand.genes["name"], stand.free)
+    searched = {gene for gene, is_free in zip(stand.genes["name"], stand.free)
               if is_free}  # fmt: skip
     _free_all(base)
     every = Stand(base)
@@ -121,18 +121,18 @@ def _opened(
 
     def complete(genome: NDArray[np.float64]) -> NDArray[np.float64]:
         """Returns a genome extended by the traits of components that the
-        campaign does not breed."""
+        campaign does not optimise."""
         found = dict(zip(stand.genes["name"], genome))
         return np.array(
             [found.get(n, b) for n, b in zip(names, every.baseline)]
         )
 
-    free = np.array([name in breeds for name in names])
-    kinds = _map_of(atlas, complete) if atlas else None
+    free = np.array([name in searched for name in names])
+    kinds = _make_map(atlas, complete) if atlas else None
     return Opened(title, about, base, complete(genome), free, kinds)
 
 
-def _map_of(
+def _make_map(
     atlas: Atlas,
     complete: Callable[[NDArray[np.float64]], NDArray[np.float64]],
 ) -> dict[str, Any]:
@@ -202,7 +202,7 @@ def _free_all(base: Tables) -> None:
         component["free"] = [trait["name"] for trait in traits]
 
 
-def _of_history(path: Path) -> Opened:
+def _open_history(path: Path) -> Opened:
     with open_history(path) as history:
         best, atlas = history.best(), history.atlas()
         name = str(history.attributes.get("case", path.stem))
@@ -210,42 +210,42 @@ def _of_history(path: Path) -> Opened:
         raise Error(f"{path}: no plant is evaluated yet; come back later")
     genome = best.row.genome[0]
     stand = Stand.from_history(path, genome, same_isa=False)
-    told = f"It is the best plant that was bred in {path.name}."
+    about = f"The best plant of {path.name}."
     if atlas and "keys" in tomllib.loads(stand.campaign)["search"]:
-        told += " The map shows other plants under the keys of this one."
-    return _opened(name, told, stand, genome, atlas)
+        about += " The map shows other plants with the keys of this one."
+    return _opened(name, about, stand, genome, atlas)
 
 
-def _of_measured(path: Path, plant: str | None, crop: str) -> Opened:
+def _open_measured(path: Path, plant: str | None, crop: str) -> Opened:
     source = Path(_known(crop) if crop in CROPS else crop)
     blades = read_plant(path, plant)
     like = read_crop(source)
     require_blades(like, str(source))
-    found = readable_crop(blades, like, path.stem)
-    off = agreement(blades, found, mesh_of(found, source.parent))
-    told = (
-        f"It was measured: {len(blades)} leaves of {path.name}, whose midribs "
-        f"are met to {off['midrib_rms_mm'].mean():.0f} mm; what was not "
-        f"measured is that of {source.stem}."
+    fitted = readable_crop(blades, like, path.stem)
+    off = agreement(blades, fitted, mesh_of(fitted, source.parent))
+    about = (
+        f"Measured: {len(blades)} leaves of {path.name}, with midribs fitted to "
+        f"{off['midrib_rms_mm'].mean():.0f} mm (root mean square). Traits that "
+        f"were not measured are those of {source.stem}."
     )
-    return _of_crop(found, plant or path.stem, told)
+    return _open_crop(fitted, plant or path.stem, about)
 
 
-def _of_leaves(path: Path, plant: str | None, crop: str) -> Opened:
-    found = measured_crops(
+def _open_leaves(path: Path, plant: str | None, crop: str) -> Opened:
+    crops = measured_crops(
         path, plant=plant or "", otherwise=crop_tables(crop)
     )
-    if len(found) > 1:
-        names = ", ".join(each.plant for each in found[:5])
+    if len(crops) > 1:
+        names = ", ".join(each.plant for each in crops[:5])
         raise Error(
-            f"{path}: the table has {len(found)} plants; name one by --of: "
-            f"{names}{', ...' if len(found) > 5 else ''}"
+            f"{path}: the table has {len(crops)} plants; choose one with --of: "
+            f"{names}{', ...' if len(crops) > 5 else ''}"
         )
-    told = "Its leaves were measured."
-    return _of_crop(found[0].tables, plant or path.stem, told)
+    about = "Measured leaves."
+    return _open_crop(crops[0].tables, plant or path.stem, about)
 
 
-def _of_crop(crop: str | dict[str, Any], title: str, about: str) -> Opened:
+def _open_crop(crop: str | dict[str, Any], title: str, about: str) -> Opened:
     """Puts a plant into the field and the season that come with the
     package."""
     with as_file(files(__package__) / "start") as folder:

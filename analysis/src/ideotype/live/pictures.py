@@ -10,11 +10,11 @@ from typing import Any
 from ..errors import Error
 from ..history.history import open_history
 from ..history.layout import leaf_light
-from ..report.scene import packed, shape_of
+from ..report.scene import describe_shape, pack_vertices
 from ..stand.stand import Stand
 
 
-def plants_of(path: Path) -> dict[str, Any]:
+def make_plants(path: Path) -> dict[str, Any]:
     """Returns the baseline and the best plant with the light that each leaf
     absorbs per area of ground. Raises Error or HistoryError if the plants
     cannot be drawn."""
@@ -33,8 +33,8 @@ def plants_of(path: Path) -> dict[str, Any]:
         mesh = stand.mesh(plant.row.genome[0])
         drawn.append(
             {
-                **shape_of(mesh),
-                **packed(mesh.vertices),
+                **describe_shape(mesh),
+                **pack_vertices(mesh.vertices),
                 "light": list(leaf_light(plant, mesh).values()),
             }
         )

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`ideotype play`: a page on which a user changes a plant and sees its
-light."""
+"""`ideotype play`: a page on which a user changes a plant and sees the light
+that it absorbs."""
 
 from __future__ import annotations
 
@@ -18,16 +18,16 @@ from tornado.websocket import WebSocketClosedError
 from ..errors import Error
 from ..stand.stand import Stand
 from .bench import Bench, Shown
-from .conditions import Tables, tables_under
+from .conditions import Tables, make_tables
 from .opened import CROPS, open_place
 from .server import (
     UNUSABLE,
     Guarded,
     Socket,
     add_options,
-    answer,
-    application,
+    make_application,
     read_message,
+    run_page,
     serve,
 )
 from .session import Session
@@ -43,7 +43,7 @@ class _Talk(Socket):
 
     def open(self, *_: str, **__: str) -> None:
         super().open()
-        self.session = Session(self.bench, self._tell)
+        self.session = Session(self.bench, self._send)
         self.session.greet()
 
     def on_message(self, message: str | bytes) -> None:
@@ -53,16 +53,16 @@ class _Talk(Socket):
             text = (
                 str(error)
                 if isinstance(error, Error)
-                else f"a message makes no sense ({error}); load the page again"
+                else f"a message is invalid ({error}); load the page again"
             )
-            self._tell({"kind": "problem", "text": text})
+            self._send({"kind": "problem", "text": text})
 
     def on_close(self) -> None:
         super().on_close()
         if hasattr(self, "session"):
             self.session.close()
 
-    def _tell(self, message: dict[str, Any]) -> None:
+    def _send(self, message: dict[str, Any]) -> None:
         try:
             future = self.write_message(json.dumps(message))
         except WebSocketClosedError:
@@ -80,22 +80,22 @@ class _Save(Guarded):
 
     def post(self, _token: str, form: str) -> None:
         try:
-            told = read_message(self.request.body)
-            shown = Session(self.bench, lambda _: None).shown(told)
-            text = saved(self.bench, shown, form)
+            message = read_message(self.request.body)
+            shown = Session(self.bench, lambda _: None).shown(message)
+            text = format_saved(self.bench, shown, form)
         except UNUSABLE as error:
-            raise HTTPError(400, reason="It cannot be saved") from error
+            raise HTTPError(400, reason="The plant cannot be saved") from error
         self.set_header("Content-Type", "application/toml; charset=utf-8")
         self.finish(text)
 
 
-def saved(bench: Bench, shown: Shown, form: str) -> str:
+def format_saved(bench: Bench, shown: Shown, form: str) -> str:
     """Returns the text of a "crop" file of the component that is shown, or of
-    a "campaign" whose baseline is the plant that is shown."""
+    a "campaign" with the plant that is shown as its baseline."""
     stand = bench.place(shown.conditions).stand
     if form == "crop":
         return stand.crop_file(shown.genome, shown.component)
-    tables: Tables = tables_under(
+    tables: Tables = make_tables(
         bench.opened.base, bench.own, shown.conditions
     )
 
@@ -109,9 +109,9 @@ def saved(bench: Bench, shown: Shown, form: str) -> str:
     ]
     Stand(tables)
     return (
-        "# A campaign of ideotype, saved from its live page. Its baseline is "
-        "the plant\n# that was shown there: ideotype check FILE, then "
-        "ideotype run FILE.\n\n" + tomli_w.dumps(tables)
+        "# A campaign saved from ideotype play, with the plant of the page as "
+        "its\n# baseline: ideotype check FILE, then ideotype run FILE.\n\n"
+        + tomli_w.dumps(tables)
     )
 
 
@@ -121,8 +121,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser = argparse.ArgumentParser(
         prog="ideotype play",
         description="Opens a page on this machine with a plant in its field "
-        "and a slider for each trait; the light, the carbon and other numbers "
-        "follow while one moves them.",
+        "and a slider for each trait. Absorbed light, net carbon balance and "
+        "other quantities follow the sliders.",
     )
     add = parser.add_argument
     add("plant", nargs="?", default="maize", metavar="PLANT",
@@ -130,10 +130,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
         "plant (.csv, .obj, .ply, .dat), or a crop: "
         f"{', '.join(CROPS)} (default: maize)")  # fmt: skip
     add("--case", type=int, default=0, metavar="N",
-        help="of the campaign, from 0")  # fmt: skip
-    add("--of", metavar="NAME", help="plant of a CSV file that has several")
+        help="case of the campaign, from 0")  # fmt: skip
+    add("--of", metavar="NAME", help="plant of a CSV file with several")
     add("--crop", default="maize", metavar="CROP",
-        help="crop, by name or file, that has what was not measured")  # fmt: skip
+        help="crop, by name or file, for traits that were not measured")  # fmt: skip
     add_options(parser)
     options = parser.parse_args(arguments)
 
@@ -144,7 +144,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         )  # fmt: skip
         with closing(Bench(opened)) as bench:
             given = {"bench": bench}
-            app = application(
+            app = make_application(
                 [
                     ("talk", _Talk, given),
                     ("save/(crop|campaign)", _Save, given),
@@ -154,4 +154,4 @@ def main(arguments: Sequence[str] | None = None) -> int:
             )
             return serve(app, options, f"ideotype play: {opened.title}")
 
-    return answer("play", work)
+    return run_page("play", work)

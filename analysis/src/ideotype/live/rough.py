@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 
 from .conditions import Conditions, Tables
-from .numbers import Array, Layout, told
+from .numbers import Array, Layout, format_message
 from .shapes import grows
 
 _CELLS = 6
@@ -29,7 +29,7 @@ _STEPS = 8
 """The number of steps of weather in a day."""
 
 
-def coarse(tables: Tables) -> Tables | None:
+def coarsen(tables: Tables) -> Tables | None:
     """Returns a campaign for coarse evaluations, or None if the campaign
     itself takes little time, as for a clear day with one kind of plants."""
     if not {"weather", "component", "panel"} & {
@@ -112,7 +112,7 @@ class Anchor:
         its_error = np.hypot(
             ratio * _apart(mine, reference), self.spread * apart
         )
-        content = told(
+        content = format_message(
             self.layout, 1, value(mine), value(reference), (apart, its_error)
         )
         return {"is_rough": True, **content}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Reads the files of running campaigns repeatedly."""
+"""Reads the state of running campaigns from their files."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from ..common.labels import title
 from ..errors import Error
 from ..history.estimate import NORMAL, Estimate, relative_gain
 from ..history.file import HistoryError, Writer
@@ -18,7 +19,7 @@ from ..history.rows import Status
 from ..history.shrinkage import shrunken
 
 RECENT = 5
-"""The number of last generations that define the present rate."""
+"""The number of last generations that define the current rate."""
 
 
 @dataclass
@@ -26,7 +27,7 @@ class _Known:
     """A summary of a file, and the state of the file at that time."""
 
     stamp: tuple[int, int]
-    told: dict[str, Any]
+    summary: dict[str, Any]
 
 
 class Folder:
@@ -47,7 +48,7 @@ class Folder:
         """Returns the files, by name."""
         return sorted(path for path in self.path.rglob("*.h5"))
 
-    def tell(self) -> dict[str, Any]:
+    def summarise(self) -> dict[str, Any]:
         """Returns all cases and their sums, for the page. The entry of a file
         that cannot be read has the reason."""
         cases = [self._case(path) for path in self.histories()]
@@ -85,18 +86,18 @@ class Folder:
             if (
                 known
                 and known.stamp == stamp
-                and known.told.get("state") == "finished"
+                and known.summary.get("state") == "finished"
             ):
-                return {**known.told}
+                return {**known.summary}
             with open_history(path) as history:
-                told = {"file": name, **case_of(history)}
+                summary = {"file": name, **summarise_case(history)}
         except (HistoryError, OSError) as error:
             return {"file": name, "problem": str(error)}
-        self._known[path] = _Known(stamp, told)
-        return {**told}
+        self._known[path] = _Known(stamp, summary)
+        return {**summary}
 
 
-def case_of(history: History) -> dict[str, Any]:
+def summarise_case(history: History) -> dict[str, Any]:
     """Returns the data of a case for the page."""
     state = history.state()
     generations = history.generations()
@@ -107,7 +108,7 @@ def case_of(history: History) -> dict[str, Any]:
     objective = history.objectives[0]
     evaluated = int(np.count_nonzero(status >= Status.DONE))
     failed = status == Status.FAILED
-    told: dict[str, Any] = {
+    summary: dict[str, Any] = {
         "name": str(history.attributes.get("case", history.path.stem)),
         "campaign": str(history.attributes.get("campaign", "")),
         "state": "finished"
@@ -117,13 +118,14 @@ def case_of(history: History) -> dict[str, Any]:
             Writer.CLOSED: "stopped",
             Writer.GONE: "interrupted",
         }[state.writer],
-        "state_told": str(state),
+        "state_text": str(state),
         "generation": done,
         "generations": planned,
         "evaluations": evaluated,
         "failures": int(np.count_nonzero(failed)),
-        "last_failure": _last_failure(history, failed),
+        "last_failure": _find_last_failure(history, failed),
         "objective": objective.name,
+        "objective_label": title(objective.name),
         "unit": objective.unit,
         "sign": objective.sign,
         "wall_time": state.wall_time,
@@ -136,16 +138,16 @@ def case_of(history: History) -> dict[str, Any]:
                 state.finished, generations.wall_time.values,
                 generations.evaluations),
     }  # fmt: skip
-    told.update(_best(history))
-    return told
+    summary.update(_best(history))
+    return summary
 
 
 def _best(history: History) -> dict[str, Any]:
     """Returns the first objective of the baseline and of the best plant with
     standard errors, the gain with half of its 95 % interval [%], and whether
-    both plants were re-evaluated at the end. Before that, the best plant has
-    the value that its generation lets expect: the value by which it was chosen
-    is too good on average."""
+    both plants were re-evaluated at the end. Before that, the objective of the
+    best plant is its expectation given its generation (shrinkage), since the
+    value by which it was selected is too good on average."""
     pair = history.comparison()
     is_final = pair is not None and pair.is_final
     baseline = best = gain = None
@@ -155,7 +157,7 @@ def _best(history: History) -> dict[str, Any]:
             rows = history.latest().done
             best = shrunken(rows, int(rows.ranking(1)[0]))
         gain = pair.gain if is_final else relative_gain(best, baseline)
-        # Less of what is minimised is a gain, also where values are negative.
+        # A decrease of a minimised objective is a gain, also of negative values.
         better = history.objectives[0].sign * np.sign(baseline.mean)
         gain = gain.scaled(float(better), "%")
     return {
@@ -166,7 +168,7 @@ def _best(history: History) -> dict[str, Any]:
     }
 
 
-def _last_failure(history: History, failed: Any) -> str:
+def _find_last_failure(history: History, failed: Any) -> str:
     if not failed.any():
         return ""
     row = int(np.flatnonzero(failed)[-1])
@@ -182,8 +184,8 @@ def _left(
     times: Any,
     counts: Any,
 ) -> dict[str, Any]:
-    """Returns the present rate [evaluations/s], the time left [s] and the core
-    hours left, None for numbers that are not known yet."""
+    """Returns the current rate [evaluations/s], the time left [s] and the core
+    hours left; None for numbers that are not known yet."""
     rate = left = None
     if len(times) > 1:
         first = max(0, len(times) - 1 - RECENT)
@@ -207,7 +209,7 @@ def _numbers(values: Any) -> list[float | None]:
     return [float(v) if np.isfinite(v) else None for v in values]
 
 
-def _pair(found: Estimate | None) -> list[float | None] | None:
-    if found is None:
+def _pair(estimate: Estimate | None) -> list[float | None] | None:
+    if estimate is None:
         return None
-    return _numbers([found.mean, found.standard_error])
+    return _numbers([estimate.mean, estimate.standard_error])

@@ -2,9 +2,9 @@
 """A web server for one user of this machine.
 
 It listens on the loopback interface alone. Every address begins with a random
-token; a request with another one is refused, and so is one that another site
-has sent (`Origin`) or that came by a name of the machine which is not local
-(`Host`, against DNS rebinding)."""
+token. Requests with another token are refused, and so are requests from other
+sites (`Origin`) or with a host name that is not local (`Host`, against DNS
+rebinding)."""
 
 from __future__ import annotations
 
@@ -57,22 +57,22 @@ _SHARED = {
 
 
 UNUSABLE = (Error, ValueError, TypeError, ArithmeticError, RecursionError)
-"""Exceptions of a message that makes no sense, such as numbers beyond the range
-of floating-point numbers or lists within thousands of lists."""
+"""Exceptions of invalid messages, such as numbers beyond the range of
+floating-point numbers or deeply nested lists."""
 
 
 def read_message(data: str | bytes) -> dict[str, Any]:
     """Returns the object in a message of a page. Raises Error if the message
     is no JSON, or no object."""
     try:
-        found = json.loads(data)
+        message = json.loads(data)
     except (ValueError, RecursionError) as error:
         raise Error(
             f"a message cannot be read ({error}); load the page again"
         ) from None
-    if not isinstance(found, dict):
-        raise Error("a message is no object; load the page again")
-    return found
+    if not isinstance(message, dict):
+        raise Error("a message is no JSON object; load the page again")
+    return message
 
 
 class Guarded(RequestHandler):
@@ -104,8 +104,8 @@ class Guarded(RequestHandler):
     def write_error(self, status_code: int, **_: Any) -> None:
         self.set_header("Content-Type", "text/plain; charset=utf-8")
         self.finish(
-            f"{self._reason}. Take the whole address that the command "
-            "printed when it started.\n"
+            f"{self._reason}. Use the complete address that the command "
+            "printed at its start.\n"
         )
 
 
@@ -139,12 +139,12 @@ class _File(Guarded):
         self.finish(pages[name])
 
 
-def application(
+def make_application(
     handlers: Iterable[tuple[Any, ...]], page: str, scripts: Iterable[str]
 ) -> Application:
-    """Returns the application of a page: its handlers, whose patterns come
-    after the token, and its files: `page`.html, `page`.css and `scripts`, in
-    the order in which they are loaded."""
+    """Returns the application of a page: its handlers, with patterns that follow
+    the token, and its files: `page`.html, `page`.css and `scripts`, in the
+    order in which they are loaded."""
     own = ("base.css", f"{page}.css", *scripts)
     places = _SHARED | dict.fromkeys(own, "ideotype.live.page")
     pages = {
@@ -176,26 +176,26 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     """Declares the options of every live page."""
     add = parser.add_argument
     add("--port", type=int, default=0, metavar="N",
-        help="of this machine; else one that is free")  # fmt: skip
+        help="port of this machine (default: a free one)")  # fmt: skip
     add("--no-browser", action="store_true",
-        help="print the address, and open no browser")  # fmt: skip
+        help="print the address without opening a browser")  # fmt: skip
 
 
-def answer(verb: str, work: Callable[[], int]) -> int:
+def run_page(command: str, work: Callable[[], int]) -> int:
     """Returns the exit code of a function that serves a page, or 3 with a
     message on the error output if the input cannot be used."""
     logging.getLogger("tornado").setLevel(logging.CRITICAL)
     try:
         return work()
     except (Error, OSError) as error:
-        print(printable_lines(f"ideotype {verb}: {error}"), file=sys.stderr)
+        print(printable_lines(f"ideotype {command}: {error}"), file=sys.stderr)
         return 3
 
 
 def serve(app: Application, options: argparse.Namespace, about: str) -> int:
     """Serves until SIGINT or SIGTERM, and returns the exit code.
 
-    Raises Error if the port cannot be had."""
+    Raises Error if the port is not available."""
     return asyncio.run(_serve(app, options, about))
 
 
@@ -205,13 +205,13 @@ async def _serve(
     if not 0 <= options.port < 65536:
         raise Error(
             f"--port {options.port} is no port (0 to 65535); give another "
-            "one, or none"
+            "port, or omit --port"
         )
     try:
         sockets = bind_sockets(options.port, "127.0.0.1")
     except OSError as error:
         raise Error(
-            f"--port {options.port}: {error}; give another one, or none"
+            f"--port {options.port}: {error}; give another port, or omit --port"
         ) from None
     server = HTTPServer(app, max_body_size=_LARGEST)
     server.add_sockets(sockets)
@@ -219,8 +219,9 @@ async def _serve(
     address = f"http://127.0.0.1:{port}/{app.settings['token']}/"
     print(f"{about}: {address}", flush=True)
     print(
-        "Only this machine can open it; Ctrl-C ends it. From another machine: "
-        f"ssh -L {port}:127.0.0.1:{port} HOST, then the same address there.",
+        "Only this machine can open the page; Ctrl-C ends the program. From "
+        f"another machine: ssh -L {port}:127.0.0.1:{port} HOST, then the same "
+        "address there.",
         flush=True,
     )
     if not options.no_browser:
@@ -231,7 +232,7 @@ async def _serve(
         loop.add_signal_handler(number, ended.set)
     await ended.wait()
     server.stop()
-    # The stopped server has dropped its sockets, whose work still goes on.
+    # The stopped server has dropped its sockets, but their work continues.
     for socket in list(app.settings["sockets"]):
         socket.close(1001, "the program ends")
         socket.on_close()

@@ -14,12 +14,12 @@ import numpy as np
 
 from ..common.arrays import real
 from ..errors import Error
-from .bench import Bench, Genome, Place, Shown, coarse_numbers
+from .bench import Bench, Genome, Place, Shown, evaluate_coarse
 from .improve import EVALUATIONS, Improvement
-from .levers import levers_of
-from .numbers import Samples, message_of
+from .levers import make_levers
+from .numbers import Samples, make_message
 from .rough import Anchor
-from .shapes import neighbours_of, panels_of, plant_of
+from .shapes import make_plant, place_modules, place_neighbours
 
 REFINING = 0.9
 """The time in which an answer is refined [s]."""
@@ -31,7 +31,7 @@ Send = Callable[[dict[str, Any]], None]
 
 
 class Session:
-    """Answers the changes of one page; a later change ends the work for an
+    """Answers the changes of one page; a later change cancels the work for an
     earlier one."""
 
     def __init__(self, bench: Bench, send: Send) -> None:
@@ -47,7 +47,7 @@ class Session:
         """Sends the page all data that do not change."""
         bench = self._bench
         opened, place = bench.opened, bench.place(bench.own)
-        levers = levers_of(place.stand, opened.base)
+        levers = make_levers(place.stand, opened.base)
         objectives = place.stand.objectives
         known = {each["name"] for each in place.layout.scalars}
         wanted = [
@@ -75,15 +75,15 @@ class Session:
         )
 
     def hear(self, message: dict[str, Any]) -> None:
-        """Acts on a message of the page. Raises Error if the message makes no
-        sense."""
+        """Acts on a message of the page. Raises Error if the message is
+        invalid."""
         kind = message.get("kind")
         if kind == "stop":
             self._stop()
             return
         number = message.get("number")
         if type(number) is not int:
-            raise Error("a message has no number; send one that counts up")
+            raise Error("a message has no number; send increasing numbers")
         shown = self.shown(message)
         if kind == "show":
             self._newest = number
@@ -95,7 +95,7 @@ class Session:
             self._start(self._improve(number, self._improvement))
         else:
             raise Error(
-                f"a message cannot be {kind!r:.40}; load the page again"
+                f"unknown kind of message {kind!r:.40}; load the page again"
             )
 
     def shown(self, message: dict[str, Any]) -> Shown:
@@ -107,7 +107,7 @@ class Session:
         is_component = type(component) is int and 0 <= component < count
         if not isinstance(conditions, dict) or not is_component:
             raise Error(
-                "a message has conditions or a component that do not exist; "
+                "a message has unknown conditions or an unknown component; "
                 "load the page again"
             )
         genome = self._genome(message.get("genome"))
@@ -122,18 +122,18 @@ class Session:
         )
 
     def _genome(self, numbers: Any) -> Genome:
-        found = real(numbers, "genome")
-        if found.shape != self._bench.opened.genome.shape:
+        genome = real(numbers, "genome")
+        if genome.shape != self._bench.opened.genome.shape:
             raise Error(
-                "the genome in a message is none of this plant; load the "
+                "the genome in a message is not one of this plant; load the "
                 "page again"
             )
-        if not np.all(np.abs(found) < 1e4):
+        if not np.all(np.abs(genome) < 1e4):
             raise Error(
                 "the genome in a message has impossible numbers; load the "
                 "page again"
             )
-        return found
+        return genome
 
     def close(self) -> None:
         """Ends all work for the page."""
@@ -159,8 +159,8 @@ class Session:
             self._send(
                 {
                     "kind": "problem",
-                    "text": f"this cannot be computed ({error!r:.200}); undo "
-                    "the last change, or load the page again",
+                    "text": f"this plant cannot be evaluated ({error!r:.200}); "
+                    "undo the last change, or load the page again",
                 }
             )
 
@@ -170,33 +170,33 @@ class Session:
         def run(
             pool: Executor, work: Callable[..., Any], *words: Any
         ) -> Awaitable[Any]:
-            def unless_stale() -> Any:
+            def work_unless_stale() -> Any:
                 return work(*words) if self._newest == number else None
 
             return asyncio.get_running_loop().run_in_executor(
-                pool, unless_stale
+                pool, work_unless_stale
             )
 
-        def tell(kind: str, content: dict[str, Any]) -> None:
+        def send(kind: str, content: dict[str, Any]) -> None:
             if self._newest == number:
                 self._send({"kind": kind, "number": number, **content})
 
         try:
             picture = await run(bench.fast, self._picture, shown)
             if picture is not None:
-                tell("picture", picture)
+                send("picture", picture)
             rough = await run(bench.fast, self._rough, shown)
             if rough is not None:
-                tell("numbers", rough)
-            # The user waits for the first answer; a better answer has time.
+                send("numbers", rough)
+            # The user waits for the first answer only.
             pool = bench.fast if rough is None else bench.slow
             place = await run(pool, bench.place, shown.conditions)
             if place is not None:
                 await self._refine(
-                    number, shown, place, begun, run, tell, pool
+                    number, shown, place, begun, run, send, pool
                 )
         except Error as error:
-            tell("problem", {"text": str(error)})
+            send("problem", {"text": str(error)})
 
     def _rough(self, shown: Shown) -> dict[str, Any] | None:
         """Returns quick numbers, if evaluations take long and an anchor is
@@ -210,13 +210,15 @@ class Session:
         both = self._bench.coarse_pair(place, anchor.layout, shown)
         return anchor.message(*both, shown.conditions)
 
-    def _drop_anchor(self, shown: Shown, place: Place, its: Samples) -> None:
+    def _drop_anchor(
+        self, shown: Shown, place: Place, samples: Samples
+    ) -> None:
         """Stores the present numbers of the reference plant as the anchor."""
         now = shown.conditions
         coarse = self._bench.coarse(now)
-        if coarse is not None and its.by_seed:
-            numbers = coarse_numbers(coarse, place.layout, shown.reference)
-            known = its.together(sorted(its.by_seed))
+        if coarse is not None and samples.by_seed:
+            numbers = evaluate_coarse(coarse, place.layout, shown.reference)
+            known = samples.together(sorted(samples.by_seed))
             self._anchor = Anchor(
                 place.layout, known, numbers, now, place.spread
             )
@@ -228,14 +230,14 @@ class Session:
         place: Place,
         begun: float,
         run: Callable[..., Awaitable[Any]],
-        tell: Callable[[str, dict[str, Any]], None],
+        send: Callable[[str, dict[str, Any]], None],
         first: Executor,
     ) -> None:
-        """Evaluates the plant and its reference with more and more random
-        numbers, and sends the numbers each time."""
+        """Evaluates the plant and its reference with further random numbers,
+        and sends the improved numbers each time."""
         slow = self._bench.slow
-        mine = place.samples(shown.genome)
-        its = place.samples(shown.reference)
+        samples = place.samples(shown.genome)
+        reference_samples = place.samples(shown.reference)
 
         async def sample(pool: Executor, genome: Genome, seed: int,
                          known: dict[int, Any]) -> None:  # fmt: skip
@@ -245,35 +247,43 @@ class Session:
                     known[seed] = found
 
         def message() -> dict[str, Any]:
-            return message_of(place.layout, mine, its, sorted(mine.by_seed))
+            return make_message(
+                place.layout,
+                samples,
+                reference_samples,
+                sorted(samples.by_seed),
+            )
 
-        await sample(first, shown.genome, 1, mine.by_seed)
+        await sample(first, shown.genome, 1, samples.by_seed)
         if self._newest != number:
             return
-        tell("numbers", message())
-        await sample(slow, shown.reference, 1, its.by_seed)
+        send("numbers", message())
+        await sample(slow, shown.reference, 1, reference_samples.by_seed)
         said, seed = time.monotonic(), 1
         step = max(1, self._bench.threads // 2)
         while seed < MOST and self._newest == number:
             now = time.monotonic()
             seeds = range(seed + 1, min(seed + step, MOST) + 1)
-            if now - begun > REFINING and seeds[0] not in mine.by_seed:
+            if now - begun > REFINING and seeds[0] not in samples.by_seed:
                 break
             await asyncio.gather(
-                *(sample(slow, shown.genome, s, mine.by_seed) for s in seeds),
                 *(
-                    sample(slow, shown.reference, s, its.by_seed)
+                    sample(slow, shown.genome, s, samples.by_seed)
+                    for s in seeds
+                ),
+                *(
+                    sample(slow, shown.reference, s, reference_samples.by_seed)
                     for s in seeds
                 ),
             )
             if self._newest == number and (seed == 1 or now - said > 0.12):
-                tell("numbers", message())
+                send("numbers", message())
                 said = now
             seed = seeds[-1]
         if self._newest == number:
-            tell("numbers", {**message(), "is_final": True})
+            send("numbers", {**message(), "is_final": True})
             fast = self._bench.fast
-            await run(fast, self._drop_anchor, shown, place, its)
+            await run(fast, self._drop_anchor, shown, place, reference_samples)
 
     def _picture(self, shown: Shown) -> dict[str, Any]:
         bench, now = self._bench, shown.conditions
@@ -282,7 +292,7 @@ class Session:
         growth = bench.growth if now.when == "season" else None
 
         def draw(genome: Genome) -> dict[str, Any]:
-            return plant_of(stand, genome, shown.component, growth, now.age)
+            return make_plant(stand, genome, shown.component, growth, now.age)
 
         # The reference plant seldom changes.
         key = shown.reference.tobytes(), shown.component, now.when, now.age
@@ -290,8 +300,8 @@ class Session:
             self._drawn = key, draw(shown.reference)
         return {
             "plants": [draw(shown.genome), self._drawn[1]],
-            "neighbours": neighbours_of(now),
-            "panels": panels_of(now, bench.opened.base),
+            "neighbours": place_neighbours(now),
+            "panels": place_modules(now, bench.opened.base),
             "direction": now.direction,
             "ground": 1 / now.density,
             "date": growth.date(now.age) if growth and now.age else "",
@@ -300,13 +310,13 @@ class Session:
     async def _improve(self, number: int, work: Improvement) -> None:
         loop = asyncio.get_running_loop()
 
-        def tell(content: dict[str, Any]) -> None:
+        def send(content: dict[str, Any]) -> None:
             loop.call_soon_threadsafe(
                 self._send, {"kind": "improved", "number": number, **content}
             )
 
         with contextlib.suppress(asyncio.CancelledError):
             try:
-                await loop.run_in_executor(None, work.run, tell)
+                await loop.run_in_executor(None, work.run, send)
             except Error as error:
-                tell({"is_final": True, "problem": str(error)})
+                send({"is_final": True, "problem": str(error)})

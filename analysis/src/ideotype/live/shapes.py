@@ -13,13 +13,13 @@ from numpy.typing import NDArray
 
 from ..common.compiled import _core
 from ..mesh.geometry import Mesh
-from ..report.scene import packed, shape_of
+from ..report.scene import describe_shape, pack_vertices
 from ..stand.stand import Stand
 from .conditions import Conditions, Tables
 
 
 def grows(base: Tables) -> bool:
-    """Tells whether the plants of a campaign grow."""
+    """Returns whether the plants of a campaign grow."""
     return "emergence" in base.get("climate", [{}])[0]
 
 
@@ -56,7 +56,7 @@ class Growth:
         return (self._emergence + timedelta(age)).strftime("%-d %B")
 
 
-def plant_of(
+def make_plant(
     stand: Stand,
     genome: NDArray[np.float64],
     component: int,
@@ -69,12 +69,12 @@ def plant_of(
         mesh, _ = growth.mesh(stand.crop_file(genome), age)
     else:
         mesh = stand.mesh(genome, component)
-    shape = shape_of(mesh)
+    shape = describe_shape(mesh)
     shape["areas"] = [mesh.area(group) for group in shape["groups"]]
-    return {**shape, **packed(mesh.vertices)}
+    return {**shape, **pack_vertices(mesh.vertices)}
 
 
-def panels_of(now: Conditions, base: Tables) -> list[list[list[float]]]:
+def place_modules(now: Conditions, base: Tables) -> list[list[list[float]]]:
     """Returns the modules above a plant, each as its four corners [m]: x
     across the rows, y along them, z up."""
     if not now.panels:
@@ -83,7 +83,7 @@ def panels_of(now: Conditions, base: Tables) -> list[list[list[float]]]:
     tilt = np.radians(0 if panel.get("tracks", True) else panel.get("tilt", 0))
     half, long = now.panel_width / 2, 1.3
     pitch = now.panel_rows * now.row
-    found = []
+    modules = []
     for middle in (-pitch / 2, pitch / 2):
         ends = [
             (middle + side * half * np.cos(tilt),
@@ -91,7 +91,7 @@ def panels_of(now: Conditions, base: Tables) -> list[list[list[float]]]:
             for side in (-1, 1)
         ]  # fmt: skip
         (a, low), (b, high) = ends
-        found.append(
+        modules.append(
             [
                 [a, -long, low],
                 [b, -long, high],
@@ -99,10 +99,10 @@ def panels_of(now: Conditions, base: Tables) -> list[list[list[float]]]:
                 [a, long, low],
             ]
         )
-    return found
+    return modules
 
 
-def neighbours_of(now: Conditions) -> list[list[float]]:
+def place_neighbours(now: Conditions) -> list[list[float]]:
     """Returns the places of neighbours [m], across the rows and along them: a
     row on each side, and some plants before and behind."""
     gap = 1 / (now.density * now.row)

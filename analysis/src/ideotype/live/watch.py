@@ -19,11 +19,10 @@ from tornado.web import HTTPError
 from ..errors import Error
 from ..history.file import HistoryError
 from .runs import Folder
-from .server import Guarded, add_options, answer, application, serve
+from .server import Guarded, add_options, make_application, run_page, serve
 
 _FRESH = 1.0
-"""The age up to which read data are sent again [s], whatever number of pages
-asks."""
+"""The age up to which data are sent again without reading files [s]."""
 
 
 class Watcher:
@@ -32,7 +31,7 @@ class Watcher:
     def __init__(self, folder: Folder) -> None:
         self._folder = folder
         self._pool = ThreadPoolExecutor(1, "watch")
-        self._told = ""
+        self._text = ""
         self._at = float("-inf")
 
     async def state(self) -> str:
@@ -50,19 +49,17 @@ class Watcher:
 
     def _read(self) -> str:
         if time.monotonic() - self._at > _FRESH:
-            self._told = json.dumps(self._folder.tell())
+            self._text = json.dumps(self._folder.summarise())
             self._at = time.monotonic()
-        return self._told
+        return self._text
 
     def _build(self, name: str) -> str:
-        from .pictures import plants_of
+        from .pictures import make_plants
 
         for path in self._folder.histories():
             if str(path.relative_to(self._folder.path)) == name:
-                return json.dumps(plants_of(path))
-        raise Error(
-            "there is no such history in this folder; load the page again"
-        )
+                return json.dumps(make_plants(path))
+        raise Error("this folder has no such history; load the page again")
 
     def close(self) -> None:
         """Ends the thread after the present reading."""
@@ -81,13 +78,13 @@ class _State(Guarded):
 class _Plants(_State):
     async def get(self, _token: str) -> None:
         try:
-            told = await self.watcher.plants(self.get_query_argument("file"))
+            text = await self.watcher.plants(self.get_query_argument("file"))
         except (Error, HistoryError, OSError) as error:
-            told = json.dumps({"problem": str(error)})
+            text = json.dumps({"problem": str(error)})
         except KeyError as error:
             raise HTTPError(404, reason="There is no such plant") from error
         self.set_header("Content-Type", "application/json; charset=utf-8")
-        self.finish(told)
+        self.finish(text)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -95,13 +92,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
     line, 3 for a folder that cannot be used."""
     parser = argparse.ArgumentParser(
         prog="ideotype watch",
-        description="Opens a page on this machine about the campaigns whose "
-        "histories are in a folder, and follows them while they run, here or "
-        "on a cluster that shares the folder. Nothing is written.",
+        description="Opens a page on this machine about the histories in a "
+        "folder, and follows running campaigns, here or on a cluster that "
+        "shares the folder. Nothing is written.",
     )
     parser.add_argument(
         "folder", nargs="?", type=Path, default=Path("results"),
-        metavar="FOLDER", help="of histories (default: results)",
+        metavar="FOLDER", help="folder of histories (default: results)",
     )  # fmt: skip
     add_options(parser)
     options = parser.parse_args(arguments)
@@ -110,11 +107,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
         folder = Folder(options.folder)
         with closing(Watcher(folder)) as watcher:
             given = {"watcher": watcher}
-            app = application(
+            app = make_application(
                 [("state.json", _State, given), ("plants", _Plants, given)],
                 "watch",
                 ("watch.js",),
             )
             return serve(app, options, f"ideotype watch: {folder.name}")
 
-    return answer("watch", work)
+    return run_page("watch", work)

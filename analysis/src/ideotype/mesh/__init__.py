@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Surfaces of any shape, and the light on them."""
+"""Meshes of any shape and the light that they absorb."""
 
 from __future__ import annotations
 
@@ -18,16 +18,16 @@ def mesh(
     *,
     groups: Sequence[str] | None = None,
 ) -> Canopy:
-    """Returns a canopy of any surfaces, such as meshes of trimesh, PlantGL or
-    the user's own plant model.
+    """Returns a canopy of any surfaces, such as meshes from trimesh, PlantGL
+    or another plant model.
 
     vertices: [vertices, 3] in metres; x is east, y is north, z is up.
     faces: [faces, 3], [faces, 4], or a list of polygons of any number of
         corners, counted from 0; polygons are divided into triangles like the
         polygons of OBJ files.
-    groups: name of the organ that each face belongs to; "leaf" if not given.
+    groups: name of the organ of each face [faces]; "leaf" by default.
 
-    Raises Error if arrays do not fit together."""
+    Raises Error if shapes disagree, or an index or coordinate is invalid."""
     from .canopy import Canopy
 
     return Canopy(vertices, faces, groups)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The light in any mesh."""
+"""Computes the light absorbed by any mesh."""
 
 from __future__ import annotations
 
@@ -21,7 +21,8 @@ Pair = tuple[float, float]
 
 
 class Canopy:
-    """A mesh whose light can be found; `ideotype.mesh` makes it."""
+    """A mesh that repeats on a lattice, stands alone or forms a field.
+    `ideotype.mesh` makes it."""
 
     def __init__(
         self,
@@ -39,8 +40,8 @@ class Canopy:
                 "give the name of each face's organ"
             )
         self._names = list(dict.fromkeys(names))
-        places = {name: i for i, name in enumerate(self._names)}
-        self._face_group = np.array([places[x] for x in names], np.uint32)
+        number = {name: i for i, name in enumerate(self._names)}
+        self._face_group = np.array([number[x] for x in names], np.uint32)
 
     def evaluate(
         self,
@@ -69,22 +70,23 @@ class Canopy:
         by_face: bool = False,
         seed: int | None = None,
     ) -> xarray.Dataset:
-        """Evaluates where light goes, as `ideotype light` does: an option that
-        is not given has the default of the command line.
+        """Computes the light absorbed, reflected and transmitted by the mesh,
+        as `ideotype light` does. Options have the defaults of the command
+        line.
 
         period: the period of the lattice on which the mesh repeats, along x
             and y [m].
-        isolated: whether the mesh stands alone on endless soil, with the
-            `ground_area` [m2] to which light per area refers.
-        field: rows, plants of a row, row and plant spacing [m]. The mesh is a
-            plant at x = y = 0 and repeats in rows along y, each plant turned
-            at random by up to `jitter` [deg].
-        sun: elevation and azimuth, clockwise from north = +y [deg]; level
-            ground receives 1, or `beam_ppfd` [umol m-2 s-1].
-        sky: "uniform", "overcast" or "clear"; level ground receives 1, or
-            `sky_ppfd` [umol m-2 s-1].
-        site: latitude, longitude [deg] and UTC offset [h] of the sun and sky
-            of a clear `day`, "2021-07-01".
+        isolated: whether the mesh stands alone on unbounded soil; light per
+            area then refers to `ground_area` [m2].
+        field: number of rows, plants per row, row spacing and plant spacing
+            [m]. The mesh is a plant at x = y = 0 that repeats in rows along y;
+            each plant is turned at random by up to `jitter` [deg].
+        sun: elevation and azimuth, clockwise from north = +y [deg]. The
+            irradiance of level ground is 1, or `beam_ppfd` [umol m-2 s-1].
+        sky: "uniform", "overcast" or "clear". The irradiance of level ground
+            is 1, or `sky_ppfd` [umol m-2 s-1].
+        site: latitude, longitude [deg] and UTC offset [h]; with it the sun
+            and sky are those of a clear `day`, such as "2021-07-01".
         climate: file with the tables [site] and [climate] of a campaign.
         photosynthesis: file with the table [photosynthesis], for assimilation;
             `exact` has the meaning of `--exact` on the command line.
@@ -92,24 +94,23 @@ class Canopy:
             values of the command line. Groups whose names begin with "stalk"
             or "sheath" are stalks or sheaths, all others are leaves.
         scene: file of materials, components and wavebands, as for `--scene` of
-            the command line; the file gives all optics and photosynthesis.
-        tolerance: relative standard error of the leaves' light; `paths` gives
-            a number of paths instead.
-        by_face: whether the light that each face absorbs is returned too.
+            the command line; it defines all optics and photosynthesis.
+        tolerance: relative standard error of the light absorbed by leaves;
+            `paths` gives the number of paths instead.
+        by_face: whether to return the light absorbed by each face.
 
-        Returns a Dataset: `incident` is the light on the ground; `leaves`,
-        `stalks` (all other organs) and `soil` are the light that each absorbs,
-        and `reflected` is the light that escapes from the canopy, per area of
-        ground; `absorbed` is the light absorbed by `group`, and
-        `absorbed_by_layer` is the light of leaves by height,
-        `leaves_by_origin` that from the beam, from the sky and from other
-        surfaces, and `leaves_by_side` that on each face. The Dataset also
-        has the quantities of a history; for a single sun or sky only those
-        quantities that are not rates. Each quantity has its
-        NAME_standard_error. With a `scene` the Dataset has instead, by `band`,
-        `incident`, `soil`, `reflected`, `absorbed_by_component` and `absorbed`
-        by `group`; and by `component` the leaf area index `lai`,
-        `gross_assimilation` and `net_assimilation`.
+        Returns a Dataset with these quantities and their NAME_standard_error,
+        per area of ground: `incident`, the light above the canopy; `leaves`,
+        `stalks` (all other organs) and `soil`, the light that each absorbs;
+        `reflected`, the light that escapes from the canopy; `absorbed`, the
+        light absorbed by each `group`; and the light absorbed by leaves by
+        height, `absorbed_by_layer`, by origin (beam, sky or other surfaces),
+        `leaves_by_origin`, and by side, `leaves_by_side`. The Dataset also has
+        the quantities of a history, for a single sun or sky without rates.
+        With a `scene` it has instead, by `band`, `incident`, `soil`,
+        `reflected`, `absorbed_by_component` and `absorbed` by `group`; and by
+        `component` the leaf area index `lai`, `gross_assimilation` and
+        `net_assimilation`.
 
         Raises Error if options contradict each other."""
         given: dict[str, Any] = {
@@ -170,28 +171,27 @@ def _polygons(
     given: ArrayLike | Sequence[Sequence[int]], vertices: int
 ) -> tuple[NDArray[np.uint32], NDArray[np.uint32]]:
     """Returns the corners of all faces, and the number of corners of each."""
-    # Faces may differ in their number of corners, unlike rows of an array.
-    every: Any = unmasked(given, "faces")
-    if not len(every):
+    # Polygons may differ in their number of corners, unlike rows of an array.
+    polygons: Any = unmasked(given, "faces")
+    if not len(polygons):
         raise Error("faces is empty; a mesh needs at least one face")
-    counts = np.fromiter(map(len, every), np.uint32, len(every))
+    counts = np.fromiter(map(len, polygons), np.uint32, len(polygons))
     few = np.flatnonzero(counts < 3)
     if few.size:
         raise Error(
             f"faces[{few[0]}] has {counts[few[0]]} corners; give three or more"
         )
     corners = real(
-        np.concatenate([np.asarray(face) for face in every]), "faces"
+        np.concatenate([np.asarray(face) for face in polygons]), "faces"
     )
     whole = corners.astype(np.int64)
     wrong = (whole != corners) | (whole < 0) | (whole >= vertices)
     if wrong.any():
-        place = int(np.flatnonzero(wrong)[0])
-        face = int(np.searchsorted(np.cumsum(counts), place, side="right"))
+        position = int(np.flatnonzero(wrong)[0])
+        face = int(np.searchsorted(np.cumsum(counts), position, side="right"))
         raise Error(
-            f"faces[{face}] has the corner {corners[place]:.15g}; name "
-            "vertices from 0 to "
-            f"{vertices - 1}"
+            f"faces[{face}] has the corner {corners[position]:.15g}; name "
+            f"vertices from 0 to {vertices - 1}"
         )
     return whole.astype(np.uint32), counts
 

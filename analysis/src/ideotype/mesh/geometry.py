@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The shape of plants."""
+"""Meshes of plants."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 
 @dataclass(frozen=True)
 class Mesh:
-    """Surfaces in metres, with z up; a plant has its foot at the origin and y
-    along the rows."""
+    """Surfaces in metres, with z up. The foot of a plant is at the origin, and
+    y is along the rows."""
 
     vertices: NDArray[np.float64]
     """The corners of faces [vertices, 3]."""
@@ -23,8 +23,8 @@ class Mesh:
     """The organ of each face: "leaf01", ..., "stalk", "sheath"; other organs
     are "stalk_NAME" or "sheath_NAME" by their tissue."""
     ranks: tuple[int, ...] = ()
-    """The rank of the leaf of each face, from 1 for the lowest; 0 is another
-    organ. Empty: unknown."""
+    """The leaf rank of each face, from 1 for the lowest leaf; 0 for other
+    organs. Empty if unknown."""
 
     @classmethod
     def of(
@@ -35,8 +35,9 @@ class Mesh:
         names: list[str],
         ranks: list[int],
     ) -> Self:
-        """Makes a mesh of faces with four corners, in which a triangle repeats
-        its last corner."""
+        """Returns a mesh of faces [faces, 4]; a triangle repeats its last
+        corner. names, ranks: organ and leaf rank of each group, to which
+        `face_group` [faces] refers."""
         return cls(
             vertices,
             tuple(
@@ -54,7 +55,7 @@ class Mesh:
         return self.vertices[[(*face, face[-1])[:4] for face in self.faces]]
 
     def area(self, group: str) -> float:
-        """Returns the area of an organ [m2]; faces are cut into triangles."""
+        """Returns the area of an organ [m2], the sum over its triangles."""
         faces = self.corners[[name == group for name in self.groups]]
         a, b, c, d = faces.transpose(1, 0, 2)
         twice = np.cross([b - a, c - a], [c - a, d - a])
@@ -67,10 +68,9 @@ def shaded(
     light: NDArray[np.float64],
     least: float,
 ) -> NDArray[np.float64]:
-    """Returns the colours [faces, 3] of faces with the given corners [faces,
-    4, 3]. A face is darker the less it faces the light, a direction of length
-    1; a face that the light meets edge-on keeps the part `least` of its
-    colour."""
+    """Returns the shaded colours [faces, 3] of faces with corners
+    [faces, 4, 3]. Brightness falls from 1 to `least` with the angle between a
+    face's normal and `light`, a unit vector."""
     normals = np.cross(
         corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1]
     )

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Answers in three sentences which plant is best, and tabulates the leaves of
-this plant beside the leaves of the baseline."""
+"""The first screen of a report: the gain, its uncertainty, its costs and the
+limits of the search; and the leaves of the best plant."""
 
 from __future__ import annotations
 
@@ -8,147 +8,206 @@ from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 
-from ..common.labels import unit_label, words
+from ..common.labels import words
 from ..errors import Error
-from ..figures.comparison import known_cases
-from ..history.bounds import bounds_in_words
+from ..figures.comparison import select_known
+from ..history.bounds import bounds_in_words, traits_at_bounds
 from ..history.case import Case
 from ..history.coordinates import short_names
+from ..history.estimate import NORMAL
 from ..history.file import HistoryError
-from ..history.interval import ENOUGH, ONE_SEED
-from ..history.results import evaluations_of
-from .blocks import Answer, Block, Note, Table
-from .organ_split import Split, in_words
+from ..history.interval import ENOUGH, ONE_SEED, Interval
+from ..history.results import count_evaluations
+from .blocks import Answer, Block, Fact, Note, Table
+from .organ_split import Split, describe_splits
 
-_COSTS = ("leaf_nitrogen", "nitrogen", "water_use")
+_COSTS = ("leaf_nitrogen", "nitrogen", "water_use", "transpiration")
 """Quantities besides leaf area that are costs of a plant, if a campaign
 measures them."""
 
 _MEASURES = (
     ("length", "length [cm]", 100, 1),
     ("width", "width [cm]", 100, 1),
-    ("insertion_angle", "angle [°]", 1, 0),
-    ("curvature", "bend [°]", 1, 0),
-    ("azimuth", "points to [°]", 1, 0),
-    ("insertion_height", "base at [cm]", 100, 0),
+    ("insertion_angle", "insertion angle [°]", 1, 0),
+    ("curvature", "curvature [°]", 1, 0),
+    ("azimuth", "azimuth [°]", 1, 0),
+    ("insertion_height", "height [cm]", 100, 0),
 )
 """Measures of leaves: name, title, factor and digits."""
 
 
-def answer(
+def make_answer(
     cases: Sequence[Case], splits: Mapping[str, Split | Note] = {}
 ) -> Answer:
-    """States which plant is best and how certain the gain is, the split of the
-    gain if splits by the names of cases are given, the costs of the plant, and
-    the limits of the search.
+    """Returns the gain of the best plants, its uncertainty, the costs of the
+    plants and of the search, and the limits of the search. `splits` are the
+    gains with leaves alone by the names of cases.
 
     Raises HistoryError if nothing is evaluated yet."""
-    known = known_cases(cases)
-    tell = _of_one if len(known) == 1 else _of_many
-    better, cost = tell(known)
-    better += in_words([splits.get(case.name) for case in known])
+    known = select_known(cases)
+    shown = [splits.get(case.name) for case in known]
+    make_facts = _describe_one if len(known) == 1 else _describe_many
+    gain, claim, sure = make_facts(known, shown)
     return Answer(
-        (
-            ("How much better, and how sure?", better),
-            ("At what cost?", cost),
-            ("What was not searched?", " ".join(_not_searched(known))),
-        )
+        gain,
+        claim,
+        [*map(_keep_units, sure)],
+        [*map(_keep_units, (*_search_costs(known), *_plant_costs(known)))],
+        [*_limits(known)],
+        is_provisional=not all(case.is_final for case in known),
     )
 
 
-def _of_one(known: Sequence[Case]) -> tuple[str, str]:
+def _keep_units(fact: Fact) -> Fact:
+    # No-break spaces keep numbers and per cent signs on one line.
+    return Fact(fact.name, fact.value.replace(" %", "\u00a0%"))
+
+
+_Gain = tuple[str, str, list[Fact]]
+"""The gain in large type, the quantity that is gained, and the facts about its
+uncertainty."""
+
+
+def _describe_one(
+    known: Sequence[Case], splits: Sequence[Split | Note | None]
+) -> _Gain:
     (case,) = known
     goal = case.best.row.goals[0]
-    unit = "" if goal.unit == "1" else f" {unit_label(goal.unit)}"
     gain = case.relative_gain()
     searches = len(case.pairs)
-    which = "The best plant"
-    if searches > 1:
-        place = [h for h, _ in case.known].index(case.best_history) + 1
-        which = f"The best plant, of search {place} of {searches},"
-    provisional = "" if case.is_final else "Provisional: "
-    better = (
-        f"{provisional}{which} has {case.best.objective.interval_text()}{unit} "
-        f"of {words(goal.name)}, the baseline "
-        f"{case.baseline.objective.interval_text()}. "
-    )
     gains = [pair.gain.mean for pair in case.pairs]
-    better += (
-        f"The {searches} searches gained {min(gains):.1f} to {max(gains):.1f} %, "
-        f"{gain.number()} % on average."
-        if searches > 1
-        else f"The gain is {gain.number()} % ({ONE_SEED})."
+    if searches > 1:
+        by_search = f"{searches}, with gains of {_range(gains)}"
+    else:
+        by_search = ONE_SEED
+    return (
+        f"{_signed(gain.mean)} %",
+        f"{words(goal.name)} of the best plant over the baseline"
+        + (f", mean of {searches} searches" if searches > 1 else ""),
+        [
+            Fact(
+                "95 % confidence interval, with the possible optimum",
+                _interval_text(gain),
+            ),
+            Fact("searches", by_search),
+            Fact(
+                "evaluation noise (paired, best search)",
+                f"± {NORMAL * case.best_pair.gain.standard_error:.2g} %"
+                if case.best_pair.gain.standard_error > 0
+                else "unknown",
+            ),
+            *describe_splits(splits),
+        ],
     )
-    return better, " ".join(_costs(case))
 
 
-def _costs(case: Case) -> Iterator[str]:
-    try:
-        was, now = (
-            case.best_pair.baseline.estimate("lai").mean,
-            case.best.estimate("lai").mean,
-        )
-    except HistoryError:
-        yield "The history does not tell its leaf area."
-    else:
-        change = 100 * (now / was - 1)
-        yield (
-            f"Its leaf area index is {now:.2f} instead of {was:.2f} "
-            f"({_signed(change)} %)."
-        )
-    told = []
-    for name in _COSTS:
-        if name in case.best.row.quantities:
-            gain = case.best_pair.gain_in(name)
-            told.append(f"{words(name)} changes by {_signed(gain.mean)} %")
-    if told:
-        yield f"Its {'; '.join(told)}."
-    else:
-        yield "What it needs of nitrogen and water is not evaluated."
-
-
-def _of_many(known: Sequence[Case]) -> tuple[str, str]:
+def _describe_many(
+    known: Sequence[Case], splits: Sequence[Split | Note | None]
+) -> _Gain:
     names = short_names(known)
     gains = {case.name: case.relative_gain() for case in known}
     order = sorted(known, key=lambda case: gains[case.name].mean)
-    least, most = (gains[case.name] for case in (order[0], order[-1]))
-    sure = sum(x.is_sure for x in gains.values())
+    lowest, highest = order[0], order[-1]
+    significant = sum(gain.is_sure for gain in gains.values())
     goals = {case.best.row.goals[0].name for case in known}
-    what = words(goals.pop()) if len(goals) == 1 else "their objective"
-    counts = {len(case.pairs) for case in known}
-    noted = f" ({ONE_SEED})" if 1 in counts else ""
-    better = (
-        f"In {len(known)} cases the bred plants have from {least.number()} % "
-        f"({names[order[0].name]}) to {most.number()} % more "
-        f"({names[order[-1].name]}) {what} than the baseline; in {sure} of them "
-        f"the interval of the gain is on one side of 0{noted}."
+    quantity = words(goals.pop()) if len(goals) == 1 else "the objective"
+    counts = sorted({len(case.pairs) for case in known})
+    searches = " to ".join(map(str, dict.fromkeys((counts[0], counts[-1]))))
+    note = f"; {ONE_SEED}" if 1 in counts else ""
+    median = float(np.median([gain.mean for gain in gains.values()]))
+    return (
+        _range([gains[lowest.name].mean, gains[highest.name].mean]),
+        f"{quantity} of the best plants over the baseline in {len(known)} "
+        "cases",
+        [
+            Fact("median of cases", f"{_signed(median)} %"),
+            Fact(
+                "smallest gain",
+                f"{gains[lowest.name].number()} % ({names[lowest.name]})",
+            ),
+            Fact(
+                "largest gain",
+                f"{gains[highest.name].number()} % ({names[highest.name]})",
+            ),
+            Fact(
+                "95 % confidence interval excludes 0",
+                f"in {significant} of {len(known)} cases",
+            ),
+            Fact("searches of each case", f"{searches}{note}"),
+            *describe_splits(splits),
+        ],
     )
+
+
+def _search_costs(known: Sequence[Case]) -> Iterator[Fact]:
+    histories = [history for case in known for history in case.histories]
+    counts = [count_evaluations(history) for history in histories]
+    searches = f" in {len(counts)} searches" if len(counts) > 1 else ""
+    yield Fact("evaluations", f"{sum(counts):,}{searches}")
+    seconds = [
+        float(np.nansum(history.datasets.read("evaluations/seconds")))
+        for history in histories
+    ]
+    if sum(seconds) > 0:
+        yield Fact("CPU time of evaluations", _duration(sum(seconds)))
+
+
+def _duration(seconds: float) -> str:
+    for size, unit in ((3600, "core-hours"), (60, "core-minutes")):
+        if seconds >= size:
+            return f"{seconds / size:,.1f} {unit}"
+    return f"{seconds:.1f} core-seconds"
+
+
+def _plant_costs(known: Sequence[Case]) -> Iterator[Fact]:
     try:
-        ratios = [
-            100
-            * (
-                c.best.estimate("lai").mean / c.baseline.estimate("lai").mean
-                - 1
-            )
+        areas = [
+            [plant.estimate("lai").mean for plant in (c.baseline, c.best)]
             for c in known
         ]
-        cost = (
-            f"Their leaf area differs from the baseline's by "
-            f"{_signed(min(ratios))} to {_signed(max(ratios))} %, "
-            f"{_signed(float(np.median(ratios)))} % in the median case."
-        )
     except HistoryError:
-        cost = "The histories do not tell leaf areas."
-    if not any(x in known[0].best.row.quantities for x in _COSTS):
-        cost += " What plants need of nitrogen and water is not evaluated."
-    return better, cost
+        yield Fact("leaf area index", "not in the history")
+    else:
+        changes = [100 * (best / base - 1) for base, best in areas]
+        ((base, best), *others) = areas
+        yield Fact(
+            "leaf area index",
+            f"{_range(changes)}, median {_signed(float(np.median(changes)))} %"
+            if others
+            else f"{best:.2f} instead of {base:.2f} ({_signed(changes[0])} %)",
+        )
+    costs = [x for x in _COSTS if x in known[0].best.row.quantities]
+    for name in costs:
+        changes = [case.best_pair.gain_in(name).mean for case in known]
+        yield Fact(
+            words(name),
+            _range(changes) if len(known) > 1 else f"{_signed(changes[0])} %",
+        )
+    if not costs:
+        yield Fact("nitrogen, water", "not evaluated")
+    limited = traits_at_bounds(known)
+    if limited:
+        text = ", ".join(f"{words(x.trait)} ({x.bound})" for x in limited)
+        yield Fact("traits at a bound", text)
 
 
-def _signed(value: float) -> str:
-    return f"{value:+.1f}".replace("-", "\N{MINUS SIGN}")
+def _interval_text(gain: Interval) -> str:
+    if not np.isfinite([gain.low, gain.high]).all():
+        return "unknown"
+    digits = 1 if max(gain.below, gain.above) >= 0.1 else 2
+    return _range([gain.low, gain.high], digits)
 
 
-def _not_searched(known: Sequence[Case]) -> Iterator[str]:
+def _range(values: Sequence[float], digits: int = 1) -> str:
+    low, high = min(values), max(values)
+    return f"{_signed(low, digits)} to {_signed(high, digits)} %"
+
+
+def _signed(value: float, digits: int = 1) -> str:
+    return f"{value:+.{digits}f}".replace("-", "\N{MINUS SIGN}")
+
+
+def _limits(known: Sequence[Case]) -> Iterator[str]:
     first = known[0]
     genes = first.genes
     free = {t for t, is_free in zip(genes.traits, genes.is_free) if is_free}
@@ -157,11 +216,11 @@ def _not_searched(known: Sequence[Case]) -> Iterator[str]:
         _plain(t) for t in kept if _plain(t) not in {_plain(x) for x in free}
     ]
     if kept:
-        names = _listed(list(dict.fromkeys(kept)))
-        stay = "stays" if len({*kept}) == 1 else "stay"
-        yield f"{names[:1].upper()}{names[1:]} {stay} as in the baseline."
+        names = _join_words(list(dict.fromkeys(kept)))
+        verb = "is" if len({*kept}) == 1 else "are"
+        yield f"{names[:1].upper()}{names[1:]} {verb} fixed to the baseline."
     if len(known) == 1:
-        site, day, spacing = _place(first)
+        site, day, spacing = _describe_place(first)
         keys = [
             f"{name} = {value:.4g} {unit}"
             for name, unit, value in zip(
@@ -169,25 +228,28 @@ def _not_searched(known: Sequence[Case]) -> Iterator[str]:
             )
             if "." in name
         ]
-        place = f"{site}, {day} and {spacing} alone"
         if keys:
-            place = f"{site} and {day} alone, with {_listed(keys)} of its own"
-        yield f"The plant is bred for {place}."
+            yield (
+                f"The plant is optimised for {site} and {day} only, together "
+                f"with {_join_words(keys)}."
+            )
+        else:
+            yield f"The plant is optimised for {site}, {day} and {spacing} only."
     if at_bounds := bounds_in_words(known):
         yield f"{at_bounds[:1].upper()}{at_bounds[1:]}."
     bounds = first.resolved.get("plant", {}).get("bounds")
     within = f'the bounds "{bounds}"' if isinstance(bounds, str) else "bounds"
-    counts = [evaluations_of(h) for c in known for h in c.histories]
+    counts = [count_evaluations(h) for c in known for h in c.histories]
     yield (
-        f"Nothing outside {within} was tried, and no search evaluated more than "
-        f"{max(counts)} plants. The optimum may be better than the plants that "
-        "were found: the upper end of a gain's interval reaches to where it was "
-        f"after {ENOUGH} evaluations in a case in which it is known"
-        f"{', and may be too low here' if max(counts) < ENOUGH else ''}."
+        f"The search is limited to {within} and to {max(counts):,} evaluations. "
+        "The optimum may be better: the upper end of the interval of a gain "
+        f"includes the optimum as found in a reference case after {ENOUGH} "
+        "evaluations"
+        f"{', which may be too low here' if max(counts) < ENOUGH else ''}."
     )
 
 
-def _place(case: Case) -> tuple[str, str, str]:
+def _describe_place(case: Case) -> tuple[str, str, str]:
     """Returns words for site, time and spacing."""
     has = case.attributes
     site = f"the site {has.get('site', '?')}"
@@ -203,8 +265,8 @@ def _plain(trait: str) -> str:
     return words(trait.removesuffix("_profile").removesuffix("_deviation"))
 
 
-def _listed(words_of: Sequence[str]) -> str:
-    *others, last = words_of
+def _join_words(names: Sequence[str]) -> str:
+    *others, last = names
     return f"{', '.join(others)} and {last}" if others else last
 
 
@@ -213,7 +275,7 @@ def _shown(measure: str, value: float) -> float:
     return round(value) % 360 if measure == "azimuth" else value
 
 
-def leaf_table(case: Case) -> Block:
+def tabulate_leaves(case: Case) -> Block:
     """Returns the leaves of the best plant, the highest first, with the leaves
     of the baseline in brackets; or the reason why leaves are not known."""
     try:
@@ -225,25 +287,25 @@ def leaf_table(case: Case) -> Block:
             for plant in (case.best, case.baseline)
         )
     except Error as reason:
-        return Note(f"The leaves of the best plant are not told: {reason}.")
-    shown = [each for each in _MEASURES if each[0] in best]
+        return Note(f"The leaves of the best plant are not listed: {reason}.")
+    measures = [measure for measure in _MEASURES if measure[0] in best]
     rows = []
     for leaf in best.index[::-1]:
         cells = [
             " ".join(
-                form.format(f"{_shown(name, factor * measures[leaf]):.{digits}f}")
-                for form, measures in (
+                form.format(f"{_shown(name, factor * values[leaf]):.{digits}f}")
+                for form, values in (
                     ("{}", best[name]), ("({})", baseline[name]),
                 )
             )
-            for name, _, factor, digits in shown
+            for name, _, factor, digits in measures
         ]  # fmt: skip
         rows.append([str(leaf), *cells])
     return Table(
-        ("leaf", *(title for _, title, *_ in shown)),
+        ("leaf", *(title for _, title, *_ in measures)),
         rows,
-        "The leaves of the best plant, the highest first, counted from the "
-        "lowest; in brackets those of the baseline. The angle is that of the "
-        "base from the stalk, the bend how much further the tip bends down; "
-        "leaves point to a direction clockwise from the row.",
+        "Leaves of the best plant, the highest first; leaf 1 is the lowest. "
+        "Baseline in brackets. Insertion angle: between stalk and leaf base. "
+        "Curvature: further bending from base to tip. Azimuth: clockwise from "
+        "the row. Height: of insertion.",
     )

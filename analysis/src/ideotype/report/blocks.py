@@ -48,7 +48,7 @@ class Note:
 
 @dataclass(frozen=True)
 class Table:
-    """A table whose cells are texts and whose first column is a heading."""
+    """A table of texts; cells of the first column are headings."""
 
     header: Sequence[str]
     rows: Sequence[Sequence[str]]
@@ -59,10 +59,38 @@ class Table:
 
 
 @dataclass(frozen=True)
-class Answer:
-    """The sentences that a report begins with, each with a heading."""
+class Fact:
+    """A number of the first screen with its name."""
 
-    sentences: Sequence[tuple[str, str]]
+    name: str
+    value: str
+
+
+@dataclass(frozen=True)
+class Answer:
+    """The first screen: the gain, its uncertainty, its costs and the limits of
+    the search."""
+
+    gain: str
+    """The gain with its unit, for large type."""
+    claim: str
+    """The quantity that is gained, and by which plants."""
+    uncertainty: Sequence[Fact]
+    costs: Sequence[Fact]
+    limits: Sequence[str]
+    """Sentences about the parts of the design space that were not searched."""
+    is_provisional: bool = False
+
+
+@dataclass(frozen=True)
+class PaperFigure:
+    """The figure for a paper with its caption."""
+
+    caption: str
+    files: Sequence[str]
+    """The names of its files in the folder of the page."""
+    data: str
+    """The figure as SVG in base64."""
 
 
 @dataclass(frozen=True)
@@ -81,7 +109,9 @@ class Viewer:
     caption: str
 
 
-Block = Drawing | Picture | Note | Table | Listing | Viewer | Answer
+Block = (
+    Drawing | Picture | PaperFigure | Note | Table | Listing | Viewer | Answer
+)
 
 
 @dataclass

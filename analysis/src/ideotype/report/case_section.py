@@ -14,35 +14,35 @@ from ..figures.case import figures_of
 from ..figures.field import draw_field
 from ..figures.front_plants import draw_front_plants
 from ..figures.importance import draw_importance
-from ..figures.season import DAY, chosen_stages, draw_stages, stages
+from ..figures.season import DAY, choose_stages, draw_stages, read_stages
 from ..history.case import Case
 from ..history.file import HistoryError
 from .blocks import Note, Section
-from .importance import changes_of
+from .importance import evaluate_changes
 from .scene import Plants, build_plants
 
 _FIELD = (
-    "At eye height, 1.6 m, and from above. Leaves have the colour of the PAR "
-    "that they absorb over the day per area of leaf, as a mean over the leaf, "
-    "shaded a little; other organs are dull green or grey. Plants are alike "
-    "and turned at random."
+    "Views at eye height (1.6 m) and from above. Leaf colour: PAR absorbed "
+    "over the day per leaf area, as the mean over the leaf, slightly shaded. "
+    "Other organs are dull green or grey. All plants are the same, in random "
+    "orientations."
 )
 _ALONG = (
-    "The baseline, and plants at equal steps along the front in the order of "
-    "the first objective, from the side at one scale."
+    "The baseline, and plants at equal steps along the Pareto front in the "
+    "order of the first objective; side views at one scale."
 )
 
 
-def plants_of(case: Case, own: Sequence[Path] = ()) -> Plants | Note:
+def make_plants(case: Case, plant_files: Sequence[Path] = ()) -> Plants | Note:
     """Returns the shapes of the plants of a case and of the user's own plants,
     or the reason why shapes are not known."""
     try:
-        return build_plants(case, own)
+        return build_plants(case, plant_files)
     except Error as reason:
-        return Note(f"Plants: not drawn, {reason}.")
+        return Note(f"Plants are not drawn: {reason}.")
 
 
-def section_of(case: Case, plants: Plants | Note) -> Section:
+def make_section(case: Case, plants: Plants | Note) -> Section:
     section = Section(case.name, is_folded=True)
     if isinstance(plants, Note):
         section.blocks.append(plants)
@@ -50,7 +50,7 @@ def section_of(case: Case, plants: Plants | Note) -> Section:
         if case.fronts:
             section.draw(
                 f"{case.name}_front_plants",
-                "How do plants change along the front?",
+                "How do plants change along the Pareto front?",
                 _ALONG,
                 partial(
                     draw_front_plants, case, plants.baseline, plants.members
@@ -58,22 +58,22 @@ def section_of(case: Case, plants: Plants | Note) -> Section:
             )
         section.draw(
             f"{case.name}_field",
-            "How does the bred field look, and which leaves get the light?",
+            "How does the optimised field look, and which leaves absorb the light?",
             _FIELD,
             partial(draw_field, case, plants.baseline, plants.best),
         )
     section.draw(
         f"{case.name}_importance",
-        "Which traits make the gain, and which must be right?",
-        "The best plant with one trait changed, evaluated in the same fields "
-        "and light as the best plant itself; the interval is that of pairs.",
+        "Which traits cause the gain, and which are the most sensitive?",
+        "The best plant with one trait changed, evaluated with common random "
+        "numbers. Error bars: 95 % confidence intervals of paired differences.",
         partial(_draw_importance, case),
     )
     if case.pairs and DAY in case.best.row.quantities:
         section.draw(
             f"{case.name}_stages",
             "How do the plants grow and age?",
-            "From the side, at one scale.",
+            "Side views at one scale.",
             partial(_draw_stages, case),
         )
     for name, (draw, question, caption) in figures_of(case).items():
@@ -89,7 +89,7 @@ def _draw_importance(case: Case) -> Figure:
     Raises HistoryError if plants cannot be evaluated on this machine."""
     case.need_pairs()
     try:
-        changes = changes_of(case)
+        changes = evaluate_changes(case)
     except Error as reason:
         raise HistoryError(str(reason)) from reason
     return draw_importance(case, changes)
@@ -99,7 +99,7 @@ def _draw_stages(case: Case) -> Figure:
     """Draws baseline and best at each stage.
 
     Raises HistoryError if the shapes of the plants are not known."""
-    times = stages(case).labels
+    times = read_stages(case).labels
     try:
         from ..stand.stand import Stand
 
@@ -109,7 +109,7 @@ def _draw_stages(case: Case) -> Figure:
                 name,
                 [
                     stand.mesh(plant.row.genome[0], 0, float(times[k]))
-                    for k in chosen_stages(len(times))
+                    for k in choose_stages(len(times))
                 ],
             )
             for name, plant in (

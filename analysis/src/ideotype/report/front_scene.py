@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The data of fronts for the page: a chart for choosing plants, and the
-numbers of each plant."""
+"""The data of Pareto fronts for the page: a chart for choosing plants, and
+the numbers of each plant."""
 
 from __future__ import annotations
 
@@ -15,19 +15,17 @@ from ..history.pair import Pair
 from ..history.rows import Evaluation, join
 from .tables import UNKNOWN
 
-"""The sign between a number and its error, at which no line breaks."""
-
 _BOOKKEEPING = ("balance_error", "paths", "capped")
 """Scalar quantities that describe the evaluation and not the plant."""
 
 
-def front_scene(case: Case) -> dict[str, Any]:
+def make_front_scene(case: Case) -> dict[str, Any]:
     """Returns the front of a case with several objectives, for front.js. Its
     members are the plants after the baseline."""
     first = case.fronts[0][1]
     names = _quantities(first.baseline)
     return {
-        "told": told(case),
+        "text": describe_front(case),
         "first": _first(case),
         "seeds": len(case.histories),
         "axes": [
@@ -69,24 +67,24 @@ def _first(case: Case) -> int:
     return int(members.ranking(1)[0])
 
 
-def told(case: Case) -> str:
-    """Tells how many members of the fronts of all seeds are not dominated
-    after the final evaluation."""
+def describe_front(case: Case) -> str:
+    """States how many members of the fronts of all seeds are not dominated
+    after re-evaluation."""
     fronts = [front for _, front in case.fronts]
     count = sum(len(front.members) for front in fronts)
     if not all(front.is_final for front in fronts):
         return (
-            f"Provisional: {count} plants that are not all evaluated again. "
-            "Noise flatters a front."
+            f"Provisional: not all of the {count} plants are re-evaluated. Noise "
+            "makes a Pareto front look better than it is."
         )
     kept = sum(int(front.is_kept.sum()) for front in fronts)
-    text = f"Evaluated again, {kept} of {count} plants are still in the front"
+    text = f"After re-evaluation {kept} of {count} plants remain in the Pareto front"
     text += " of their seed" * (len(fronts) > 1)
     if kept == count:
         return f"{text}."
     return (
-        f"{text}; {count - kept} {'has' if count - kept == 1 else 'have'} "
-        "fallen off, since another plant is as good in all objectives and "
+        f"{text}; {count - kept} {'is' if count - kept == 1 else 'are'} "
+        "dominated: another plant is at least as good in all objectives and "
         "better in one."
     )
 

@@ -19,8 +19,8 @@ from matplotlib.figure import Figure
 from PIL import Image
 
 from ..common.output import file_name, write_file
-from ..figures.numbers import numbers
-from ..figures.style import RC, answer_of
+from ..figures.numbers import read_numbers
+from ..figures.style import RC, get_answer
 from ..history.file import HistoryError
 from .blocks import Block, Drawing, Note, Picture, Section
 from .workers import Map
@@ -36,7 +36,7 @@ def draw_all(
     tell: Callable[[int, int, str], object],
     has_pdf: bool,
 ) -> list[Path]:
-    """Puts pictures in the place of drawings, and returns their files in the
+    """Replaces drawings by pictures, and returns their files in the
     folder "figures" of a report: SVG, the numbers as CSV and, if wanted, PDF.
     `run` is map() or a parallel map(); `tell` gets the number of drawn figures,
     the number of all figures, and the kind of work."""
@@ -74,25 +74,33 @@ def draw(folder: Path, has_pdf: bool, drawing: Drawing) -> Block:
             figure = drawing.make()
         except HistoryError as reason:
             return Note(f"{drawing.question} Not drawn: {reason}.", True)
-        svg = _svg(figure)
-        files: dict[str, str | bytes] = {"svg": svg, "csv": numbers(figure)}
+        svg = format_svg(figure)
+        files: dict[str, str | bytes] = {
+            "svg": svg,
+            "csv": read_numbers(figure),
+        }
         if has_pdf:
             # The figure is laid out once, so that both files are alike.
             figure.set_layout_engine("none")
-            pdf = io.BytesIO()
-            FigureCanvasPdf(figure).print_pdf(  # type: ignore[no-untyped-call]
-                pdf, metadata={"CreationDate": None}
-            )
-            files["pdf"] = pdf.getvalue()
+            files["pdf"] = format_pdf(figure)
     for end, content in files.items():
         write_file(folder / f"{name}.{end}", content, folder.parent)
     data = base64.b64encode(svg.encode()).decode("ascii")
     return Picture(
-        name, drawing.question, answer_of(figure), drawing.caption, data
+        name, drawing.question, get_answer(figure), drawing.caption, data
     )
 
 
-def _svg(figure: Figure) -> str:
+def format_pdf(figure: Figure) -> bytes:
+    """Returns a figure as PDF without a date."""
+    out = io.BytesIO()
+    FigureCanvasPdf(figure).print_pdf(  # type: ignore[no-untyped-call]
+        out, metadata={"CreationDate": None}
+    )
+    return out.getvalue()
+
+
+def format_svg(figure: Figure) -> str:
     """Returns a figure as SVG without a date; texts stay texts, and painted
     parts have a compact format."""
     out = io.StringIO()

@@ -15,8 +15,8 @@ from ..history.estimate import Estimate
 from ..history.genes import Genes
 
 _GENERATIONS = 16
-"""The number of generations in whose fields plants are compared, with random
-numbers that the search has not used."""
+"""The number of generations with fields for comparing plants; their random
+numbers are independent of the search."""
 
 _OF_GROWING = 4
 """The number of generations for plants that grow, which have separate fields
@@ -32,10 +32,11 @@ _TURN = 10.0
 """The change of an angle [deg]."""
 
 
-def changes_of(case: Case, threads: int = 1) -> list[Change]:
-    """Evaluates the best plant of a case with each bred trait changed, in the
+def evaluate_changes(case: Case, threads: int = 1) -> list[Change]:
+    """Evaluates the best plant of a case with each free trait changed, in the
     same fields and light as the best plant and the baseline. Returns the
-    traits whose return to the baseline costs most first; errors are paired.
+    traits in the order of their loss when set to the baseline, the largest
+    first; standard errors are paired.
 
     Raises Error if there is no compiled module, or the module cannot use the
     history."""
@@ -67,11 +68,11 @@ def changes_of(case: Case, threads: int = 1) -> list[Change]:
     sign = case.best.row.goals[0].sign
     scale = 100 / abs(values[0].mean())
     losses = sign * scale * (values[1] - values)
-    found = []
+    changes = []
     for k, trait in enumerate(traits):
         back, *moved = (_mean(each) for each in losses[2 + 3 * k : 5 + 3 * k])
-        found.append(Change(trait, back, max(moved, key=lambda x: x.mean)))
-    return sorted(found, key=lambda each: -each.back.mean)
+        changes.append(Change(trait, back, max(moved, key=lambda x: x.mean)))
+    return sorted(changes, key=lambda each: -each.back.mean)
 
 
 def _with(
@@ -93,13 +94,13 @@ def _moved(
     """Returns genes changed by 10 deg or 10 %; the percentage is taken of the
     larger of the value and half of the range, since an added number may be
     0."""
-    own = genome[columns]
+    values = genome[columns]
     if genes.units[columns[0]] == "deg":
         step = np.full(len(columns), _TURN)
     else:
         half = (genes.upper - genes.lower)[columns] / 2
-        step = _STEP * np.maximum(np.abs(own), half)
-    moved = own + sign * step
+        step = _STEP * np.maximum(np.abs(values), half)
+    moved = values + sign * step
     if genes.is_circular[columns].all():
         moved = np.mod(moved, 360.0)
     return moved
@@ -116,13 +117,13 @@ def _evaluate(
     from ..stand.stand import Stand
 
     stand = Stand.from_history(path, same_isa=False)
-    found = [
+    generations_values = [
         stand.evaluate(
             plants, [], generation=_FIRST + k, threads=threads
         ).objective_by_randomisation.values[:, 0]
         for k in range(generations)
     ]
-    return np.concatenate(found, axis=1)
+    return np.concatenate(generations_values, axis=1)
 
 
 def _mean(values: NDArray[np.float64]) -> Estimate:

@@ -12,10 +12,10 @@ from ..common.labels import words
 from ..history.case import Case
 from ..history.interval import Interval
 from .blocks import Note, Table
-from .tables import UNKNOWN, bare
+from .tables import UNKNOWN, format_bare
 
 
-def organs(cases: Sequence[Case]) -> list[Table]:
+def tabulate_organs(cases: Sequence[Case]) -> list[Table]:
     """Tabulates the light that organs other than leaves absorb, if histories
     have it."""
     plants = [
@@ -35,7 +35,7 @@ def organs(cases: Sequence[Case]) -> list[Table]:
         Table(
             ("plant", *map(words, names)),
             rows,
-            "PAR that organs other than leaves absorb, in % of the incident.",
+            "PAR absorbed by organs other than leaves, in % of incident PAR.",
         )
     ]
 
@@ -43,11 +43,11 @@ def organs(cases: Sequence[Case]) -> list[Table]:
 def _percent(share: Interval | None) -> str:
     if share is None:
         return UNKNOWN
-    return bare(share.scaled(100, "%"))
+    return format_bare(share.scaled(100, "%"))
 
 
-def balance(cases: Sequence[Case]) -> Note:
-    """Tabulates the error of the balance of light."""
+def describe_balance(cases: Sequence[Case]) -> Note:
+    """States the error of the light balance."""
     errors = [
         abs(pair_member.estimate("balance_error").mean)
         for case in cases
@@ -56,9 +56,9 @@ def balance(cases: Sequence[Case]) -> Note:
         if "balance_error" in pair_member.row.quantities
     ]
     if not errors:
-        return Note("The histories do not say how well the balance closes.")
+        return Note("The histories have no error of the light balance.")
     return Note(
-        "Leaves, other organs, soil and reflected light add up to the light "
-        "that enters; the largest deviation of all plants shown is "
-        f"{np.max(errors):.1g} of it."
+        "Light balance: light absorbed by leaves, other organs and soil, and "
+        "reflected light, add up to incident light; the largest relative "
+        f"deviation of all plants shown is {np.max(errors):.1g}."
     )

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Splits the gain of a bred plant by intervention: plant and baseline are
-evaluated again without other organs, so that only what leaves gain by
-themselves is left."""
+"""Splits the gain of an optimised plant by intervention: plant and baseline
+are re-evaluated without other organs, so that the gain of the leaves alone
+remains."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from ..errors import Error
 from ..history.case import Case
 from ..history.estimate import NORMAL, Estimate, difference
-from .blocks import Block, Note, Table
+from .blocks import Block, Fact, Note, Table
 
 Numbers = NDArray[np.float64]
 
@@ -28,12 +28,11 @@ _OF_LEAVES = {
     *("net_assimilation_per_leaf_area", "carbon_balance", "dry_matter"),
     "carbon_after_silking",
 }
-"""The objectives that other organs lower by the light that they take from
-leaves."""
+"""The objectives that other organs lower by shading leaves."""
 
 _LEAST_BASELINE = 3.0
-"""The standard errors above 0 of a baseline from which on gains have a meaning
-in per cent."""
+"""The distance of a baseline above 0 [standard errors] from which on gains are
+meaningful in per cent."""
 
 
 @dataclass(frozen=True)
@@ -57,7 +56,7 @@ LEAVES_ALONE = Variant(
     "with leaves alone",
     {"plant.organs": []},
     "light of other organs",
-    "Plants with leaves alone have no other organs (plant.organs = []).",
+    "Leaves alone: plants without other organs (plant.organs = []).",
 )
 
 
@@ -65,28 +64,28 @@ _CARBON = ("capacity", "density")
 """The keys by which organs assimilate and cost carbon; 0: they do not."""
 
 
-def variants_of(resolved: Mapping[str, Any]) -> list[Variant]:
-    """Returns the variants of a resolved campaign, each with less of its other
-    organs than the one before; none if its plants are leaves alone. Where
-    other organs assimilate or cost carbon, a variant has organs that only
-    take light."""
+def make_variants(resolved: Mapping[str, Any]) -> list[Variant]:
+    """Returns the variants of a resolved campaign, each with fewer functions of
+    other organs than the one before; none if its plants are leaves alone.
+    Where other organs assimilate or cost carbon, a variant has organs that
+    only absorb light."""
     plant = resolved.get("plant", {})
     if not plant.get("organs"):
         return []
-    dead = _without_carbon(plant.get("baseline", {}))
+    dead = _remove_carbon(plant.get("baseline", {}))
     between = [
         Variant(
             "dead_organs",
             "with dead organs",
             dead,
             "carbon of other organs",
-            "Dead organs take light, but neither assimilate nor cost carbon.",
+            "Dead organs absorb light, but neither assimilate nor cost carbon.",
         )
     ]
     return [AS_SHIPPED, *(between if dead else ()), LEAVES_ALONE]
 
 
-def _without_carbon(crop: Mapping[str, Any]) -> dict[str, Any]:
+def _remove_carbon(crop: Mapping[str, Any]) -> dict[str, Any]:
     """Returns the settings with which the organs of a crop neither assimilate
     nor cost carbon; none if they do neither."""
     settings: dict[str, Any] = {
@@ -107,8 +106,8 @@ def _without_carbon(crop: Mapping[str, Any]) -> dict[str, Any]:
 
 @dataclass(frozen=True)
 class Split:
-    """The gain of a plant over the baseline by variant, of plants that all
-    stand in the same fields with common random numbers."""
+    """The gain of a plant over the baseline by variant, evaluated with common
+    random numbers."""
 
     variants: tuple[Variant, ...]
     gains: tuple[Estimate, ...]
@@ -128,7 +127,7 @@ class Split:
         return self.gains[0].unit
 
 
-def split(
+def split_gain(
     variants: Sequence[Variant], values: Sequence[Numbers], unit: str
 ) -> Split:
     """Returns the split of the gain of a plant. `values` are the objective of
@@ -163,7 +162,7 @@ def _mean(draws: Numbers, unit: str) -> Estimate:
     return Estimate(float(draws.mean()), error, unit, draws)
 
 
-def split_of(case: Case) -> Split | Note | None:
+def split_case(case: Case) -> Split | Note | None:
     """Evaluates the best plant of a case and the baseline in each variant, as
     finalists are evaluated, with the random numbers of their history. Returns
     None if the search has not ended, its plants have no other organs, or its
@@ -171,7 +170,7 @@ def split_of(case: Case) -> Split | Note | None:
     reason if the plants cannot be evaluated."""
     if case.is_sensitivity or not case.pairs or not case.best_pair.is_final:
         return None
-    variants = variants_of(case.best_history.resolved)
+    variants = make_variants(case.best_history.resolved)
     goal = case.best.row.goals[0]
     is_of_leaves = goal.name.rpartition(".")[2] in _OF_LEAVES
     if not variants or not is_of_leaves or goal.sign < 0:
@@ -183,7 +182,7 @@ def split_of(case: Case) -> Split | Note | None:
         values = [_evaluate(case, each, plants) for each in variants]
     except Error as reason:
         return Note(f"The gain of {case.name} is not split: {reason}.")
-    return split(variants, values, goal.unit)
+    return split_gain(variants, values, goal.unit)
 
 
 def _evaluate(case: Case, variant: Variant, plants: Numbers) -> Numbers:
@@ -194,73 +193,82 @@ def _evaluate(case: Case, variant: Variant, plants: Numbers) -> Numbers:
     stand = Stand.from_history(
         case.best_history.path, settings=variant.settings, same_isa=False
     )
-    found = stand.evaluate(plants, [], final=True)
-    for message in found.message.values:
+    evaluated = stand.evaluate(plants, [], final=True)
+    for message in evaluated.message.values:
         if message:
             raise Error(f"{variant.title}: {message}")
-    return np.asarray(found.objective_by_randomisation[:, 0])
+    return np.asarray(evaluated.objective_by_randomisation[:, 0])
 
 
-def splits_of(
+def split_cases(
     cases: Sequence[Case],
     tell: Callable[[int, int], object] = lambda done, count: None,
 ) -> dict[str, Split | Note]:
     """Returns the splits of the cases that have one by the names of the cases,
     by as many threads as there are processors. `tell` gets the number of
     finished cases and of all."""
-    found: list[Split | Note | None] = []
+    splits: list[Split | Note | None] = []
     with ThreadPoolExecutor(len(os.sched_getaffinity(0))) as pool:
-        for each in pool.map(split_of, cases):
-            found.append(each)
-            tell(len(found), len(cases))
-    return by_name(cases, found)
+        for each in pool.map(split_case, cases):
+            splits.append(each)
+            tell(len(splits), len(cases))
+    return name_splits(cases, splits)
 
 
-def by_name(
-    cases: Sequence[Case], found: Iterable[Split | Note | None]
+def name_splits(
+    cases: Sequence[Case], splits: Iterable[Split | Note | None]
 ) -> dict[str, Split | Note]:
     """Returns the splits of the cases that have one by the names of the
     cases."""
     return {
         case.name: each
-        for case, each in zip(cases, found, strict=True)
+        for case, each in zip(cases, splits, strict=True)
         if each is not None
     }
 
 
-def table_of(splits: Mapping[str, Split | Note]) -> list[Block]:
+def tabulate_splits(splits: Mapping[str, Split | Note]) -> list[Block]:
     """Tabulates splits by the names of cases, with notes on cases that cannot
     be split; nothing if there is no split."""
-    known = {x: each for x, each in splits.items() if isinstance(each, Split)}
+    known = {
+        x: case_split
+        for x, case_split in splits.items()
+        if isinstance(case_split, Split)
+    }
     notes: list[Block] = [x for x in splits.values() if isinstance(x, Note)]
     if not known:
         return notes
     # Cases have all or some of the same variants.
     variants = max((x.variants for x in known.values()), key=len)
     titles = [f"gain {v.title} [%]" for v in variants]
-    titles += [f"by {v.removed} [points]" for v in variants if v.removed]
-    rows = [[case, *_cells(each, variants)] for case, each in known.items()]
+    titles += [
+        f"by {v.removed} [percentage points]" for v in variants if v.removed
+    ]
+    rows = [
+        [case, *_cells(case_split, variants)]
+        for case, case_split in known.items()
+    ]
     return [
         Table(
             ("case", *titles),
             rows,
-            "The best plant of each case against the baseline, evaluated again "
-            "in the same fields with common random numbers. Gains are in % of "
-            "the baseline with all organs, so that differences between them, "
-            "in percentage points, add up. "
+            "The best plant of each case and the baseline, re-evaluated with "
+            "common random numbers. Gains are in % of the baseline with all "
+            "organs, so that their differences in percentage points add up. "
             + "".join(f"{v.meaning} " for v in variants if v.meaning)
-            + "A plant gains by light of other organs if these take less "
-            "light from its leaves than those of the baseline do. The 95 % intervals are those of paired "
-            "differences, without the differences between searches.",
+            + "A gain by light of other organs arises if these absorb less of "
+            "the light of the leaves than in the baseline. Intervals: 95 % "
+            "confidence intervals of paired differences, without the "
+            "differences between searches.",
         ),
         *notes,
     ]
 
 
-def _cells(each: Split, variants: Sequence[Variant]) -> list[str]:
-    names = [v.name for v in each.variants]
-    gains = dict(zip(names, each.gains, strict=True))
-    parts = dict(zip(names[1:], each.parts, strict=True))
+def _cells(case_split: Split, variants: Sequence[Variant]) -> list[str]:
+    names = [v.name for v in case_split.variants]
+    gains = dict(zip(names, case_split.gains, strict=True))
+    parts = dict(zip(names[1:], case_split.parts, strict=True))
     found = [gains.get(v.name) for v in variants]
     found += [parts.get(v.name) for v in variants if v.removed]
     return [_text(x) if x else "" for x in found]
@@ -272,34 +280,49 @@ def _text(value: Estimate) -> str:
     return text.replace(" ", "\u00a0").replace("-", "\N{MINUS SIGN}")
 
 
-def in_words(found: Sequence[Split | Note | None]) -> str:
-    """Returns a sentence with a space before it about the gain that is left in
-    the last variant; "" without a split."""
-    known = [each for each in found if isinstance(each, Split)]
+def describe_splits(splits: Sequence[Split | Note | None]) -> list[Fact]:
+    """Returns the gain with leaves alone and the parts that other organs
+    contribute, for one case; for several, the number of cases with a
+    significantly smaller gain. Returns nothing without a split."""
+    known = [split for split in splits if isinstance(split, Split)]
     if not known:
-        return ""
-    last = known[0].variants[-1]
-    if len(found) == 1:
-        (each,) = known
-        unit = "points" if each.unit == "%" else each.unit
-        parts = " and ".join(
-            f"{part.interval_text()} {unit} by {variant.removed}"
-            for variant, part in zip(
-                each.variants[1:], each.parts, strict=True
+        return []
+    if len(splits) > 1:
+        smaller = sum(
+            split.parts[-1].mean > NORMAL * split.parts[-1].standard_error
+            for split in known
+        )
+        return [
+            Fact(
+                f"gain significantly smaller {known[0].variants[-1].title}",
+                f"in {smaller} of {len(known)} cases",
             )
-        )
-        return (
-            f" Evaluated again {last.title}, the best plant gains "
-            f"{each.gains[-1].interval_text()} {each.unit}; it gains {parts}."
-        )
-    smaller = sum(
-        each.parts[-1].mean > NORMAL * each.parts[-1].standard_error
-        for each in known
-    )
-    return (
-        f" In {smaller} of {len(known)} cases the best plants gain "
-        f"significantly less {last.title}."
-    )
+        ]
+    (split,) = known
+    whole, alone = split.gains[0], split.gains[-1]
+    share = ""
+    if abs(alone.mean) <= NORMAL * alone.standard_error:
+        share = ": no significant gain"
+    elif whole.mean > NORMAL * whole.standard_error:
+        share = f", {100 * alone.mean / whole.mean:.0f} % of the gain"
+    unit = "percentage points" if split.unit == "%" else split.unit
+    return [
+        Fact(
+            f"gain {split.variants[-1].title}",
+            f"{_signed(alone)} {split.unit}{share}",
+        ),
+        *(
+            Fact(f"gain by {variant.removed}", f"{_signed(part)} {unit}")
+            for variant, part in zip(
+                split.variants[1:], split.parts, strict=True
+            )
+        ),
+    ]
+
+
+def _signed(value: Estimate) -> str:
+    plus = "+" if value.mean > 0 else ""
+    return plus + value.interval_text().replace("-", "\N{MINUS SIGN}")
 
 
 def columns_of(
@@ -314,13 +337,16 @@ def columns_of(
     }
 
 
-def _columns(found: Split) -> dict[str, Any]:
-    columns: dict[str, Any] = {"split_unit": found.unit}
-    names = [f"gain_{v.name}" for v in found.variants]
+def _columns(case_split: Split) -> dict[str, Any]:
+    columns: dict[str, Any] = {"split_unit": case_split.unit}
+    names = [f"gain_{v.name}" for v in case_split.variants]
     names += [
-        f"gain_by_{v.removed.replace(' ', '_')}" for v in found.variants[1:]
+        f"gain_by_{v.removed.replace(' ', '_')}"
+        for v in case_split.variants[1:]
     ]
-    for name, value in zip(names, (*found.gains, *found.parts), strict=True):
+    for name, value in zip(
+        names, (*case_split.gains, *case_split.parts), strict=True
+    ):
         columns[name] = value.mean
         columns[f"{name}_standard_error"] = value.standard_error
     return columns

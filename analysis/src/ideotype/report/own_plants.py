@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The user's own plants, evaluated like the finalists of a case."""
+"""Plants of the user, evaluated like the finalists of a case."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ _BY_LEAF = "absorbed_by_leaf"
 
 @dataclass(frozen=True)
 class OwnPlant:
-    """A plant that no search has bred, in the light of a case."""
+    """A plant of the user in the light of a case."""
 
     name: str
     mesh: Mesh
@@ -45,7 +45,9 @@ class OwnPlant:
         return self._by_leaf
 
 
-def own_plants(case: Case, paths: Sequence[Path]) -> Iterator[OwnPlant]:
+def evaluate_own_plants(
+    case: Case, paths: Sequence[Path]
+) -> Iterator[OwnPlant]:
     """Returns plants of crop files, measured leaves (.csv), digitised plants
     (.obj, .ply, .dat, or .csv of midribs) and histories (their best plant), in
     the fields and the light in which the finalists of a case were evaluated. A
@@ -59,13 +61,13 @@ def own_plants(case: Case, paths: Sequence[Path]) -> Iterator[OwnPlant]:
 
     stand = Stand.from_history(case.best_history.path, same_isa=False)
     plants = [plant for path in paths for plant in _read(path, stand)]
-    found = compare_plants(plants, [(stand.name, stand._case, None)])
-    for k, (name, plant) in enumerate(zip(found.plants, plants)):
+    comparison = compare_plants(plants, [(stand.name, stand._case, None)])
+    for k, (name, plant) in enumerate(zip(comparison.plants, plants)):
         values = [
-            found.value(k, 0, (_BY_LEAF, place))
-            for place in reversed(range(found.leaves[k]))
+            comparison.value(k, 0, (_BY_LEAF, place))
+            for place in reversed(range(comparison.leaves[k]))
         ]
-        objective = found.value(k, 0, (found.objective.name, 0))
+        objective = comparison.value(k, 0, (comparison.objective.name, 0))
         assert objective is not None
         yield OwnPlant(
             name,
@@ -79,8 +81,8 @@ def _profile(values: Sequence[Estimate]) -> Profile | None:
     if not values:
         return None
     means, errors = (
-        np.array([getattr(each, what) for each in values])
-        for what in ("mean", "standard_error")
+        np.array([getattr(value, name) for value in values])
+        for name in ("mean", "standard_error")
     )
     ranks = np.arange(1, len(values) + 1)
     return Profile(ranks, values[0].unit, means, errors)

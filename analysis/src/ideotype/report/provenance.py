@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Tells from which histories the figures of a report come."""
+"""The origin of a report: histories, programs, commands and campaigns."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ _PROVENANCE = (
     ("seed", "seed"),
     ("program", "program_version"),
     ("commit", "git_sha"),
-    ("changed since", "git_dirty"),
+    ("uncommitted changes", "git_dirty"),
     ("ISA", "isa"),
     ("compiler", "compiler"),
     ("Embree", "embree_version"),
@@ -28,7 +28,7 @@ _DIGITS = 12
 """The number of digits of a hash that are shown."""
 
 
-def provenance(cases: Sequence[Case]) -> list[Block]:
+def tabulate_provenance(cases: Sequence[Case]) -> list[Block]:
     """Returns the origin of the figures: a row per history, the commands, and
     the campaigns with all defaults."""
     histories = [h for case in cases for h in case.histories]
@@ -38,7 +38,7 @@ def provenance(cases: Sequence[Case]) -> list[Block]:
         *[title for title, _ in _PROVENANCE],
         "wall time",
     )
-    rows = [_provenance_row(history) for history in histories]
+    rows = [_make_row(history) for history in histories]
     starts = [
         (h.path.name, s.started, s.host, str(s.ranks), s.command)
         for h in histories
@@ -49,7 +49,7 @@ def provenance(cases: Sequence[Case]) -> list[Block]:
         Table(
             ("file", "started (UTC)", "host", "ranks", "command"),
             starts,
-            "Starts of the program",
+            "Sessions",
             has_long_cells=True,
         ),
     ]
@@ -59,12 +59,12 @@ def provenance(cases: Sequence[Case]) -> list[Block]:
         text = history.campaign("resolved")
         if text not in shown:
             shown.add(text)
-            title = f"campaign {name}, every default written out"
+            title = f"Campaign {name} with all defaults"
             blocks.append(Listing(title, text))
     return blocks
 
 
-def _provenance_row(history: History) -> list[str]:
+def _make_row(history: History) -> list[str]:
     has = history.attributes
     cells = [str(has.get(key, UNKNOWN)) for _, key in _PROVENANCE]
     state = history.state()

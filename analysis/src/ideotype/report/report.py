@@ -9,51 +9,60 @@ from functools import partial
 from pathlib import Path
 
 from ..common.output import require_output, write_file
-from ..figures.comparison import draw_energy, draw_gains, intervals_of
+from ..figures.comparison import describe_intervals, draw_energy, draw_gains
 from ..figures.cross import Cross, draw_cross
-from ..figures.gain_maps import draw_gain_map, draw_set_map, two_sets
+from ..figures.gain_maps import draw_gain_map, draw_set_map, find_sets
 from ..figures.indices import draw_indices
+from ..figures.pair import draw_pair
 from ..figures.places import draw_latitudes, draw_spacings
 from ..history.case import Case
 from ..history.file import HistoryError
 from ..history.results import results_of
 from ..history.study import Study
 from . import tables
-from .answer import answer, leaf_table
+from .answer import make_answer, tabulate_leaves
 from .blocks import Note, Section, Viewer
-from .case_section import plants_of, section_of
+from .case_section import make_plants, make_section
 from .gallery import draw_all
-from .light_tables import balance, organs
-from .organ_split import Split, by_name, columns_of, split_of, table_of
+from .light_tables import describe_balance, tabulate_organs
+from .organ_split import (
+    Split,
+    columns_of,
+    name_splits,
+    split_case,
+    tabulate_splits,
+)
 from .page import render
-from .provenance import provenance
-from .scenario_table import scenarios
-from .scene import Plants, scene_of
-from .workers import workers
+from .paper import FILES, make_paper_figure
+from .provenance import tabulate_provenance
+from .scenario_table import tabulate_scenarios
+from .scene import Plants, make_scene
+from .workers import start_workers
 
 _VIEW = (
-    "Choose any two plants; report --plant FILE adds plants of your own. Leaves are coloured by what they absorb over the "
-    "day; sheaths are dull green, stalks and other organs grey, neighbours "
-    "pale and all turned alike. Lines on the ground are the rows. "
-    "Drag (on a touch screen sideways) or use the arrow keys to turn; pinch, "
-    "Ctrl and the wheel, or + and - zoom; Home starts again."
+    "Choose any two plants; ideotype report --plant FILE adds plants of your "
+    "own. Leaf colour: PAR absorbed over the day. Sheaths are dull green, stalks "
+    "and other organs grey, neighbours pale and all in the same orientation. "
+    "Lines on the ground are the rows. Turn: drag (on a touch screen sideways) "
+    "or arrow keys. Zoom: pinch, Ctrl and the wheel, or + and -. Home resets "
+    "the view."
 )
 _FRONT = (
-    "The front has plants that no other betters in all objectives, evaluated "
-    "again. Choose one with a click, a tap or the arrow keys: it is shown "
-    "beside the baseline, with its numbers. Differences from the baseline have "
-    "paired errors in objectives, and take both plants as independent in all "
-    "else. The last generation is pale, and drawn as far as it lies within the "
-    "axes. "
+    "Pareto front after re-evaluation: no other plant is at least as good in "
+    "all objectives and better in one. Choose a plant with a click, a tap or "
+    "the arrow keys; it appears next to the baseline, with its numbers. "
+    "Differences from the baseline have paired standard errors for objectives; "
+    "for other quantities both plants are treated as independent. The last "
+    "generation is pale, and shown where it lies within the axes. "
 )
 _READING = (
-    "On this page ± is half of a 95 % interval, and so is each error bar; "
-    "\N{MINUS SIGN} and + are its two parts where they differ. The interval of "
-    "a gain holds how searches differ and, towards more, where the optimum may "
-    "be; that of a number of a single plant holds the noise of the light and of "
-    "the field. Black is always the "
+    "On this page ± is half of a 95 % confidence interval, and so is each "
+    "error bar; where the two halves differ, both follow with \N{MINUS SIGN} "
+    "and +. The interval of a gain includes the differences between searches "
+    "and, towards an improvement, the possible optimum. The interval of a "
+    "single plant includes the noise of light and field. Black is the "
     "baseline, blue the best plant. Each figure is a file of its name in "
-    "figures/, its numbers are in the .csv beside it."
+    "figures/, with its numbers in a .csv file."
 )
 
 _FEW = 3
@@ -74,23 +83,28 @@ def write_report(
     *,
     cross: Cross | None = None,
     command: str = "",
-    tell: Callable[[int, int, str], object] = lambda done, count, what: None,
+    tell: Callable[[int, int, str], object] = lambda done, count, part: None,
     has_pdf: bool = False,
     jobs: int = 1,
     figures_of: Sequence[str] | None = None,
     plants: Sequence[str | Path] = (),
     has_split: bool = True,
 ) -> Written:
-    """Writes report.html, results.csv and figures/ into the folder, over those
-    of an earlier report. `command` is the command that the page names as its
-    origin; `tell` gets the number of drawn figures, the number of all figures,
-    and the kind of work. With `has_pdf` each figure is a PDF file too, besides
-    SVG. `jobs` processes draw the figures; with several, a script needs `if
-    __name__ == "__main__":`. Cases whose name contains one of the words
-    `figures_of` get separate figures; without words all cases do if there are
-    few. `plants` are files of the user's own plants for the 3D view, as for
-    own_plants(). With `has_split` the best plant of each case and its baseline
-    are evaluated again with leaves alone.
+    """Writes report.html, results.csv, the figure for a paper (figure.pdf and
+    figure.png) and figures/ into the folder, over those of an earlier report.
+
+    cross: a cross-evaluation of plants and cases.
+    command: the command that the page names as its origin.
+    tell: gets the number of drawn figures, the number of all figures, and the
+    kind of work.
+    has_pdf: whether each figure is also written as PDF, besides SVG.
+    jobs: the number of processes that draw figures; with several, a script
+    needs `if __name__ == "__main__":`.
+    figures_of: words; cases with one of them in their name get separate
+    figures. By default all cases do if there are few.
+    plants: files of the user's own plants for the 3D view, as for own_plants().
+    has_split: whether the best plant of each case and its baseline are
+    re-evaluated with leaves alone.
 
     Raises HistoryError if no history has an evaluation, OutputRefused if a
     symbolic link is where a file or folder is to be written, OSError if the
@@ -98,7 +112,8 @@ def write_report(
     folder = Path(folder)
     page, table = folder / "report.html", folder / "results.csv"
     pictures = folder / "figures"
-    for path in (page, table, pictures / "any"):
+    paper = [folder / name for name in FILES]
+    for path in (page, table, *paper, pictures / "any"):
         require_output(path, folder)
     every = study.cases()
     cases = [case for case in every if not case.is_sensitivity]
@@ -111,24 +126,30 @@ def write_report(
         )
     for case in cases:
         case.remember()
-    single = _with_figures(cases, figures_of)
-    with workers(jobs) as run:
-        splits = by_name(cases, run(split_of, cases)) if has_split else {}
-        own = [Path(path) for path in plants]
-        built = list(run(partial(plants_of, own=own), cases))
+    single = _choose_cases(cases, figures_of)
+    with start_workers(jobs) as run:
+        splits = (
+            name_splits(cases, run(split_case, cases)) if has_split else {}
+        )
+        files = [Path(path) for path in plants]
+        built = list(run(partial(make_plants, plant_files=files), cases))
         shapes = [
-            (case, found if isinstance(found, Plants) else None)
-            for case, found in zip(cases, built)
-            if isinstance(found, Plants) or case.fronts
+            plants if isinstance(plants, Plants) else None for plants in built
         ]
         searched = [
-            _answer(study, cases, splits),
+            _result(study, cases, shapes, splits),
             _gains(cases, cross, splits),
             _places(cases, cross),
-            _view(shapes),
+            _view(
+                [
+                    (case, plants)
+                    for case, plants in zip(cases, shapes)
+                    if plants is not None or case.fronts
+                ]
+            ),
             *(
-                section_of(case, found)
-                for case, found in zip(cases, built)
+                make_section(case, plants)
+                for case, plants in zip(cases, built)
                 if case in single
             ),
         ]
@@ -136,6 +157,7 @@ def write_report(
             searched[-1].is_folded = False
         sections = [
             *(searched if cases else ()),
+            _paper(folder, cases, shapes),
             *map(_study, studies),
             _about(cases, cross),
             _provenance(every, command),
@@ -153,10 +175,12 @@ def write_report(
         ),
         folder,
     )
+    if any(case.pairs for case in cases):
+        figures += paper
     return Written(page, figures)
 
 
-def _with_figures(
+def _choose_cases(
     cases: Sequence[Case], words: Sequence[str] | None
 ) -> list[Case]:
     """Returns the cases that have separate figures.
@@ -187,24 +211,50 @@ def _subtitle(study: Study) -> str:
     )
 
 
-def _answer(
-    study: Study, cases: Sequence[Case], splits: Mapping[str, Split | Note]
+def _result(
+    study: Study,
+    cases: Sequence[Case],
+    shapes: Sequence[Plants | None],
+    splits: Mapping[str, Split | Note],
 ) -> Section:
-    """Returns the answer with which the page begins."""
-    section = Section("The answer")
+    """Returns the first screen of the page, with the leaves of the best
+    plant."""
+    section = Section("Result")
     for error in study.damaged:
         section.note(f"A history is left out. {error}.")
-    if known := [case for case in cases if case.pairs]:
-        section.blocks.append(answer(cases, splits))
-        section.note(_READING)
-        best = max(known, key=lambda case: case.relative_gain().mean)
-        if len(known) > 1:
-            section.note(
-                f"The leaves below are those bred in the case that gains most, "
-                f"{best.name}; those of any other are in three dimensions "
-                "below, and ideotype export writes them."
-            )
-        section.blocks.append(leaf_table(best))
+    known = [case for case in cases if case.pairs]
+    if not known:
+        return section
+    section.blocks.append(make_answer(cases, splits))
+    best = max(known, key=lambda case: case.relative_gain().mean)
+    plants = dict(zip(map(id, cases), shapes))[id(best)]
+    of_case = f" of {best.name}, the largest gain" if len(known) > 1 else ""
+    if plants is not None:
+        section.draw(
+            "plants",
+            "How does the best plant differ from the baseline?",
+            f"Baseline and best plant{of_case}, from the side, 30° off the "
+            "row, at one scale.",
+            partial(draw_pair, best, plants.baseline, plants.best),
+        )
+    section.note(_READING)
+    if len(known) > 1:
+        section.note(
+            f"The table lists the leaves of the best plant of {best.name}, the "
+            "case with the largest gain. The 3D view below shows the plants of "
+            "all cases; ideotype export writes their leaves."
+        )
+    section.blocks.append(tabulate_leaves(best))
+    return section
+
+
+def _paper(
+    folder: Path, cases: Sequence[Case], shapes: Sequence[Plants | None]
+) -> Section:
+    """Returns the page with the figure for a paper."""
+    section = Section("Figure for a paper")
+    if any(case.pairs for case in cases):
+        section.blocks.append(make_paper_figure(folder, cases, shapes))
     return section
 
 
@@ -216,71 +266,71 @@ def _gains(
     section = Section("Gains")
     section.draw(
         "gains",
-        "How much better than the baseline are the bred plants?",
-        f"Means of searches; intervals: {intervals_of(cases)}.",
+        "How much better than the baseline are the best plants?",
+        f"Mean of searches; error bars: {describe_intervals(cases)}.",
         partial(draw_gains, cases, cross),
     )
     section.draw(
         "energy",
         "Where does the light go?",
-        "Parts of the incident PAR.",
+        "Fractions of incident PAR.",
         partial(draw_energy, cases),
     )
-    section.blocks += tables.gains(cases, cross)[:1]
-    section.blocks += [*table_of(splits), *scenarios(cases)]
+    section.blocks += tables.tabulate_gains(cases, cross)[:1]
+    section.blocks += [*tabulate_splits(splits), *tabulate_scenarios(cases)]
     return section
 
 
 def _about(cases: Sequence[Case], cross: Cross | None) -> Section:
-    """Returns the folded section that explains the numbers."""
-    section = Section("How the numbers were made", is_folded=True)
+    """Returns the folded section about methods and remarks."""
+    section = Section("Methods and remarks", is_folded=True)
     if cases:
-        section.blocks += tables.gains(cases, cross)[1:]
+        section.blocks += tables.tabulate_gains(cases, cross)[1:]
         if len(cases) <= _FEW * 4:
-            section.blocks += organs(cases)
-        section.blocks.append(balance(cases))
+            section.blocks += tabulate_organs(cases)
+        section.blocks.append(describe_balance(cases))
     return section
 
 
 def _places(cases: Sequence[Case], cross: Cross | None) -> Section:
-    bars = "The upper panel has the best plants, the lower one the mean gain."
+    caption = "Top: baseline and best plants. Bottom: mean gain."
     section = Section("Places")
     if len(cases) < 2 and cross is None:
         return section
     section.draw(
         "latitudes",
-        "What does latitude do to light and gain?",
-        bars,
+        "How do absorbed PAR and gain depend on latitude?",
+        caption,
         partial(draw_latitudes, cases),
     )
     section.draw(
         "spacings",
-        "What does plant density do to light and gain?",
-        bars,
+        "How do absorbed PAR and gain depend on plant density?",
+        caption,
         partial(draw_spacings, cases),
     )
     section.draw(
         "gain_map",
-        "Where does breeding gain most?",
-        "Gain over the baseline. Numbers are %.",
+        "Where is the gain largest?",
+        "Gain over the baseline [%].",
         partial(draw_gain_map, cases),
     )
-    if sets := two_sets(cases):
+    if sets := find_sets(cases):
         section.draw(
             "set_map",
             f"Where is the best plant of {sets[0]} better than that of "
             f"{sets[1]}?",
-            "There is no difference on the line. Both are taken as independent. "
-            "Numbers are %.",
+            "Difference [%]; it is 0 on the line. Both plants are treated as "
+            "independent.",
             partial(draw_set_map, cases, sets),
         )
     if cross is None:
         return section
     section.draw(
         "cross",
-        "How does each plant do under the light of each case?",
-        "In % of the best under the same light; the seeds of a case are put "
-        f"together. Intervals: {cross.intervals()}.",
+        "How does each plant perform in the light of each case?",
+        "In % of the best plant in the same light, as the mean over the seeds "
+        f"of a case. Intervals: {cross.intervals()}.",
         partial(draw_cross, cross),
     )
     return section
@@ -288,13 +338,16 @@ def _places(cases: Sequence[Case], cross: Cross | None) -> Section:
 
 def _view(shapes: list[tuple[Case, Plants | None]]) -> Section:
     has_front = any(case.fronts for case, _ in shapes)
-    front = "Front, and its " if has_front else ""
-    section = Section((front + "plants in three dimensions").capitalize())
+    section = Section(
+        "Pareto front and its plants in 3D" if has_front else "Plants in 3D"
+    )
     if shapes:
         caption = _FRONT + _VIEW if has_front else _VIEW
-        section.blocks.append(Viewer(scene_of(shapes), caption))
+        section.blocks.append(Viewer(make_scene(shapes), caption))
     else:
-        section.note("The plants are not shown; each case below says why.")
+        section.note(
+            "No plants are shown; the sections of the cases state why."
+        )
     return section
 
 
@@ -302,18 +355,17 @@ def _study(case: Case) -> Section:
     section = Section(f"Sensitivity of {case.name}")
     section.draw(
         f"{case.name}_indices",
-        "What does the objective depend on?",
-        "Sobol' indices: the share of its variance that a factor makes by "
-        "itself, and together with all others; or elementary effects by "
-        "Morris. Factors vary evenly in their ranges. Noise is taken off, but "
-        "not of μ*. The 15 that matter most.",
+        "Which factors does the objective depend on?",
+        "First-order and total Sobol' indices, or elementary effects (Morris). "
+        "Factors are uniformly distributed over their ranges. Evaluation noise "
+        "is subtracted, except from μ*. The 15 most influential factors.",
         partial(draw_indices, case),
     )
     return section
 
 
 def _provenance(cases: Sequence[Case], command: str) -> Section:
-    section = Section("Provenance", provenance(cases))
+    section = Section("Provenance", tabulate_provenance(cases))
     if command:
-        section.note(f"This page was made by: {command}")
+        section.note(f"Command that made this page: {command}")
     return section

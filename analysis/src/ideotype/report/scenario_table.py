@@ -11,17 +11,17 @@ from ..history.estimate import Estimate, relative_gain
 from ..history.interval import over_searches
 from ..history.pair import Pair
 from .blocks import Table
-from .tables import bare, held
+from .tables import bracket_intervals, format_bare
 
 
-def scenarios(cases: Sequence[Case]) -> list[Table]:
+def tabulate_scenarios(cases: Sequence[Case]) -> list[Table]:
     """Returns tables of each objective in every scenario over which it is
     taken."""
-    found: dict[str, list[list[str]]] = {}
+    rows_by_title: dict[str, list[list[str]]] = {}
     for case in cases:
         objectives = case.best.row.with_axis("scenario") if case.pairs else []
         for objective in objectives:
-            rows = found.setdefault(
+            rows = rows_by_title.setdefault(
                 axis_label(objective.name, objective.unit), []
             )
             was, now = (
@@ -29,10 +29,7 @@ def scenarios(cases: Sequence[Case]) -> list[Table]:
                 for plant in (case.baseline, case.best)
             )
             gains = zip(
-                *(
-                    _gains_by_scenario(pair, objective.name)
-                    for pair in case.pairs
-                )
+                *(_compute_gains(pair, objective.name) for pair in case.pairs)
             )
             for label, *plants, gain in zip(
                 was.labels, was.estimates(), now.estimates(), gains
@@ -40,21 +37,21 @@ def scenarios(cases: Sequence[Case]) -> list[Table]:
                 cells = [
                     x.interval_text().replace(" ", "\u00a0") for x in plants
                 ]
-                cells.append(bare(over_searches(gain)))
+                cells.append(format_bare(over_searches(gain)))
                 rows.append([f"{case.name}: {label}", *cells])
     return [
         Table(
             ("case: scenario", "baseline", "best", "gain [%]"),
             rows,
-            f"{title[0].upper()}{title[1:]}: gains are means of searches"
-            f"{held(cases)}, and their errors take baseline and best as "
+            f"{title[0].upper()}{title[1:]}. Gains are means over searches"
+            f"{bracket_intervals(cases)}; their errors treat baseline and best as "
             "independent.",
         )
-        for title, rows in found.items()
+        for title, rows in rows_by_title.items()
     ]
 
 
-def _gains_by_scenario(pair: Pair, name: str) -> list[Estimate]:
+def _compute_gains(pair: Pair, name: str) -> list[Estimate]:
     was, now = (
         plant.profile(name).estimates() for plant in (pair.baseline, pair.best)
     )

@@ -22,8 +22,8 @@ from ..history.history import History
 from ..history.layout import leaf_light, places, row_direction
 from ..history.rows import Evaluation
 from ..mesh.geometry import Mesh
-from .front_scene import front_scene
-from .own_plants import OwnPlant, own_plants
+from .front_scene import make_front_scene
+from .own_plants import OwnPlant, evaluate_own_plants
 
 _LARGEST = 2**15 - 1
 """The largest coordinate in the page: a step is a tenth of a millimetre in a
@@ -48,7 +48,7 @@ class Plants:
     """Other finalists of all seeds and the user's own plants, with names."""
 
 
-def build_plants(case: Case, own: Sequence[Path] = ()) -> Plants:
+def build_plants(case: Case, plant_files: Sequence[Path] = ()) -> Plants:
     """Builds the plants of a case, and the user's own plants from their files.
     Raises HistoryError if nothing is evaluated
     yet, Error if there is no compiled module, which knows the shapes of
@@ -60,7 +60,10 @@ def build_plants(case: Case, own: Sequence[Path] = ()) -> Plants:
         for history, front in case.fronts
         for mesh in _shapes(history, front.members.genome)
     )
-    mine = ((each.name, each, each.mesh) for each in own_plants(case, own))
+    mine = (
+        (each.name, each, each.mesh)
+        for each in evaluate_own_plants(case, plant_files)
+    )
     return Plants(baseline, best, tuple(members), (*_finalists(case), *mine))
 
 
@@ -92,7 +95,7 @@ def _shapes(
     return [stand.mesh(genome) for genome in genomes]
 
 
-def scene_of(shown: Sequence[tuple[Case, Plants | None]]) -> str:
+def make_scene(shown: Sequence[tuple[Case, Plants | None]]) -> str:
     """Returns JSON for viewer.js, safe inside a script element. A case without
     plants shows its front alone."""
     shapes: list[dict[str, Any]] = []
@@ -104,7 +107,7 @@ def scene_of(shown: Sequence[tuple[Case, Plants | None]]) -> str:
 def _case(
     case: Case, plants: Plants | None, shapes: list[dict[str, Any]]
 ) -> dict[str, Any]:
-    front = front_scene(case) if case.fronts else None
+    front = make_front_scene(case) if case.fronts else None
     scene: dict[str, Any] = {"name": case.name, "front": front, "plants": []}
     if plants is None:
         return scene
@@ -150,16 +153,16 @@ def _title(name: str, plant: Evaluation | OwnPlant) -> str:
 def _mesh(mesh: Mesh, shapes: list[dict[str, Any]]) -> dict[str, Any]:
     """Returns a mesh for the page; parts that several plants share are stored
     once in `shapes`."""
-    shape = shape_of(mesh)
+    shape = describe_shape(mesh)
     if shape not in shapes:
         shapes.append(shape)
-    return {"shape": shapes.index(shape), **packed(mesh.vertices)}
+    return {"shape": shapes.index(shape), **pack_vertices(mesh.vertices)}
 
 
-def shape_of(mesh: Mesh) -> dict[str, Any]:
+def describe_shape(mesh: Mesh) -> dict[str, Any]:
     """Returns a mesh for the page without its vertices: faces, the names of
-    groups, the group of each face, and the colours of groups whose light is
-    not shown."""
+    groups, the group of each face, and the colours of groups without a shown
+    quantity."""
     names = list(dict.fromkeys(mesh.groups))
     return {
         "faces": mesh.faces,
@@ -169,7 +172,7 @@ def shape_of(mesh: Mesh) -> dict[str, Any]:
     }
 
 
-def packed(vertices: NDArray[np.float64]) -> dict[str, Any]:
+def pack_vertices(vertices: NDArray[np.float64]) -> dict[str, Any]:
     """Returns coordinates as whole steps [m] of 16 bits, for unpack() of the
     page."""
     step = float(np.abs(vertices).max()) / _LARGEST
@@ -178,7 +181,7 @@ def packed(vertices: NDArray[np.float64]) -> dict[str, Any]:
 
 
 def _rgb(group: str) -> list[int]:
-    """Returns the colour of a group whose light is not shown."""
+    """Returns the colour of a group without a shown quantity."""
     return [round(255 * part) for part in to_rgb(organ_color(group))]
 
 
@@ -187,9 +190,9 @@ def _quantities(
 ) -> list[dict[str, Any]]:
     """Returns absorbed PAR of each group of each plant; None for a group that
     is no leaf."""
-    told = case.baseline.row.quantities.get("absorbed_by_leaf")
-    unit = unit_label(told.unit if told else "1")
-    areas: dict[str, float | None] = {f"by each leaf [{unit} of ground]": None}
+    light = case.baseline.row.quantities.get("absorbed_by_leaf")
+    unit = unit_label(light.unit if light else "1")
+    areas: dict[str, float | None] = {f"of each leaf [{unit} of ground]": None}
     has = case.attributes
     if {"row_spacing", "plant_spacing"} <= {*has} and not case.is_over(
         "spacing"

@@ -6,7 +6,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 
 from ..common.labels import unit_label
-from ..figures.comparison import ELITE, intervals_of
+from ..common.markdown import markdown_table
+from ..figures.comparison import ELITE, describe_intervals
 from ..figures.cross import Cross
 from ..history.bounds import bounds_in_words
 from ..history.case import Case
@@ -25,27 +26,26 @@ _GAINS = (
     *("LAI baseline", "LAI best", "gain per leaf area [%]"),
 )
 _ELITE = "over elite [%]"
-_CEILING = "left to the ceiling [%]"
+_CEILING = "below the ceiling [%]"
 
 
-def gains(cases: Sequence[Case], cross: Cross | None) -> list[Block]:
+def tabulate_gains(cases: Sequence[Case], cross: Cross | None) -> list[Block]:
     """Tabulates the gain of each case, with remarks on the gains."""
     columns = {
-        _ELITE: [_over_elite(case, cross) for case in cases],
+        _ELITE: [_format_over_elite(case, cross) for case in cases],
         _CEILING: [_room(case) for case in cases],
     }
     shown = [x for x, cells in columns.items() if {*cells} != {UNKNOWN}]
     rows = [
-        [*_gain_row(case), *(columns[name][i] for name in shown)]
+        [*_make_gain_row(case), *(columns[name][i] for name in shown)]
         for i, case in enumerate(cases)
     ]
     blocks: list[Block] = [
         Table(
             (*_GAINS, *shown),
             rows,
-            f"Gains are means of searches{held(cases)}. Baseline and best are "
-            f"the plants of the best search, evaluated again after it, in "
-            f"{_unit(cases)}.",
+            f"Gains are means of searches{bracket_intervals(cases)}. Baseline and best: "
+            f"re-evaluated plants of the best search, in {_unit(cases)}.",
         )
     ]
     blocks += [Note(text) for text in _remarks(cases, cross)]
@@ -59,12 +59,12 @@ def _at_bounds(cases: Sequence[Case]) -> list[Note]:
 
 
 SCREEN = 16
-"""The number of cases whose lines a screen has room for."""
+"""The number of cases that fit on a screen."""
 
 
-def ends_of(cases: Sequence[Case]) -> list[Case]:
-    """Returns the cases that gain most and least, as many as a screen has room
-    for, the best first; fewer cases are returned in their own order."""
+def select_extremes(cases: Sequence[Case]) -> list[Case]:
+    """Returns the cases with the largest and smallest gains, as many as fit on
+    a screen, the best first; if all fit, they keep their order."""
     if len(cases) <= SCREEN:
         return [*cases]
     known = sorted(
@@ -75,16 +75,15 @@ def ends_of(cases: Sequence[Case]) -> list[Case]:
     return known if len(known) <= SCREEN else [*known[:half], *known[-half:]]
 
 
-def held(cases: Sequence[Case]) -> str:
-    told = intervals_of(cases)
-    return f" ({told})" if told else ""
+def bracket_intervals(cases: Sequence[Case]) -> str:
+    text = describe_intervals(cases)
+    return f" ({text})" if text else ""
 
 
-def on_a_screen(cases: Sequence[Case]) -> list[Block]:
-    """Returns the table of gains, of no more cases than a screen has room
-    for."""
-    shown = ends_of(cases)
-    table, *_ = gains(shown, None)
+def tabulate_screen(cases: Sequence[Case]) -> list[Block]:
+    """Returns the table of gains, of no more cases than fit on a screen."""
+    shown = select_extremes(cases)
+    table, *_ = tabulate_gains(shown, None)
     limits = _at_bounds(cases)
     if len(shown) == len(cases):
         return [table, *limits]
@@ -92,31 +91,24 @@ def on_a_screen(cases: Sequence[Case]) -> list[Block]:
         table,
         Note(
             "".join(f"{limit.text} " for limit in limits)
-            + f"These are {len(shown)} of {len(cases)} cases, those that gain "
-            "most and least; --all tells all, --csv all with coordinates."
+            + f"{len(shown)} of {len(cases)} cases, with the largest and the "
+            "smallest gains; --all prints all, --csv all with coordinates."
         ),
     ]
 
 
-def markdown(blocks: Sequence[Block]) -> str:
+def format_markdown(blocks: Sequence[Block]) -> str:
     """Returns tables and notes as legible text in Markdown."""
     return "\n\n".join(
-        block.text if isinstance(block, Note) else _markdown_table(block)
+        block.text if isinstance(block, Note) else _format_table(block)
         for block in blocks
         if isinstance(block, Note | Table)
     )
 
 
-def _markdown_table(table: Table) -> str:
-    rows = [table.header, *table.rows]
-    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
-    lines = [
-        "| " + " | ".join(map(str.ljust, row, widths)) + " |" for row in rows
-    ]
-    rule = "|" + "|".join("-" * (width + 2) for width in widths) + "|"
-    return "\n".join([lines[0], rule, *lines[1:], "", table.caption]).replace(
-        "\u00a0", " "
-    )
+def _format_table(table: Table) -> str:
+    lines = markdown_table(table.header, table.rows, is_padded=True)
+    return "\n".join([*lines, "", table.caption]).replace("\u00a0", " ")
 
 
 def _unit(cases: Sequence[Case]) -> str:
@@ -124,7 +116,7 @@ def _unit(cases: Sequence[Case]) -> str:
     return " or ".join(sorted(map(unit_label, units))) or "no unit yet"
 
 
-def _gain_row(case: Case) -> list[str]:
+def _make_gain_row(case: Case) -> list[str]:
     searches = str(len(case.histories))
     if not case.pairs:
         return [case.name, searches, *[UNKNOWN] * (len(_GAINS) - 2)]
@@ -133,22 +125,22 @@ def _gain_row(case: Case) -> list[str]:
     return [
         case.name,
         searches,
-        bare(case.relative_gain()),
+        format_bare(case.relative_gain()),
         f"{min(gains):.1f} .. {max(gains):.1f}" if len(gains) > 1 else alone,
         case.baseline.objective.interval_text().replace(" ", "\u00a0"),
         case.best.objective.interval_text().replace(" ", "\u00a0"),
         _known(lambda: _lai(case, "baseline")),
         _known(lambda: _lai(case, "best")),
-        _known(lambda: bare(case.gain_per_leaf_area())),
+        _known(lambda: format_bare(case.gain_per_leaf_area())),
     ]
 
 
-def _over_elite(case: Case, cross: Cross | None) -> str:
+def _format_over_elite(case: Case, cross: Cross | None) -> str:
     gain = cross.relative_gain(case, ELITE) if cross and case.pairs else None
-    return bare(gain) if gain else UNKNOWN
+    return format_bare(gain) if gain else UNKNOWN
 
 
-def bare(figure: Interval) -> str:
+def format_bare(figure: Interval) -> str:
     # No-break spaces keep the number and its error on one line.
     text = figure.number().replace(" ", "\u00a0")
     return text.replace("-", "\N{MINUS SIGN}")
@@ -177,28 +169,29 @@ def _room(case: Case) -> str:
 
 def _remarks(cases: Sequence[Case], cross: Cross | None) -> list[str]:
     remarks = [
-        "The interval of several seeds is Student's t over their scatter, or "
-        "that of their standard errors where it is wider; that of a single "
-        "seed holds its standard error and "
+        "Intervals of several seeds are Student's t intervals of their scatter, "
+        "or of their standard errors where these are wider. The interval of a "
+        "single seed includes its standard error, and "
         f"{100 * SEARCH_SCATTER:.0f} % of the gain as the standard deviation "
-        "between searches. Towards a better plant each reaches at least "
-        f"{100 * BEYOND:.0f} % of the gain beyond the mean, where the optimum "
-        "may be. Standard errors of gains over the baseline are paired: "
-        "baseline and best share random numbers, and are compared "
-        "randomisation by randomisation.",
-        "LAI is the one-sided leaf area per ground area; the gain per leaf area is that in absorbed PAR per "
-        "one-sided leaf area.",
-        "The ceiling is what leaves would absorb if other organs and soil "
-        "took nothing: incident light less what the best plant's canopy reflects.",
+        "between searches. Towards an improvement each interval extends to at "
+        f"least {100 * BEYOND:.0f} % of the gain beyond the mean, to include "
+        "the possible optimum. Standard errors of gains over the baseline are "
+        "paired standard errors: baseline and best are compared randomisation "
+        "by randomisation, with common random numbers.",
+        "LAI is the one-sided leaf area per ground area. The gain per leaf area "
+        "is the gain in absorbed PAR per one-sided leaf area.",
+        "The ceiling is the light that leaves would absorb if other organs and "
+        "soil absorbed none: incident light less the reflection of the best "
+        "plant's canopy.",
     ]
     if cross and ELITE in cross.plants:
         remarks.append(
-            "The error of the gain over the elite plant takes both as "
-            "independent: a cross-evaluation has random numbers of its own."
+            "The error of the gain over the elite plant treats both as "
+            "independent, since a cross-evaluation has independent random numbers."
         )
     named: dict[str, list[str]] = {}
     for case in cases:
-        for remark in _case_remarks(case, cross):
+        for remark in _make_case_remarks(case, cross):
             named.setdefault(remark, []).append(case.name)
     return remarks + [
         f"{remark}: {_named(names, len(cases))}."
@@ -213,25 +206,24 @@ def _named(names: Sequence[str], cases: int) -> str:
     return ", ".join(names[:_MOST]) + more
 
 
-def _case_remarks(case: Case, cross: Cross | None) -> Iterator[str]:
+def _make_case_remarks(case: Case, cross: Cross | None) -> Iterator[str]:
     if not case.pairs:
-        yield "Nothing to compare yet"
+        yield "No comparison yet"
         return
     if case.fronts:
         yield (
             "With several objectives the gain is that in the first, and the "
-            "best plant is the one of the front that has most of it"
+            "best plant is the best of the Pareto front in the first"
         )
     if not all(pair.is_paired for pair in case.pairs):
         yield (
-            "Errors of gains take baseline and best as independent and are "
-            "mostly too large, since the history has no randomisations that "
-            "both share"
+            "Errors of gains treat baseline and best as independent and are "
+            "mostly too large, since the history has no common randomisations"
         )
     if not case.is_final:
         yield (
-            "Provisional, since not all seeds have their final evaluation, "
-            "and the best of many noisy figures is too high on average"
+            "Provisional, since not all seeds are re-evaluated, and the best of "
+            "many noisy values is too high on average"
         )
     if (
         cross
@@ -240,39 +232,39 @@ def _case_remarks(case: Case, cross: Cross | None) -> Iterator[str]:
     ):
         yield (
             "The gain over the elite plant is not known, since the "
-            "cross-evaluation does not have it under these cases (it needs to "
-            "say CAMPAIGN: CASE where several campaigns have a case of a name)"
+            "cross-evaluation does not have it in the light of these cases "
+            "(name a case CAMPAIGN: CASE where several campaigns have it)"
         )
     if not case.fronts:
-        yield _spread_of_searches([pair.gain.mean for pair in case.pairs])
+        yield _describe_spread([pair.gain.mean for pair in case.pairs])
     if case.best_history.resolved.get("feasibility", {}).get("trait"):
         yield (
-            f"In standard deviations the bred plant is {_among(case, 'best')}, "
-            f"the baseline {_among(case, 'baseline')}"
+            f"Distance in standard deviations: best plant {_among(case, 'best')}; "
+            f"baseline {_among(case, 'baseline')}"
         )
     try:
         if case.is_saturated():
             yield (
-                "Saturated, the best being within its standard error of the "
-                "ceiling, so that absorption can't tell better plants any more"
+                "Saturated: the best plant is within its standard error of the "
+                "ceiling, so that absorption cannot distinguish better plants"
             )
     except HistoryError as reason:
-        yield f"Without a ceiling, since {reason}"
+        yield f"No ceiling, since {reason}"
 
 
-def _spread_of_searches(gains: Sequence[float]) -> str:
+def _describe_spread(gains: Sequence[float]) -> str:
     """Returns the possible distance of the optimum; docs/optimisers.md
     discusses this bound."""
     if len(gains) < 3:
         return (
-            "Three searches (replicates = 3) would tell how far the best "
-            "plant may be from the optimum"
+            "Three searches (replicates = 3) would show the possible distance "
+            "of the best plant from the optimum"
         )
     return (
         f"{len(gains)} independent searches gained {min(gains):.1f} to "
         f"{max(gains):.1f} %, a spread of {max(gains) - min(gains):.1f} percentage "
-        "points; the optimum may be further than that from the best plant if "
-        "they were short"
+        "points; after short searches the optimum may be further than that from "
+        "the best plant"
     )
 
 
@@ -284,13 +276,13 @@ def _among(case: Case, who: str) -> str:
     def number(name: str) -> float:
         return float(plant.estimate(name).mean)
 
-    told = (
+    text = (
         f"{number('distance_from_lines'):.2f} from the mean of measured lines"
     )
     lines = case.best_history.resolved["feasibility"].get("line", [])
     if nearest := int(number("nearest_line")):
-        told += (
+        text += (
             f" and {number('distance_from_line'):.2f} from the nearest, "
             f"{lines[nearest - 1]['name']}"
         )
-    return told
+    return text

@@ -19,9 +19,9 @@ Map = Callable[[Callable[[Any], Any], Iterable[Any]], Iterable[Any]]
 
 
 @contextmanager
-def workers(count: int) -> Iterator[Map]:
-    """Returns a map() by the given number of processes, whose results come in
-    the order of arguments; for one process the function returns map() itself.
+def start_workers(count: int) -> Iterator[Map]:
+    """Returns a map() by the given number of processes, with results in the
+    order of arguments; for one process the function returns map() itself.
 
     Raises OSError if a process is killed."""
     if count < 2:

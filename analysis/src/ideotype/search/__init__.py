@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Optimizers for any function, and stands for optimizers of others."""
+"""The optimizers of the program for any function, and stands as problems for
+other optimizers."""
 
 from .search import Search
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Adapts stands to generators and ensembles of the gest-api standard, such as
-the generators of libEnsemble, Xopt and Optimas.
+"""Adapts stands to the gest-api standard, which the generators of libEnsemble,
+Xopt and Optimas follow.
 
 https://github.com/campa-consortium/gest-api"""
 
@@ -33,12 +33,12 @@ def vocs(stand: Stand) -> VOCS:
 
 
 class Evaluator:
-    """An evaluator of one point at a time: it takes values of free genes by
-    name and returns objectives by name."""
+    """Evaluates one point at a time: takes the values of the free genes by
+    name and returns the objectives by name."""
 
     def __init__(self, stand: Stand, **options: Any) -> None:
-        """Keeps the stand. options: options of Stand.evaluate, such as
-        tolerance and seed."""
+        """stand: stand in which points are evaluated. options: keyword
+        arguments of Stand.evaluate, such as tolerance and seed."""
         self._stand = stand
         self._options = options
         self._names = list(stand.genes.name[stand.free])
@@ -47,10 +47,10 @@ class Evaluator:
         """Evaluates one point. Raises Error if the plant cannot be
         evaluated."""
         plant = [real(point[name], name).item() for name in self._names]
-        found = self._stand.evaluate(
+        result = self._stand.evaluate(
             plant, list(self._stand.objectives), threads=1, **self._options
         )
-        message = str(found.message.item())
+        message = str(result.message.item())
         if message:
             raise Error(message)
-        return {name: found[name].item() for name in self._stand.objectives}
+        return {name: result[name].item() for name in self._stand.objectives}

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The optimizers of the program for any function: ask for points, tell their
-values."""
+"""The optimizers of the program for any function, by ask and tell."""
 
 from __future__ import annotations
 
@@ -17,10 +16,10 @@ Numbers = NDArray[np.float64]
 
 
 class Search:
-    """Looks for the best point between bounds, a generation at a time.
+    """Searches for the best point between bounds, one generation at a time.
 
-    A point follows from the arguments and from the told values of earlier
-    generations alone. docs/optimisers.md tells what each optimizer does."""
+    Points depend only on the arguments and on the values of earlier
+    generations. docs/optimisers.md describes the optimizers."""
 
     def __init__(
         self,
@@ -36,14 +35,24 @@ class Search:
         traits: Sequence[str] | None = None,
         axes: Sequence[tuple[float, float, int]] = (),
     ) -> None:
-        """Begins a search. lower and upper: bounds [genes]. start: point at
-        which the search begins, by default the middle. maximise: whether each
-        objective is maximised or else minimised. population: number of points
-        of a generation. circular: whether both bounds of each gene are the
-        same point. traits: names of groups of genes that belong together, by
-        default each gene by itself. axes: lower bound, upper bound and number
-        of cells of each feature of an atlas, which looks for the best point of
-        each cell and needs the features of points in tell()."""
+        """Begins a search.
+
+        lower, upper: bounds [genes].
+        start: point at which the search begins [genes], by default the middle.
+        maximise: whether each objective is maximised, else minimised.
+        optimizer: name of the optimizer, as in `search.optimizer` of a
+            campaign.
+        population: number of points of a generation.
+        seed: seed of the random numbers.
+        circular: whether the two bounds of each gene are the same point
+            [genes].
+        traits: name of the trait of each gene [genes]; genes of a trait belong
+            together. By default each gene is a trait.
+        axes: lower bound, upper bound and number of cells of each feature of
+            an atlas, which searches for the best point of each cell; tell()
+            then needs the features of points.
+
+        Raises Error if shapes disagree or a number is out of range."""
         bounds = [real(lower, "lower"), real(upper, "upper")]
         if (
             bounds[0].ndim != 1
@@ -87,7 +96,9 @@ class Search:
                 "axes: an atlas needs (lower, upper, cells) of each feature, "
                 "with lower < upper and cells > 0; other searches have none"
             )
-        senses = ["maximises" if each else "minimises" for each in maximise]
+        senses = [
+            "maximises" if is_max else "minimises" for is_max in maximise
+        ]
         self._words = (
             f"{optimizer}, {count} genes, {' and '.join(dict.fromkeys(senses))}"
             f" {len(maximise)} objective{'s' if len(maximise) > 1 else ''}, "
@@ -104,7 +115,7 @@ class Search:
             bounds[1].tolist(),
             around.astype(bool).tolist(),
             names,
-            [bool(each) for each in maximise],
+            [bool(is_max) for is_max in maximise],
             list(axes),
         )
 
@@ -112,8 +123,8 @@ class Search:
         return f"<Search: {self._words}>"
 
     def ask(self) -> Numbers:
-        """Returns the points of the next generation [points, genes], which
-        stay as they are until tell()."""
+        """Returns the points of the next generation [points, genes]. They
+        remain the same until tell()."""
         return np.array(self._search.ask())
 
     def tell(
@@ -122,20 +133,25 @@ class Search:
         violations: ArrayLike | None = None,
         features: ArrayLike | None = None,
     ) -> None:
-        """Learns the values of the points that were asked for [points] or
-        [points, objectives]; NaN where a point could not be evaluated.
-        violations: amount by which each point violates constraints; 0 if none.
-        features: features of each point for an atlas [points, axes]."""
+        """Passes the values of the points that ask() returned.
+
+        values: [points] or [points, objectives]; NaN if the evaluation of a
+            point failed.
+        violations: violation of the constraints by each point [points]; 0:
+            none.
+        features: features of the points, for an atlas [points, axes].
+
+        Raises Error if shapes disagree."""
         count = len(self._search.ask())
-        told = np.asarray(values, float).reshape(-1, self._objectives)
+        objectives = np.asarray(values, float).reshape(-1, self._objectives)
         failed = (
             np.zeros(count)
             if violations is None
             else real(violations, "violations")
         )
-        if len(told) != count or failed.shape != (count,):
+        if len(objectives) != count or failed.shape != (count,):
             raise Error(
-                f"values: {count} points were asked for, but {len(told)} are "
+                f"values: {count} points were asked for, but {len(objectives)} are "
                 "given; give one value for each"
             )
         kinds = (
@@ -147,9 +163,9 @@ class Search:
             raise Error(
                 f"features: an atlas needs {self._features} of each of {count} points"
             )
-        self._search.tell(told.tolist(), failed.tolist(), kinds.tolist())
+        self._search.tell(objectives.tolist(), failed.tolist(), kinds.tolist())
 
     def best(self, count: int = 1) -> Numbers:
-        """Returns the points to evaluate again at the end, best first [at most
-        count, genes]."""
+        """Returns the best points found, best first [at most count, genes]:
+        the candidates for a re-evaluation with independent random numbers."""
         return np.array(self._search.best(count))

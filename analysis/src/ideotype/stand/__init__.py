@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The plants of a campaign and the light on them, evaluated in this process."""
+"""Stands: the plants of a campaign, evaluated in this process."""
 
 from .comparison import Comparison, Quantity
 from .crop import Crop

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Crops whose plants grow and age."""
+"""Crops with growing and ageing plants."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ _UNITS = {
 
 
 class Crop:
-    """A crop whose file has a [growth] table."""
+    """A growing crop, from a crop file with a [growth] table."""
 
     def __init__(self, core: _core.GrowingCrop) -> None:
         self._core = core
@@ -43,7 +43,7 @@ class Crop:
     def from_file(cls, path: str | PathLike[str]) -> Crop:
         """Reads a crop file.
 
-        Raises Error if the file has no [growth], InputError with all
+        Raises Error if the file has no [growth] table, InputError with all
         problems of the file."""
         return cls(_core.GrowingCrop(os.fspath(path)))
 
@@ -63,24 +63,25 @@ class Crop:
         return self._core.maturity
 
     def at(self, thermal_time: float) -> xarray.Dataset:
-        """Grows one plant to a thermal time from emergence [deg C d].
+        """Returns the leaves of one plant at a thermal time from emergence
+        [deg C d]: a Dataset over `rank`, from 1 for the lowest leaf, with the
+        `green_area` and `dead_area` of blades [m2], the thermal times `tip`,
+        `collar` and `death` [deg C d], and `collar_height` [m].
 
-        Returns a Dataset over `rank` from the lowest leaf, 1: `green_area` and
-        `dead_area` of blades [m2], dates `tip`, `collar` and `death`
-        [deg C d], and `collar_height` [m]."""
+        Raises Error if the thermal time is not finite."""
         time = _finite(thermal_time)
-        found = self._core.at(time)
-        ranks = np.arange(1, len(found["tip"]) + 1)
+        measures = self._core.at(time)
+        ranks = np.arange(1, len(measures["tip"]) + 1)
         return xarray.Dataset(
-            {name: ("rank", found[name], _UNITS[name]) for name in _UNITS},
+            {name: ("rank", measures[name], _UNITS[name]) for name in _UNITS},
             {"rank": ranks},
             {"thermal_time": time},
         )
 
     def mesh(self, thermal_time: float) -> Mesh:
         """Returns the surfaces of one plant at a thermal time from emergence
-        [deg C d]: the foot of the plant is at the origin, y along the row, z
-        up [m]."""
+        [deg C d], in metres, with its foot at the origin, y along the row and
+        z up."""
         return Mesh.of(*self._core.mesh(_finite(thermal_time)))
 
     def season(
@@ -89,17 +90,18 @@ class Crop:
         temperatures: ArrayLike,
         density: float,
     ) -> xarray.Dataset:
-        """Grows a stand day by day.
+        """Simulates the growth of a stand in daily steps.
 
-        emergence: day on which plants emerge.
-        temperatures: temperature of each hour from the beginning of the day of
-            emergence, for whole days [deg C].
-        density: plants per area of ground [m-2].
+        emergence: date of emergence.
+        temperatures: hourly air temperature [24 days] from the beginning of
+            the day of emergence, for whole days [deg C].
+        density: plants per ground area [m-2].
 
-        Returns a Dataset over `day`: at the end of each day `thermal_time`
-        [deg C d], `leaf_area_index` of green blades and `dead_area_index`.
+        Returns a Dataset over `day` with values at the end of each day:
+        `thermal_time` [deg C d], `leaf_area_index` of green blades and
+        `dead_area_index`.
 
-        Raises Error if a number is impossible."""
+        Raises Error if an argument is invalid."""
         hourly = np.ascontiguousarray(real(temperatures, "temperatures"))
         if hourly.ndim != 1 or hourly.size == 0 or hourly.size % 24:
             raise Error(
@@ -132,7 +134,7 @@ class Crop:
 
 
 def _finite(thermal_time: float) -> float:
-    found = real(thermal_time, "thermal_time")
-    if found.ndim or not np.isfinite(found):
+    number = real(thermal_time, "thermal_time")
+    if number.ndim or not np.isfinite(number):
         raise Error(f"thermal_time is {thermal_time}; give a finite number")
-    return float(found)
+    return float(number)

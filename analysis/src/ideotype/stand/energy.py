@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The energy balance of single leaves."""
+"""Energy balances of points on leaves."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ from ..common.arrays import real
 from ..common.compiled import _core
 from ..errors import Error, did_you_mean
 
-_NONE = np.nan  # The mark of a parameter without a default.
+_NONE = np.nan  # This marks a parameter without a default.
 
-# Default, least and most, in the order of columns of the compiled module.
+# Default, minimum and maximum, in the column order of the compiled module.
 _SURROUNDINGS = {
     "ppfd": (_NONE, 0, 1e5),
     "nir": (_NONE, 0, 1e5),
@@ -68,25 +68,29 @@ _KEYS = (
 def leaf_energy_balance(
     inputs: Mapping[str, Any], *, roots: bool = False
 ) -> dict[str, Any]:
-    """Returns temperature, stomatal conductance, assimilation and
-    transpiration of points on leaves.
+    """Solves the energy balance of points on leaves, coupled to photosynthesis
+    and stomata: net radiation = sensible + latent heat, with the boundary
+    layer of Campbell and Norman (1998). The header energy_balance.hpp states
+    the equations, and docs/photosynthesis.md describes the models.
 
-    Inputs are numbers or arrays of one shape. Radiation that a point absorbs
-    on both faces together per area of leaf: `ppfd` [umol m-2 s-1], `nir` and
-    `longwave` [W m-2]; the air at the leaf: `air` [deg C], `rh` (0 to 1),
-    `co2` [umol mol-1], `pressure` [kPa] and `wind` [m s-1]; and `width` [m] of
-    the blade. Parameters, as keywords or in a dict `parameters`, which takes
-    precedence: `model`, "collatz" (C4) or "farquhar" (C3), with the keys of
-    the model in a [photosynthesis] table (`vmax`, ...); `stomata`, "medlyn"
-    with `g0` and `g1` or "ball-berry" with `b0` and `b1`; `emissivity`, and
-    `ratio`, the conductance of the lower face over the conductance of the
-    upper face.
+    inputs: numbers, or arrays of one shape, by name. Absorbed radiation, the
+        sum of both faces per leaf area: `ppfd` [umol m-2 s-1], `nir` and
+        `longwave` [W m-2]. Air at the leaf: `air` [deg C], `rh` (0 to 1),
+        `co2` [umol mol-1], `pressure` [kPa] and `wind` [m s-1]. Width of the
+        blade: `width` [m]. Parameters, here or in a dict `parameters`, which
+        takes precedence: `model`, "collatz" (C4) or "farquhar" (C3), with the
+        keys of the model in a [photosynthesis] table (`vmax`, ...);
+        `stomata`, "medlyn" with `g0` and `g1` or "ball-berry" with `b0` and
+        `b1`; `emissivity`; and `ratio`, the stomatal conductance of the lower
+        face relative to the upper face.
+    roots: whether to return the number of solutions of each balance.
 
-    Returns, per area of leaf, `leaf` [deg C], `net` [umol m-2 s-1], `gs` [mol
-    m-2 s-1], `ci` [umol mol-1], `transpiration` [mmol m-2 s-1], `latent`,
-    `sensible` and `net_radiation` [W m-2], and `boundary_heat` [mol m-2 s-1]
-    of one face. Where a point has several balances, the coolest is returned;
-    with `roots` the number of balances is returned too.
+    Returns per leaf area, with the shape of the inputs: temperature `leaf`
+    [deg C], net assimilation `net` [umol m-2 s-1], stomatal conductance `gs`
+    [mol m-2 s-1], intercellular CO2 `ci` [umol mol-1], `transpiration` [mmol
+    m-2 s-1], `latent`, `sensible` and `net_radiation` [W m-2], and the
+    boundary-layer conductance of one face for heat, `boundary_heat` [mol m-2
+    s-1]. Of several solutions the coolest is returned.
 
     Raises Error if inputs are missing, unknown or out of range."""
     given = dict(inputs)
@@ -98,21 +102,21 @@ def leaf_energy_balance(
     if not isinstance(model, str) or model not in _RATES:
         raise Error(f"model is {model!r}; use one of {', '.join(_RATES)}")
     _check_names(given, model)
-    which = _choices(given.pop("stomata", "medlyn"))
+    choice = _choices(given.pop("stomata", "medlyn"))
     stomata = _STOMATA | {
         "medlyn": _STOMATA["medlyn"]
         | (_C3_SLOPE if model == "farquhar" else {})
     }
     ranges = _SURROUNDINGS | _BODY | _RATES[model]
-    for each in stomata.values():
-        ranges = ranges | each
+    for parameters in stomata.values():
+        ranges = ranges | parameters
     arrays = {
         name: _numbers(name, given.get(name, limits[0]), limits)
         for name, limits in ranges.items()
     }
     try:
         shape = np.broadcast_shapes(
-            which.shape, *(x.shape for x in arrays.values())
+            choice.shape, *(x.shape for x in arrays.values())
         )
     except ValueError as error:
         shapes = {n: x.shape for n, x in arrays.items() if x.ndim}
@@ -120,16 +124,16 @@ def leaf_energy_balance(
             f"the inputs have shapes that do not fit: {shapes}; give "
             "numbers, or arrays of one shape"
         ) from error
-    columns = [arrays[name] for name in _SURROUNDINGS] + [which]
+    columns = [arrays[name] for name in _SURROUNDINGS] + [choice]
     for first, second in zip(*(x for x in stomata.values()), strict=True):
-        columns.append(np.where(which == 0, arrays[first], arrays[second]))
+        columns.append(np.where(choice == 0, arrays[first], arrays[second]))
     columns += [arrays[name] for name in (*_BODY, *_RATES[model])]
     points = np.stack(
         [np.broadcast_to(x, shape).ravel() for x in columns], axis=-1
     )
-    found = _core.energy_balances(points, model == "farquhar")
+    balances = _core.energy_balances(points, model == "farquhar")
     results: dict[str, Any] = {}
-    for name, values in zip(_KEYS, found.T, strict=True):
+    for name, values in zip(_KEYS, balances.T, strict=True):
         results[name] = values.reshape(shape) if shape else values.item()
     count = results.pop("roots")
     if roots:
@@ -139,8 +143,8 @@ def leaf_energy_balance(
 
 def _check_names(given: Mapping[str, Any], model: str) -> None:
     known = [*_SURROUNDINGS, "parameters", "model", "stomata", *_BODY]
-    known += [x for each in _STOMATA.values() for x in each]
-    # A dict of C4 defaults may be given for a C3 leaf, too.
+    known += [key for keys in _STOMATA.values() for key in keys]
+    # A dict of C4 defaults may also be given for a C3 leaf.
     known += [*_RATES["collatz"], *_RATES[model]]
     for name in given:
         if name not in known:
@@ -156,22 +160,22 @@ def _check_names(given: Mapping[str, Any], model: str) -> None:
 
 def _choices(given: Any) -> NDArray[np.float64]:
     names = list(_STOMATA)
-    found = np.asarray(given)
-    for each in found.ravel().tolist():
-        if each not in names:
-            raise Error(f"stomata is {each!r}; use one of {', '.join(names)}")
-    return np.asarray(found == names[1], float)
+    chosen = np.asarray(given)
+    for name in chosen.ravel().tolist():
+        if name not in names:
+            raise Error(f"stomata is {name!r}; use one of {', '.join(names)}")
+    return np.asarray(chosen == names[1], float)
 
 
 def _numbers(
     name: str, given: Any, limits: tuple[float, float, float]
 ) -> NDArray[np.float64]:
-    found = real(given, name)
-    outside = ~((found >= limits[1]) & (found <= limits[2]))
+    numbers = real(given, name)
+    outside = ~((numbers >= limits[1]) & (numbers <= limits[2]))
     if outside.any():
-        value = found[outside].flat[0]
+        value = numbers[outside].flat[0]
         raise Error(
             f"{name} is {value:g}, outside {limits[1]:g} to {limits[2]:g}; "
             "check its unit"
         )
-    return found
+    return numbers

@@ -27,14 +27,18 @@ class Evaluated:
     `Stand.quantities`, each along its `Stand.axes`, the last axis fastest."""
 
 
-def dataset_of(
-    case: _core.CaseStand, found: list[tuple[Any, ...]], wanted: list[str]
+def make_dataset(
+    case: _core.CaseStand,
+    evaluations: list[tuple[Any, ...]],
+    wanted: list[str],
 ) -> xarray.Dataset:
-    """Returns the results of evaluations of plants in a case, one tuple for
-    each plant, as arrays of the wanted quantities."""
-    axes = {each[0]: each for each in case.axes}
-    messages = [each[1] for each in found]
-    numbers = np.array([each[5] for each in found]).reshape(len(found), -1, 2)
+    """Returns the evaluations of plants in a case, one tuple for each plant,
+    as a Dataset of the wanted quantities."""
+    axes = {axis[0]: axis for axis in case.axes}
+    messages = [result[1] for result in evaluations]
+    numbers = np.array([result[5] for result in evaluations]).reshape(
+        len(evaluations), -1, 2
+    )
     arrays: dict[str, Any] = {}
     begin = 0
     for name, unit, meaning, along, is_exact, counted in case.quantities:
@@ -48,14 +52,14 @@ def dataset_of(
         about: dict[str, Any] = {"units": unit, "long_name": meaning}
         if counted:
             about["names"] = list(counted)
-        whole = part.reshape(len(found), *shape, 2)
+        whole = part.reshape(len(evaluations), *shape, 2)
         arrays[name] = (dims, whole[..., 0], about)
         if not is_exact:
             error = {"units": unit, "long_name": "standard error"}
             arrays[f"{name}_standard_error"] = (dims, whole[..., 1], error)
     arrays["violation"] = (
         "plant",
-        np.array([each[4] for each in found]),
+        np.array([result[4] for result in evaluations]),
         {"units": "1", "long_name": "violation of the constraints, 0: none"},
     )
     arrays["message"] = (
@@ -66,13 +70,13 @@ def dataset_of(
     names, units, _ = zip(*case.objectives)
     arrays["objective_by_randomisation"] = (
         ("plant", "objective", "randomisation"),
-        np.array([each[3] for each in found]),
+        np.array([result[3] for result in evaluations]),
         {"units": ", ".join(dict.fromkeys(units)), "long_name": "objective"},
     )
-    used = {axis for dims, *_ in arrays.values() for axis in dims}
+    used = {name for dims, *_ in arrays.values() for name in dims}
     labels = {
-        name: (name, each[3], {"units": each[1], "long_name": each[2]})
-        for name, each in axes.items()
+        name: (name, axis[3], {"units": axis[1], "long_name": axis[2]})
+        for name, axis in axes.items()
         if name in used
     }
     return xarray.Dataset(

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Plants of files of any kind, evaluated in the same light."""
+"""Reads plants from files of any kind and compares them in the same light."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..common.arrays import real
 from ..common.compiled import _core
-from ..common.settings import Settings, words_of
+from ..common.settings import Settings, format_settings
 from ..errors import Error, did_you_mean
 from ..history.estimate import Estimate
 from ..history.history import History, open_history
@@ -25,12 +25,12 @@ from .comparison import Comparison, Key, Quantity
 from .measured.leaf_tables import measured_crops
 
 _OF_PLANT = ("blade", "leaf", "stalk", "sheath", "petiole", "organ")
-"""The tables of a crop that describe the shape of a plant."""
+"""The tables of a crop file that define the shape of a plant."""
 
 
 @dataclass(frozen=True)
 class Plant:
-    """A plant, or the plants of several components, with a name."""
+    """A named plant, or the plants of several components."""
 
     name: str
     core: _core.Plants
@@ -41,11 +41,12 @@ class Plant:
     def read(
         cls, path: str | os.PathLike[str], under: _core.CaseStand
     ) -> list[Plant]:
-        """Reads a crop file, the crop of a campaign, all plants of measured
-        leaves (.csv) or the best plant of a history (.h5). The crop of a
-        campaign has the measures of a table that names no crop.
+        """Reads a crop file, the crop of a campaign, all plants of a table of
+        measured leaves (.csv) or the best plant of a history (.h5). The crop
+        of `under` completes a table that names no crop.
 
-        Raises InputError or HistoryError if the file cannot be read."""
+        Raises InputError or HistoryError if the file cannot be read, Error if
+        a history has no complete generation."""
         path = os.fspath(path)
         if path.endswith(".csv"):
             baseline = tomllib.loads(under.resolved)["plant"]["baseline"]
@@ -65,13 +66,13 @@ class Plant:
                     "try again later"
                 )
             genome = np.ascontiguousarray(best.row.genome[0])
-            case = case_of_history(history, genome, same_isa=False)
+            case = restore_stand(history, genome, same_isa=False)
             campaign = history.attributes["campaign"]
         core = _core.grown_plants(case, genome)
         return [cls(f"{campaign}/{case.name}", core, path)]
 
 
-def case_of_history(
+def restore_stand(
     history: History,
     genome: ArrayLike = (),
     *,
@@ -85,7 +86,7 @@ def case_of_history(
         str(history.path),
         str(history.attributes["case"]),
         real(genome, "genome").tolist(),
-        words_of(settings),
+        format_settings(settings),
         str(history.attributes["isa"]) if same_isa else "",
     )
 
@@ -99,46 +100,48 @@ def compare_plants(
     tolerance: float | None = None,
     threads: int = 1,
     reference: str = "",
-    tell: Any = lambda done, count: None,
+    on_progress: Any = lambda done, count: None,
 ) -> Comparison:
-    """Evaluates plants in stands of cases. Each stand comes with its name and,
-    if a single scenario is meant, the place of the scenario. Differences are
-    from the plant named `reference`, by default the first. `tell` gets the
-    number of finished evaluations and the number of all evaluations.
+    """Evaluates plants in the stands of cases.
 
-    Raises Error if there is no such reference or a plant cannot be
-    evaluated."""
+    stands: name, stand and index of the scenario (None: all) of each case.
+    final, seed, tolerance, threads: arguments of `Stand.evaluate`.
+    reference: plant to which differences refer, by default the first.
+    on_progress: function of the number of finished evaluations and the number
+        of all evaluations.
+
+    Raises Error if there is no such reference or an evaluation fails."""
     names = distinct_names(
         [plant.name for plant in plants], [plant.path for plant in plants]
     )
-    compared_with = _index_of(reference, names) if reference else 0
+    compared_with = _find_index(reference, names) if reference else 0
     reach = max(plant.core.reach for plant in plants)
     leaves = [len(plant.core.leaves(0)[0][2]) for plant in plants]
     tasks = [(p, c) for c in range(len(stands)) for p in range(len(plants))]
     numbers: dict[tuple[int, int], dict[Key, Estimate]] = {}
-    told: list[tuple[Any, ...]] = []
+    descriptions: list[tuple[Any, ...]] = []
     longest = int(np.argmax(leaves))
 
-    def one(task: tuple[int, int]) -> None:
+    def evaluate_task(task: tuple[int, int]) -> None:
         p, c = task
         name, under, scenario = stands[c]
         try:
             stand = _core.PlantStand(under, plants[p].core, reach, scenario)
-            found = stand.evaluate(0, final, seed, tolerance)
+            evaluation = stand.evaluate(0, final, seed, tolerance)
         except Error as error:
             raise Error(f"{plants[p].name} in {name}: {error}") from error
-        numbers[task] = _numbers_of(stand, found)
+        numbers[task] = _make_numbers(stand, evaluation)
         if p == longest and c == 0:
-            told.append((quantities_of(stand), stand.objectives))
-        tell(len(numbers), len(tasks))
+            descriptions.append((list_quantities(stand), stand.objectives))
+        on_progress(len(numbers), len(tasks))
 
     with ThreadPoolExecutor(max(1, min(threads, len(tasks)))) as pool:
         try:
-            list(pool.map(one, tasks))
+            list(pool.map(evaluate_task, tasks))
         except BaseException:
             pool.shutdown(cancel_futures=True)
             raise
-    quantities, objectives = told[0]
+    quantities, objectives = descriptions[0]
     return Comparison(
         tuple(names),
         tuple(name for name, *_ in stands),
@@ -153,7 +156,7 @@ def compare_plants(
     )
 
 
-def _index_of(name: str, names: Sequence[str]) -> int:
+def _find_index(name: str, names: Sequence[str]) -> int:
     if name in names:
         return list(names).index(name)
     some = ", ".join(names[:5]) + (", ..." if len(names) > 5 else "")
@@ -163,10 +166,10 @@ def _index_of(name: str, names: Sequence[str]) -> int:
     )
 
 
-def quantities_of(stand: _core.CaseStand) -> tuple[Quantity, ...]:
-    """Returns the quantities that are compared, the objectives first."""
+def list_quantities(stand: _core.CaseStand) -> tuple[Quantity, ...]:
+    """Returns the compared quantities, the objectives first."""
     objectives = [Quantity(name, unit) for name, unit, _ in stand.objectives]
-    names = {each.name for each in objectives}
+    names = {objective.name for objective in objectives}
     coordinates = {axis: tuple(at) for axis, _, _, at in stand.axes}
     numbers, profiles = [], []
     for name, unit, _, axes, _, counted in stand.quantities:
@@ -182,30 +185,31 @@ def quantities_of(stand: _core.CaseStand) -> tuple[Quantity, ...]:
 
 
 def _are_numbers(labels: Sequence[Any]) -> bool:
-    """Returns whether an axis has numbers: leaves of several components have
-    names instead."""
+    """Returns whether an axis has numbers as labels; leaves of several
+    components have names."""
     return not any(isinstance(label, str) for label in labels)
 
 
-def _numbers_of(
-    stand: _core.PlantStand, found: tuple[Any, ...]
+def _make_numbers(
+    stand: _core.PlantStand, evaluation: tuple[Any, ...]
 ) -> dict[Key, Estimate]:
-    """Returns all numbers that are compared, with their randomisations."""
-    objectives, draws, every, by_randomisation = found
+    """Returns the compared numbers of an evaluation, with their
+    randomisations."""
+    objectives, draws, estimates, by_randomisation = evaluation
     sizes = {axis: len(at) for axis, _, _, at in stand.axes}
     numbers: dict[Key, Estimate] = {}
     begin = 0
     for name, unit, _, axes, *_ in stand.quantities:
         size = int(np.prod([sizes[axis] for axis in axes]))
-        own = slice(begin, begin + size)
+        span = slice(begin, begin + size)
         begin += size
         if axes not in ([], ["leaf"], ["layer"]):
             continue
-        for place, (mean, error), values in zip(
-            range(size), every[own], by_randomisation[:, own].T
+        for i, (mean, error), values in zip(
+            range(size), estimates[span], by_randomisation[:, span].T
         ):
-            at = size - 1 - place if axes == ["leaf"] else place
-            numbers[name, at] = _estimate(mean, error, unit, values)
+            index = size - 1 - i if axes == ["leaf"] else i
+            numbers[name, index] = _estimate(mean, error, unit, values)
     for (name, unit, _), (mean, error), values in zip(
         stand.objectives, objectives, draws
     ):

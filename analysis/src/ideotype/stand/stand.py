@@ -23,13 +23,13 @@ from numpy.typing import ArrayLike, NDArray
 from ..common.arrays import real, require_whole
 from ..common.compiled import _core
 from ..common.processors import processors
-from ..common.settings import Settings, words_of
+from ..common.settings import Settings, format_settings
 from ..errors import Error, did_you_mean
 from ..history.history import open_history
 from ..mesh.geometry import Mesh
 from .comparison import Comparison
-from .evaluated import Evaluated, dataset_of
-from .plants import Plant, case_of_history, compare_plants
+from .evaluated import Evaluated, make_dataset
+from .plants import Plant, compare_plants, restore_stand
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -48,14 +48,13 @@ _GENES = (
 
 
 class Stand:
-    """The plants of one case of a campaign and the light on them.
+    """The plants of one case of a campaign, with their field and light.
 
     `Stand(tables)` takes the tables of a campaign file as dictionaries, with
-    every key that a file may have; files that it names are looked for in
-    `folder`. `Stand.from_campaign` reads such a file. docs/campaign_files.md
-    explains the keys.
+    the keys of docs/campaign_files.md; paths are relative to `folder`.
+    `Stand.from_campaign` reads a campaign file.
 
-    Threads may share a stand: evaluations run without the interpreter's lock.
+    Threads may share a stand: evaluations release the global interpreter lock.
     """
 
     _case: _core.CaseStand
@@ -69,13 +68,15 @@ class Stand:
         settings: Settings = (),
         isa: str | None = None,
     ) -> None:
-        """Makes the stand. Raises InputError with all problems of the tables;
-        line numbers count in `tomli_w.dumps(tables)`."""
+        """Makes the stand. The arguments are those of `from_campaign`.
+
+        Raises InputError with all problems of the tables; line numbers refer
+        to `tomli_w.dumps(tables)`."""
         self._case = _core.CaseStand.from_text(
             tomli_w.dumps(tables),
             os.path.join(os.fspath(folder), "campaign.toml"),
             case,
-            words_of(settings),
+            format_settings(settings),
             isa or "",
         )
 
@@ -88,15 +89,19 @@ class Stand:
         settings: Settings = (),
         isa: str | None = None,
     ) -> Self:
-        """Returns the stand of a case of a campaign file, in which `settings`
-        replace keys of the file.
+        """Returns the stand of a case of a campaign file.
 
-        `isa` is the instruction set of the ray tracer, by default the widest
-        set of this processor. Raises InputError with all problems of the file,
-        Error if there is no such file or case."""
-        return cls._of(
+        case: index of the case, as `ideotype check --cases` lists them.
+        settings: values that replace those of the file, such as
+            {"light.paths": 1024}.
+        isa: instruction set of the ray tracer, by default the widest of this
+            processor.
+
+        Raises InputError with all problems of the file, Error if there is no
+        such file or case."""
+        return cls._wrap(
             _core.CaseStand.from_file(
-                os.fspath(path), case, words_of(settings), isa or ""
+                os.fspath(path), case, format_settings(settings), isa or ""
             )
         )
 
@@ -109,37 +114,36 @@ class Stand:
         settings: Settings = (),
         same_isa: bool = True,
     ) -> Self:
-        """Returns the stand that the plants of a history were evaluated in. A
-        sensitivity study and `[[search.keys]]` also vary keys of the campaign:
-        the stand has the keys of the row with this genome, without it those of
-        the campaign; genomes of rows are evaluated with their own keys.
+        """Returns the stand in which the plants of a history were evaluated.
 
-        `settings`: replace keys of the history's campaign, such as
-        {"plant.organs": []}.
-
-        `same_isa`: whether to use the instruction set of the history, without
-        which light differs in its last digits, or else the widest set of this
-        processor.
+        genome: genome of a row [genes]. Sensitivity studies and
+            `[[search.keys]]` also vary keys of the campaign; the stand has the
+            keys of this row, by default those of the campaign. Genomes of rows
+            are evaluated with their respective keys.
+        settings: values that replace those of the campaign, such as
+            {"plant.organs": []}.
+        same_isa: whether to use the instruction set of the history, so that
+            results are bitwise equal, or the widest of this processor.
 
         Raises the errors of `ideotype.open_history`, and Error if this
         processor lacks the instruction set."""
         with open_history(Path(path)) as history:
-            return cls._of(
-                case_of_history(
+            return cls._wrap(
+                restore_stand(
                     history, genome, settings=settings, same_isa=same_isa
                 )
             )
 
     @classmethod
-    def _of(cls, case: _core.CaseStand) -> Self:
+    def _wrap(cls, case: _core.CaseStand) -> Self:
         stand = cls.__new__(cls)
         stand._case = case
         return stand
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """Makes copies, also in other processes, evaluate plants to the same
-        bits."""
-        return _restored, (self.campaign, self.name, self.isa)
+        """Makes copies, also in other processes, that evaluate plants to
+        bitwise equal results."""
+        return _restore, (self.campaign, self.name, self.isa)
 
     def __repr__(self) -> str:
         return f"<Stand {'; '.join(f'{k}: {x}' for k, x in self._about())}>"
@@ -152,19 +156,19 @@ class Stand:
         return f"<table><caption>Stand</caption>{rows}</table>"
 
     def _about(self) -> list[tuple[str, str]]:
-        """Returns the properties that distinguish a stand."""
+        """Returns the properties by which users distinguish stands."""
         wanted = (f"{sense} {name}" for name, sense in self.objectives.items())
         plants = _core.grown_plants(self._case, self.baseline)
         leaves = len(plants.leaves(0)[0][2])
-        told = [
+        properties = [
             ("case", self.name),
             ("objective", ", ".join(wanted)),
             ("plant", f"{plants.name}, {leaves} leaves"),
             ("genes", f"{self.free.sum()} of {self.free.size} free"),
         ]
         if len(self.components) > 1:
-            told.append(("components", ", ".join(self.components)))
-        return [*told, ("instruction set", self.isa)]
+            properties.append(("components", ", ".join(self.components)))
+        return [*properties, ("instruction set", self.isa)]
 
     @property
     def name(self) -> str:
@@ -173,7 +177,7 @@ class Stand:
 
     @property
     def entries(self) -> dict[str, str]:
-        """The entries of the campaign that the case is made of: names of its
+        """The entries of the campaign of which the case consists: the names of
         site, day, climate, spacing and traits. A case that is a mean over
         several entries has the first of them."""
         return self._case.entries
@@ -185,42 +189,42 @@ class Stand:
 
     @property
     def campaign(self) -> str:
-        """The whole campaign as TOML: every key with its value."""
+        """The resolved campaign as TOML: every key with its value."""
         return self._case.resolved
 
     @property
     def warnings(self) -> list[str]:
-        """Messages about what may be wrong with the campaign."""
+        """Warnings about the campaign."""
         return self._case.warnings
 
     @property
     def genes(self) -> pd.DataFrame:
-        """A row for each number of a genome, in their order: name, trait, leaf
-        (rank from the lowest, 1; 0: not of one leaf), unit, lower, upper,
-        baseline, is_free (bred in this case), is_circular (lower and upper are
-        the same point)."""
+        """One row for each gene, in the order of a genome: name, trait, leaf
+        (rank from 1 for the lowest; 0: not of one leaf), unit, lower, upper,
+        baseline, is_free (varied in this case), is_circular (lower and upper
+        are the same point)."""
         return pd.DataFrame(self._case.genes, columns=list(_GENES))
 
     @property
     def baseline(self) -> NDArray[np.float64]:
-        """The genome of the baseline plant, [genes]."""
+        """The genome of the baseline plant [genes]."""
         return np.array(self.genes["baseline"], float)
 
     @property
     def free(self) -> NDArray[np.bool_]:
-        """Whether each gene is bred in this case [genes]."""
+        """Whether a search of this case varies each gene [genes]."""
         return self._free.copy()
 
     @property
     def start(self) -> NDArray[np.float64]:
-        """The free genes of the baseline [free genes], where a search may
-        begin."""
+        """The free genes of the baseline [free genes], a starting point of
+        searches."""
         return self.baseline[self.free]
 
     @property
     def bounds(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """The lower and the upper bounds of the free genes, [free genes]
-        each."""
+        """The lower and the upper bounds of the free genes, each
+        [free genes]."""
         free = self.genes[self.free]
         return np.array(free["lower"], float), np.array(free["upper"], float)
 
@@ -235,21 +239,21 @@ class Stand:
 
     @property
     def quantities(self) -> pd.DataFrame:
-        """The quantities that evaluations measure: name, unit, meaning, axes,
-        is_exact (it has no standard error)."""
+        """The quantities of an evaluation: name, unit, meaning, axes, is_exact
+        (without a standard error)."""
         columns = ["name", "unit", "meaning", "axes", "is_exact"]
-        rows = [each[: len(columns)] for each in self._case.quantities]
+        rows = [row[: len(columns)] for row in self._case.quantities]
         return pd.DataFrame(rows, columns=columns)
 
     @property
     def axes(self) -> dict[str, list[Any]]:
-        """The labels of each axis of the quantities, by its name."""
+        """The labels along each axis of the quantities, by its name."""
         return {name: labels for name, _, _, labels in self._case.axes}
 
     @property
     def accuracy(self) -> pd.DataFrame:
         """The keys of the campaign that trade speed for accuracy: key, value,
-        and values, which `ideotype fidelity` tries, the most accurate
+        and the values that `ideotype fidelity` measures, the most accurate
         last."""
         return pd.DataFrame(
             self._case.accuracy, columns=["key", "value", "values"]
@@ -257,8 +261,8 @@ class Stand:
 
     @property
     def components(self) -> list[str]:
-        """The names of the components of the field, first the component of the
-        campaign's crop."""
+        """The names of the components of the field, the crop of the campaign
+        first."""
         return list(self._case.components)
 
     def mesh(
@@ -267,41 +271,44 @@ class Stand:
         component: int = 0,
         thermal_time: float | None = None,
     ) -> Mesh:
-        """Returns the surfaces of one plant: the foot of the plant is at the
-        origin, y along the row, z up [m].
+        """Returns the surfaces of one plant [m], with its foot at the origin,
+        y along the row and z up.
 
-        component: place of the plant's component in `components`.
-        thermal_time: age since emergence [deg C d] of a plant that grows;
-            without it the plant is full-grown."""
+        genome: [genes] or [free genes].
+        component: index of the component in `components`.
+        thermal_time: thermal time from emergence of a growing plant
+            [deg C d]; by default the plant is full-grown."""
         return Mesh.of(
             *self._case.mesh(self._plants(genome)[0], component, thermal_time)
         )
 
     def field_mesh(self, genome: ArrayLike) -> Mesh:
-        """Returns the surfaces of the first field that evaluations with the
-        campaign's seed draw: plants that differ as [field.variation] says,
-        over one cell of the field, x across the rows, y along them, z up
-        [m]."""
+        """Returns the surfaces of the first field that evaluations sample with
+        the seed of the campaign [m]: one cell of the field, with the
+        within-line variation of [field.variation], x across the rows, y along
+        them and z up."""
         return Mesh.of(*self._case.field_mesh(self._plants(genome)[0]))
 
     def crop_file(self, genome: ArrayLike, component: int = 0) -> str:
         """Returns the text of a crop file with this plant as its baseline.
 
-        component: place of the plant's component in `components`."""
+        genome: [genes] or [free genes].
+        component: index of the component in `components`."""
         return self._case.crop_text(self._plants(genome)[0], component)
 
     def leaves(self, genome: ArrayLike, component: int = 0) -> pd.DataFrame:
-        """Returns the measures of the leaves of one plant, a row for each
-        leaf, whose index is the rank from the lowest leaf, 1: length, width
-        and insertion_height [m], insertion_angle, curvature and azimuth [deg],
-        and other measures that are not 0. Units are in .attrs["units"].
+        """Returns the measures of the leaves of one plant, one row for each
+        leaf, indexed by rank from 1 for the lowest: length, width and
+        insertion_height [m], insertion_angle, curvature and azimuth [deg], and
+        other measures that are not 0. Units are in .attrs["units"].
 
-        component: place of the plant's component in `components`."""
+        genome: [genes] or [free genes].
+        component: index of the component in `components`."""
         grown = _core.grown_plants(self._case, self._plants(genome)[0])
-        found = grown.leaves(component)
-        table = pd.DataFrame({name: values for name, _, values in found})
+        measures = grown.leaves(component)
+        table = pd.DataFrame({name: values for name, _, values in measures})
         table.index = pd.RangeIndex(1, len(table) + 1, name="leaf")
-        table.attrs["units"] = {name: unit for name, unit, _ in found}
+        table.attrs["units"] = {name: unit for name, unit, _ in measures}
         return table
 
     def evaluate(
@@ -315,45 +322,46 @@ class Stand:
         final: bool = False,
         threads: int | None = None,
     ) -> xarray.Dataset:
-        """Evaluates the light in a stand of each of the given plants.
+        """Evaluates a uniform or variable stand of each of the given plants.
 
         genomes: [plants, genes], or [plants, free genes] with the other genes
-            of the baseline; one plant may be [genes]. Numbers have the units
-            of `genes`. Rows of a history whose search varied keys of its
-            campaign end with their numbers. Numbers beyond their bounds are
-            evaluated unchanged; a measure that a plant cannot have is moved to
-            its limit.
-        quantities: names of `quantities`; all if not given.
-        tolerance: relative standard error of the leaves' light, at most 0.05,
-            with as few paths as needed; by default the campaign's accuracy.
-        seed: seed of the random numbers, in the place of the campaign's.
-        generation: number of the generation whose fields and random numbers
-            are taken; plants of one generation share them. The result has the
-            same bits as a row of a history with this seed and generation.
-        final: whether plants are evaluated like finalists, as in `ideotype
-            compare`: with the accuracy of [final] and many fields.
-        threads: number of threads that share the plants, by default the number
-            of processors. The result does not depend on it.
+            of the baseline; one plant may be [genes]. Units are those of
+            `genes`. Rows of a history with varied keys of the campaign end
+            with the values of these keys. Values beyond the bounds are
+            evaluated unchanged; an impossible measure is moved to its limit.
+        quantities: names of quantities, by default all of `quantities`.
+        tolerance: relative standard error of the light absorbed by leaves, at
+            most 0.05, reached with the fewest paths; by default the accuracy
+            of the campaign.
+        seed: seed of the random numbers, by default that of the campaign.
+        generation: number of the generation. Plants of one generation have
+            the same fields and common random numbers. Results are bitwise
+            equal to the row of a history with this seed and generation.
+        final: whether to evaluate plants like finalists, as `ideotype compare`
+            does: with the accuracy of [final] and many fields.
+        threads: number of threads, by default the number of processors.
+            Results do not depend on it.
 
-        Returns a Dataset over `plant` and the axes of the quantities: each
-        quantity and, unless it is exact, NAME_standard_error; `violation` of
-        the constraints; `objective_by_randomisation`; and `message`, "" or the
-        reason why an evaluation failed, whose numbers are then NaN.
+        Returns a Dataset over `plant` and the axes of the quantities, with
+        each quantity and, unless it is exact, NAME_standard_error; the
+        `violation` of the constraints; `objective_by_randomisation`; and
+        `message`, "" or the reason for a failure. The numbers of failed
+        evaluations are NaN.
 
-        Raises Error if a name or number is impossible."""
+        Raises Error if a name or number is invalid."""
         plants = self._plants(genomes)
         wanted = self._wanted(quantities)
         _require_numbers(generation, seed)
         if threads is not None:
             require_whole(threads, "threads", 1, 4096)
 
-        def one(genome: NDArray[np.float64]) -> tuple[Any, ...]:
+        def evaluate_plant(genome: NDArray[np.float64]) -> tuple[Any, ...]:
             return self._case.evaluate(
                 genome, generation, final, seed, tolerance
             )
 
-        found = _map(one, plants, threads or processors())
-        return dataset_of(self._case, found, wanted)
+        evaluations = _map(evaluate_plant, plants, threads or processors())
+        return make_dataset(self._case, evaluations, wanted)
 
     def evaluate_one(
         self,
@@ -364,11 +372,11 @@ class Stand:
         generation: int = 0,
         final: bool = False,
     ) -> Evaluated:
-        """Evaluates one plant in the calling thread, without labels, for
-        programs that share plants among threads of their own or measure the
-        time of an evaluation. The arguments are those of `evaluate`.
+        """Evaluates one plant in the calling thread, without labels: for
+        programs that manage threads themselves or measure the time of an
+        evaluation. The arguments are those of `evaluate`.
 
-        Raises Error if the plant cannot be evaluated."""
+        Raises Error if the evaluation fails."""
         (plant,) = self._plants(genome)
         _require_numbers(generation, seed)
         is_done, message, objectives, _, violation, numbers = (
@@ -391,20 +399,23 @@ class Stand:
         fields: int = 16,
         points: int = 256,
     ) -> xarray.Dataset:
-        """Evaluates the light that level sensors among the plants receive from
-        above, like a ceptometer that is held along the rows.
+        """Computes the light on level sensors within the canopy, such as a
+        ceptometer held along the rows.
 
-        height: height of each sensor above the soil [m].
-        position: position of each sensor across the rows, from a row [m]; NaN:
-            the mean over all positions.
-        fields: number of fields that are drawn (2 or more); the light is their
-            mean.
+        genome: [genes] or [free genes].
+        height: height above the soil [sensors] [m].
+        position: distance across the rows from a row [sensors] [m]; NaN: mean
+            over all positions.
+        fields: number of sampled fields (2 or more), over which the light is
+            averaged.
         points: number of points on each sensor in each field.
 
-        Returns a Dataset over `sensor` and `instant`: `incident` is the light
-        on level ground above the canopy [W m-2 of PAR], `fraction` is the part
-        of this light on the sensor, with `fraction_standard_error`, and `hour`
-        is the time on the clock of the site [h]."""
+        Returns a Dataset over `sensor` and `instant`: `incident`, the PAR on
+        level ground above the canopy [W m-2]; `fraction`, the fraction of it
+        that reaches the sensor, with `fraction_standard_error`; and `hour` on
+        the clock of the site [h].
+
+        Raises Error if shapes disagree or a number is invalid."""
         heights, positions = np.broadcast_arrays(
             np.atleast_1d(real(height, "height")),
             np.atleast_1d(real(position, "position")),
@@ -439,8 +450,8 @@ class Stand:
         tolerance: float | None = None,
         threads: int | None = None,
     ) -> Comparison:
-        """Compares plants with the first plant in the same fields and light;
-        the plants may differ in their number of leaves.
+        """Compares plants with the first plant in the same fields and light.
+        Plants may have different leaf counts.
 
         plants: genomes, or paths of crop files, measured leaves (.csv, of one
             or more plants), campaigns (their baseline) and histories (their
@@ -448,11 +459,11 @@ class Stand:
         names: names of the plants; several plants of a file keep theirs.
         final, seed, tolerance, threads: arguments of `evaluate`.
 
-        Returns a Comparison, whose `table` has every number with its
-        difference from the first plant and paired errors; printing the
-        Comparison shows the main numbers.
+        Returns a Comparison. Its `table` has every number with its difference
+        from the first plant and paired standard errors; `print` shows the main
+        numbers.
 
-        Raises Error if there is no plant, or a plant cannot be evaluated."""
+        Raises Error if there is no plant, or an evaluation fails."""
         if not plants or (names and len(names) != len(plants)):
             raise Error(
                 f"{len(plants)} plants and {len(names)} names are given; give "
@@ -460,10 +471,10 @@ class Stand:
             )
         shown: list[Plant] = []
         for i, plant in enumerate(plants):
-            found = self._compared(plant, i)
-            if names and len(found) == 1:
-                found = [replace(found[0], name=names[i])]
-            shown += found
+            plants_given = self._read_plants(plant, i)
+            if names and len(plants_given) == 1:
+                plants_given = [replace(plants_given[0], name=names[i])]
+            shown += plants_given
         return compare_plants(
             shown,
             [(self.name, self._case, None)],
@@ -474,20 +485,20 @@ class Stand:
         )
 
     def draw(self, *genomes: ArrayLike, names: Sequence[str] = ()) -> Figure:
-        """Draws plants from the side and from above, at one scale; without
-        plants the baseline. Returns a figure of matplotlib."""
+        """Draws plants, by default the baseline, from the side and from above
+        at one scale. Returns a figure of matplotlib."""
         from ..figures.plants import draw_plants
 
         shown = genomes or (self.baseline,)
-        told = names or [f"plant {i + 1}" for i in range(len(shown))]
+        labels = names or [f"plant {i + 1}" for i in range(len(shown))]
         if not genomes and not names:
-            told = ["baseline"]
+            labels = ["baseline"]
         meshes = [self.mesh(genome) for genome in shown]
-        return draw_plants(dict(zip(told, meshes, strict=True)))
+        return draw_plants(dict(zip(labels, meshes, strict=True)))
 
     def draw_field(self, genome: ArrayLike | None = None) -> Figure:
-        """Draws a field of one plant, or of the baseline, at eye height and
-        from above. Returns a figure of matplotlib."""
+        """Draws a field of one plant, by default the baseline, at eye height
+        and from above. Returns a figure of matplotlib."""
         from ..figures.field import draw_stand
 
         plant = self.baseline if genome is None else genome
@@ -500,8 +511,8 @@ class Stand:
         return np.array(self.genes["is_free"], bool)
 
     def _plants(self, genomes: ArrayLike) -> NDArray[np.float64]:
-        """Returns the genomes as an array [plants, genes], of which rows of
-        histories may end with the numbers of the keys that a search varied."""
+        """Returns the genomes as an array [plants, genes]. Rows of histories
+        may end with the values of varied keys."""
         given = np.atleast_2d(real(genomes, "genomes"))
         free = self._free
         sizes = free.size, free.size + self._case.key_count, free.sum()
@@ -509,8 +520,8 @@ class Stand:
             raise Error(
                 f"genomes are an array of {np.shape(genomes)}; give "
                 f"[plants, {free.size}] for all genes or "
-                f"[plants, {free.sum()}] for those that are free, of one plant "
-                "or more"
+                f"[plants, {free.sum()}] for the free genes of one plant or "
+                "more"
             )
         bad = np.argwhere(~np.isfinite(given))
         if bad.size:
@@ -526,7 +537,7 @@ class Stand:
         return plants
 
     def _wanted(self, names: Sequence[str] | None) -> list[str]:
-        known = [each[0] for each in self._case.quantities]
+        known = [name for name, *_ in self._case.quantities]
         if names is None:
             return known
         if isinstance(names, str):
@@ -542,7 +553,7 @@ class Stand:
                 )
         return list(names)
 
-    def _compared(
+    def _read_plants(
         self, plant: ArrayLike | str | PathLike[str], number: int
     ) -> list[Plant]:
         if isinstance(plant, str | PathLike):
@@ -553,8 +564,8 @@ class Stand:
         return [Plant(name, _core.grown_plants(self._case, genome))]
 
 
-def _restored(campaign: str, case: str, isa: str) -> Stand:
-    return Stand._of(
+def _restore(campaign: str, case: str, isa: str) -> Stand:
+    return Stand._wrap(
         _core.CaseStand.from_history(campaign, "a stand", case, [], [], isa)
     )
 
@@ -565,12 +576,12 @@ def _require_numbers(generation: int, seed: int | None) -> None:
         require_whole(seed, "seed", 0, 2**64 - 1)
 
 
-def _map(one: Any, plants: NDArray[np.float64], threads: int) -> list[Any]:
+def _map(call: Any, plants: NDArray[np.float64], threads: int) -> list[Any]:
     if threads <= 1 or len(plants) <= 1:
-        return [one(plant) for plant in plants]
+        return [call(plant) for plant in plants]
     with ThreadPoolExecutor(min(threads, len(plants))) as pool:
         try:
-            return list(pool.map(one, plants))
+            return list(pool.map(call, plants))
         except BaseException:
             pool.shutdown(cancel_futures=True)
             raise

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The verbs `ideotype summary` and `ideotype report`."""
+"""The commands `ideotype summary` and `ideotype report`."""
 
 from __future__ import annotations
 
@@ -17,20 +17,20 @@ from ..history.file import HistoryError
 from ..history.study import Study, open_study
 
 _EXIT_CODES = (
-    "Exit codes: 0 ok, 1 failed, 2 wrong usage, 3 done without the histories "
-    "that can't be read, which are named, 4 the output is a symbolic link or a "
-    "special file."
+    "Exit codes: 0 success, 1 failure, 2 wrong usage, 3 success without the "
+    "histories that can't be read, which are named, 4 the output is a symbolic "
+    "link or a special file."
 )
 
 
 def summary(arguments: Sequence[str] | None = None) -> int:
     """Prints the table of gains and returns the exit code: 0, 1 if no file can
-    be used, 2 for a wrong command line, 3 if only some files can be used."""
+    be used, 2 for a wrong command line, 3 if some files cannot be used."""
     parser = argparse.ArgumentParser(
         prog="ideotype summary",
-        description="Prints the report's table of gains as Markdown, a line for "
-        "each case, its seeds put together; ideotype status tells the result of "
-        "each history.",
+        description="Prints the table of gains of the report as Markdown, with "
+        "one line for each case over all its seeds. ideotype status reports the "
+        "result of each history.",
         epilog=_EXIT_CODES,
     )
     _add_results(parser)
@@ -38,25 +38,22 @@ def summary(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument(
         "--csv",
         action="store_true",
-        help="print a line of CSV for each case, with its coordinates",
+        help="print one line of CSV for each case, with its coordinates",
     )
     parser.add_argument(
         "--all",
         action="store_true",
-        help="print all cases, however many, and what should be known about "
-        "the numbers",
+        help="print all cases, and remarks on the numbers",
     )
     return guarded(parser, arguments, _summarize)
 
 
 def report(arguments: Sequence[str] | None = None) -> int:
-    """Writes a report and returns the exit code, which has the meaning of the
-    exit code of summary()."""
+    """Writes a report and returns an exit code, as summary()."""
     parser = argparse.ArgumentParser(
         prog="ideotype report",
-        description="Writes one HTML page about all histories, which needs "
-        "nothing else to be viewed, and its figures as files; also "
-        "while they are being written.",
+        description="Writes a self-contained HTML page about all histories, "
+        "finished or being written, and its figures as files.",
         epilog=_EXIT_CODES,
     )
     _add_results(parser)
@@ -64,18 +61,19 @@ def report(arguments: Sequence[str] | None = None) -> int:
     add = parser.add_argument
     add(
         "-o", "--output", type=Path, default=Path("report"), metavar="DIR",
-        help="gets report.html, results.csv and figures/ (default: report)",
+        help="folder for report.html, results.csv, the figure for a paper "
+        "(figure.pdf, figure.png) and figures/ (default: report)",
     )  # fmt: skip
     add(
         "--figures", action="append", metavar="CASE",
-        help="figures of the cases whose names have this in them; \"\" of all "
-        "(default: of all, if there are three or fewer)",
+        help="draw figures of the cases with names that contain this; \"\": all "
+        "(default: all, if there are three or fewer)",
     )  # fmt: skip
     add(
         "--plant", action="append", default=[], type=Path, metavar="FILE",
-        help="a plant of your own to see in three dimensions beside the others: "
-        "a crop file, measured leaves (.csv), or a digitised plant (.obj, .ply, "
-        ".dat); may be repeated",
+        help="another plant for the three-dimensional view: a crop file, "
+        "measured leaves (.csv), or a digitised plant (.obj, .ply, .dat); may "
+        "be repeated",
     )  # fmt: skip
     add(
         "--cross",
@@ -86,11 +84,11 @@ def report(arguments: Sequence[str] | None = None) -> int:
     add(
         "--pdf",
         action="store_true",
-        help="write each figure as PDF too, besides SVG",
+        help="write figures as PDF in addition to SVG",
     )
     add(
         "-j", "--jobs", type=int, default=0, metavar="N",
-        help="processes that draw figures (default: one per core)",
+        help="number of processes that draw figures (default: one per core)",
     )  # fmt: skip
     words = sys.argv[1:] if arguments is None else arguments
     parser.set_defaults(command=shlex.join(["ideotype", "report", *words]))
@@ -111,9 +109,9 @@ def _add_split(parser: argparse.ArgumentParser) -> None:
         "--no-split",
         dest="has_split",
         action="store_false",
-        help="do not evaluate the best plant of each case and its baseline "
-        "again with leaves alone, which shows the part of the gain that is "
-        "light taken from other organs",
+        help="do not re-evaluate the best plant of each case and its baseline "
+        "without other organs, which shows the share of the gain that is light "
+        "gained from other organs",
     )
 
 
@@ -122,6 +120,9 @@ def guarded(
     arguments: Sequence[str] | None,
     run: Callable[[argparse.Namespace, Study], None],
 ) -> int:
+    """Parses the arguments, opens their histories and calls `run`; returns the
+    exit code after errors are reported."""
+
     def warn(words: object) -> None:
         print(printable_lines(f"{parser.prog}: {words}"), file=sys.stderr)
 
@@ -134,7 +135,7 @@ def guarded(
                 run(options, study)
                 return 3 if study.damaged else 0
         finally:
-            # The flush reports a full disk before Python ends.
+            # The flush reports a full disk before Python exits.
             sys.stdout.flush()
     except BrokenPipeError:
         # The reader of the output has closed the pipe.
@@ -147,17 +148,20 @@ def guarded(
 
 
 def _drop_output() -> None:
-    """Drops output that cannot be written, which Python would try to write
-    again at its end."""
+    """Discards output that cannot be written; Python would retry at exit."""
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def _summarize(options: argparse.Namespace, study: Study) -> None:
-    # The imports stand here, so that wrong command lines need not wait for the
-    # plotting library.
+    # These imports are slow, and wrong command lines need not wait for them.
     from ..history.results import results_of
-    from ..report.organ_split import columns_of, splits_of, table_of
-    from ..report.tables import ends_of, gains, markdown, on_a_screen
+    from ..report.organ_split import columns_of, split_cases, tabulate_splits
+    from ..report.tables import (
+        format_markdown,
+        select_extremes,
+        tabulate_gains,
+        tabulate_screen,
+    )
 
     cases = study.cases()
     if options.csv:
@@ -166,25 +170,29 @@ def _summarize(options: argparse.Namespace, study: Study) -> None:
     splits = {}
     if options.has_split:
         with Progress("cases split") as progress:
-            splits = splits_of(
-                cases if is_whole else ends_of(cases), progress.tell
+            splits = split_cases(
+                cases if is_whole else select_extremes(cases), progress.show
             )
     if options.csv:
         table = results_of(cases, columns_of(splits))
         print(printable_lines(table.to_csv(index=False)), end="")
         return
-    first, *others = gains(cases, None) if options.all else on_a_screen(cases)
-    print(printable_lines(markdown([first, *table_of(splits), *others])))
+    first, *others = (
+        tabulate_gains(cases, None) if options.all else tabulate_screen(cases)
+    )
+    print(
+        printable_lines(
+            format_markdown([first, *tabulate_splits(splits), *others])
+        )
+    )
 
 
 def _report(options: argparse.Namespace, study: Study) -> None:
-    # The import stands here, so that wrong command lines need not wait for the
-    # plotting library.
+    # These imports are slow, and wrong command lines need not wait for them.
     from ..figures.cross import read_cross
     from ..report.report import write_report
 
-    # Processes use all cores; more threads in a process would slow down other
-    # processes.
+    # Processes use all cores; threads of libraries would compete with them.
     os.environ.setdefault("OMP_NUM_THREADS", "1")
     cross = read_cross(options.cross) if options.cross else None
     with Progress("figures drawn") as progress:
@@ -193,7 +201,7 @@ def _report(options: argparse.Namespace, study: Study) -> None:
             options.output,
             cross=cross,
             command=options.command,
-            tell=progress.tell,
+            tell=progress.show,
             has_pdf=options.pdf,
             jobs=options.jobs or len(os.sched_getaffinity(0)),
             figures_of=options.figures,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The verb `ideotype compare`."""
+"""The command `ideotype compare`."""
 
 from __future__ import annotations
 
@@ -19,16 +19,16 @@ from ..common.progress import Progress
 from ..common.settings import number_within
 from ..errors import Error, InputError, did_you_mean, printable_lines
 from ..history.file import HistoryError
-from ..stand.comparison import Comparison, Quantity, page_of
-from ..stand.plants import Plant, compare_plants, quantities_of
+from ..stand.comparison import Comparison, Quantity, format_page
+from ..stand.plants import Plant, compare_plants, list_quantities
 
 
-def cases_of(
+def make_stands(
     campaign: Path, settings: Sequence[str]
 ) -> list[tuple[str, _core.CaseStand, int | None]]:
-    """Returns the stand of each case of a campaign without replicates, or of
-    each scenario of a case."""
-    found: list[tuple[str, _core.CaseStand, int | None]] = []
+    """Returns the name, stand and index of each scenario of each case of a
+    campaign, without replicates."""
+    cases: list[tuple[str, _core.CaseStand, int | None]] = []
     for index, (_, replicate) in enumerate(
         _core.case_names(str(campaign), list(settings))
     ):
@@ -38,94 +38,97 @@ def cases_of(
             str(campaign), index, list(settings), ""
         )
         names = stand.scenarios
-        for place, scenario in enumerate(names):
-            own = scenario.rpartition("_r")[0]
-            found.append((own, stand, place))
-    return found
+        for scenario, name in enumerate(names):
+            cases.append((name.rpartition("_r")[0], stand, scenario))
+    return cases
 
 
-def to_json(found: Comparison, seed: int) -> dict[str, Any]:
-    """Returns the comparison in the form of the schema
-    `compare.schema.json`."""
-    objective = found.objective
-    plants, cases = range(len(found.plants)), range(len(found.cases))
+def to_json(comparison: Comparison, seed: int) -> dict[str, Any]:
+    """Returns the comparison in the form of `compare.schema.json`."""
+    objective = comparison.objective
+    plants, cases = range(len(comparison.plants)), range(len(comparison.cases))
     draws = [
-        [found.numbers[p, c][objective.name, 0].draws.tolist() for c in cases]
+        [
+            comparison.numbers[p, c][objective.name, 0].draws.tolist()
+            for c in cases
+        ]
         for p in plants
     ]
     profiles = {
-        each.name: {
-            "unit": each.unit,
-            "axis": each.axis,
-            "axis_unit": "m" if each.axis == "layer" else "1",
-            "coordinates": list(each.coordinates),
-            **_matrices(found, each),
+        quantity.name: {
+            "unit": quantity.unit,
+            "axis": quantity.axis,
+            "axis_unit": "m" if quantity.axis == "layer" else "1",
+            "coordinates": list(quantity.coordinates),
+            **_matrices(comparison, quantity),
         }
-        for each in found.quantities
-        if each.axis
+        for quantity in comparison.quantities
+        if quantity.axis
     }
     numbers = {
-        each.name: {
-            "unit": each.unit,
-            **({"names": list(each.names)} if each.names else {}),
-            **_matrices(found, each),
+        quantity.name: {
+            "unit": quantity.unit,
+            **({"names": list(quantity.names)} if quantity.names else {}),
+            **_matrices(comparison, quantity),
         }
-        for each in found.quantities
-        if not each.axis
+        for quantity in comparison.quantities
+        if not quantity.axis
     }
-    correlation = found.rank_correlation(objective.name)
+    correlation = comparison.rank_correlation(objective.name)
     return {
         "objective": objective.name,
         "unit": objective.unit,
         "seed": seed,
-        "plants": list(found.plants),
-        "reference": found.plants[found.reference],
-        "cases": list(found.cases),
-        "rank": found.ranks(objective.name).tolist(),
+        "plants": list(comparison.plants),
+        "reference": comparison.plants[comparison.reference],
+        "cases": list(comparison.cases),
+        "rank": comparison.ranks(objective.name).tolist(),
         "rank_correlation": [
             [None if np.isnan(x) else float(x) for x in row]
             for row in correlation
         ],
-        **_matrices(found, objective),
+        **_matrices(comparison, objective),
         "by_randomisation": draws,
         "quantities": numbers,
         "profiles": profiles,
     }
 
 
-def _matrices(found: Comparison, quantity: Quantity) -> dict[str, Any]:
-    """Returns means and standard errors by plant and case, for profiles also
-    by place, and the means and standard errors of differences from the
-    reference."""
+def _matrices(comparison: Comparison, quantity: Quantity) -> dict[str, Any]:
+    """Returns the means and standard errors by plant and case, for profiles
+    also along the axis, and those of the differences from the reference."""
 
-    def matrix(take: Any, what: str) -> list[list[Any]]:
+    def matrix(take: Any, statistic: str) -> list[list[Any]]:
         return [
             [
-                _entry(take, p, c, quantity, what)
-                for c in range(len(found.cases))
+                _entry(take, p, c, quantity, statistic)
+                for c in range(len(comparison.cases))
             ]
-            for p in range(len(found.plants))
+            for p in range(len(comparison.plants))
         ]
 
     def both(take: Any) -> dict[str, Any]:
         return {x: matrix(take, x) for x in ("mean", "standard_error")}
 
-    return {**both(found.value), "difference": both(found.difference)}
+    return {
+        **both(comparison.value),
+        "difference": both(comparison.difference),
+    }
 
 
 def _entry(
-    take: Any, plant: int, case: int, quantity: Quantity, what: str
+    take: Any, plant: int, case: int, quantity: Quantity, statistic: str
 ) -> Any:
     count = len(quantity.coordinates)
-    places = range(count) if quantity.axis != "leaf" else range(count)[::-1]
-    values = [take(plant, case, (quantity.name, place)) for place in places]
-    numbers = [None if x is None else getattr(x, what) for x in values]
+    indices = range(count) if quantity.axis != "leaf" else range(count)[::-1]
+    values = [take(plant, case, (quantity.name, i)) for i in indices]
+    numbers = [None if x is None else getattr(x, statistic) for x in values]
     return numbers if quantity.axis else numbers[0]
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Compares plants and returns the exit code: 0, 1 if something failed, 2
-    for a wrong command line, 3 for a wrong campaign or plant, 4 for a damaged
+    """Compares plants and returns the exit code: 0, 1 after a failure, 2 for a
+    wrong command line, 3 for an invalid campaign or plant, 4 for a damaged
     history or an output file that exists."""
     options = _parser().parse_args(arguments)
     try:
@@ -149,43 +152,43 @@ def _compare(options: argparse.Namespace) -> int:
     settings = list(options.set)
     if options.seed is not None:
         settings.append(f"seed={options.seed}")
-    stands = cases_of(options.under, settings)
+    stands = make_stands(options.under, settings)
     first = stands[0][1]
     _require_sort(options.sort, [name for name, *_ in stands], first)
     plants = [
         plant for path in options.plants for plant in Plant.read(path, first)
     ]
     with Progress("evaluated") as progress:
-        found = compare_plants(
+        comparison = compare_plants(
             plants,
             stands,
             tolerance=options.tolerance,
             threads=options.threads,
             reference=options.reference,
-            tell=progress.tell,
+            on_progress=progress.show,
         )
     if options.csv:
-        columns = [x for x in found.table if not x.startswith("percent")]
-        text = found.table[columns].to_csv(index=False)
+        columns = [x for x in comparison.table if not x.startswith("percent")]
+        text = comparison.table[columns].to_csv(index=False)
         write_file(options.csv, text, replaces=False)
     if options.json:
         import tomllib
 
         seed = int(tomllib.loads(first.resolved)["seed"])
-        print(json.dumps(to_json(found, seed), indent=2))
+        print(json.dumps(to_json(comparison, seed), indent=2))
     else:
-        print(page_of(found, options.all, options.sort))
+        print(format_page(comparison, options.all, options.sort))
     return 0
 
 
 def _require_sort(
     word: str, cases: Sequence[str], stand: _core.CaseStand
 ) -> None:
-    """Raises Error if plants cannot be sorted by a quantity or case."""
-    names = [x.name for x in quantities_of(stand) if not x.axis]
+    """Raises Error unless the word is a case or a quantity without axes."""
+    names = [x.name for x in list_quantities(stand) if not x.axis]
     if word and word not in (*cases, *names):
         raise Error(
-            f"--sort {word}: this is no case and no quantity of the campaign"
+            f"--sort {word}: this is no case or quantity of the campaign"
             f"{did_you_mean(word, [*cases, *names])} (cases: "
             f"{', '.join(cases)}; quantities: {', '.join(names)})"
         )
@@ -194,9 +197,10 @@ def _require_sort(
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         prog="ideotype compare",
-        description="Evaluates plants in the same light, as finalists are, and "
-        "reports the difference of each from a reference, with paired errors. "
-        "More than three plants are ranked with a line each.",
+        description="Evaluates plants in the same light, with the accuracy of "
+        "finalists, and reports the difference of each from a reference with "
+        "paired standard errors. More than three plants are ranked, with a line "
+        "each.",
         epilog="example: ideotype compare maize.toml field.csv --under "
         "campaigns/ames_quick.toml",
     )
@@ -209,40 +213,40 @@ def _parser() -> argparse.ArgumentParser:
     )  # fmt: skip
     add(
         "--under", type=Path, required=True, metavar="CAMPAIGN",
-        help="campaign in whose cases all plants are evaluated",
+        help="campaign with the cases in which plants are evaluated",
     )  # fmt: skip
     add(
         "--set", action="append", default=[], metavar="KEY=VALUE",
-        help="replaces a key of the campaign",
+        help="replace a key of the campaign",
     )  # fmt: skip
     add(
         "--seed", type=number_within(int, 0, 2**63 - 1), metavar="N",
-        help="of all random numbers, in the place of the campaign's",
+        help="seed of all random numbers (default: that of the campaign)",
     )  # fmt: skip
     add(
         "--tolerance", type=number_within(float, 1e-5, 0.05), metavar="X",
-        help="relative standard error of the light that leaves absorb, in the "
-        "place of the campaign's [final]",
+        help="relative standard error of the light absorbed by leaves "
+        "(default: [final] of the campaign)",
     )  # fmt: skip
     add(
         "--threads", type=number_within(int, 1, 4096), metavar="N",
         default=len(os.sched_getaffinity(0)),
-        help="threads that evaluate (default: one per core)",
+        help="number of threads (default: one per core)",
     )  # fmt: skip
     add(
         "--reference", default="", metavar="NAME",
-        help="plant from which differences are (default: the first)",
+        help="plant to which differences refer (default: the first)",
     )  # fmt: skip
     add(
         "--sort", default="", metavar="QUANTITY|CASE",
-        help="ranks plants with a line each, by a quantity (default: the "
+        help="rank plants, with a line each, by a quantity (default: the "
         "objective) or by the objective in one case (default: its mean)",
     )  # fmt: skip
     add("--all", action="store_true", help="print every quantity")
     add(
         "--csv", type=Path, metavar="FILE",
-        help="also write every number, those by leaf and layer too, to this "
-        "new file",
+        help="also write every number, including those by leaf and layer, to "
+        "this new file",
     )  # fmt: skip
     add("--json", action="store_true", help="print JSON instead of text")
     return parser

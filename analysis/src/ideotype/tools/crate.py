@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Writes a finished study as a Research Object Crate (RO-Crate 1.1,
-doi:10.3233/DS-210053): inputs, program, results, authors."""
+"""The command `ideotype crate`: describes a finished study as a Research
+Object Crate (RO-Crate 1.1, doi:10.3233/DS-210053): inputs, program, results,
+authors."""
 
 from __future__ import annotations
 
@@ -29,20 +30,20 @@ if TYPE_CHECKING:
 
 METADATA = "ro-crate-metadata.json"
 _INPUTS = "inputs"
-"""The folder of the inputs with which histories were begun."""
+"""The folder for the inputs of histories."""
 
 _PAGES = (
     ("results.csv", "text/csv", "A line for each case."),
     ("report.html", "text/html", "The report about all histories."),
 )
-"""Names, formats and meanings of the files of reports."""
+"""The names, formats and descriptions of the files of reports."""
 
 _TOML = "application/toml"
 _ORCID = re.compile(r"(?:https://orcid\.org/)?(\d{4}-\d{4}-\d{4}-\d{3}[\dX])")
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Answers `ideotype crate` and returns the exit code."""
+    """Writes a crate and returns the exit code, as `ideotype summary`."""
     parser = argparse.ArgumentParser(
         prog="ideotype crate",
         description="Describes a folder of finished histories as a Research "
@@ -53,14 +54,14 @@ def main(arguments: Sequence[str] | None = None) -> int:
     add("results", nargs=1, metavar="FOLDER", help="folder of the histories")
     add(
         "--author", action="append", required=True, metavar="NAME[, ORCID]",
-        help="who made the study; may be repeated",
+        help="author of the study; may be repeated",
     )  # fmt: skip
     add(
         "--license", required=True, metavar="SPDX",
         help="licence of the results by its SPDX name, such as CC-BY-4.0",
     )  # fmt: skip
-    add("--organisation", metavar="NAME[, URL]", help="where the authors work")
-    add("--title", help="name of the crate (default: that of the campaigns)")
+    add("--organisation", metavar="NAME[, URL]", help="their affiliation")
+    add("--title", help="title of the crate (default: by the campaigns)")
 
     def write(options: argparse.Namespace, study: Study) -> None:
         print(
@@ -81,13 +82,19 @@ def write_crate(
     organisation: str | None = None,
     title: str | None = None,
 ) -> Path:
-    """Writes the metadata of a folder that holds all histories of a study, and
-    the histories' inputs beside them; an earlier crate is replaced. Authors
-    are "NAME" or "NAME, ORCID". Returns the path of the metadata.
+    """Writes the metadata of a study into its folder, and the inputs of its
+    histories into the subfolder "inputs"; replaces an earlier crate. Returns
+    the path of the metadata.
 
-    Raises HistoryError if a history is not finished, or a file of the crate
-    lies elsewhere; OutputRefused if a symbolic link is where a file or folder
-    is to be written; OSError if the folder can't be written."""
+    study: finished histories, all in `folder`.
+    authors: "NAME" or "NAME, ORCID" of each author.
+    license: SPDX name of the licence of the results.
+    organisation: affiliation of the authors, "NAME" or "NAME, URL".
+    title: title of the crate, by default made of the names of campaigns.
+
+    Raises HistoryError if a history is not finished or a file is outside the
+    folder; OutputRefused if an output is a symbolic link; OSError if the
+    folder can't be written."""
     folder = Path(folder)
     for history in study:
         if not history.state().finished:
@@ -111,19 +118,19 @@ def write_crate(
     for page, kind, about in _PAGES:
         for path in sorted(folder.rglob(page)):
             _file(crate, path, folder, kind, page, about)
-    bred = ", ".join(sorted({str(h.attributes["campaign"]) for h in study}))
+    names = ", ".join(sorted({str(h.attributes["campaign"]) for h in study}))
     root = crate.root_dataset
-    root["name"] = title or f"Ideotypes of {bred}"
+    root["name"] = title or f"Ideotypes of {names}"
     root["description"] = (
-        f"Plants that the program ideotype has bred for {bred}, with all "
+        f"Plants designed by the program ideotype for {names}, with all "
         f"evaluations; number of searches: {len(study)}."
     )
     root["datePublished"] = datetime.now(UTC).date().isoformat()
     root["license"] = _add(
         crate, f"https://spdx.org/licenses/{license}", "CreativeWork",
-        name=license, description=f"The licence {license}, as SPDX has it.",
+        name=license, description=f"The licence {license} of the SPDX list.",
     )  # fmt: skip
-    # A list of one is written as the value itself.
+    # A list of one element is written as this element.
     root.append_to("author", people, compact=True)
     root.append_to("mentions", searches, compact=True)
     if organisation:
@@ -160,18 +167,18 @@ def _add(
 def _people(
     crate: ROCrate, authors: Sequence[str], organisation: str | None
 ) -> list[Entity]:
-    """Adds the authors, and their organisation if there is one."""
+    """Adds the authors and their organisation, if any, to the crate."""
     people = []
     for number, author in enumerate(authors, start=1):
         name, _, identity = (part.strip() for part in author.partition(","))
         url = f"#author-{number}"
         if identity:
-            if not (found := _ORCID.fullmatch(identity)):
+            if not (match := _ORCID.fullmatch(identity)):
                 raise HistoryError(
                     f"'{identity}' is no ORCID; write it as "
                     "0000-0002-1825-0097"
                 )
-            url = f"https://orcid.org/{found[1]}"
+            url = f"https://orcid.org/{match[1]}"
         people.append(_add(crate, url, "Person", name=name))
     if organisation:
         name, _, rest = (x.strip() for x in organisation.partition(", http"))
@@ -179,15 +186,15 @@ def _people(
         where = _add(crate, url, "Organization", name=name)
         if rest:
             where["url"] = url
-        for each in people:
-            each["affiliation"] = where
+        for person in people:
+            person["affiliation"] = where
     return people
 
 
 def _program(crate: ROCrate, history: History) -> Entity:
     has = history.attributes
     version = str(has["program_version"])
-    told = ", ".join(
+    libraries = ", ".join(
         str(has[part])
         for part in ("compiler", "embree_version", "hdf5_version", "isa")
         if part in has
@@ -199,7 +206,7 @@ def _program(crate: ROCrate, history: History) -> Entity:
         name="ideotype",
         version=version,
         softwareVersion=version,
-        description=f"Commit {has.get('git_sha', 'unknown')}; {told}.",
+        description=f"Commit {has.get('git_sha', 'unknown')}; {libraries}.",
         license={"@id": "https://spdx.org/licenses/Apache-2.0"},
     )
 
@@ -207,8 +214,7 @@ def _program(crate: ROCrate, history: History) -> Entity:
 def _inputs(
     crate: ROCrate, history: History, folder: Path
 ) -> Iterator[Entity]:
-    """Writes the inputs with which a history was begun, and adds each
-    file."""
+    """Writes the inputs of a history and adds their files to the crate."""
     campaign = str(history.attributes["campaign"])
     texts = {
         "": (history.campaign(), "The campaign as its author wrote it."),
@@ -218,11 +224,11 @@ def _inputs(
         ),
     }
     if crop := history.resolved.get("plant", {}).get("baseline"):
-        told = "The crop and the plant that the search begins with."
-        texts["_crop"] = tomli_w.dumps(crop), told
+        description = "The crop and the baseline plant of the search."
+        texts["_crop"] = tomli_w.dumps(crop), description
     if weather := history.resolved.get("weather"):
-        told = "The weather in steps, as evaluations take it."
-        texts["_weather"] = tomli_w.dumps({"weather": weather}), told
+        description = "The weather in the time steps of evaluations."
+        texts["_weather"] = tomli_w.dumps({"weather": weather}), description
     for part, (text, about) in texts.items():
         # Campaigns with equal names may differ in content.
         digest = hashlib.sha256(text.encode()).hexdigest()[:8]
@@ -238,7 +244,7 @@ def _search(
     folder: Path,
     people: Sequence[Entity],
 ) -> Entity:
-    """Adds a history with its inputs and its origin."""
+    """Adds a history with its inputs and provenance to the crate."""
     about = f"All evaluations of one search of the case {case.name}."
     if pair := history.comparison():
         gain = pair.gain

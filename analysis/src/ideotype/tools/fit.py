@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`ideotype fit SOURCE` writes a crop file of each plant of a table of measured
-leaves, or of a digitised plant, with the distance of each digitised leaf from
-that of the file."""
+"""The command `ideotype fit`: writes a crop file for each plant of a table of
+measured leaves, or for a digitised plant, and reports the deviation of each
+fitted leaf."""
 
 from __future__ import annotations
 
@@ -33,12 +33,12 @@ def _fit_leaves(options: argparse.Namespace) -> int:
     crops = measured_crops(
         options.source, options.crop or "", options.plant or ""
     )
-    files = _files_of(crops, options)
+    files = _choose_files(crops, options)
     for crop, file in zip(crops, files):
         text = _head(crop, options) + crop.text
         write_file(file, text, file.parent, replaces=False)
     if options.json:
-        told = [
+        records = [
             {
                 "plant": crop.plant,
                 "file": str(file),
@@ -47,7 +47,7 @@ def _fit_leaves(options: argparse.Namespace) -> int:
             }
             for crop, file in zip(crops, files)
         ]
-        print(json.dumps(told, indent=1))
+        print(json.dumps(records, indent=1))
         return 0
     for crop, file in zip(crops, files):
         remark = f" ({crop.remark})" if crop.remark else ""
@@ -56,14 +56,15 @@ def _fit_leaves(options: argparse.Namespace) -> int:
     return 0
 
 
-def _files_of(
+def _choose_files(
     crops: Sequence[MeasuredCrop], options: argparse.Namespace
 ) -> list[Path]:
-    """Returns the file of each crop, none of which exists."""
+    """Returns the output file of each crop. Raises Error or OutputRefused if a
+    file exists or names collide."""
     to = options.to
     if to and len(crops) > 1 and to.suffix == ".toml":
         raise Error(
-            f"{to}: the table has {len(crops)} plants (one file has one); "
+            f"{to}: the table has {len(crops)} plants (a file has one); "
             "name a folder, or choose a plant by --plant"
         )
     if to and not to.is_dir() and len(crops) == 1:
@@ -82,7 +83,7 @@ def _files_of(
 
 
 def _head(crop: MeasuredCrop, options: argparse.Namespace) -> str:
-    """Returns the comments of a crop file: its origin and those of the
+    """Returns the comments of a crop file: its origin and the comments of the
     table."""
     words = ["ideotype", "fit", options.source.name]
     words += ["--crop", options.crop] if options.crop else []
@@ -90,7 +91,7 @@ def _head(crop: MeasuredCrop, options: argparse.Namespace) -> str:
     plant = f"plant {crop.plant} of " if crop.plant else ""
     lines = [
         f"Leaves of {plant}{options.source.name}, by {shlex.join(words)}.",
-        f"All that the table lacks is that of the crop {crop.crop}.",
+        f"Everything that the table lacks is from the crop {crop.crop}.",
         *([f"Note: {crop.remark}."] if crop.remark else []),
         *crop.comments,
     ]
@@ -98,13 +99,14 @@ def _head(crop: MeasuredCrop, options: argparse.Namespace) -> str:
 
 
 def _fit_blades(options: argparse.Namespace) -> int:
-    """Writes a crop file of a digitised plant and prints the agreement."""
+    """Writes a crop file of a digitised plant and prints the deviations of its
+    leaves."""
     to = options.to or options.source.with_suffix(".toml")
     require_output(to, replaces=False)
     if not options.crop:
         raise Error(
             f"{options.source}: a digitised plant has no stalk, organs and "
-            "traits; name the crop that has them, such as --crop maize"
+            "traits; name the crop that supplies them, such as --crop maize"
         )
     blades = read_plant(
         options.source,
@@ -116,15 +118,15 @@ def _fit_blades(options: argparse.Namespace) -> int:
     crop = crop_tables(options.crop)
     require_blades(crop, options.crop)
     crop = crop_of(blades, crop, options.name or to.stem, options.form)
-    found = agreement(blades, crop, mesh_of(crop, Path(options.crop).parent))
+    table = agreement(blades, crop, mesh_of(crop, Path(options.crop).parent))
     write_file(to, tomli_w.dumps(crop), replaces=False)
     if options.json:
         print(
-            json.dumps(json.loads(found.to_json(orient="records")), indent=1)
+            json.dumps(json.loads(table.to_json(orient="records")), indent=1)
         )
     else:
-        print(found.to_string(index=False, float_format="{:.4g}".format))
-        print(f"\n{len(found)} leaves are in {to}")
+        print(table.to_string(index=False, float_format="{:.4g}".format))
+        print(f"\n{len(table)} leaves are in {to}")
     return 0
 
 
@@ -133,42 +135,45 @@ _OF_BLADES = ("leaves", "unit", "ground", "form", "name")
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Fits, writes, prints and returns the exit code: 0, 2 for a wrong command
-    line, 3 for an input that cannot be read, 4 for an output file that exists
-    or is a symbolic link."""
+    """Fits plants and returns the exit code: 0, 2 for a wrong command line, 3
+    for an input that cannot be read, 4 for an output file that exists or is a
+    symbolic link."""
     parser = argparse.ArgumentParser(
         prog="ideotype fit",
         description="Makes crop files of measured plants. SOURCE is a CSV file "
-        "of leaves (a line for each, with length_cm, width_cm and so on; "
-        "docs/plant.md has all columns), a CSV file of midribs (leaf, x out "
-        "from the stalk, z up, if need be y, in _m, _cm or _mm), a DAT file of "
-        "NURBS surfaces (MaizeField3D), or a mesh or point cloud with a group, "
-        "object or colour for each leaf (OBJ, PLY). For a digitised plant the "
-        "agreement of each leaf is printed.",
+        "of leaves (one line for each, with length_cm, width_cm and so on; "
+        "docs/plant.md lists all columns), a CSV file of midribs (leaf, x "
+        "outward from the stalk, z up, optionally y, in _m, _cm or _mm), a DAT "
+        "file of NURBS surfaces (MaizeField3D), or a mesh or point cloud with a "
+        "group, object or colour for each leaf (OBJ, PLY). For a digitised "
+        "plant the deviation of each leaf is printed.",
         epilog="example: ideotype fit trial.csv --crop maize",
     )
     add = parser.add_argument
     add("source", type=Path, metavar="SOURCE")
     add("--crop", metavar="CROP",
-        help="crop, by name or file, that has what was not measured; a table "
-        "of leaves may name it by a line # crop: maize")  # fmt: skip
+        help="crop, by name or file, that supplies everything not measured; a "
+        "table of leaves may name it in a line # crop: maize")  # fmt: skip
     add("--to", type=Path, metavar="FILE|FOLDER",
-        help="crop file to write, or folder of those of several plants; by "
-        "default NAME.toml beside SOURCE")  # fmt: skip
+        help="crop file to write, or folder for several plants (default: "
+        "NAME.toml in the folder of SOURCE)")  # fmt: skip
     add("--plant", metavar="NAME",
-        help="plant of a CSV file with a column plant; all plants of a table "
-        "of leaves by default")  # fmt: skip
-    of_blades = parser.add_argument_group("options of digitised plants")
-    add = of_blades.add_argument
+        help="plant of a CSV file with a column plant (default for a table of "
+        "leaves: all plants)")  # fmt: skip
+    group = parser.add_argument_group("options of digitised plants")
+    add = group.add_argument
     add("--leaves", type=Path, metavar="FILE",
         help="CSV file of lengths, widths, azimuths and heights of the leaves")  # fmt: skip
     add("--unit", choices=["auto", "m", "cm", "mm"], default="auto",
-        help="of a source that does not tell it; auto: as leaves are long")  # fmt: skip
+        help="unit of lengths, if the source does not state it; auto: by the "
+        "length of leaves")  # fmt: skip
     add("--ground", type=float, default=float("nan"), metavar="Z",
-        help="of the soil in the unit of the source; else of its lowest point")  # fmt: skip
+        help="z of the soil in the unit of the source (default: of the lowest "
+        "point)")  # fmt: skip
     add("--form", choices=["midrib", "angles"], default="midrib",
-        help="points of midribs, or insertion angles and curvatures")  # fmt: skip
-    add("--name", help="of the plant; else that of FILE")
+        help="form of leaves: points of midribs, or insertion angles and "
+        "curvatures")  # fmt: skip
+    add("--name", help="name of the plant (default: that of FILE)")
     parser.add_argument(
         "--json", action="store_true", help="print JSON instead of text"
     )

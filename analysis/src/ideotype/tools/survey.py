@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Measures the accuracy of evaluations with settings that trade accuracy for
-speed, within a given time."""
+"""Measures, within a given time, the accuracy of evaluations with settings
+that trade accuracy for speed."""
 
 from __future__ import annotations
 
@@ -16,22 +16,21 @@ from ..errors import InputError
 from ..history.estimate import NORMAL
 
 Setting = tuple[tuple[str, float], ...]
-"""Keys with values that replace the values of the campaign."""
+"""Keys with values that replace those of the campaign."""
 OWN: Setting = ()
 _TOO_LONG = "it takes too long for --seconds"
 FEWEST = 4
-"""The least number of draws for a standard deviation."""
+"""The smallest number of draws for a standard deviation."""
 _FOR_LADDERS = 0.6
-"""The fraction of the time in which keys are measured one by one."""
+"""The fraction of the time for measurements of single keys."""
 _COMBINATIONS = 6
-"""The number of combinations that are measured, which are predicted to be the
-best."""
+"""The number of combinations that are measured, the best by prediction."""
 
 
 class Draw(NamedTuple):
-    """The objective of one evaluation of the baseline, the difference of
-    another plant from the baseline with the same random numbers, and the time
-    of one evaluation [s]."""
+    """The objective of the baseline in one evaluation, the difference of
+    another plant from it with common random numbers, and the time of one
+    evaluation [s]."""
 
     value: float
     difference: float
@@ -39,7 +38,7 @@ class Draw(NamedTuple):
 
 
 class Estimate(NamedTuple):
-    """A number and its standard error; printed in %, with half of the 95 %
+    """A number and its standard error, printed in % ± half of its 95 %
     confidence interval."""
 
     mean: float
@@ -51,8 +50,8 @@ class Estimate(NamedTuple):
 
 
 def root_sum(biases: Sequence[Estimate]) -> Estimate:
-    """Returns the root of the sum of squares without the part that errors add
-    to the squares; a bias within two standard errors of 0 counts as 0."""
+    """Returns the root of the sum of squares, corrected for the contribution
+    of errors; a bias within two standard errors of 0 counts as 0."""
     square = sum(m**2 - e**2 for m, e in biases if abs(m) > 2 * e)
     error = math.hypot(*(error for _, error in biases))
     return Estimate(math.sqrt(square), error)
@@ -60,8 +59,9 @@ def root_sum(biases: Sequence[Estimate]) -> Estimate:
 
 class Survey:
     """A measurement of settings within a given time. A ladder has the settings
-    of one key, the most accurate last. All get the same draws, so that biases
-    are means of pairs; cheap ladders get more draws."""
+    of one key, the most accurate last. The draws of all settings have common
+    random numbers, so biases are means of paired differences. Cheap ladders
+    have more draws."""
 
     def __init__(
         self,
@@ -75,12 +75,13 @@ class Survey:
         self._cost: dict[Setting, float] = {}
         self.draws: dict[Setting, list[Draw]] = {OWN: []}
         self.left_out: dict[str, str] = {}
-        self.ladders = [ladder(**each) for each in keys]
-        # The combinations that are measured.
+        self.ladders = [ladder(**key) for key in keys]
+        # The measured combinations.
         self.chosen = [OWN]
 
     def run(self, tolerance: float) -> None:
-        """Measures each setting once, then ladders, then combinations."""
+        """Measures each setting once, then ladders, then combinations, until
+        the time is over."""
         for _ in range(FEWEST):
             self._draw(OWN, 0, math.inf)
         for settings in self.ladders:
@@ -88,52 +89,54 @@ class Survey:
         while self._repeat(self.ladders, _FOR_LADDERS):
             pass
         guess = 4 * self._cost[OWN]
-        for each in self.predicted(tolerance):
-            if each in self.draws or self._draw(each, guess, 1):
-                self.chosen.append(each)
+        for setting in self.predicted(tolerance):
+            if setting in self.draws or self._draw(setting, guess, 1):
+                self.chosen.append(setting)
         while self._repeat([self.chosen], 1):
             pass
 
     def _begin(self, settings: list[Setting]) -> None:
-        """Measures a ladder once without the settings that take too long."""
+        """Measures each setting of a ladder once and removes those that take
+        too long."""
         last = OWN
-        for each in list(settings):
+        for setting in list(settings):
             # More accurate settings may take several times as long.
-            factor = 2 if OWN in settings[settings.index(each) :] else 6
+            factor = 2 if OWN in settings[settings.index(setting) :] else 6
             guess = factor * self.draws[last][0].seconds
             try:
-                if each == OWN or (
+                if setting == OWN or (
                     guess < self._seconds / 40
-                    and self._draw(each, guess, _FOR_LADDERS)
+                    and self._draw(setting, guess, _FOR_LADDERS)
                 ):
-                    last = each
+                    last = setting
                     continue
-                why = _TOO_LONG
+                reason = _TOO_LONG
             except InputError as error:
-                why = str(error)
-            self.left_out[words(each)] = why
-            settings.remove(each)
+                reason = str(error)
+            self.left_out[format_setting(setting)] = reason
+            settings.remove(setting)
 
     def _repeat(self, ladders: list[list[Setting]], part: float) -> bool:
-        """Draws once more from the ladder that has taken the least work;
-        returns False if the time is over."""
+        """Draws once more from the ladder with the least work so far; returns
+        False if the time is over."""
 
         def least(settings: list[Setting]) -> int:
-            return min(len(self.draws[each]) for each in settings)
+            return min(len(self.draws[setting]) for setting in settings)
 
         def work(settings: list[Setting]) -> float:
-            cost = sum(self._cost[each] for each in settings)
+            cost = sum(self._cost[setting] for setting in settings)
             return least(settings) * math.sqrt(cost)
 
-        # A ladder of the campaign's own setting alone leaves nothing to compare.
-        several = [each for each in ladders if each != [OWN]]
+        # A ladder with only the setting of the campaign has nothing to compare.
+        several = [settings for settings in ladders if settings != [OWN]]
         settings = min(several, key=work, default=[])
         fewest = least(settings) if settings else 0
-        behind = [each for each in settings if len(self.draws[each]) == fewest]
-        return all([behind, *(self._draw(each, 0, part) for each in behind)])
+        behind = [x for x in settings if len(self.draws[x]) == fewest]
+        return all([behind, *(self._draw(x, 0, part) for x in behind)])
 
     def _draw(self, setting: Setting, guess: float, part: float) -> bool:
-        """Measures a setting if a fraction of the time suffices."""
+        """Measures a setting if it fits into a fraction of the time; returns
+        whether it does."""
         before = self._clock()
         end = before + self._cost.get(setting, guess) - self._began
         if end > part * self._seconds:
@@ -147,34 +150,35 @@ class Survey:
         return True
 
     def measured(self) -> list[list[Setting]]:
-        """Returns the ladders without the settings whose draws are too few to
-        estimate an error."""
+        """Returns the ladders, without settings with too few draws for an
+        error."""
         return [
-            [s for s in each if len(self.draws.get(s, [])) >= FEWEST]
-            for each in self.ladders
+            [s for s in settings if len(self.draws.get(s, [])) >= FEWEST]
+            for settings in self.ladders
         ]
 
     def row(
         self, setting: Setting, ladders: Sequence[list[Setting]]
     ) -> dict[str, Any]:
-        """Returns errors of one evaluation relative to the baseline's
-        objective: the error of the objective and the error of the difference
-        between the plants. Biases against the most accurate setting of each
-        ladder add up as squares, since biases that cancel for these plants
-        need not cancel for others."""
+        """Returns the errors of one evaluation, of the objective and of the
+        difference between the plants, relative to the objective of the
+        baseline. A bias is the deviation from the most accurate setting of a
+        ladder. Biases are added in squares, since biases that cancel for these
+        plants need not cancel for others."""
         draws = self.draws[setting]
-        scale = abs(fmean(each.value for each in self.draws[OWN]))
+        scale = abs(fmean(draw.value for draw in self.draws[OWN]))
         row: dict[str, Any] = {"settings": dict(setting), "draws": len(draws)}
-        row["seconds"] = median(each.seconds for each in draws)
+        row["seconds"] = median(draw.seconds for draw in draws)
         for part, name in enumerate(("value", "difference")):
             biases = []
-            for each in ladders:
-                here = (s for s in each if set(s) & set(setting))
-                pairs = zip(self.draws[next(here, OWN)], self.draws[each[-1]])
+            for settings in ladders:
+                here = (s for s in settings if set(s) & set(setting))
+                best = self.draws[settings[-1]]
+                pairs = zip(self.draws[next(here, OWN)], best)
                 apart = [(a[part] - b[part]) / scale for a, b in pairs]
                 error = stdev(apart) / math.sqrt(len(apart))
                 biases.append(Estimate(fmean(apart), error))
-            size = stdev(each[part] for each in draws) / scale
+            size = stdev(draw[part] for draw in draws) / scale
             noise = Estimate(size, size / math.sqrt(2 * len(draws) - 2))
             bias = root_sum(biases)
             size = math.hypot(bias.mean, noise.mean)
@@ -188,68 +192,69 @@ class Survey:
 
     def predicted(self, tolerance: float) -> list[Setting]:
         """Returns the most promising combinations of settings near a
-        tolerance, on the assumption that ratios of noise and of seconds
-        multiply."""
-        own = self.row(OWN, [])
-        noise = own["value"]["noise"]
+        tolerance, if ratios of noise and of time multiply."""
+        unchanged = self.row(OWN, [])
+        noise = unchanged["value"]["noise"]
         options: list[list[Any]] = []
         for settings in self.measured():
             options.append([])
-            for each in settings:
-                row = self.row(each, [settings])
-                bias, one, _ = row["value"].values()
-                ratio = one.mean / noise.mean
-                cost = row["seconds"] / own["seconds"]
-                options[-1].append((each, root_sum([bias])[0], ratio, cost))
-        found = []
+            for candidate in settings:
+                row = self.row(candidate, [settings])
+                bias, scatter, _ = row["value"].values()
+                ratio = scatter.mean / noise.mean
+                cost = row["seconds"] / unchanged["seconds"]
+                size = root_sum([bias])[0]
+                options[-1].append((candidate, size, ratio, cost))
+        combinations = []
         for setting, biases, ratios, costs in (
             zip(*c) for c in product(*options)
         ):
             error = math.hypot(noise.mean * math.prod(ratios), *biases)
-            found.append((math.prod(costs), error, sum(setting, ())))
-        front = pareto(found)
-        near = [each for each in front if 0.4 < each[1] / tolerance < 2]
+            combinations.append((math.prod(costs), error, sum(setting, ())))
+        front = pareto(combinations)
+        near = [point for point in front if 0.4 < point[1] / tolerance < 2]
         near = near or front[-_COMBINATIONS:]
         step = max(1, math.ceil(len(near) / _COMBINATIONS))
         return [setting for _, _, setting in near[::step]]
 
 
 def pareto(points: Sequence[tuple[float, float, Any]]) -> list[Any]:
-    """Returns the items (cost, error, ...) that are more accurate than all
-    cheaper items."""
+    """Returns the points (cost, error, ...) that are more accurate than all
+    cheaper points."""
     front: list[Any] = []
-    for each in sorted(points, key=lambda point: point[:2]):
-        if not front or each[1] < front[-1][1]:
-            front.append(each)
+    for point in sorted(points, key=lambda point: point[:2]):
+        if not front or point[1] < front[-1][1]:
+            front.append(point)
     return front
 
 
 def ladder(key: str, value: float, values: Sequence[float]) -> list[Setting]:
-    """Returns the settings of a key, the most accurate last, and the setting
-    of the campaign."""
+    """Returns the settings of a key, including that of the campaign, the most
+    accurate last."""
     is_falling = values[-1] < values[0]
     steps = sorted({value, *values}, reverse=is_falling)
-    return [OWN if each == value else ((key, each),) for each in steps]
+    return [OWN if step == value else ((key, step),) for step in steps]
 
 
-def words(setting: Setting) -> str:
+def format_setting(setting: Setting) -> str:
     """Returns keys and values as words for the option `--set`."""
     return " ".join(f"{k}={v:.15g}" for k, v in setting) or "the campaign"
 
 
-def result(survey: Survey, tolerance: float) -> dict[str, Any]:
-    """Returns all measurements; an estimate is [mean, standard error]."""
+def summarize(survey: Survey, tolerance: float) -> dict[str, Any]:
+    """Returns all measurements and the cheapest setting within the tolerance;
+    an estimate is [mean, standard error]."""
     ladders = survey.measured()
     too_few = {
-        words(setting): _TOO_LONG
-        for asked, found in zip(survey.ladders, ladders)
+        format_setting(setting): _TOO_LONG
+        for asked, kept in zip(survey.ladders, ladders)
         for setting in asked
-        if setting not in found
+        if setting not in kept
     }
     rows = [
-        survey.row(each, ladders)
-        for each in dict.fromkeys(survey.chosen)
-        if len(survey.draws[each]) >= FEWEST
+        survey.row(setting, ladders)
+        for setting in dict.fromkeys(survey.chosen)
+        if len(survey.draws[setting]) >= FEWEST
     ]
     rows.sort(key=lambda row: row["seconds"])
     front = pareto([(r["seconds"], r["value"]["error"].mean, r) for r in rows])
@@ -258,7 +263,7 @@ def result(survey: Survey, tolerance: float) -> dict[str, Any]:
         row["is_on_front"] = any(row is point[2] for point in front)
     return {
         "tolerance": tolerance,
-        "keys": [[survey.row(s, [each]) for s in each] for each in ladders],
+        "keys": [[survey.row(s, [steps]) for s in steps] for steps in ladders],
         "settings": rows,
         "chosen": met[0] if met else front[-1][2],
         "is_met": bool(met),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`ideotype validate` compares the program with measurements."""
+"""The command `ideotype validate`: compares the program with measurements."""
 
 from __future__ import annotations
 
@@ -14,23 +14,23 @@ from ..common.output import REFUSED, OutputRefused, save_figure, write_file
 from ..common.progress import Progress
 from ..common.settings import number_within
 from ..errors import Error, printable_lines
-from ..validation.comparison import Result, compare, error_of
+from ..validation.comparison import Result, compare, effective_error
 from ..validation.facts import (
     Fact,
     Intervention,
     Verdict,
-    facts_of_table,
+    facts_from_table,
     read_facts,
     shipped_facts,
 )
-from ..validation.page import page_of, place_of
+from ..validation.page import describe_conditions, format_page
 
 WORSE = 1
-"""The exit code if a fact passes by its file and now misses."""
+"""The exit code if a fact that passes according to its file now misses."""
 
 
 def to_json(result: Result) -> dict[str, Any]:
-    """Returns a fact and its points in their units."""
+    """Returns a fact and its points, in their units, for JSON."""
     fact = result.fact
     return {
         "name": fact.name,
@@ -41,14 +41,16 @@ def to_json(result: Result) -> dict[str, Any]:
         "is_assumption": fact.is_assumption,
         "points": [
             {
-                "at": place_of(point.measurement),
+                "at": describe_conditions(point.measurement),
                 "quantity": point.measurement.quantity,
                 "unit": point.measurement.unit,
                 "measured": [
                     _json(point.measurement.low),
                     _json(point.measurement.high),
                 ],
-                "measured_standard_error": _json(error_of(point.measurement)),
+                "measured_standard_error": _json(
+                    effective_error(point.measurement)
+                ),
                 "ours": point.ours,
                 "ours_standard_error": point.standard_error,
                 "tolerance": point.tolerance,
@@ -63,19 +65,20 @@ def _json(number: float) -> float | None:
     return number if abs(number) < float("inf") else None
 
 
-def interventions_of(
+def try_interventions(
     results: Sequence[Result], seeds: int
 ) -> list[tuple[Result, Intervention, Result]]:
-    """Evaluates the interventions of facts that miss."""
+    """Evaluates the interventions of the facts that miss, and returns each
+    with the results before and after it."""
     return [
         (
             result,
-            each,
-            compare(result.fact, seeds, each.keys),
+            change,
+            compare(result.fact, seeds, change.keys),
         )
         for result in results
         if result.verdict == Verdict.misses
-        for each in result.fact.interventions
+        for change in result.fact.interventions
     ]
 
 
@@ -87,14 +90,14 @@ def _facts(options: argparse.Namespace) -> list[Fact]:
                 f"{path} is a table of measurements; name the campaign of its "
                 "field with --campaign FILE.toml"
             )
-        facts = facts_of_table(path, options.campaign)
+        facts = facts_from_table(path, options.campaign)
     else:
         facts = read_facts(path or shipped_facts())
     return facts.named(options.only or [])
 
 
 def _keys(words: Sequence[str]) -> dict[str, Any]:
-    """Returns settings of the command line; texts need no quotes."""
+    """Returns the settings of the command line; texts need no quotes."""
     import tomllib
 
     keys: dict[str, Any] = {}
@@ -110,15 +113,16 @@ def _keys(words: Sequence[str]) -> dict[str, Any]:
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Compares, prints and returns the exit code: 0, 1 if a fact that passes
-    by its file misses now or a file cannot be written, 2 for a wrong command
-    line, 3 for wrong facts, 4 for an output that is a symbolic link."""
+    """Compares facts and returns the exit code: 0, 1 if a fact that passes
+    according to its file now misses or a file cannot be written, 2 for a wrong
+    command line, 3 for invalid facts, 4 for an output that is a symbolic
+    link."""
     parser = argparse.ArgumentParser(
         prog="ideotype validate",
-        description="Evaluates the conditions under which fields were "
-        "measured and compares ours with the measurements. FACTS is a file of "
-        "facts, by default those that come with the program, or a CSV table "
-        "of measurements of one field. docs/validation.md describes both.",
+        description="Simulates the conditions of field measurements and "
+        "compares the results with the measurements. FACTS is a file of facts, "
+        "by default the one that comes with the program, or a CSV table of "
+        "measurements of one field. docs/validation.md describes both.",
     )
     add = parser.add_argument
     add("facts", nargs="?", type=Path, metavar="FACTS", help="TOML or CSV")
@@ -126,22 +130,22 @@ def main(arguments: Sequence[str] | None = None) -> int:
         "--campaign",
         type=Path,
         metavar="FILE",
-        help="the field of a CSV table",
+        help="campaign of the field of a CSV table",
     )
-    add("--only", nargs="+", metavar="NAME", help="the names of some facts")
+    add("--only", nargs="+", metavar="NAME", help="facts to compare")
     add(
         "--set", action="append", default=[], metavar="KEY=VALUE",
-        help="another plant or stand, for all facts; interventions are left "
-        "out",
+        help="replace a key of the campaign of all facts, and leave out "
+        "interventions",
     )  # fmt: skip
     add(
         "--seeds", type=number_within(int, 2, 1000), default=8, metavar="N",
-        help="evaluations of each condition (8)",
+        help="number of seeds for each condition (default: 8)",
     )  # fmt: skip
     add("--json", action="store_true", help="print JSON instead of tables")
     add(
         "-o", "--out", type=Path, metavar="FOLDER",
-        help="where to write the tables and a figure of each fact",
+        help="folder for the tables and a figure of each fact",
     )  # fmt: skip
     options = parser.parse_args(arguments)
     try:
@@ -150,13 +154,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
         results = []
         with Progress("compared") as progress:
             for done, fact in enumerate(chosen):
-                progress.tell(done, len(chosen), fact.name)
+                progress.show(done, len(chosen), fact.name)
                 results.append(compare(fact, options.seeds, keys))
         # Interventions change the plants of the file, not those of --set.
-        changes = [] if keys else interventions_of(results, options.seeds)
+        changes = [] if keys else try_interventions(results, options.seeds)
     except Error as error:
         return _fail(3, error)
-    page = page_of(results, changes)
+    page = format_page(results, changes)
     if options.json:
         print(json.dumps([to_json(x) for x in results], indent=1))
     else:
@@ -175,7 +179,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     ]
     if worse:
         print(
-            "ideotype validate: these passed and miss now: "
+            "ideotype validate: these facts passed before and miss now: "
             + ", ".join(worse),
             file=sys.stderr,
         )

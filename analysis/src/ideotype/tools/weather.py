@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`ideotype weather FILE... --to weather.csv` converts weather files of many
-formats into the format of the program, and checks the result."""
+"""The command `ideotype weather`: converts weather files of many formats to
+the format of the program, and checks the result."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ import pandas as pd
 
 from ..common.output import REFUSED, OutputRefused, require_output, write_file
 from ..errors import Error, printable_lines
-from .meteo.checks import check_clock, mend, place_of
+from .meteo.checks import check_clock, find_place, mend
 from .meteo.formats import FORMATS, read
 from .meteo.tables import COLUMNS, Readings
 
@@ -24,26 +24,33 @@ _LIGHT = ["global", "beam_normal", "diffuse"]
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Converts files and returns the exit code: 0, 1 if something failed, 2
-    for a wrong command line, 3 if the files cannot be believed, 4 if the output
-    is a symbolic link."""
+    """Converts files and returns the exit code: 0, 1 after a failure, 2 for a
+    wrong command line, 3 for implausible or unreadable files, 4 for an output
+    that is a symbolic link."""
     parser = argparse.ArgumentParser(
         prog="ideotype weather",
-        description="Converts weather files to the CSV file that campaigns "
-        "read, and checks clock, place and gaps.",
+        description="Converts weather files to the CSV format of campaigns, and "
+        "checks clock, location and gaps.",
     )
     add = parser.add_argument
-    add("files", nargs="+", type=Path, metavar="FILE", help="of one station")
+    add(
+        "files",
+        nargs="+",
+        type=Path,
+        metavar="FILE",
+        help="files of one station",
+    )
     add("--to", type=Path, required=True, metavar="FILE", help="CSV to write")
     add("--format", default="auto", choices=["auto", *FORMATS])
-    add("--latitude", type=float, metavar="DEG", help="of the site")
-    add("--longitude", type=float, metavar="DEG", help="of the site")
+    add("--latitude", type=float, metavar="DEG", help="latitude of the site")
+    add("--longitude", type=float, metavar="DEG", help="longitude of the site")
     add(
         "--utc-offset",
         type=float,
         metavar="HOURS",
-        help="of the clock that replaces one more than 3 hours off the sun's, "
-        "such as UTC (default: by the longitude)",
+        help="UTC offset of the output, if the clock of the files, such as UTC, "
+        "differs from solar time by more than 3 hours (default: by the "
+        "longitude)",
     )
     add("--from", dest="first", type=pd.Timestamp, metavar="DATE")
     add("--until", type=pd.Timestamp, metavar="DATE", help="last day")
@@ -51,51 +58,52 @@ def main(arguments: Sequence[str] | None = None) -> int:
         "--step",
         type=int,
         metavar="MINUTES",
-        help="means over so long (default: the file's step; 60 if that is "
-        "below 5 or not regular)",
+        help="time step of the output (default: that of the files; 60 if it is "
+        "below 5 or irregular)",
     )
     add(
         "--fill",
         type=float,
         default=0,
         metavar="HOURS",
-        help="interpolate gaps of up to so long",
+        help="interpolate gaps up to this length",
     )
     options = parser.parse_args(arguments)
 
-    def tell(what: object) -> None:
-        print(printable_lines(f"ideotype weather: {what}"), file=sys.stderr)
+    def warn(message: object) -> None:
+        text = f"ideotype weather: {message}"
+        print(printable_lines(text), file=sys.stderr)
 
     try:
         import pvlib  # noqa: F401
     except ImportError:
-        tell(
-            "pvlib is missing, which reads weather files; install it by: "
+        warn(
+            "pvlib, which reads weather files, is not installed; run "
             "pip install 'pvlib>=0.13'"
         )
         return 1
     try:
         with warnings.catch_warnings():
-            # Warnings of this kind from readers are meant for programmers.
+            # The warnings of readers are for programmers.
             warnings.simplefilter("ignore")
             require_output(options.to)
-            print(_convert(options, tell))
+            print(_convert(options, warn))
     except OutputRefused as error:
-        tell(error)
+        warn(error)
         return REFUSED
     except Error as error:
-        tell(error)
+        warn(error)
         return 3
     except OSError as error:
-        tell(error)
+        warn(error)
         return 1
     return 0
 
 
-def _convert(options: argparse.Namespace, tell: Any) -> str:
+def _convert(options: argparse.Namespace, warn: Any) -> str:
     sources = [_read(path, options.format) for path in options.files]
-    place = place_of(options, [each.place for each in sources], tell)
-    frame, step = _joined(sources, options.step, tell)
+    place = find_place(options, [x.place for x in sources], warn)
+    frame, step = _joined(sources, options.step, warn)
     offset = sources[0].utc_offset
     ahead = (offset - place[1] / 15 + 12) % 24 - 12
     if abs(ahead) > 3:
@@ -110,8 +118,8 @@ def _convert(options: argparse.Namespace, tell: Any) -> str:
     frame = frame[(frame.index >= begin) & (frame.index < end)]
     if not len(frame):
         raise Error(
-            "the files have nothing of the period; leave out --from "
-            "and --until to see what they have"
+            "the files have no data of this period; leave out --from and "
+            "--until to see their period"
         )
     frame = frame.reindex(
         pd.date_range(frame.index[0], frame.index[-1], freq=step)
@@ -119,8 +127,8 @@ def _convert(options: argparse.Namespace, tell: Any) -> str:
     leap = (frame.index.month == 2) & (frame.index.day == 29)
     if not frame[leap].notna().any(axis=None):
         frame = frame[~leap]
-    check_clock(frame, offset, place, tell)
-    mend(frame, step, offset, place, options.fill, tell)
+    check_clock(frame, offset, place, warn)
+    mend(frame, step, offset, place, options.fill, warn)
     return _write(options, frame, step, offset, place)
 
 
@@ -134,44 +142,44 @@ def _read(path: Path, form: str) -> Readings:
         IndexError,
         StopIteration,
     ) as error:
-        why = f"{type(error).__name__}: {error}".splitlines()[0]
+        reason = f"{type(error).__name__}: {error}".splitlines()[0]
         raise Error(
-            f"{path}: cannot be read ({why}); is it another format? See "
-            "--format"
+            f"{path}: cannot be read ({reason}); check the format, or name it "
+            "with --format"
         ) from error
 
 
 def _joined(
-    sources: list[Readings], minutes: int | None, tell: Any
+    sources: list[Readings], minutes: int | None, warn: Any
 ) -> tuple[pd.DataFrame, pd.Timedelta]:
-    """Joins files of later days or with other columns on the clock of the
-    first file; the index becomes the middles of time steps."""
-    alike: dict[tuple, list[Readings]] = {}
-    for each in sources:
-        each.frame.index += (sources[0].utc_offset - each.utc_offset) * _HOUR
-        alike.setdefault((*each.frame, each.stamp), []).append(each)
+    """Joins files of successive periods or with different columns, on the
+    clock of the first file. Returns a table indexed by the middles of time
+    steps, and the step."""
+    groups: dict[tuple, list[Readings]] = {}
+    for source in sources:
+        shift = sources[0].utc_offset - source.utc_offset
+        source.frame.index += shift * _HOUR
+        groups.setdefault((*source.frame, source.stamp), []).append(source)
     joined, steps = [], []
-    for group in alike.values():
-        frame = pd.concat([each.frame for each in group]).sort_index(
-            kind="stable"
-        )
+    for group in groups.values():
+        frame = pd.concat([x.frame for x in group]).sort_index(kind="stable")
         twice = frame.index.duplicated()
         if twice.any():
-            tell(
-                f"warning: {twice.sum()} rows have the time of another, first "
-                f"{frame.index[twice][0]}; the first of each counts"
+            warn(
+                f"warning: {twice.sum()} rows repeat the time of another, first "
+                f"at {frame.index[twice][0]}; the first row of each time counts"
             )
         frame = frame[~twice]
         if len(frame) < 2:
             raise Error(
-                "a file has fewer than two times, so that the time step is "
-                "not known; check --format"
+                "a file has fewer than two times, so the time step is unknown; "
+                "check --format"
             )
         step = frame.index.to_series().diff().mode().iloc[0]
         if not pd.Timedelta("1min") <= step <= _HOUR:
             raise Error(
-                f"the rows are {step} apart; there must be one each "
-                "hour or more often"
+                f"the time step is {step}; give files with steps from 1 minute "
+                "to 1 hour"
             )
         parts = {"beginning": 0, "middle": 0.5, "end": 1}
         frame.index -= parts[group[0].stamp] * step
@@ -190,13 +198,13 @@ def _joined(
         whole = whole.combine_first(frame)
     if len(set(steps)) > 1:
         raise Error("the files have different time steps; give --step 60")
-    # Hours at the ends with temperature alone are useless.
+    # Steps without light at both ends are useless.
     light = (
         whole[[name for name in _LIGHT if name in whole]].notna().any(axis=1)
     )
     if not light.any():
         raise Error(
-            "no file tells the light; give one with global light, or with "
+            "no file has light; give one with global light, or with "
             "beam and diffuse light"
         )
     return whole[light.idxmax() : light[::-1].idxmax()], steps[0]
@@ -205,8 +213,8 @@ def _joined(
 def _means(
     frame: pd.DataFrame, step: Any, wanted: Any, is_regular: bool
 ) -> pd.DataFrame:
-    """Returns means over longer or shifted time steps, by minutes, of which
-    three quarters must be known."""
+    """Returns means over longer or shifted time steps, weighted by minutes;
+    three quarters of each step must be known."""
     if not is_regular or step > wanted:
         minute = pd.Timedelta("1min")
         frame = frame.resample("1min").ffill(limit=step // minute - 1)
@@ -216,8 +224,8 @@ def _means(
 
 
 def _with_years(frame: pd.DataFrame, first: Any, until: Any) -> pd.DataFrame:
-    """Gives the rows of a typical year the dates of a period, or without a
-    period the year of the first row."""
+    """Returns the rows of a typical year with the dates of a period, by
+    default of the year of the first row."""
     index = frame.index
     first = first or pd.Timestamp(index[0].year, 1, 1)
     until = until or pd.Timestamp(first.year, 12, 31)
@@ -245,16 +253,16 @@ def _write(
     offset: float,
     place: tuple[float, float],
 ) -> str:
-    """Writes the file and returns the message about it."""
+    """Writes the file and returns a message with the tables of a campaign."""
     zone = f"{'-' if offset < 0 else '+'}{int(abs(offset)):02}:" + (
         f"{round(abs(offset) % 1 * 60):02}"
     )
     names = ", ".join(path.name for path in options.files)
     head = (
-        f"# made by ideotype weather of {names}: the middles of time steps, "
+        f"# made by ideotype weather from {names}: middles of time steps, "
         f"W m-2, deg C, %\n# latitude {place[0]:.6g}, longitude {place[1]:.6g}\n"
     )
-    # The program would refuse gaps that are longer than it interpolates.
+    # The program refuses gaps in these columns.
     air = [name for name in COLUMNS[5:] if name in frame]
     table = frame[
         [
@@ -269,7 +277,7 @@ def _write(
     first, last = frame.index[0].date(), frame.index[-1].date()
     return (
         f"{options.to}: {len(table)} steps of {step / _HOUR * 60:.4g} min\n"
-        f'In a campaign beside it:\n\n[[site]]\nname = "mine"\n'
+        f'In a campaign of the same folder:\n\n[[site]]\nname = "mine"\n'
         f"latitude = {place[0]:.6g}\nlongitude = {place[1]:.6g}\n"
         f"utc_offset = {offset:g}\n\n[[climate]]\n"
         f'file = "{options.to.name}"\nfrom = {first}\nto = {last}'

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """Compares the program with measurements.
 
-A fact is a table of measurements of one thing under known conditions, with its
-source (`Fact`); `compare` evaluates the plants of a campaign under the same
-conditions and returns a `Result`: ours and theirs at each point, and whether
-they agree."""
+A fact (`Fact`) is a table of measurements under known conditions with its
+source. `compare` evaluates the plants of a campaign under the same conditions
+and returns a `Result`: the computed and measured value of each point, and
+whether they agree."""
 
 from .comparison import Point, Result, compare
 from .facts import (

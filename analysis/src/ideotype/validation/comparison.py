@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Evaluates the conditions of facts, and judges whether ours agrees.
+"""Evaluates facts under their conditions, and determines whether the computed
+values agree with the measured ones.
 
-A point agrees if ours lies within the tolerance of what was measured: z standard
-errors of theirs and of ours together, where z is the two-sided 95 % quantile of
-the normal distribution for as many points as the fact has (Bonferroni: 1 -
-0.025 / points), so that a true program misses one fact in twenty. A value without
-an error is granted one of 5 % (E; so 10 % for a single point). A fact passes if
-all of its points agree."""
+A point agrees if the difference is at most z combined standard errors of both
+values. z is the normal quantile at 1 - 0.025 / points (Bonferroni, two-sided
+95 % over all points of the fact), so a correct program misses one fact in
+twenty. For a value without an error 5 % is assumed (E; the tolerance of a
+single point is then 10 %). A fact passes if all of its points agree."""
 
 from __future__ import annotations
 
@@ -23,30 +23,29 @@ from typing import Any
 
 from ..common.compiled import _core
 from ..common.processors import processors
-from ..common.settings import words_of
+from ..common.settings import format_settings
 from ..errors import Error, InputError
 from ..stand.stand import Stand
 from .facts import Fact, Verdict
-from .quantities import Seen, quantity_of
-from .table import THIRDS, Measurement, factor_to, third_of
+from .quantities import Seen, find_quantity
+from .table import THIRDS, Measurement, factor_to, find_third
 
 UNKNOWN_ERROR = 0.05
-"""The standard error of values without an error, over the value (E: field
+"""The relative standard error assumed for values without an error (E: field
 measurements of light and leaf area have 0.03 to 0.10)."""
 
-
 LEAF, CROP = "leaf.", "crop."
-"""The beginnings of keys that change the baseline: leaf.PART.MEASURE, where PART
-is all or the lower, middle or upper third of the leaves by rank, and crop.TABLE.KEY,
-each with a value or {times = FACTOR}."""
+"""The prefixes of keys that change the baseline: leaf.PART.MEASURE, where PART
+is all or the lower, middle or upper third of the leaves by rank, and
+crop.TABLE.KEY; each takes a value or {times = FACTOR}."""
 
 
 def changed(
     crop: dict[str, Any], changes: Mapping[str, Any]
 ) -> dict[str, Any]:
-    """Returns the tables of a crop with changes of its leaves.
+    """Returns the tables of a crop after changes by keys leaf.* and crop.*.
 
-    Raises Error for an unknown part or measure."""
+    Raises Error for an unknown part, measure or key."""
     crop = deepcopy(crop)
     leaves = crop["leaf"]
     for key, value in changes.items():
@@ -65,7 +64,7 @@ def changed(
                 f"lower, middle or upper, and {', '.join(leaves[0])}"
             )
         for rank, leaf in enumerate(leaves, 1):
-            if part == "all" or third_of(rank, len(leaves)) == THIRDS[part]:
+            if part == "all" or find_third(rank, len(leaves)) == THIRDS[part]:
                 _change_key(leaf, measure, value)
     return crop
 
@@ -77,25 +76,27 @@ def _change_key(table: dict[str, Any], key: str, value: Any) -> None:
 
 @dataclass(frozen=True)
 class Point:
-    """A measurement beside ours, both in its unit."""
+    """A measured and the computed value, in the unit of the measurement."""
 
     measurement: Measurement
     ours: float
+    """The computed value."""
     standard_error: float
+    """The standard error of the computed value over seeds."""
     tolerance: float
-    """The largest distance of ours from the range that was measured with which
-    it agrees."""
+    """The largest distance of `ours` from the measured range at which they
+    agree."""
 
     @property
     def apart(self) -> float:
-        """The distance of ours from the range that was measured, negative
-        below it."""
+        """The distance of `ours` from the measured range, negative below
+        it."""
         low, high = self.measurement.low, self.measurement.high
         return self.ours - min(max(self.ours, low), high)
 
     @property
     def agrees(self) -> bool:
-        """Whether ours is within the tolerance, or nothing was measured."""
+        """Whether `ours` is within the tolerance, or nothing was measured."""
         return not self.measurement.is_measured or (
             abs(self.apart) <= self.tolerance
         )
@@ -103,29 +104,31 @@ class Point:
 
 @dataclass(frozen=True)
 class Result:
-    """A fact with ours at each of its points."""
+    """A fact with the computed value of each of its points."""
 
     fact: Fact
     points: list[Point]
 
     @property
     def verdict(self) -> Verdict:
+        """Whether all measured points agree; none without measured points."""
         if not any(point.measurement.is_measured for point in self.points):
             return Verdict.none
         agree = all(point.agrees for point in self.points)
         return Verdict.passes if agree else Verdict.misses
 
 
-def error_of(row: Measurement) -> float:
-    """Returns the standard error of a measurement, or that which is granted
-    where it is unknown; a range has none besides."""
+def effective_error(row: Measurement) -> float:
+    """Returns the standard error of a measurement; UNKNOWN_ERROR times the
+    value if it is unknown, 0 for a range."""
     if not math.isnan(row.error):
         return row.error
     return UNKNOWN_ERROR * abs(row.value) if row.low == row.high else 0.0
 
 
 class Conditions:
-    """Evaluates measurements of a campaign with several seeds."""
+    """Evaluates a campaign under the conditions of measurements, with several
+    seeds."""
 
     def __init__(self, campaign: Path, seeds: int, is_relative: bool) -> None:
         self.campaign, self.seeds = campaign, seeds
@@ -139,13 +142,14 @@ class Conditions:
         self._grows = "emergence" in climates[0]
 
     def keys(self, row: Measurement) -> dict[str, Any]:
-        """Returns the keys of the campaign that a row sets."""
+        """Returns the keys of the campaign that a row sets, with its date and
+        hours."""
         keys = dict(row.keys)
         if row.hours:
             if not self._has_days:
                 raise Error(
                     f"{row.where}: {self.campaign} has no [[day]], which rows "
-                    "with an hour need; add one, or drop the hour"
+                    "with an hour need; add one, or remove the hour"
                 )
             keys |= {"day.start": row.hours[0], "day.end": row.hours[1]}
         if row.date and self._has_days:
@@ -157,52 +161,55 @@ class Conditions:
         return keys
 
     def settings(self, keys: Mapping[str, Any]) -> list[str]:
-        """Returns the settings of the campaign that keys mean, in which
-        changes of the baseline are a crop."""
+        """Returns the settings of the campaign for the given keys. Changes of
+        the baseline are applied to its crop."""
         changes = {k: v for k, v in keys.items() if k.startswith((LEAF, CROP))}
         plain = {k: v for k, v in keys.items() if k not in changes}
-        settings = words_of(plain)
+        settings = format_settings(plain)
         names = _core.case_names(str(self.campaign), settings)
         if len({name for name, _ in names}) > 1:
             raise Error(
-                f"{self.campaign} has {len(names)} cases; measurements belong "
-                "to one: leave one site, spacing and light in it"
+                f"{self.campaign} has {len(names)} cases, but measurements "
+                "belong to one; keep one site, spacing and light"
             )
         if changes:
             stand = Stand.from_campaign(self.campaign, settings=settings)
             crop = tomllib.loads(stand.crop_file(stand.baseline))
-            settings += words_of({"plant.baseline": changed(crop, changes)})
+            settings += format_settings(
+                {"plant.baseline": changed(crop, changes)}
+            )
         return settings
 
     def values(
         self, settings: Sequence[str], rows: Sequence[Measurement], seed: int
     ) -> list[float]:
-        """Returns the values of rows that share all settings, in their units;
-        of changes from a control in the units of the program."""
+        """Returns the computed values of rows with common settings, in their
+        units; for changes from a control in the units of the program."""
         seen = Seen(
             Stand.from_campaign(
-                self.campaign, settings=[*settings, *words_of({"seed": seed})]
+                self.campaign,
+                settings=[*settings, *format_settings({"seed": seed})],
             )
         )
-        found = []
+        numbers = []
         for row in rows:
-            quantity = quantity_of(seen, row.quantity)
+            quantity = find_quantity(seen, row.quantity)
             value = quantity.value(seen, row)
             if not self._is_relative:
                 value *= factor_to(quantity.unit, row.unit)
             if not math.isfinite(value):
                 raise Error(f"{row.where}: {row.quantity} is {value}")
-            found.append(value)
-        return found
+            numbers.append(value)
+        return numbers
 
     def evaluate(
         self, jobs: Sequence[tuple[Mapping[str, Any], Sequence[Measurement]]]
     ) -> list[list[list[float]]]:
-        """Returns for each job, keys with the rows that have them, the values
-        [seed, row]."""
+        """Returns the computed values [seed, row] of each job, which has keys
+        and the rows with these keys."""
 
-        def located(rows: Sequence[Measurement], call: Any) -> Any:
-            """Calls a function whose errors then name a row."""
+        def locate_errors(rows: Sequence[Measurement], call: Any) -> Any:
+            """Calls a function and adds the row to its errors."""
             try:
                 return call()
             except (InputError, Error) as error:
@@ -213,31 +220,35 @@ class Conditions:
                 ) from None
 
         known = [
-            located(rows, partial(self.settings, keys)) for keys, rows in jobs
+            locate_errors(rows, partial(self.settings, keys))
+            for keys, rows in jobs
         ]
         with ThreadPoolExecutor(processors()) as pool:
-            found = [
+            futures = [
                 [
                     pool.submit(
-                        located, rows, partial(self.values, own, rows, seed)
+                        locate_errors,
+                        rows,
+                        partial(self.values, settings, rows, seed),
                     )
                     for seed in range(1, self.seeds + 1)
                 ]
-                for own, (_, rows) in zip(known, jobs)
+                for settings, (_, rows) in zip(known, jobs)
             ]
-            return [[each.result() for each in job] for job in found]
+            return [[future.result() for future in job] for job in futures]
 
 
 def compare(
     fact: Fact, seeds: int = 8, keys: Mapping[str, Any] | None = None
 ) -> Result:
-    """Evaluates the conditions of a fact.
+    """Evaluates a fact under its conditions.
 
-    seeds: number of seeds (2 or more) whose scatter is the standard error of
-        ours; a treatment and its control share them.
-    keys: further keys of the campaign, such as another plant.
+    seeds: number of seeds (2 or more), from which the standard error of
+        computed values is estimated. A treatment and its control have common
+        random numbers.
+    keys: additional keys of the campaign, such as another plant.
 
-    Raises Error if a row or a key is impossible."""
+    Raises Error if a row or a key is invalid."""
     rows = fact.measurements
     if fact.cannot or not rows:
         return Result(fact, [])
@@ -245,33 +256,33 @@ def compare(
     common = {**fact.keys, **(keys or {})}
     groups: dict[str, tuple[dict[str, Any], list[Measurement]]] = {}
     for row in rows:
-        own = {**common, **conditions.keys(row)}
-        groups.setdefault(repr(own), (own, []))[1].append(row)
+        row_keys = {**common, **conditions.keys(row)}
+        groups.setdefault(repr(row_keys), (row_keys, []))[1].append(row)
     jobs = list(groups.values())
-    found = conditions.evaluate(jobs)
+    computed = conditions.evaluate(jobs)
     if fact.than is not None:
         controls = conditions.evaluate(
             [
-                ({**_without(own, fact.keys), **fact.than}, own_rows)
-                for own, own_rows in jobs
+                ({**_without(job_keys, fact.keys), **fact.than}, job_rows)
+                for job_keys, job_rows in jobs
             ]
         )
-        found = [
+        computed = [
             [
                 [_change(x, y, row) for x, y, row in zip(*both, job[1])]
                 for both in zip(treated, control)
             ]
-            for treated, control, job in zip(found, controls, jobs)
+            for treated, control, job in zip(computed, controls, jobs)
         ]
     points = {}
     measured = sum(row.is_measured for row in rows)
     quantile = NormalDist().inv_cdf(1 - 0.025 / max(measured, 1))
-    for (_, own_rows), by_seed in zip(jobs, found):
-        for row, values in zip(own_rows, zip(*by_seed)):
+    for (_, job_rows), by_seed in zip(jobs, computed):
+        for row, values in zip(job_rows, zip(*by_seed)):
             error = stdev(values) / math.sqrt(len(values))
-            together = math.hypot(error, error_of(row))
+            combined = math.hypot(error, effective_error(row))
             points[id(row)] = Point(
-                row, fmean(values), error, quantile * together
+                row, fmean(values), error, quantile * combined
             )
     return Result(fact, [points[id(row)] for row in rows])
 

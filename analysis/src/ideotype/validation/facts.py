@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Reads files of facts: what was measured where, and by whom."""
+"""Reads files of facts: measurements with their conditions and sources."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ from typing import Any
 
 from ..common.arrays import require_file
 from ..errors import Error, did_you_mean
-from .table import Measurement, measurements_of, read_table
+from .table import Measurement, measurements_from_rows, read_table
 
 
 class Read(StrEnum):
-    """The part of a source that was read."""
+    """The part of a source from which values were taken."""
 
     data = "data"
     text = "text"
@@ -35,6 +35,8 @@ class Verdict(StrEnum):
 
 @dataclass(frozen=True)
 class Source:
+    """The origin of measurements."""
+
     name: str
     citation: str
     """The publication with its DOI or address."""
@@ -53,7 +55,7 @@ class Intervention:
 
 @dataclass(frozen=True)
 class Fact:
-    """Measurements of one thing in one experiment."""
+    """Measurements that answer one question in one experiment."""
 
     name: str
     question: str
@@ -62,15 +64,15 @@ class Fact:
     keys: Mapping[str, Any]
     """The keys of the campaign that the experiment sets."""
     than: Mapping[str, Any] | None
-    """The keys of the control. Then values are changes from the control, in
-    the unit "1" or "%"."""
+    """The keys of the control, if values are changes from a control, in the
+    unit "1" or "%"."""
     measurements: list[Measurement]
     axis: str
-    """The column of the horizontal axis of its figure."""
+    """The column for the horizontal axis of the figure."""
     is_assumption: bool
-    """Whether a model assumes the values, which nobody has measured."""
+    """Whether the values are assumptions of a model, not measurements."""
     cannot: str
-    """Why it cannot be compared, or ""."""
+    """The reason why it cannot be compared, or ""."""
     note: str
     verdict: Verdict | None
     """The verdict that the file records."""
@@ -79,12 +81,14 @@ class Fact:
 
 @dataclass(frozen=True)
 class Facts:
+    """The facts of a file."""
+
     path: Path
     facts: list[Fact]
 
     def named(self, names: list[str]) -> list[Fact]:
-        """Returns the facts with these names, all without names. Raises Error
-        for an unknown name."""
+        """Returns the facts with the given names, by default all. Raises Error
+        for unknown names."""
         known = {fact.name: fact for fact in self.facts}
         for name in names:
             if name not in known:
@@ -99,7 +103,7 @@ class Facts:
 
 
 def shipped_facts() -> Path:
-    """Returns the file of the facts that come with the program."""
+    """Returns the path of the facts that come with the program."""
     return Path(str(files(__package__) / "facts" / "facts.toml"))
 
 
@@ -112,7 +116,7 @@ INTERVENTION = {"name", "set", "sources"}
 
 
 class _Reader:
-    """Reads one file and collects its problems."""
+    """Reads a file and collects its problems."""
 
     def __init__(self, path: Path) -> None:
         require_file(path)
@@ -127,18 +131,19 @@ class _Reader:
         self.sources: dict[str, Source] = {}
 
     def line(self, header: str, number: int = 0) -> str:
-        """Returns the file and the line of the numbered table with a header,
+        """Returns the path and line of the table `number` with this header,
         such as [[fact]]."""
-        found = [
+        lines = [
             i
             for i, text in enumerate(self.lines, 1)
             if text.split("#")[0].strip() == header
         ]
-        return f"{self.path}:{found[number] if number < len(found) else 1}"
+        return f"{self.path}:{lines[number] if number < len(lines) else 1}"
 
     def check_names(
         self, table: Mapping[str, Any], known: set[str], where: str
     ) -> None:
+        """Records the unknown keys of a table as problems."""
         for name in table:
             if name not in known:
                 self.problems.append(
@@ -152,8 +157,8 @@ class _Reader:
     def text(
         self, table: Mapping[str, Any], key: str, where: str, other: str = ""
     ) -> str:
-        """Returns the text of a key, which is required unless there is
-        another value."""
+        """Returns the text of a key; records a problem if it is missing and
+        there is no default, `other`."""
         value = table.get(key, other)
         if not isinstance(value, str) or (key not in table and not other):
             self.problems.append(f'{where}: give {key} = "..."')
@@ -166,7 +171,7 @@ class _Reader:
         except ValueError:
             self.problems.append(
                 f"{where}: {key} is '{value}'; use one of "
-                + ", ".join(f'"{each}"' for each in kind)
+                + ", ".join(f'"{value}"' for value in kind)
             )
             return None
 
@@ -201,7 +206,7 @@ class _Reader:
         if name and not re.fullmatch(r"[a-z0-9_]+", name):
             self.problems.append(
                 f"{where}: name is '{name}'; use a-z, 0-9 and _, since files "
-                "are named by it"
+                "have this name"
             )
         source = self.text(table, "source", where)
         if source and source not in self.sources:
@@ -227,8 +232,8 @@ class _Reader:
             if "verdict" in table
             else None,
             [
-                self.intervention(each, where)
-                for each in table.get("intervention", [])
+                self.intervention(change, where)
+                for change in table.get("intervention", [])
             ],
         )
 
@@ -243,21 +248,21 @@ class _Reader:
     def measurements(
         self, table: Mapping[str, Any], where: str
     ) -> list[Measurement]:
-        found = []
+        rows = []
         try:
             if "table" in table:
-                found += read_table(self.path.parent / str(table["table"]))
-            found += measurements_of(table.get("measured", []), where)
+                rows += read_table(self.path.parent / str(table["table"]))
+            rows += measurements_from_rows(table.get("measured", []), where)
         except Error as error:
             self.problems.append(str(error))
-        return found
+        return rows
 
 
 def read_facts(path: Path) -> Facts:
-    """Reads a file of facts (docs/validation.md has its form).
+    """Reads a file of facts; docs/validation.md describes the format.
 
-    Raises Error with all problems of the file, each with the line of its
-    table."""
+    Raises Error with all problems of the file and the lines of their
+    tables."""
     reader = _Reader(path)
     unknown = set(reader.tables) - {"source", "fact", "assumption"}
     for name in sorted(unknown):
@@ -277,19 +282,19 @@ def read_facts(path: Path) -> Facts:
     return Facts(path, facts)
 
 
-def facts_of_table(table: Path, campaign: Path) -> Facts:
-    """Returns the measurements of a table as facts about a campaign, one for
-    each quantity."""
+def facts_from_table(table: Path, campaign: Path) -> Facts:
+    """Returns the measurements of a CSV table as facts about a campaign, one
+    for each quantity."""
     rows = read_table(table)
     source = Source("table", str(table), Read.data)
     facts = []
     for quantity in dict.fromkeys(row.quantity for row in rows):
-        own = [row for row in rows if row.quantity == quantity]
+        chosen = [row for row in rows if row.quantity == quantity]
         axes = ("date", "hours", "height", "leaves")
-        varied = (x for x in axes if len({getattr(r, x) for r in own}) > 1)
+        varied = (x for x in axes if len({getattr(r, x) for r in chosen}) > 1)
         facts.append(
             Fact(
-                quantity, quantity, source, campaign, {}, None, own,
+                quantity, quantity, source, campaign, {}, None, chosen,
                 next(varied, "quantity"), False, "", "", None,
             )
         )  # fmt: skip

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Draws a fact: measured values and ours over the conditions of its points."""
+"""Draws facts: measured and computed values over the conditions of points."""
 
 from __future__ import annotations
 
@@ -10,31 +10,30 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from ..figures import style
-from .comparison import Point, Result, error_of
+from .comparison import Point, Result, effective_error
 
 
 def draw_fact(result: Result) -> Figure:
-    """Draws measured values, with 95 % intervals or ranges, and ours over the
-    axis of the fact."""
+    """Draws the measured values, with 95 % confidence intervals or ranges, and
+    the computed values over the axis of the fact."""
     fact = result.fact
     figure = style.new_figure(style.WIDTH, 3.4)
     axes = figure.subplots()
-    places = [_place(point, fact.axis) for point in result.points]
+    positions = [_position(point, fact.axis) for point in result.points]
     points = result.points
-    if all(isinstance(x, int | float) for x in places):
-        order = sorted(range(len(points)), key=lambda i: places[i])
-        points, places = (
-            [points[i] for i in order], [places[i] for i in order],
-        )  # fmt: skip
+    if all(isinstance(x, int | float) for x in positions):
+        order = sorted(range(len(points)), key=lambda i: positions[i])
+        points = [points[i] for i in order]
+        positions = [positions[i] for i in order]
     # Measurements of the same hours make a curve.
     for hours in dict.fromkeys(_hours(point, fact.axis) for point in points):
         curve = [
-            (place, point)
-            for place, point in zip(places, points, strict=True)
+            (position, point)
+            for position, point in zip(positions, points, strict=True)
             if _hours(point, fact.axis) == hours
         ]
         axes.errorbar(
-            [place for place, _ in curve],
+            [position for position, _ in curve],
             [point.ours for _, point in curve],
             style.half_width([point.standard_error for _, point in curve]),
             color=style.BEST,
@@ -43,21 +42,21 @@ def draw_fact(result: Result) -> Figure:
             label=f"computed, {hours}" if hours else "computed",
         )
     known = [
-        (place, point.measurement)
-        for place, point in zip(places, points, strict=True)
+        (position, point.measurement)
+        for position, point in zip(positions, points, strict=True)
         if point.measurement.is_measured
     ]
     if known:
         bars = []
         for _, row in known:
-            half = float(style.half_width(error_of(row)))
+            half = float(style.half_width(effective_error(row)))
             low, high = (
                 abs(row.value - x) if math.isfinite(x) else 0.0
                 for x in (row.low, row.high)
             )
             bars.append((low or half, high or half))
         axes.errorbar(
-            [place for place, _ in known],
+            [position for position, _ in known],
             [row.value for _, row in known],
             np.transpose(bars),
             color=style.BASELINE,
@@ -86,7 +85,7 @@ def _hours(point: Point, axis: str) -> str:
     return "-".join(f"{x:%H:%M}" for x in hours)
 
 
-def _place(point: Point, axis: str) -> Any:
+def _position(point: Point, axis: str) -> Any:
     row = point.measurement
     if axis in row.keys:
         return row.keys[axis]

@@ -1,25 +1,26 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Prints comparisons with facts as tables in Markdown."""
+"""Formats comparisons with facts as tables in Markdown."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 
+from ..common.markdown import markdown_table
 from ..history.estimate import NORMAL, with_interval
-from .comparison import Point, Result, error_of
+from .comparison import Point, Result, effective_error
 from .facts import Intervention, Read, Verdict
 from .table import Measurement
 
 
-def place_of(row: Measurement) -> str:
-    """Returns the conditions that distinguish a row from others of its
+def describe_conditions(row: Measurement) -> str:
+    """Returns the conditions that distinguish a row from the other rows of its
     fact."""
     parts = [f"{key} {value:g}" if isinstance(value, int | float)
              else f"{key} {value}" for key, value in row.keys.items()]  # fmt: skip
     if row.date:
         parts.append(str(row.date))
     if row.hours:
-        parts.append("-".join(f"{each:%H:%M}" for each in row.hours))
+        parts.append("-".join(f"{time:%H:%M}" for time in row.hours))
     if row.leaves:
         parts.append(f"{row.leaves} third")
     if row.position == row.position or row.quantity == "light":
@@ -27,13 +28,9 @@ def place_of(row: Measurement) -> str:
     return ", ".join(parts)
 
 
-def table(titles: Sequence[str], rows: Iterable[Sequence[str]]) -> list[str]:
-    lines = [titles, ["---"] * len(titles), *rows]
-    return [f"| {' | '.join(cells)} |" for cells in lines]
-
-
-def measured(row: Measurement) -> str:
-    """Returns what was measured, with half of its 95 % interval."""
+def format_measured(row: Measurement) -> str:
+    """Returns the measured value ± half of its 95 % confidence interval, or
+    the measured range."""
     if not row.is_measured:
         return ""
     if row.low != row.high:
@@ -43,10 +40,11 @@ def measured(row: Measurement) -> str:
             return f"at least {row.low:g}"
         return f"{row.low:g} to {row.high:g}"
     given = "" if row.error == row.error else " (E)"
-    return f"{_with_interval(row.value, error_of(row))}{given}"
+    return f"{_with_interval(row.value, effective_error(row))}{given}"
 
 
-def ours(point: Point) -> str:
+def format_ours(point: Point) -> str:
+    """Returns the computed value ± half of its 95 % confidence interval."""
     return _with_interval(point.ours, point.standard_error)
 
 
@@ -56,7 +54,7 @@ def _with_interval(mean: float, standard_error: float) -> str:
 
 
 def points_table(results: Sequence[Result]) -> list[str]:
-    """Returns a row for each point of the facts."""
+    """Returns one row for each point of the facts."""
     rows = []
     for result in results:
         for point in result.points:
@@ -66,42 +64,42 @@ def points_table(results: Sequence[Result]) -> list[str]:
             rows.append(
                 [
                     result.fact.name,
-                    place_of(row),
+                    describe_conditions(row),
                     row.quantity,
                     row.unit,
-                    measured(row),
-                    ours(point),
+                    format_measured(row),
+                    format_ours(point),
                     verdict if row.is_measured else "",
                 ]
             )
     titles = ["fact", "at", "quantity", "unit", "measured", "ours", ""]
-    return table(titles, rows)
+    return markdown_table(titles, rows)
 
 
 def facts_table(results: Sequence[Result]) -> list[str]:
-    """Returns a row for each fact that is compared."""
+    """Returns one row for each compared fact."""
     rows = []
     for result in results:
         fact = result.fact
-        only = [p for p in result.points if p.measurement.is_measured]
-        agree = sum(point.agrees for point in only)
+        measured = [p for p in result.points if p.measurement.is_measured]
+        agree = sum(point.agrees for point in measured)
         rows.append(
             [
                 fact.name,
                 fact.question,
                 str(result.verdict),
-                f"{agree} of {len(only)}",
+                f"{agree} of {len(measured)}",
                 str(fact.source.read),
                 fact.source.citation,
                 fact.note,
             ]
         )
     titles = ["fact", "what was measured", "ours", "points that agree"]
-    return table([*titles, "read", "source", "note"], rows)
+    return markdown_table([*titles, "read", "source", "note"], rows)
 
 
 def score(results: Sequence[Result]) -> str:
-    """Returns the sentence that counts facts."""
+    """Returns a sentence with the numbers of facts that pass."""
     compared = [x for x in results if x.verdict != Verdict.none]
     good = [x for x in compared if x.verdict == Verdict.passes]
     abstracts = [x for x in compared if x.fact.source.read == Read.abstract]
@@ -112,13 +110,14 @@ def score(results: Sequence[Result]) -> str:
     )
 
 
-def page_of(
+def format_page(
     results: Sequence[Result],
     interventions: Sequence[tuple[Result, Intervention, Result]] = (),
 ) -> str:
-    """Returns all tables.
+    """Returns all tables as one text.
 
-    interventions: facts, changes of their plants, and ours with the change."""
+    interventions: result of a fact, change of its plants, and result with the
+        change."""
     facts = [x for x in results if not x.fact.is_assumption]
     compared = [x for x in facts if x.verdict != Verdict.none]
     others = [x for x in facts if x.verdict == Verdict.none]
@@ -132,15 +131,16 @@ def page_of(
             [
                 before.fact.name,
                 change.name,
-                "; ".join(map(ours, before.points)),
-                "; ".join(map(ours, after.points)),
+                "; ".join(map(format_ours, before.points)),
+                "; ".join(map(format_ours, after.points)),
                 str(after.verdict),
                 change.sources,
             ]
             for before, change, after in interventions
         ]
         titles = ["fact", "change", "ours", "with the change", "then"]
-        lines += [*table([*titles, "do sources allow it?"], rows), ""]
+        header = [*titles, "do sources allow it?"]
+        lines += [*markdown_table(header, rows), ""]
     if others:
         rows = [
             [
@@ -151,7 +151,7 @@ def page_of(
             for x in others
         ]  # fmt: skip
         titles = ["not compared", "what was measured", "because", "source"]
-        lines += [*table(titles, rows), ""]
+        lines += [*markdown_table(titles, rows), ""]
     if assumed:
         lines += ["What models assume, which nobody has measured:", ""]
         lines += [*points_table(assumed), ""]

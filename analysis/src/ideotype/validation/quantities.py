@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The quantities that fields measure and that the program computes."""
+"""The quantities that the program can compare with field measurements."""
 
 from __future__ import annotations
 
@@ -15,14 +15,14 @@ import xarray
 
 from ..errors import Error
 from ..stand.stand import Stand
-from .table import THIRDS, Measurement, third_of
+from .table import THIRDS, Measurement, find_third
 
 DRY_MASS = "t ha-1"
 
 
 class Seen:
-    """The baseline of a stand, evaluated under the conditions of measurements
-    that share them, with the random numbers of one seed."""
+    """The baseline of a stand, evaluated with one seed under the common
+    conditions of measurements. Results are cached."""
 
     def __init__(self, stand: Stand) -> None:
         self.stand = stand
@@ -34,24 +34,26 @@ class Seen:
 
     @cached_property
     def report(self) -> xarray.Dataset:
-        found = self.stand.evaluate(self.stand.baseline, threads=1)
-        if message := found.message.item():
+        """The evaluation of the baseline. Raises Error if it fails."""
+        evaluated = self.stand.evaluate(self.stand.baseline, threads=1)
+        if message := evaluated.message.item():
             raise Error(f"{self.stand.name}: {message}")
-        return found.isel(plant=0)
+        return evaluated.isel(plant=0)
 
     def number(self, name: str) -> float:
-        """Returns a number of the report that has no axis."""
+        """Returns a quantity without axes, in the unit of the program."""
         return float(self.report[name])
 
     @cached_property
     def emergence(self) -> date | None:
-        """The day of emergence; none for plants that do not grow."""
+        """The day of emergence; None for full-grown plants."""
         (climate,) = self.campaign.get("climate", [{}])
-        found: date | None = climate.get("emergence")
-        return found
+        emergence: date | None = climate.get("emergence")
+        return emergence
 
     def on(self, name: str, day: date) -> float:
-        """Returns a number by stage on a day, linear between stages."""
+        """Returns a quantity by growth stage on a day, by linear interpolation
+        between stages."""
         assert self.emergence
         age = (day - self.emergence).days
         stages = self.report[f"{name}_by_stage"].values
@@ -59,18 +61,19 @@ class Seen:
 
     @cached_property
     def transmitted(self) -> float:
-        """The part of the light above the canopy that arrives at the soil."""
+        """The fraction of the incident light that reaches the soil."""
         albedo = self.campaign["optics"]["soil_albedo"]
         return self.number("soil_fraction") / (1 - albedo)
 
     @cached_property
     def inclination(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """The inclination [deg], area [m2] and rank of each face of leaves in
-        the field."""
+        """The inclination [deg], area [m2] and leaf rank of each leaf face in
+        the field, each [faces]."""
         mesh = self.stand.field_mesh(self.stand.baseline)
         rank = np.array(mesh.ranks)
         corners = mesh.corners[rank > 0]
-        # A nearly flat face has half the product of its diagonals as area.
+        # The area of a flat quadrilateral is half the cross product of its
+        # diagonals.
         normals = np.cross(
             corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1]
         )
@@ -81,7 +84,7 @@ class Seen:
 
 @dataclass(frozen=True)
 class Quantity:
-    """A quantity of tables of measurements."""
+    """A quantity of tables of measurements; `value` computes it."""
 
     unit: str
     meaning: str
@@ -89,11 +92,11 @@ class Quantity:
 
 
 def _light(seen: Seen, row: Measurement) -> float:
-    found = seen.stand.light_at(
+    light = seen.stand.light_at(
         seen.stand.baseline, row.height, row.position, fields=2, points=256
     ).isel(sensor=0)
     return float(
-        (found.fraction * found.incident).sum() / found.incident.sum()
+        (light.fraction * light.incident).sum() / light.incident.sum()
     )
 
 
@@ -103,7 +106,7 @@ def _extinction(seen: Seen, row: Measurement) -> float:
 
 def _inclination(seen: Seen, row: Measurement) -> float:
     angle, area, rank = seen.inclination
-    third = third_of(rank, rank.max())
+    third = find_third(rank, rank.max())
     part = third == THIRDS[row.leaves] if row.leaves else rank > 0
     return float(np.average(angle[part], weights=area[part]))
 
@@ -119,10 +122,11 @@ def _relative_lai(seen: Seen, row: Measurement) -> float:
 
 
 def _shoot(seen: Seen, row: Measurement) -> float:
-    """All dry matter less that of roots, a share of all structures."""
+    """Returns the dry matter without roots, which are a share of all
+    structures."""
     growth = seen.campaign["plant"]["baseline"].get("growth", {})
     share = growth.get("root_share", 0)
-    # Crops without densities have neither masses nor roots.
+    # Crops without densities have no organ masses and no roots.
     built = float(seen.report.dry_mass_by_organ.sum()) if share else 0
     return seen.number("dry_matter") - share * built
 
@@ -130,13 +134,13 @@ def _shoot(seen: Seen, row: Measurement) -> float:
 QUANTITIES = {
     "light": Quantity(
         "1",
-        "light on a level sensor at a height and a position over that above "
-        "the canopy",
+        "light on a level sensor at a height and a position, relative to the "
+        "light above the canopy",
         _light,
     ),
     "transmitted": Quantity(
         "1",
-        "light that arrives at the soil over that above the canopy",
+        "light that reaches the soil, relative to the light above the canopy",
         lambda seen, row: seen.transmitted,
     ),
     "intercepted": Quantity(
@@ -152,16 +156,16 @@ QUANTITIES = {
     ),
     "lai": Quantity("m2 m-2", "green leaf area index", _lai),
     "relative_lai": Quantity(
-        "1", "green leaf area index over its largest value", _relative_lai
+        "1", "green leaf area index relative to its maximum", _relative_lai
     ),
     "shoot": Quantity(DRY_MASS, "dry matter of shoots until a date", _shoot),
 }
-"""The quantities by name. Tables may also name any quantity of the program
-that has no axis (`Stand.quantities`)."""
+"""The quantities by name. Tables may also name any quantity without axes of
+`Stand.quantities`."""
 
 
-def quantity_of(seen: Seen, name: str) -> Quantity:
-    """Returns a quantity by its name. Raises Error if there is none."""
+def find_quantity(seen: Seen, name: str) -> Quantity:
+    """Returns a quantity by its name. Raises Error for unknown names."""
     if name in QUANTITIES:
         return QUANTITIES[name]
     known = seen.stand.quantities.set_index("name")

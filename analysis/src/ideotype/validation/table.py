@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Reads tables of measurements, and the units in them."""
+"""Reads tables of measurements and converts their units."""
 
 from __future__ import annotations
 
@@ -20,27 +20,27 @@ from ..errors import Error, did_you_mean
 COLUMNS = {
     "date": "day, YYYY-MM-DD",
     "hour": "time on the clock of the site, 13:20 or 12:20-14:20",
-    "quantity": "name of what was measured",
+    "quantity": "name of the measured quantity",
     "height": "height of the sensor above the soil [m]",
-    "position": "place of the sensor across the rows, from a row [m]",
+    "position": "distance of the sensor across the rows, from a row [m]",
     "leaves": "third of the leaves by rank: lower, middle, upper",
     "value": "measured value",
     "error": "standard error of the value",
-    "low": "least value that was measured, instead of a value",
-    "high": "largest value that was measured",
+    "low": "smallest measured value, instead of a value",
+    "high": "largest measured value",
     "unit": "unit of value, error, low and high",
 }
-"""The columns of a table; a column with a dot in its name is a key of the
-campaign, which takes the value of the row."""
-
+"""The columns of a table. A column with a dot in its name is a key of the
+campaign that takes the value of the row."""
 
 THIRDS = {"lower": 0, "middle": 1, "upper": 2}
-"""The parts of a plant's leaves by rank, as values of the column `leaves`."""
+"""The thirds of the leaves of a plant by rank, as named in the column
+`leaves`."""
 
 
-def third_of(rank: Any, leaves: int) -> Any:
-    """Returns the third to which a rank or an array of ranks belongs; the
-    lowest of the leaves has rank 1."""
+def find_third(rank: Any, leaves: int) -> Any:
+    """Returns the third, 0 to 2, to which a rank or an array of ranks belongs;
+    the lowest leaf has rank 1."""
     return 3 * (2 * rank - 1) // (2 * leaves)
 
 
@@ -51,8 +51,9 @@ class Measurement:
     quantity: str
     unit: str
     low: float
-    """The value, or the least value that was measured; NaN: no value."""
+    """The value, or the smallest measured value; NaN: no value."""
     high: float
+    """The value, or the largest measured value."""
     error: float
     """The standard error; NaN: not known."""
     date: date | None = None
@@ -66,37 +67,38 @@ class Measurement:
 
     @property
     def is_measured(self) -> bool:
-        """Whether it has a value; else it is a place at which ours is
-        computed."""
+        """Whether it has a value. Else it only states conditions under which a
+        value is computed."""
         return not math.isnan(self.low)
 
     @property
     def value(self) -> float:
-        """The value, or the middle of the range that was measured."""
+        """The value, or the middle of the measured range; of an open range its
+        finite end."""
         if math.isinf(self.low) or math.isinf(self.high):
             return self.high if math.isinf(self.low) else self.low
         return (self.low + self.high) / 2
 
 
 class _Problems:
-    """Collects the problems of a table, which are reported together."""
+    """Collects the problems of a table, to report them together."""
 
     def __init__(self) -> None:
-        self.found: list[str] = []
+        self.texts: list[str] = []
 
     def add(self, where: str, text: str) -> None:
-        self.found.append(f"{where}: {text}")
+        self.texts.append(f"{where}: {text}")
 
     def raise_any(self) -> None:
-        if self.found:
-            raise Error("\n".join(self.found))
+        if self.texts:
+            raise Error("\n".join(self.texts))
 
 
 def read_table(path: Path) -> list[Measurement]:
-    """Reads a CSV file with the columns `COLUMNS`; lines that begin with #
-    are comments.
+    """Reads a CSV file with the columns `COLUMNS`; lines that begin with # are
+    comments.
 
-    Raises Error with all problems of the file, each with its line."""
+    Raises Error with all problems of the file and their lines."""
     require_file(path)
     try:
         text = path.read_text(encoding="utf-8-sig")
@@ -115,7 +117,7 @@ def read_table(path: Path) -> list[Measurement]:
     names = [name.strip().lower() for name in rows[0]]
     problems = _Problems()
     _check_names(names, f"{path}:{lines[0][0]}", problems)
-    found = []
+    measured = []
     for (number, _), cells in zip(lines[1:], rows[1:]):
         where = f"{path}:{number}"
         if len(cells) != len(names):
@@ -125,29 +127,29 @@ def read_table(path: Path) -> list[Measurement]:
                 f"{len(names)} columns; separate cells by one comma each",
             )
             continue
-        cells_of = {
+        row = {
             name: cell.strip()
             for name, cell in zip(names, cells)
             if cell.strip()
         }
-        found.append(_measurement(cells_of, where, problems))
+        measured.append(_measurement(row, where, problems))
     problems.raise_any()
-    return [each for each in found if each]
+    return [row for row in measured if row]
 
 
-def measurements_of(
+def measurements_from_rows(
     rows: Iterable[Mapping[str, Any]], where: str
 ) -> list[Measurement]:
-    """Returns the rows of a facts file, which have the same names as columns
-    of a table. Raises Error with all of their problems."""
+    """Returns the measurements of rows of a file of facts, with the names of
+    `COLUMNS`. Raises Error with all problems."""
     problems = _Problems()
-    found = []
+    measured = []
     for number, row in enumerate(rows, 1):
         place = f"{where}, row {number}"
         _check_names(list(row), place, problems)
-        found.append(_measurement(row, place, problems))
+        measured.append(_measurement(row, place, problems))
     problems.raise_any()
-    return [each for each in found if each]
+    return [row for row in measured if row]
 
 
 def _check_names(names: list[str], where: str, problems: _Problems) -> None:
@@ -166,14 +168,14 @@ def _check_names(names: list[str], where: str, problems: _Problems) -> None:
         problems.add(where, f"two columns are named '{name}'; rename one")
     if "quantity" not in names:
         problems.add(
-            where, "there is no column quantity; name what was measured"
+            where, "there is no column quantity; name the measured quantity"
         )
 
 
 def _measurement(
     cells: Mapping[str, Any], where: str, problems: _Problems
 ) -> Measurement | None:
-    before = len(problems.found)
+    before = len(problems.texts)
 
     def read(name: str, reader: Any, remedy: str) -> Any:
         if name not in cells:
@@ -195,7 +197,7 @@ def _measurement(
     leaves = str(cells.get("leaves", ""))
     quantity = str(cells.get("quantity", ""))
     if not quantity and "quantity" not in cells:
-        problems.add(where, "quantity is empty; name what was measured")
+        problems.add(where, "quantity is empty; name the measured quantity")
     if leaves not in ("", *THIRDS):
         problems.add(
             where, f"leaves is '{leaves}'; use lower, middle or upper"
@@ -207,13 +209,14 @@ def _measurement(
         numbers["low"] is not None or numbers["high"] is not None
     ):
         problems.add(
-            where, "a row has a value or a range; drop value, or low and high"
+            where,
+            "a row has a value or a range; remove value, or low and high",
         )
     try:
         factor_to(unit, unit)
     except Error as unknown:
         problems.add(where, str(unknown))
-    if len(problems.found) > before:
+    if len(problems.texts) > before:
         return None
     low, high = _range(numbers)
     if low > high:
@@ -248,10 +251,10 @@ def _range(numbers: Mapping[str, float | None]) -> tuple[float, float]:
 
 
 def _finite(cell: Any) -> float:
-    found = float(cell)
-    if not math.isfinite(found):
+    number = float(cell)
+    if not math.isfinite(number):
         raise ValueError
-    return found
+    return number
 
 
 def _date(cell: Any) -> date:
@@ -259,8 +262,8 @@ def _date(cell: Any) -> date:
 
 
 def _hours(cell: Any) -> tuple[time, time]:
-    """Returns the ends of a span of time; one time stands for half an hour
-    around it."""
+    """Returns the ends of a period; a single time means the half hour around
+    it."""
     first, _, last = str(cell).partition("-")
     if last:
         span = _minutes(first), _minutes(last)
@@ -290,12 +293,12 @@ def _value(cell: Any) -> Any:
 
 @cache
 def _registry() -> Any:
-    """Returns the units; they are read once, at their first use."""
+    """Returns the registry of units, created at first use."""
     try:
         from pint import UnitRegistry
     except ImportError:
         raise Error(
-            "units of measurements are read by pint, which is not installed: "
+            "pint, which reads the units of measurements, is not installed; run "
             'pip install "ideotype[validate]"'
         ) from None
 
@@ -313,14 +316,14 @@ def _registry() -> Any:
 
 @cache
 def factor_to(unit: str, to: str) -> float:
-    """Returns the factor from a unit to another.
+    """Returns the conversion factor from `unit` to `to`.
 
-    Raises Error if a unit is unknown, or measures something else."""
+    Raises Error if a unit is unknown, or dimensions differ."""
     registry = _registry()
     try:
-        own, wanted = (_parsed(registry, each) for each in (unit, to))
-        return float((1 * own).to(wanted).magnitude)
-    except Exception as error:  # pint has errors of many classes
+        given, wanted = (_parsed(registry, name) for name in (unit, to))
+        return float((1 * given).to(wanted).magnitude)
+    except Exception as error:  # The errors of pint have many classes.
         raise Error(
             f"unit '{unit}' cannot be read as '{to}' ({error}); write it as "
             "t ha-1, MJ m-2 day-1, deg, % or 1"

@@ -36,48 +36,48 @@ function plainUnit(unit) {
   for (const word of unit.split(" ")) {
     const [, name, power] = /^(.*?)(-?\d*)$/.exec(word);
     const size = power.replace("-", "");
-    const told = name + (size && size !== "1"
+    const text = name + (size && size !== "1"
       ? [...size].map((c) => RAISED[c] || c).join("") : "");
-    (power.startsWith("-") ? under : over).push(told);
+    (power.startsWith("-") ? under : over).push(text);
   }
   return [over.join(" ") || "1", ...under].join("/");
 }
 
-// Half of a 95 % confidence interval, which is what "±" means on all pages.
+// Half of a 95 % confidence interval, the meaning of "±" on all pages.
 const halfWidth = (standardError) => 1.96 * (standardError || 0);
 
 // The digits after the point that a number with such an error needs.
 function digitsFor(value, error) {
   if (error > 0) {
-    const most = error > Math.abs(value) * 0.2 ? 0 : 1;
-    return Math.min(6, Math.max(0, most - Math.floor(Math.log10(error))));
+    const shift = error > Math.abs(value) * 0.2 ? 0 : 1;
+    return Math.min(6, Math.max(0, shift - Math.floor(Math.log10(error))));
   }
   if (!value) return 0;
   return Math.min(6, Math.max(0, 2 - Math.floor(Math.log10(Math.abs(value)))));
 }
 
-function tellNumber(value, error = 0) {
+function formatNumber(value, error = 0) {
   if (value === null || value === undefined) return "–";
   return value.toFixed(digitsFor(value, error)).replace("-", "−");
 }
 
-function tellError(value, error) {
+function formatError(value, error) {
   return error > 0 ? `± ${error.toFixed(digitsFor(value, error))}` : "";
 }
 
-function tellSigned(value, digits) {
-  const told = Math.abs(value).toFixed(digits);
-  return Number(told) === 0 ? told : (value < 0 ? "−" : "+") + told;
+function formatSigned(value, digits) {
+  const text = Math.abs(value).toFixed(digits);
+  return Number(text) === 0 ? text : (value < 0 ? "−" : "+") + text;
 }
 
-function tellDuration(seconds) {
+function formatDuration(seconds) {
   if (seconds < 90) return `${Math.round(seconds)} s`;
   if (seconds < 5400) return `${Math.round(seconds / 60)} min`;
   if (seconds < 172800) return `${(seconds / 3600).toFixed(1)} h`;
   return `${(seconds / 86400).toFixed(1)} days`;
 }
 
-// Says something to those who see the page and to those who hear it.
+// Shows a message, which screen readers also read aloud.
 function announce(text, isBad = false) {
   const place = byId("notice");
   place.textContent = text;

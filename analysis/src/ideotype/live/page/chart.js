@@ -8,36 +8,36 @@ function ticks(low, high, isWhole = false, count = 4) {
   const rough = (high - low) / Math.min(count, isWhole ? high - low || 1 : count) || 1;
   const power = 10 ** Math.floor(Math.log10(rough));
   const step = [1, 2, 5, 10].find((s) => s * power >= rough) * power;
-  const found = [];
+  const values = [];
   for (let t = Math.ceil(low / step - 1e-9) * step; t <= high + 1e-9 * step; t += step)
-    found.push(Number(t.toPrecision(10)));
-  return found;
+    values.push(Number(t.toPrecision(10)));
+  return values;
 }
 
 // Full hours from low to high, at most seven of them.
 function hours(low, high) {
   const step = [1, 2, 3, 4].find((s) => (high - low) / s < 7) || 6;
-  const found = [];
-  for (let t = Math.ceil(low / step) * step; t <= high; t += step) found.push(t);
-  return found;
+  const values = [];
+  for (let t = Math.ceil(low / step) * step; t <= high; t += step) values.push(t);
+  return values;
 }
 
 // Draws lines, each with points [x, y, error], a class and a name, into an
-// <svg>. `isUpright`: y is what is known, such as height, and the error is
-// that of x. `isClock`: x is hours.
+// <svg>. `isUpright`: y is the independent variable, such as height, and the
+// error is that of x. `isClock`: x is in hours.
 function drawChart(svg, { lines, xLabel, yLabel, isUpright, zero = true, isWhole, isClock, about }) {
   const { width, height, left, right, top, bottom } = CHART;
-  const every = lines.flatMap((line) => line.points)
+  const allPoints = lines.flatMap((line) => line.points)
     .filter((p) => p[0] !== null && p[1] !== null);
   svg.setAttribute("viewBox", `0 0 ${width} ${height}`);
   svg.setAttribute("aria-label", about);
   svg.replaceChildren();
-  if (!every.length) return;
+  if (!allPoints.length) return;
   const error = (p) => p[2] || 0;
   const [ex, ey] = isUpright ? [error, () => 0] : [() => 0, error];
   const range = (k, off, fromZero) => {
-    const low = Math.min(...every.map((p) => p[k] - off(p)));
-    const high = Math.max(...every.map((p) => p[k] + off(p)));
+    const low = Math.min(...allPoints.map((p) => p[k] - off(p)));
+    const high = Math.max(...allPoints.map((p) => p[k] + off(p)));
     return [fromZero ? Math.min(0, low) : low, high > low ? high : low + 1];
   };
   const [x0, x1] = range(0, ex, isUpright && zero);

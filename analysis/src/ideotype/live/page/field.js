@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The plants in their field, coloured by what their leaves do.
+// The plants in their field; leaf colour shows absorbed PAR or assimilation.
 
 const AT_FIRST = { turn: 0.75, tilt: 0.2, zoom: 1.25 };
 const field = {
@@ -12,9 +12,9 @@ function leafValues(plant, curves, name, isPerArea) {
   const curve = curves?.[name];
   const ground = field.message.ground;
   return plant.groups.map((group, i) => {
-    const found = /^leaf(\d+)$/.exec(group);
-    if (!found || !curve || page.shown.component) return null;
-    const value = curve.values[Number(found[1]) - 1];
+    const match = /^leaf(\d+)$/.exec(group);
+    if (!match || !curve || page.shown.component) return null;
+    const value = curve.values[Number(match[1]) - 1];
     if (value === undefined || value === null) return null;
     return isPerArea ? value * ground / (plant.areas[i] || Infinity) : value;
   });
@@ -46,16 +46,16 @@ function paintField() {
   const isPair = byId("pair").checked;
   const sides = isPair ? [0, 1] : [1];
   const quantity = quantityShown();
-  const of = {
+  const stand = {
     plants, row_direction: message.direction, paler: 0.3,
     neighbours: message.neighbours, tall: field.tall, wide: field.wide,
     objects: message.panels.map((corners) => [corners, PANEL]),
   };
   const shown = sides.map((i) =>
-    ({ of, plant: plants[i], values: quantity.values[i] }));
-  const told = drawScene(byId("view"), shown, isPair ? { ...view, zoom: view.zoom / AT_FIRST.zoom } : view, byId("neighbours").checked);
-  Object.assign(byId("view").dataset, told);
-  const other = page.shown.reference ? "kept plant" : "first plant";
+    ({ stand, plant: plants[i], values: quantity.values[i] }));
+  const drawn = drawScene(byId("view"), shown, isPair ? { ...view, zoom: view.zoom / AT_FIRST.zoom } : view, byId("neighbours").checked);
+  Object.assign(byId("view").dataset, drawn);
+  const other = page.shown.reference ? "reference plant" : "initial plant";
   const date = message.date ? `, ${message.date}` : "";
   byId("titles").replaceChildren(...sides.map((i) =>
     make("span", { class: i ? "mine" : "other" }, (i ? "this plant" : other) + date)));

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The map of an atlas, on which one chooses the best plant of a kind.
+// The map of an atlas, for choosing the best plant of a kind.
 
 function spanOf(axis, cell) {
-  const tell = (edge) => Number(edge.toPrecision(3));
-  return `${tell(axis.edges[cell])} to ${tell(axis.edges[cell + 1])} ${plainUnit(axis.unit)}`.trim();
+  const format = (edge) => Number(edge.toPrecision(3));
+  return `${format(axis.edges[cell])} to ${format(axis.edges[cell + 1])} ${plainUnit(axis.unit)}`.trim();
 }
 
 const wordsOf = (name) => name.replaceAll("_", " ");
@@ -13,7 +13,7 @@ function kindOf(map, plant) {
     `${wordsOf(axis.name)} ${spanOf(axis, plant.cell[k])}`).join(", ");
 }
 
-function tellPlant(map, plant) {
+function formatPlant(map, plant) {
   const error = halfWidth(plant.standard_error);
   const digits = digitsFor(plant.value, error);
   return `${kindOf(map, plant)}: ${wordsOf(map.goal.name)} ${plant.value.toFixed(digits)} `
@@ -23,7 +23,7 @@ function tellPlant(map, plant) {
 
 // The colour of a plant between the worst and the best of the map.
 function shadeOf(map, plant) {
-  const worth = map.plants.map((each) => map.goal.sign * each.value);
+  const worth = map.plants.map((other) => map.goal.sign * other.value);
   const [low, high] = [Math.min(...worth), Math.max(...worth)];
   const part = high > low ? (map.goal.sign * plant.value - low) / (high - low) : 1;
   return `hsl(150 45% ${92 - 66 * part}%)`;
@@ -32,13 +32,13 @@ function shadeOf(map, plant) {
 function choosePlant(map, plant) {
   remember();
   change({ genome: [...plant.genome] });
-  byId("map-told").textContent = tellPlant(map, plant);
+  byId("map-text").textContent = formatPlant(map, plant);
 }
 
 function squareOf(map, plant) {
-  const told = tellPlant(map, plant);
+  const text = formatPlant(map, plant);
   plant.square = make("button", {
-    type: "button", title: told, "aria-label": told,
+    type: "button", title: text, "aria-label": text,
     class: plant.is_confirmed ? null : "is-open",
     onclick: () => choosePlant(map, plant),
   });
@@ -54,8 +54,8 @@ function headOf(axis, cell, scope) {
 function rowOf(map, j) {
   const [across, up] = map.axes;
   const cells = across.edges.slice(1).map((_, i) => {
-    const found = map.plants.find(({ cell }) => cell[0] === i && (!up || cell[1] === j));
-    return make("td", {}, found ? squareOf(map, found) : null);
+    const leader = map.plants.find(({ cell }) => cell[0] === i && (!up || cell[1] === j));
+    return make("td", {}, leader ? squareOf(map, leader) : null);
   });
   return make("tr", {}, up ? headOf(up, j, "row") : make("td"), ...cells);
 }
@@ -65,9 +65,9 @@ function buildMap(map) {
   if (!map) return;
   const [across, up] = map.axes;
   const rows = up ? up.edges.slice(1).map((_, j) => rowOf(map, j)).reverse() : [rowOf(map, 0)];
-  const tell = (axis) => `${wordsOf(axis.name)} from … ${plainUnit(axis.unit)}`.trim();
+  const format = (axis) => `${wordsOf(axis.name)} from … ${plainUnit(axis.unit)}`.trim();
   byId("map").replaceChildren(
-    make("caption", {}, `across: ${tell(across)}${up ? `; upwards: ${tell(up)}` : ""}`),
+    make("caption", {}, `across: ${format(across)}${up ? `; upwards: ${format(up)}` : ""}`),
     ...rows,
     make("tr", {}, make("td"),
       ...across.edges.slice(1).map((_, i) => headOf(across, i, "col"))));
@@ -75,7 +75,7 @@ function buildMap(map) {
 
 when("hello", (message) => buildMap(message.map));
 when("changed", () => {
-  for (const each of (page.hello && page.hello.map ? page.hello.map.plants : []))
-    each.square.setAttribute("aria-pressed",
-      String(each.genome.every((gene, i) => gene === page.shown.genome[i])));
+  for (const plant of (page.hello && page.hello.map ? page.hello.map.plants : []))
+    plant.square.setAttribute("aria-pressed",
+      String(plant.genome.every((gene, i) => gene === page.shown.genome[i])));
 });

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers with their errors beside those of another plant, and two charts.
+// Quantities with intervals and differences from the reference plant, and two
+// charts.
 
 const REACH = [2, 5, 10, 20, 50, 100, 200, 400];
 
@@ -26,12 +27,12 @@ function differenceBar([value, error], reach) {
 }
 
 // A difference as words: "+3.1 ± 0.4 %".
-function tellPercent([value, error]) {
-  if (Math.max(Math.abs(value), error) < 0.005) return "the same";
-  // One digit of the error is enough beside the value.
+function formatPercent([value, error]) {
+  if (Math.max(Math.abs(value), error) < 0.005) return "no difference";
+  // One digit of the error is enough.
   const digits = Math.min(2, Math.max(0, -Math.floor(Math.log10(error || 0.1))));
   const off = error ? ` ± ${error.toFixed(digits)}` : "";
-  return `${tellSigned(value, digits)}${off} %`;
+  return `${formatSigned(value, digits)}${off} %`;
 }
 
 const isClear = ([value, error]) => Math.abs(value) > error && value !== 0;
@@ -47,22 +48,22 @@ function numberRow(quantity, message, reach) {
   return make("div", { class: "number", "data-name": quantity.name },
     make("dt", { title: quantity.meaning }, quantity.label),
     make("dd", {},
-      make("span", { class: "told" },
-        make("span", { class: "value" }, tellNumber(scaled, error * factor)),
-        ` ${tellError(scaled, error * factor)} ${unit}`),
+      make("span", { class: "text" },
+        make("span", { class: "value" }, formatNumber(scaled, error * factor)),
+        ` ${formatError(scaled, error * factor)} ${unit}`),
       percent ? make("span", { class: isClear(percent) ? "apart clear" : "apart" },
-        tellPercent(percent)) : null,
+        formatPercent(percent)) : null,
       percent ? differenceBar(percent, reach) : null));
 }
 
-// The differences that matter most, for small screens.
+// The main differences, for small screens.
 function showStrip(message) {
   const names = page.hello.goals.slice(0, 3);
   byId("strip").replaceChildren(...names.map((name) => {
     const percent = percentOf(name, message);
     const { label } = page.hello.quantities.find((q) => q.name === name);
     return make("span", {}, `${label} `,
-      make("b", {}, percent ? tellPercent([percent[0], 0]) : "…"));
+      make("b", {}, percent ? formatPercent([percent[0], 0]) : "…"));
   }));
 }
 
@@ -79,10 +80,10 @@ function showNumbers(message) {
     byId("all-numbers").replaceChildren(
       ...rows(false).map((q) => numberRow(q, message, reach)));
   byId("rough").textContent = message.is_final
-    ? `mean of ${message.evaluations}` : "getting more exact …";
-  byId("rough").title = `${message.evaluations} evaluations, each with random numbers of its own`;
+    ? `mean of ${message.evaluations} evaluations` : "refining …";
+  byId("rough").title = `${message.evaluations} evaluations with independent random numbers`;
   byId("rough").classList.toggle("done", Boolean(message.is_final));
-  byId("reach").textContent = `The bars reach to ± ${reach} %.`;
+  byId("reach").textContent = `Bars: ± ${reach} %.`;
   showStrip(message);
   showCharts(message);
   showDay(message);
@@ -90,13 +91,13 @@ function showNumbers(message) {
 
 function chartOf(id, message, name, { isUpright, isClock, xLabel, title }) {
   const mine = message.curves[name];
-  // Rough answers lack some curves: those of before stay for a moment.
+  // Rough answers lack some curves; the earlier curves stay until refined.
   if (message.is_rough && !mine) return;
   const box = byId(id).closest("figure");
   box.hidden = !mine || mine.at.length < 3;
   if (box.hidden) return;
   const other = message.reference_curves?.[name];
-  // Layers above the plants have nothing.
+  // Layers above the plants are empty.
   const top = isUpright ? 2 + Math.max(...[mine, other].map((curve) =>
     curve ? curve.values.findLastIndex((v) => v > 0) : 0)) : undefined;
   const pointsOf = (curve) => curve.at.map((at, i) => (isUpright
@@ -110,43 +111,43 @@ function chartOf(id, message, name, { isUpright, isClock, xLabel, title }) {
       { points: pointsOf(mine), kind: "mine" },
     ],
     isUpright, isClock, xLabel: isUpright ? unit : xLabel,
-    yLabel: isUpright ? "height (cm)" : unit,
+    yLabel: isUpright ? "height [cm]" : unit,
     about: `${title}, in ${unit}`,
   });
 }
 
 function showCharts(message) {
-  const what = byId("color").value.startsWith("net") ? "assimilation" : "absorbed";
-  const told = what === "absorbed" ? "Light" : "Assimilation";
-  chartOf("by-height", message, `${what}_by_layer`,
-    { isUpright: true, title: `${told} by height` });
-  const hourly = message.curves[`${what}_by_hour`];
+  const kind = byId("color").value.startsWith("net") ? "assimilation" : "absorbed";
+  const label = kind === "absorbed" ? "Absorbed PAR" : "Gross assimilation";
+  chartOf("by-height", message, `${kind}_by_layer`,
+    { isUpright: true, title: `${label} by height` });
+  const hourly = message.curves[`${kind}_by_hour`];
   if (hourly)
-    chartOf("by-hour", message, `${what}_by_hour`,
-      { isClock: true, xLabel: "time of day", title: `${told} by hour` });
+    chartOf("by-hour", message, `${kind}_by_hour`,
+      { isClock: true, xLabel: "time of day", title: `${label} by hour` });
   else if (!message.is_rough || message.curves.day_of_stage)
-    byStage(message, what);
+    byStage(message, kind);
 }
 
-// A canopy that grows has no hours, but days.
-function byStage(message, what) {
+// Growing canopies have stages instead of hours.
+function byStage(message, kind) {
   const days = message.curves.day_of_stage?.values;
-  const name = what === "absorbed" ? "absorbed_par_by_stage" : "net_assimilation_by_stage";
+  const name = kind === "absorbed" ? "absorbed_par_by_stage" : "net_assimilation_by_stage";
   const at = (curves) => curves?.[name] && days
     ? { [name]: { ...curves[name], at: days } } : {};
   chartOf("by-hour", {
     is_rough: message.is_rough, curves: at(message.curves), reference_curves: at(message.reference_curves),
   }, name, {
     xLabel: "days after emergence",
-    title: `${what === "absorbed" ? "Light" : "Assimilation"} by day of growth`,
+    title: `${kind === "absorbed" ? "Absorbed PAR" : "Net assimilation"} over the season`,
   });
 }
 
-// The numbers of the day of growth that is shown, between two stages.
+// Leaf area and absorption on the selected day, interpolated between stages.
 function showDay(message) {
   const { age, when: time } = page.shown.conditions;
   const days = message.curves.day_of_stage?.values;
-  const box = byId("day-told");
+  const box = byId("day-text");
   box.hidden = !(days && age && time === "season");
   if (box.hidden) return;
   const between = (name) => {
@@ -157,6 +158,6 @@ function showDay(message) {
     return curve.values[i - 1] + part * (curve.values[i] - curve.values[i - 1]);
   };
   const [lai, share] = [between("lai_by_stage"), between("fapar_by_stage")];
-  box.textContent = `${age} days after emergence: leaf area ${tellNumber(lai)} m²/m²`
-    + (share === null ? "." : `, ${(100 * share).toFixed(0)} % of the light caught.`);
+  box.textContent = `${age} days after emergence: leaf area index ${formatNumber(lai)}`
+    + (share === null ? "." : `, ${(100 * share).toFixed(0)} % of PAR absorbed.`);
 }

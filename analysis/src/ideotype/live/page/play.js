@@ -14,25 +14,25 @@ function showImproved(message) {
     show();
   }
   if (!message.is_final) {
-    byId("improve-told").textContent =
-      `${message.done} of ${message.of} plants tried. Gains are provisional until the best plants are re-evaluated …`;
+    byId("improve-text").textContent =
+      `${message.done} of ${message.of} plants evaluated. Gains are provisional until the best plants are re-evaluated …`;
     return;
   }
   endSearch();
-  byId("improve-told").textContent = tellGain(message);
+  byId("improve-text").textContent = formatGain(message);
 }
 
-function tellGain(message) {
+function formatGain(message) {
   if (message.problem) return message.problem;
   const quantity = page.hello.quantities.find((q) => q.name === message.goal);
   const name = quantity.label;
   if (!message.is_better)
-    return `No better plant was found for “${name}” in ${message.done} trials; yours is shown again.`;
+    return `No better plant for “${name}” in ${message.done} evaluations; your plant is restored.`;
   const error = halfWidth(message.standard_error);
   const digits = digitsFor(message.gain, error);
-  return `${tellSigned(message.gain, digits)} ± ${error.toFixed(digits)} `
-    + `${plainUnit(quantity.unit)} in “${name}”, measured anew after `
-    + `${message.done} trials. Undo brings your plant back.`;
+  return `${formatSigned(message.gain, digits)} ± ${error.toFixed(digits)} `
+    + `${plainUnit(quantity.unit)} in “${name}” after ${message.done} evaluations, re-evaluated `
+    + "with independent random numbers. Undo restores your plant.";
 }
 
 function endSearch() {
@@ -44,8 +44,8 @@ function endSearch() {
 
 function improve() {
   if (search) {
-    tell({ kind: "stop" });
-    byId("improve-told").textContent = "Stopping; the best so far is measured …";
+    sendMessage({ kind: "stop" });
+    byId("improve-text").textContent = "Stopping; the best plant is being re-evaluated …";
     return;
   }
   remember();
@@ -56,8 +56,8 @@ function improve() {
   byId("progress").max = page.hello.evaluations;
   byId("improve").textContent = "Stop";
   byId("improve").classList.replace("primary", "is-stop");
-  byId("improve-told").textContent = "The first plants are tried …";
-  tell({ kind: "improve", number: searches, goal: byId("goal").value, ...page.shown });
+  byId("improve-text").textContent = "Evaluating the first plants …";
+  sendMessage({ kind: "improve", number: searches, goal: byId("goal").value, ...page.shown });
 }
 
 function offer(blob, name) {
@@ -77,16 +77,16 @@ async function save(form) {
     method: "POST", body: JSON.stringify(page.shown),
   });
   if (!answer.ok) {
-    announce(`It was not saved: ${await answer.text()}`, true);
+    announce(`Not saved: ${await answer.text()}`, true);
     return;
   }
   offer(await answer.blob(), `${name}_${form}.toml`);
   announce(form === "crop"
-    ? "The plant is saved as a crop file. “ideotype play FILE” opens it again."
-    : "The campaign is saved. “ideotype run FILE” breeds on from this plant.");
+    ? "Saved as a crop file; “ideotype play FILE” opens it again."
+    : "Saved as a campaign; “ideotype run FILE” optimises from this plant.");
 }
 
-// The view, with what it shows written below it.
+// A picture of the view, with its main numbers below.
 function pictureOf() {
   const view = byId("view");
   const dense = view.width / view.clientWidth;
@@ -97,10 +97,10 @@ function pictureOf() {
   context.drawImage(view, 0, 0);
   context.scale(dense, dense);
   context.fillStyle = "#17231d";
-  const told = page.hello.quantities.filter((q) => q.is_key).map((q) => {
+  const texts = page.hello.quantities.filter((q) => q.is_key).map((q) => {
     const [value, standardError] = field.numbers.numbers[q.name];
     const error = halfWidth(standardError);
-    return `${q.label} ${tellNumber(value, error)} ${tellError(value, error)} ${plainUnit(q.unit)}`;
+    return `${q.label} ${formatNumber(value, error)} ${formatError(value, error)} ${plainUnit(q.unit)}`;
   });
   const top = view.clientHeight;
   context.font = "600 15px system-ui, sans-serif";
@@ -109,9 +109,9 @@ function pictureOf() {
   const { conditions } = page.shown;
   context.fillText(`${conditions.density.toFixed(1)} plants/m², rows ${(100 * conditions.row).toFixed(0)} cm`,
     14, top + 42);
-  const half = Math.ceil(told.length / 2);
-  context.fillText(told.slice(0, half).join("   "), 14, top + 62, view.clientWidth - 28);
-  context.fillText(told.slice(half).join("   "), 14, top + 80, view.clientWidth - 28);
+  const half = Math.ceil(texts.length / 2);
+  context.fillText(texts.slice(0, half).join("   "), 14, top + 62, view.clientWidth - 28);
+  context.fillText(texts.slice(half).join("   "), 14, top + 80, view.clientWidth - 28);
   return canvas;
 }
 
@@ -181,15 +181,15 @@ when("hello", (message) => {
     new Option(message.quantities.find((q) => q.name === name).label, name)));
   document.querySelector("[data-when=season]").hidden =
     message.conditions.when !== "season";
-  byId("latitude-told").textContent =
-    `The weather of the season was measured at ${message.conditions.latitude}° of latitude. `
-    + "Choose a clear day to move the field.";
+  byId("latitude-text").textContent =
+    `The weather of the season was measured at latitude ${message.conditions.latitude}°. `
+    + "Choose a clear day to change the latitude.";
   buildSliders();
 });
 when("changed", () => {
   refreshSliders();
   byId("keep").textContent = page.shown.reference
-    ? "Compare with the first plant" : "Keep to compare";
+    ? "Use the initial plant as reference" : "Set as reference";
 });
 when("numbers", showNumbers);
 when("improved", showImproved);

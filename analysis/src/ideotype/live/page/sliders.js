@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Sliders of the plant and of its field.
 
-// A slider with its name, its value, and a way back to where it began.
+// A slider with its name, its value and a reset button.
 class Slider {
   constructor({ name, label, unit, low, high, step, digits, start, help, get, set }) {
     Object.assign(this, { unit, digits, start, get, set, label });
@@ -16,16 +16,16 @@ class Slider {
     });
     this.output = make("output", { for: `s-${name}` });
     this.reset = make("button", {
-      type: "button", class: "reset", title: "Back to the start",
-      "aria-label": `${label}: back to the start`,
+      type: "button", class: "reset", title: "Reset",
+      "aria-label": `${label}: reset`,
       onclick: () => {
         remember();
         this.move(this.start());
       },
     }, "↺");
-    const own = label.split(", ").pop();
+    const shortLabel = label.split(", ").pop();
     this.element = make("div", { class: "slider" },
-      make("span", { class: "own" }, own), this.reset, this.output, this.input);
+      make("span", { class: "own" }, shortLabel), this.reset, this.output, this.input);
     this.mark = [low, high];
   }
 
@@ -37,9 +37,9 @@ class Slider {
   refresh() {
     const value = this.get();
     this.input.value = value;
-    const told = value.toFixed(this.digits).replace("-", "−");
+    const number = value.toFixed(this.digits).replace("-", "−");
     const gap = this.unit === "°" || !this.unit ? "" : " ";
-    const text = `${told}${gap}${this.unit}`;
+    const text = `${number}${gap}${this.unit}`;
     this.output.textContent = text;
     this.input.setAttribute("aria-valuetext", text);
     const [low, high] = this.mark;
@@ -75,7 +75,7 @@ function leverSlider(lever, index) {
   return slider;
 }
 
-// Boxes of sliders that belong together, with what they do.
+// A box of related sliders with a description.
 function groupBox(title, help, members) {
   const heading = make("h3", {}, title);
   return make("section", { class: "group" }, heading,
@@ -85,7 +85,7 @@ function groupBox(title, help, members) {
 
 function buildPlant(levers) {
   const component = page.hello.components[page.shown.component];
-  const own = levers.map((lever, i) => ({ lever, i })).filter(({ lever }) =>
+  const shownLevers = levers.map((lever, i) => ({ lever, i })).filter(({ lever }) =>
     page.shown.component ? lever.component === component : !lever.component);
   const build = ({ lever, i }) => {
     const slider = leverSlider(lever, i);
@@ -94,17 +94,17 @@ function buildPlant(levers) {
   };
   const boxes = [];
   const groups = new Map();
-  for (const each of own.filter(({ lever }) => lever.kind === "profile")) {
-    const key = each.lever.name.replace(/_\d+$/, "");
-    groups.set(key, [...(groups.get(key) || []), each]);
+  for (const entry of shownLevers.filter(({ lever }) => lever.kind === "profile")) {
+    const key = entry.lever.name.replace(/_\d+$/, "");
+    groups.set(key, [...(groups.get(key) || []), entry]);
   }
   // The top leaf comes first, as it does in the plant.
   for (const members of groups.values())
     boxes.push(groupBox(members[0].lever.group, members[0].lever.help,
       members.reverse().map(build)));
-  for (const each of own.filter(({ lever }) => lever.kind === "plant"))
-    boxes.push(groupBox(each.lever.group, each.lever.help, [build(each)]));
-  const single = own.filter(({ lever }) => lever.kind === "leaf");
+  for (const entry of shownLevers.filter(({ lever }) => lever.kind === "plant"))
+    boxes.push(groupBox(entry.lever.group, entry.lever.help, [build(entry)]));
+  const single = shownLevers.filter(({ lever }) => lever.kind === "leaf");
   byId("traits").replaceChildren(...boxes);
   byId("leaves").hidden = !single.length;
   buildLeaves(single);
@@ -164,39 +164,39 @@ function buildField() {
     return element;
   };
   byId("spacing").replaceChildren(
-    box("f-density", "Density", "Plants on a square metre of ground.",
+    box("f-density", "Density", "Plants per square metre of ground.",
       "density", "Density", "plants/m²", few ? 1 : 0.2,
       Math.max(16, Math.ceil(2.5 * conditions.density)), 0.1, ""),
-    box("f-row", "Row distance", "From one row to the next; plants in a row move so that the density stays.",
+    box("f-row", "Row distance", "Between adjacent rows; the distance of plants in the row changes so that density stays constant.",
       "row", "Row distance", "cm", 10, Math.max(150, 150 * conditions.row), 1, "", 100),
-    box("f-direction", "Row direction", "From north, clockwise: 0° rows run from south to north, 90° from west to east.",
+    box("f-direction", "Row direction", "Clockwise from north: 0° is a north-south row, 90° an east-west row.",
       "direction", "Row direction", "°", 0, 180, 1, ""));
   const [day, hour] = [
-    box("f-day", "Day", "The day of the year, with a clear sky.",
+    box("f-day", "Day", "Date of the clear day.",
       "day", "Day", "", 1, 365, 1, ""),
-    box("f-hour", "Hour", "The light of one hour, from this time on.",
+    box("f-hour", "Hour", "Start of the hour, local time.",
       "hour", "Hour", ":00", 3, 21, 1, "")];
-  const told = sliders.find((slider) => slider.input.id === "s-day");
-  const plain = told.refresh.bind(told);
-  told.refresh = () => {
+  const daySlider = sliders.find((slider) => slider.input.id === "s-day");
+  const plain = daySlider.refresh.bind(daySlider);
+  daySlider.refresh = () => {
     plain();
-    told.output.textContent = dateOf(told.get());
-    told.input.setAttribute("aria-valuetext", dateOf(told.get()));
+    daySlider.output.textContent = dateOf(daySlider.get());
+    daySlider.input.setAttribute("aria-valuetext", dateOf(daySlider.get()));
   };
-  const latitude = box("f-latitude", "Latitude", "North of the equator; south is negative.",
+  const latitude = box("f-latitude", "Latitude", "Positive north of the equator.",
     "latitude", "Latitude", "°", -60, 66, 0.5, "");
   byId("time").replaceChildren(
-    ...(days ? [box("f-age", "Day of growth",
-      "Shows the plant so many days after emergence; 0 shows it full-grown.",
-      "age", "Day of growth", "days", 0, days - 1, 1, "")] : []),
+    ...(days ? [box("f-age", "Days after emergence",
+      "Days after emergence of the plant in the view; 0 shows it full-grown.",
+      "age", "Days after emergence", "days", 0, days - 1, 1, "")] : []),
     day, hour, latitude);
   byId("modules").replaceChildren(
-    box("f-panel_height", "Height of the panels", "From the soil to the middle of the modules.",
-      "panel_height", "Height of the panels", "cm", 100, 800, 5, "", 100),
-    box("f-panel_width", "Width of the panels", "Across their row.",
-      "panel_width", "Width of the panels", "cm", 40, 600, 5, "", 100),
-    box("f-panel_rows", "Rows between panels", "Rows of plants from one row of panels to the next.",
-      "panel_rows", "Rows between panels", "rows", 3, 16, 1, ""));
+    box("f-panel_height", "Height of the modules", "From the soil to the middle of the modules.",
+      "panel_height", "Height of the modules", "cm", 100, 800, 5, "", 100),
+    box("f-panel_width", "Width of the modules", "Across the row of modules.",
+      "panel_width", "Width of the modules", "cm", 40, 600, 5, "", 100),
+    box("f-panel_rows", "Rows between modules", "Rows of plants from one row of modules to the next.",
+      "panel_rows", "Rows between modules", "rows", 3, 16, 1, ""));
 }
 
 function refreshSliders() {
@@ -212,7 +212,7 @@ function refreshSliders() {
   hide("f-latitude", isSeason);
   hide("f-hour", conditions.when !== "hour");
   hide("f-age", !isSeason);
-  hide("latitude-told", !isSeason);
+  hide("latitude-text", !isSeason);
   byId("panels").checked = conditions.panels;
   byId("modules").hidden = !conditions.panels;
   byId("undo").disabled = !page.past.length;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The state of the page, its undo, and its talk with the program.
+// The state of the page, undo, and messages to and from the program.
 
 const page = {
   hello: null,
@@ -23,7 +23,7 @@ function copyOf(shown) {
   return { ...shown, genome: [...shown.genome], conditions: { ...shown.conditions } };
 }
 
-// Remembers the plant as it is, before a change.
+// Stores the present plant for undo, before a change.
 function remember() {
   page.past.push(copyOf(page.shown));
   if (page.past.length > MOST_STEPS) page.past.shift();
@@ -40,15 +40,15 @@ function step(from, to) {
 const undo = () => step(page.past, page.future);
 const redo = () => step(page.future, page.past);
 
-// Changes a part of what is shown.
+// Changes the plant or its conditions in part.
 function change(part) {
   Object.assign(page.shown, part);
   happen("changed");
   show();
 }
 
-// Asks for what is shown now. While an answer is under way only the last
-// change waits.
+// Requests the evaluation of the plant in the view. While an answer is pending
+// only the last change waits.
 let changedAt = 0;
 function show() {
   page.number += 1;
@@ -62,14 +62,14 @@ function send() {
   page.isBusy = true;
   page.sent = page.number;
   page.sentAt = changedAt;
-  tell({ kind: "show", number: page.sent, ...page.shown });
+  sendMessage({ kind: "show", number: page.sent, ...page.shown });
 }
 
-function tell(message) {
+function sendMessage(message) {
   socket.send(JSON.stringify(message));
 }
 
-// The answer to what was sent has come: what has changed since goes next.
+// The last request is answered; later changes are sent next.
 function settle() {
   page.isBusy = false;
   if (page.number > page.sent) send();
@@ -117,7 +117,7 @@ function connect() {
   socket = new WebSocket(new URL("talk", location.href.replace(/^http/, "ws")));
   socket.addEventListener("message", (event) => {
     const message = JSON.parse(event.data);
-    // An answer to what was asked before the last question is late.
+    // Answers to earlier requests are dropped.
     if (["picture", "numbers"].includes(message.kind) && message.number < page.sent) return;
     heard[message.kind](message);
   });

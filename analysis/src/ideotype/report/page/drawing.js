@@ -43,7 +43,7 @@ function camera(view) {
   };
 }
 
-// Both sides of a face are lit alike.
+// Both sides of a face have the same brightness.
 function shade([a, b, c]) {
   const u = b.map((v, i) => v - a[i]);
   const w = c.map((v, i) => v - a[i]);
@@ -56,13 +56,13 @@ function shade([a, b, c]) {
   return 0.72 + 0.28 * Math.abs(cosine) / (Math.hypot(...n) || 1);
 }
 
-// Gives plants what they share with others, and their vertices.
+// Gives plants their shared shapes and their vertices.
 function unpack(scene) {
-  for (const plant of scene.cases.flatMap((each) => each.plants))
+  for (const plant of scene.cases.flatMap((item) => item.plants))
     unpackPlant(Object.assign(plant, scene.shapes[plant.shape]));
 }
 
-// Gives a plant its vertices [m].
+// Unpacks the vertices of a plant [m].
 function unpackPlant(plant) {
   plant.vertices = [];
   const bytes = Uint8Array.from(atob(plant.points), (c) => c.charCodeAt(0));
@@ -81,7 +81,7 @@ function unpackPlant(plant) {
 function frame(shown, places, width, height) {
   const count = shown.length;
   const largest = (size) => Math.max(
-    ...shown.flatMap(({ of }) => [of, ...of.plants].map((x) => x[size] || 0)));
+    ...shown.flatMap(({ stand }) => [stand, ...stand.plants].map((x) => x[size] || 0)));
   const [tall, wide] = [largest("tall"), largest("wide")];
   const far = Math.max(...places.map((p) => Math.hypot(...p)));
   const reach = far + Math.max(wide, 0.3);
@@ -151,11 +151,11 @@ function paintPlant(raster, plant, colors, at) {
   const { seen, points, shifts, columns, paler } = at;
   plant.faces.forEach((face, i) => {
     const light = shade(face.map((v) => seen[v]));
-    const own = mix([0, 0, 0], colors[plant.group[i]], light);
-    const pale = mix(own, [255, 255, 255], paler);
+    const shaded = mix([0, 0, 0], colors[plant.group[i]], light);
+    const pale = mix(shaded, [255, 255, 255], paler);
     const corners = face.map((v) => points[v]);
     shifts.forEach((shift, k) =>
-      raster.fill(corners, shift, k ? pale : own, columns));
+      raster.fill(corners, shift, k ? pale : shaded, columns));
   });
 }
 
@@ -171,7 +171,7 @@ function rasterOf(canvas, width, height) {
   return last;
 }
 
-// Draws plants beside each other, each with its case, which may have `objects`
+// Draws plants next to each other, each with its stand, which may have `objects`
 // and say how `paler` neighbours are, and the values of its groups. Returns how
 // many of their faces were drawn, the pixels of a metre, and the length of the
 // scale. A canvas without a size, as while it is hidden, stays as it is.
@@ -188,8 +188,8 @@ function drawScene(canvas, shown, view, hasNeighbours) {
   const context = canvas.getContext("2d", { willReadFrequently: true });
   const placesOf = ({ neighbours }) =>
     [[0, 0], ...(hasNeighbours ? neighbours : [])];
-  const every = shown.flatMap(({ of }) => placesOf(of));
-  const { tall, reach, fit } = frame(shown, every, width, height);
+  const positions = shown.flatMap(({ stand }) => placesOf(stand));
+  const { tall, reach, fit } = frame(shown, positions, width, height);
   const scale = fit * view.zoom;
   const look = camera(view);
   const panel = width / shown.length;
@@ -198,9 +198,9 @@ function drawScene(canvas, shown, view, hasNeighbours) {
   const [low, high] = rangeOf(shown);
   const labels = [];
   let faces = 0;
-  shown.forEach(({ of, plant, values }, index) => {
-    const places = placesOf(of);
-    const ground = groundOf(reach, of.row_direction, places);
+  shown.forEach(({ stand, plant, values }, index) => {
+    const places = placesOf(stand);
+    const ground = groundOf(reach, stand.row_direction, places);
     faces += plant.faces.length * places.length;
     const onScreen = (point) => {
       const [across, up, away] = look(point);
@@ -210,7 +210,7 @@ function drawScene(canvas, shown, view, hasNeighbours) {
     };
     const columns = [index, index + 1]
       .map((i) => Math.round(i * panel * dense));
-    for (const [corners, color] of [...ground.faces, ...(of.objects || [])])
+    for (const [corners, color] of [...ground.faces, ...(stand.objects || [])])
       raster.fill(corners.map(onScreen), [0, 0, 0], color, columns);
     const origin = onScreen([0, 0, 0]);
     const colors = values.map((value, i) => value === null
@@ -220,7 +220,7 @@ function drawScene(canvas, shown, view, hasNeighbours) {
       points: plant.vertices.map(onScreen),
       shifts: places.map(([x, y]) =>
         onScreen([x, y, 0]).map((v, k) => v - origin[k])),
-      columns, paler: of.paler ?? 0.6,
+      columns, paler: stand.paler ?? 0.6,
     });
     for (const [text, at] of ground.labels) {
       const [x, y] = onScreen(at);

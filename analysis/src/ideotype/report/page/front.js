@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The chart of a front: a point for each plant, to be chosen by mouse, finger or
-// keys.
+// The chart of a Pareto front: a point for each plant, which mouse, finger or
+// keys choose.
 const SVG = "http://www.w3.org/2000/svg";
 const REACH = 40;  // of a finger [CSS pixels]
 // Marks of seeds, around the origin.
@@ -31,7 +31,7 @@ function ticksOf(low, high, count) {
   return ticks;
 }
 
-// A range that holds the plants to choose from, with their errors, and the
+// A range that contains the members of the front with their errors, and the
 // baseline.
 function rangeOfAxis(front, k) {
   const shown = [front.baseline, ...front.members.map((m) => m.objectives)]
@@ -67,7 +67,7 @@ class Chart {
     this.svg.querySelector("[tabindex='0']").focus({ preventScroll: true });
   }
 
-  // Arrows go from point to point as they stand from left to right.
+  // Arrow keys move from point to point, from left to right.
   move(event) {
     const order = this.places.map((_, i) => i).sort((a, b) =>
       this.places[a][0] - this.places[b][0]
@@ -92,12 +92,12 @@ class Chart {
       .map(([k, from, to]) => {
         const [low, high] = rangeOfAxis(front, k);
         const at = (value) => from + (value - low) / (high - low) * (to - from);
-        return { k, low, high, at, of: (all) => at(all[k][0]), ...front.axes[k] };
+        return { k, low, high, at, position: (values) => at(values[k][0]), ...front.axes[k] };
       });
     this.svg.setAttribute("viewBox", `0 0 ${width} ${height}`);
-    this.places = front.members.map((m) => [x, y].map((a) => a.of(m.objectives)));
+    this.places = front.members.map((m) => [x, y].map((a) => a.position(m.objectives)));
     const order = this.places.map((_, i) => i);
-    // the chosen one is painted last, over the others
+    // the chosen one is painted last, above the others
     order.push(...order.splice(chosen, 1));
     this.svg.replaceChildren(
       ...this.axes(x, y, box), this.cloud(front, x, y, box),
@@ -120,13 +120,13 @@ class Chart {
     }
     line(left, bottom, right, bottom, "axis");
     line(left, top, left, bottom, "axis");
-    const said = ({ label, sense }) => `${label}, ${sense}d`;
+    const describe = ({ label, sense }) => `${label}, ${sense}d`;
     const isLess = (axis) => axis.sense === "minimise";
     const labels = [
       element("text", { x: (left + right) / 2, y: bottom + 40,
         "text-anchor": "middle" },
-      isLess(x) ? `← ${said(x)}` : `${said(x)} →`),
-      element("text", { x: 2, y: 14 }, `${isLess(y) ? "↓" : "↑"} ${said(y)}`),
+      isLess(x) ? `← ${describe(x)}` : `${describe(x)} →`),
+      element("text", { x: 2, y: 14 }, `${isLess(y) ? "↓" : "↑"} ${describe(y)}`),
     ];
     // no wider than the chart
     this.svg.replaceChildren(...labels);
@@ -151,7 +151,7 @@ class Chart {
   // With its standard errors.
   point(objectives, x, y, mark, kind) {
     const made = element("g", { class: kind });
-    const [cx, cy] = [x.of(objectives), y.of(objectives)];
+    const [cx, cy] = [x.position(objectives), y.position(objectives)];
     const [ex, ey] = [x, y].map((axis) => {
       const [value, error] = objectives[axis.k];
       return Math.abs(axis.at(value + (error || 0)) - axis.at(value));
@@ -171,9 +171,9 @@ class Chart {
     const made = this.point(member.objectives, x, y, mark,
       `member${member.is_kept ? "" : " fallen"}${isChosen ? " chosen" : ""}`);
     const [cx, cy] = this.places[i];
-    const said = [x, y].map((a) => `${a.label} ${member.objectives[a.k][0]}`);
-    const name = [member.title, ...said].join(", ")
-      + (member.is_kept ? "" : ", fallen off the front");
+    const values = [x, y].map((a) => `${a.label} ${member.objectives[a.k][0]}`);
+    const name = [member.title, ...values].join(", ")
+      + (member.is_kept ? "" : ", dominated after re-evaluation");
     const about = { role: "radio", tabindex: isChosen ? 0 : -1,
       "aria-checked": isChosen, "aria-label": name, "data-member": i };
     for (const [key, value] of Object.entries(about))
@@ -204,13 +204,13 @@ function tableOf(header, rows) {
   return table;
 }
 
-// Draws tables of what is known of a member, beside the baseline.
+// Returns tables of the quantities of a member and of the baseline.
 function tablesOf(front, member) {
-  const columns = ["baseline", member.title, "higher by [%]"];
+  const columns = ["baseline", member.title, "difference [%]"];
   const rows = front.quantities.map((name, i) => [name, ...member.numbers[i]]);
   return [
     tableOf(["", ...columns], rows),
-    ...member.scenarios.map(({ title, rows: each }) =>
-      tableOf([title, ...columns], each)),
+    ...member.scenarios.map(({ title, rows: cells }) =>
+      tableOf([title, ...columns], cells)),
   ];
 }

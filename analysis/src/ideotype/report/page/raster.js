@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Triangles on a canvas with a depth buffer: each pixel shows what is nearest.
+// Triangles on a canvas with a depth buffer: each pixel shows the nearest one.
 // It needs no graphics driver and works wherever the page opens.
 class Raster {
   constructor(width, height) {

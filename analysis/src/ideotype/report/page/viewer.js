@@ -17,12 +17,12 @@ const chart = new Chart(part("-chart"), (i) => {
 });
 
 // The case and the plant of it that a list chooses.
-const entries = scene.cases.flatMap((each, i) =>
-  each.plants.map((plant, k) => ({ of: each, case: i, plant: k })));
+const entries = scene.cases.flatMap((item, i) =>
+  item.plants.map((plant, k) => ({ stand: item, case: i, plant: k })));
 const chosen = (side) => entries[sides[side].selectedIndex];
 // The front, if any, is that of the plant on the right.
 const frontOf = () =>
-  (chosen(1)?.of ?? scene.cases.find((each) => each.front))?.front;
+  (chosen(1)?.stand ?? scene.cases.find((item) => item.front))?.front;
 
 function fill(list, labels) {
   list.replaceChildren(
@@ -30,10 +30,10 @@ function fill(list, labels) {
 }
 
 function fillPlants(list) {
-  const groups = scene.cases.map((each) => {
+  const groups = scene.cases.map((item) => {
     const group = document.createElement("optgroup");
-    group.label = each.name;
-    group.append(...each.plants.map((plant) => new Option(plant.title)));
+    group.label = item.name;
+    group.append(...item.plants.map((plant) => new Option(plant.title)));
     return group;
   });
   list.replaceChildren(...groups);
@@ -43,16 +43,16 @@ function draw() {
   if (!entries.length) return;
   const place = quantityList.selectedIndex;
   const shown = [0, 1].map((side) => {
-    const { of, plant } = chosen(side);
-    const quantity = of.quantities[Math.min(place, of.quantities.length - 1)];
-    return { of, plant: of.plants[plant], values: quantity.values[plant] };
+    const { stand, plant } = chosen(side);
+    const quantity = stand.quantities[Math.min(place, stand.quantities.length - 1)];
+    return { stand, plant: stand.plants[plant], values: quantity.values[plant] };
   });
   const drawn = drawScene(canvas, shown, view, neighbours.checked);
   Object.assign(canvas.dataset, drawn);
-  const isOneCase = shown[0].of === shown[1].of;
-  part("-titles").replaceChildren(...shown.map(({ of, plant }) => {
+  const isOneCase = shown[0].stand === shown[1].stand;
+  part("-titles").replaceChildren(...shown.map(({ stand, plant }) => {
     const title = document.createElement("span");
-    title.textContent = isOneCase ? plant.title : `${of.name}, ${plant.title}`;
+    title.textContent = isOneCase ? plant.title : `${stand.name}, ${plant.title}`;
     return title;
   }));
   const [low, high] = rangeOf(shown);
@@ -77,10 +77,10 @@ function drawAll() {
 
 // Shows the chosen member of the front on the right.
 function chooseMember() {
-  const own = chosen(1)?.case;
-  const found = entries.findIndex(
-    (each) => each.case === own && each.plant === member + 1);
-  if (found >= 0) sides[1].selectedIndex = found;
+  const caseIndex = chosen(1)?.case;
+  const index = entries.findIndex(
+    (item) => item.case === caseIndex && item.plant === member + 1);
+  if (index >= 0) sides[1].selectedIndex = index;
 }
 
 function choose() {
@@ -96,15 +96,15 @@ function choose() {
     // Plants of one's own come after those of the front.
     const isMember = plant > 0 && plant <= front.members.length;
     member = isMember ? plant - 1 : front.first;
-    part("-told").textContent = front.told;
+    part("-text").textContent = front.text;
     part("-seeds").hidden = front.seeds < 2;
   }
   if (entries.length) {
-    const { of } = chosen(1);
+    const { stand } = chosen(1);
     const kept = Math.max(quantityList.selectedIndex, 0);
-    fill(quantityList, of.quantities.map((q) => q.label));
-    quantityList.selectedIndex = Math.min(kept, of.quantities.length - 1);
-    neighbours.disabled = !of.neighbours.length;
+    fill(quantityList, stand.quantities.map((q) => q.label));
+    quantityList.selectedIndex = Math.min(kept, stand.quantities.length - 1);
+    neighbours.disabled = !stand.neighbours.length;
   }
   drawAll();
 }
@@ -150,7 +150,7 @@ canvas.addEventListener("pointermove", (event) => {
 });
 for (const end of ["pointerup", "pointercancel", "pointerleave"])
   canvas.addEventListener(end, (event) => pointers.delete(event.pointerId));
-// The finger scrolls: what it turned until that was clear is taken back.
+// The gesture is a scroll: its rotation so far is undone.
 canvas.addEventListener("pointercancel", () => show(before));
 
 // Without Ctrl the wheel scrolls the page; a pinch on a touch pad has it.
@@ -186,6 +186,6 @@ part("-ramp").style.background = `linear-gradient(to right, ${ramp})`;
 for (const list of sides) fillPlants(list);
 if (entries.length > 1) {
   sides[0].selectedIndex = 0;
-  sides[1].selectedIndex = 1 + (entries[0].of.front?.first ?? 0);
+  sides[1].selectedIndex = 1 + (entries[0].stand.front?.first ?? 0);
 }
 choose();

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Compares the leaves of a crop with their measurements."""
+"""Compares the fitted leaves of a crop with their measurements."""
 
 from __future__ import annotations
 
@@ -17,22 +17,27 @@ from .blades import Blade, Floats, parts
 def agreement(
     blades: Sequence[Blade], crop: dict[str, Any], mesh: Mesh
 ) -> pd.DataFrame:
-    """Returns how well each leaf of a crop meets its measurement: the root
-    mean square distances of the midrib and of the measured points of the blade
-    [mm], the root mean square difference of the midrib's angle [deg], lengths
-    [m] and areas [m2]."""
+    """Returns the deviations of each leaf of a crop from its measurement: the
+    root mean square distances of the midrib and of the measured points of the
+    blade [mm], the root mean square difference of the midrib angle [deg],
+    lengths [m] and areas [m2].
+
+    blades: measured blades, lowest first.
+    crop: tables of the fitted crop.
+    mesh: surfaces of its plant."""
     rows = []
     for i, (blade, leaf) in enumerate(zip(blades, crop["leaf"], strict=True)):
         group = f"leaf{i + 1:02d}"
         area = mesh.area(group)
-        ours = _midrib(mesh, group)
-        # A leaf is drawn from the surface of the stalk. Where the direction of
-        # the row is taken from the crop, a leaf without azimuth points like
-        # the leaf of the crop.
-        measured = _turned(blade, leaf["azimuth"], ours[0])
+        fitted = _midrib(mesh, group)
+        # Fitted leaves begin at the surface of the stalk, and leaves without a
+        # measured azimuth have that of the crop.
+        measured = _turned(blade, leaf["azimuth"], fitted[0])
         at = np.linspace(0, 1, 41)
-        apart = _resampled(ours, at) - _resampled(measured(blade.midrib), at)
-        turn = _directions(ours, at) * _directions(measured(blade.midrib), at)
+        apart = _resampled(fitted, at) - _resampled(measured(blade.midrib), at)
+        turn = _directions(fitted, at) * _directions(
+            measured(blade.midrib), at
+        )
         row = {
             "leaf": i + 1,
             "source": blade.name,
@@ -58,20 +63,20 @@ def agreement(
 
 
 def _resampled(line: Floats, at: Floats) -> Floats:
-    """Returns points of a line at the given parts of the line's length."""
+    """Returns points of a line at the given fractions of its length."""
     return np.column_stack([np.interp(at, parts(line), x) for x in line.T])
 
 
 def _directions(line: Floats, at: Floats) -> Floats:
-    """Returns unit vectors along a line, by differences between the given
-    parts of the line's length."""
+    """Returns unit vectors along a line, from differences between the given
+    fractions of its length."""
     steps = np.diff(_resampled(line, at), axis=0)
     return steps / np.linalg.norm(steps, axis=1)[:, None]
 
 
 def _turned(blade: Blade, azimuth: float, base: Floats) -> Any:
-    """Moves points of a blade to the base of the leaf in the crop file, and
-    turns the points about the vertical to the azimuth of that leaf."""
+    """Returns a function that moves points of a blade to the base of the
+    fitted leaf and turns them about the vertical to its azimuth."""
     turn = np.radians(blade.azimuth - azimuth)
     rotation = np.array(
         [
@@ -84,14 +89,14 @@ def _turned(blade: Blade, azimuth: float, base: Floats) -> Any:
 
 
 def _midrib(mesh: Mesh, group: str) -> Floats:
-    """Returns the midrib of a leaf of the program, whose faces lie in pairs,
-    left and right of the midrib, from base to tip."""
+    """Returns the midrib of a fitted leaf. Its faces lie in pairs, left and
+    right of the midrib, from base to tip."""
     left = mesh.corners[[name == group for name in mesh.groups]][::2]
     return np.vstack([left[:, 1], left[-1:, 2]])
 
 
 def _dense(mesh: Mesh, group: str, steps: int = 24) -> Floats:
-    """Returns points on the faces of a leaf, some 2 mm apart."""
+    """Returns points on the faces of a leaf, about 2 mm apart."""
     a, b, c, d = (
         mesh.corners[[name == group for name in mesh.groups]]
     ).transpose(1, 0, 2)[:, :, None, None]

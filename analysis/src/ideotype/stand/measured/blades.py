@@ -18,10 +18,10 @@ Floats = NDArray[np.float64]
 
 UNITS = {"m": 1.0, "cm": 0.01, "mm": 0.001}
 _NEIGHBOURS = 16
-"""The number of nearest neighbours of a point of a cloud to which a way along
-the blade may lead."""
+"""The number of nearest neighbours to which paths along the blade may lead
+from a point of a cloud."""
 _SLICES = 24
-"""The number of cross sections of a blade that is a cloud of points."""
+"""The number of cross sections of a point cloud."""
 
 
 @dataclass(frozen=True)
@@ -34,15 +34,16 @@ class Blade:
     """The points of the midrib from base to tip [points, 3]."""
     has_azimuth: bool = True
     has_height: bool = True
-    """Whether the direction and the base of the blade are known."""
+    """Whether azimuth and insertion height were measured."""
     left: Floats | None = None
     """The left edge of the blade at each point of the midrib."""
     right: Floats | None = None
     points: Floats | None = None
-    """Points [n, 3] that lie evenly on the blade."""
+    """Points distributed evenly over the blade [points, 3]."""
     area: float = np.nan
     """The one-sided area of the blade [m2]."""
-    told_width: float | None = None
+    stated_width: float | None = None
+    """A width that was measured without edges [m]."""
 
     @property
     def length(self) -> float:
@@ -54,8 +55,8 @@ class Blade:
     @property
     def width(self) -> float | None:
         """The largest width [m], if any was measured."""
-        if self.told_width is not None or self.left is None:
-            return self.told_width
+        if self.stated_width is not None or self.left is None:
+            return self.stated_width
         assert self.right is not None
         return float(
             (
@@ -66,14 +67,15 @@ class Blade:
 
     @cached_property
     def azimuth(self) -> float:
-        """The direction of the blade from its base, clockwise from the row
-        [deg]: the direction of the mean horizontal displacement."""
+        """The azimuth of the blade, clockwise from the row [deg]: the
+        direction of the mean horizontal displacement from the base."""
         x, y, _ = (self.midrib - self.midrib[0]).mean(axis=0)
         return float(np.degrees(np.arctan2(x, y)))
 
     @property
     def in_its_plane(self) -> tuple[Floats, Floats]:
-        """The points of the midrib outward from the base and up [m]."""
+        """The coordinates of the midrib in its vertical plane, outward from
+        the base and up [m]."""
         turn = np.radians(self.azimuth)
         x, y, z = (self.midrib - self.midrib[0]).T
         return x * np.sin(turn) + y * np.cos(turn), z
@@ -89,9 +91,9 @@ class Blade:
 
     @property
     def roll_and_twist(self) -> tuple[float, float]:
-        """The mean turn of the cross sections about the midrib and its slope
-        from base to tip [deg], by least squares with the widths as weights;
-        turn and slope are 0 where only a width is known."""
+        """The roll, the mean rotation of the cross sections about the midrib,
+        and the twist, its slope from base to tip [deg], by least squares
+        weighted by width; both are 0 without edges."""
         if self.left is None or self.right is None:
             return 0.0, 0.0
         across = self.right - self.left
@@ -111,8 +113,8 @@ class Blade:
         return float((roll + 90) % 180 - 90), float(twist)
 
     def on_stalk(self, origin: Floats, factor: float) -> Blade:
-        """Returns the blade from its end nearer to the stalk, in metres from
-        `origin`, the foot of the stalk. factor: metres per unit of the given
+        """Returns the blade, from its end nearer to the stalk, in metres from
+        `origin`, the foot of the stalk. factor: metres per unit of this
         blade."""
         ends = np.linalg.norm(self.midrib[[0, -1], :2] - origin[:2], axis=1)
         step = 1 if ends[0] <= ends[1] else -1
@@ -135,8 +137,8 @@ class Blade:
 
 
 def parts(line: Floats) -> Floats:
-    """Returns the part of a line's length before each point of the line, 0 to
-    1."""
+    """Returns the fraction of the length of a line before each of its points,
+    0 to 1."""
     sizes = np.linalg.norm(np.diff(line, axis=0), axis=1)
     length = np.concatenate([[0.0], np.cumsum(sizes)])
     if length[-1] == 0:
@@ -147,9 +149,10 @@ def parts(line: Floats) -> Floats:
     return length / length[-1]
 
 
-def axis_of(ends: Floats) -> Floats:
-    """Returns the place of a stalk [x, y]: the point with the least median
-    distance to the nearer end of each leaf. ends: [leaves, 2, 3]."""
+def locate_stalk(ends: Floats) -> Floats:
+    """Returns the position of a stalk [x, y]: the point with the least median
+    distance to the nearer end of each leaf. ends: ends of the leaves
+    [leaves, 2, 3]."""
     candidates = ends.reshape(-1, 3)[:, :2]
     for _ in range(3):
         apart = np.linalg.norm(
@@ -163,8 +166,8 @@ def axis_of(ends: Floats) -> Floats:
 
 
 def metres(unit: str, lengths: list[float]) -> float:
-    """Returns the length of a unit [m]; "auto" is the longest unit in which
-    the length of the median leaf is 0.05 to 3 m."""
+    """Returns the size of a unit [m]. "auto" is the longest unit for which the
+    median leaf length is 0.05 to 3 m."""
     if unit != "auto":
         return UNITS[unit]
     median = float(np.median(lengths))
@@ -172,8 +175,8 @@ def metres(unit: str, lengths: list[float]) -> float:
         if 0.05 <= median * UNITS[name] <= 3:
             return UNITS[name]
     raise Error(
-        f"the median leaf is {median:g} long, which is no leaf in m, cm or mm; "
-        "tell its unit by --unit"
+        f"the median leaf length is {median:g}, implausible in m, cm and mm; "
+        "give the unit by --unit"
     )
 
 
@@ -188,14 +191,15 @@ def on_stalk(
 
 
 def from_cloud(name: str, points: Floats, axis: Floats, area: float) -> Blade:
-    """Returns the blade on which points lie evenly. Its cross sections follow
-    the shortest ways over the blade from the base, which is the points nearest
-    to the axis of the stalk [x, y]."""
+    """Returns the blade of a point cloud with even coverage. Its cross
+    sections are slices of equal distance from the base along shortest paths
+    over the blade; the base are the points nearest to the axis of the stalk
+    [x, y]."""
     if len(points) < 5 * _SLICES:
         raise Error(
             f"{name} has {len(points)} points; {5 * _SLICES} are needed"
         )
-    along = _way_from_base(points, axis)
+    along = _distance_from_base(points, axis)
     points, along = points[np.isfinite(along)], along[np.isfinite(along)]
     for _ in range(3):
         along = _projected(points, _sections(points, along)[0])
@@ -203,9 +207,9 @@ def from_cloud(name: str, points: Floats, axis: Floats, area: float) -> Blade:
     return Blade(name, line, left=left, right=right, points=points, area=area)
 
 
-def _way_from_base(points: Floats, axis: Floats) -> Floats:
-    """Returns the distances of points from the base along ways over nearest
-    neighbours; a point that no way reaches has an infinite distance."""
+def _distance_from_base(points: Floats, axis: Floats) -> Floats:
+    """Returns the distances of points from the base along shortest paths over
+    nearest neighbours (Dijkstra); infinite if there is no path."""
     apart, near = cKDTree(points).query(points, _NEIGHBOURS + 1)
     rows = np.repeat(np.arange(len(points)), _NEIGHBOURS)
     graph = csr_array(
@@ -223,18 +227,20 @@ def _way_from_base(points: Floats, axis: Floats) -> Floats:
 
 
 def _sections(points: Floats, along: Floats) -> tuple[Floats, Floats, Floats]:
-    """Returns the midrib through the middles of slices, and the edges of
-    slices."""
+    """Returns the midrib through the middles of slices, and the left and right
+    edges of the slices."""
     edges = np.linspace(along.min(), along.max(), _SLICES + 1)
-    of = np.clip(np.searchsorted(edges, along, "right") - 1, 0, _SLICES - 1)
-    kept = [i for i in range(_SLICES) if (of == i).sum() > 3]
-    centre = np.array([points[of == i].mean(axis=0) for i in kept])
+    slices = np.clip(
+        np.searchsorted(edges, along, "right") - 1, 0, _SLICES - 1
+    )
+    kept = [i for i in range(_SLICES) if (slices == i).sum() > 3]
+    centre = np.array([points[slices == i].mean(axis=0) for i in kept])
     tangent = np.gradient(centre, axis=0)
     tangent /= np.linalg.norm(tangent, axis=1)[:, None]
     left, right, middle = [], [], []
     previous = None
     for i, c, t in zip(kept, centre, tangent, strict=True):
-        here = points[of == i]
+        here = points[slices == i]
         flat = (here - c) - ((here - c) @ t)[:, None] * t
         direction = np.linalg.svd(flat, full_matrices=False)[2][0]
         if previous is not None and direction @ previous < 0:
@@ -242,20 +248,19 @@ def _sections(points: Floats, along: Floats) -> tuple[Floats, Floats, Floats]:
         previous = direction
         at = flat @ direction
         low, high = np.quantile(at, [0.01, 0.99]) / 0.98
-        # The midrib is where a folded blade has its keel.
+        # In a folded blade the midrib is the keel.
         inner = np.abs(at - (low + high) / 2) < max(0.15 * (high - low), 1e-4)
         keel = c + (flat[inner].mean(axis=0) if inner.any() else 0)
         middle.append(keel)
         left.append(keel + (low - (low + high) / 2) * direction)
         right.append(keel + (high - (low + high) / 2) * direction)
     line = np.array(middle)
-    # The first and the last slice reach half their size further than the
-    # middle.
+    # The line is extended to the ends of the first and last slice.
     first = line[0] - tangent[0] * max(
-        0.0, -((points[of == kept[0]] - line[0]) @ tangent[0]).min()
+        0.0, -((points[slices == kept[0]] - line[0]) @ tangent[0]).min()
     )
     last = line[-1] + tangent[-1] * max(
-        0.0, ((points[of == kept[-1]] - line[-1]) @ tangent[-1]).max()
+        0.0, ((points[slices == kept[-1]] - line[-1]) @ tangent[-1]).max()
     )
     return (
         np.vstack([first, line, last]),
@@ -265,11 +270,12 @@ def _sections(points: Floats, along: Floats) -> tuple[Floats, Floats, Floats]:
 
 
 def _projected(points: Floats, line: Floats) -> Floats:
-    """Returns the distance along a line to the place nearest to each point."""
+    """Returns the distance along a line to the position nearest to each
+    point."""
     steps = np.diff(line, axis=0)
     sizes = np.linalg.norm(steps, axis=1)
     at = ((points[:, None] - line[None, :-1]) * steps).sum(2) / sizes**2
-    # The first and the last segment go on beyond the ends of the line.
+    # The first and the last segment extend beyond the ends of the line.
     lower = np.zeros(len(steps))
     upper = np.ones(len(steps))
     lower[0], upper[-1] = -np.inf, np.inf
@@ -277,5 +283,5 @@ def _projected(points: Floats, line: Floats) -> Floats:
     near = line[None, :-1] + at[:, :, None] * steps
     segment = np.linalg.norm(points[:, None] - near, axis=2).argmin(axis=1)
     start = np.concatenate([[0.0], np.cumsum(sizes)])[segment]
-    found = at[np.arange(len(points)), segment] * sizes[segment]
-    return np.asarray(start + found)
+    within = at[np.arange(len(points)), segment] * sizes[segment]
+    return np.asarray(start + within)

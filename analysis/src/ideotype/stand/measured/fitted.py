@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Makes crops of digitised plants."""
+"""Fits crops to digitised plants."""
 
 from __future__ import annotations
 
@@ -22,13 +22,12 @@ _STEPS = 10
 def leaf_of(blade: Blade, exponent: float) -> dict[str, Any]:
     """Returns the measures of a blade as a table [[leaf]] of a crop file.
 
-    exponent: exponent of the crop's bends, by which insertion angle and
-        curvature are fitted to the angles of the midrib (equal parts of its
-        length have equal weights).
+    Insertion angle and curvature are fitted to the angle of the midrib by
+    least squares, with equal weights for equal lengths: angle(s) =
+    insertion_angle + curvature s^exponent, s from 0 at the base to 1 at the
+    tip. A blade with edges also has roll and twist (`Blade.roll_and_twist`).
 
-    A blade that has a width also has roll and twist: the mean turn of its
-    cross sections and their slope from base to tip (least squares, weighted by
-    width)."""
+    exponent: exponent of bending of the crop (`blade.curvature_exponent`)."""
     outward, up = blade.in_its_plane
     steps = np.column_stack([np.diff(outward), np.diff(up)])
     sizes = np.linalg.norm(steps, axis=1)
@@ -62,23 +61,24 @@ def crop_of(
 ) -> dict[str, Any]:
     """Returns the tables of a crop file with these leaves, lowest first.
 
-    crop: crop with everything that was not measured: stalk, sheaths, organs,
-        traits, and widths, azimuths and heights, which are taken from the leaf
-        at an equal relative position.
-    form: form of leaves, "midrib", or "angles" for insertion angles and
-    curvatures."""
+    crop: tables of the crop that supplies everything not measured: stalk,
+        sheaths, organs and traits, and missing widths, azimuths and heights
+        of the leaf at the same relative position.
+    name: name of the crop.
+    form: form of the leaves, "midrib", or "angles" for insertion angles and
+        curvatures."""
     exponent = crop.get("blade", {}).get("curvature_exponent", 1.5)
-    own = crop["leaf"]
+    crop_leaves = crop["leaf"]
     leaves = []
     for i, blade in enumerate(blades):
         leaf = leaf_of(blade, exponent)
-        place = i / max(len(blades) - 1, 1) * (len(own) - 1)
-        like = own[round(place)]
-        leaf.setdefault("width", like["width"])
+        position = i / max(len(blades) - 1, 1) * (len(crop_leaves) - 1)
+        counterpart = crop_leaves[round(position)]
+        leaf.setdefault("width", counterpart["width"])
         if not blade.has_azimuth:
-            leaf["azimuth"] = like["azimuth"]
+            leaf["azimuth"] = counterpart["azimuth"]
         if not blade.has_height:
-            leaf["insertion_height"] = like["insertion_height"]
+            leaf["insertion_height"] = counterpart["insertion_height"]
         if form == "midrib":
             del leaf["insertion_angle"], leaf["curvature"]
         else:
@@ -88,54 +88,57 @@ def crop_of(
         leaves.append(_rounded(leaf))
     highest = max(leaf["insertion_height"] for leaf in leaves)
     organs = [
-        organ | {"leaf": max(1, len(leaves) - len(own) + organ["leaf"])}
+        organ
+        | {"leaf": max(1, len(leaves) - len(crop_leaves) + organ["leaf"])}
         if "leaf" in organ
         else organ
         for organ in crop.get("organ", [])
     ]
-    found = crop | {
+    tables = crop | {
         "name": name,
         "stalk": crop["stalk"] | {"height": highest},
         "leaf": leaves,
     }
     if organs:
-        found["organ"] = organs
-    return found
+        tables["organ"] = organs
+    return tables
 
 
 def readable_crop(
     blades: Sequence[Blade], crop: dict[str, Any], title: str
 ) -> dict[str, Any]:
-    """Returns the crop that crop_of() makes of leaves by angles, in a form
-    that campaigns can read: the name of the crop keeps only letters and digits
-    of the title."""
+    """Returns the crop of crop_of() in the form "angles", valid in campaigns:
+    its name consists of the letters and digits of the title, and no leaf is
+    below the ground."""
     name = re.sub(r"[^A-Za-z0-9-]+", "_", title).strip("_-")[:64]
-    found = crop_of(blades, crop, name or "plant", "angles")
+    fitted = crop_of(blades, crop, name or "plant", "angles")
     # A lowest leaf may be digitised a millimetre below the ground.
-    for leaf in found["leaf"]:
+    for leaf in fitted["leaf"]:
         leaf["insertion_height"] = max(leaf["insertion_height"], 0)
-    return found
+    return fitted
 
 
 def _rounded(value: Any) -> Any:
     """Rounds numbers to a tenth of a millimetre or degree."""
     if isinstance(value, dict):
         return {
-            key: round(float(each), 1)
+            key: round(float(item), 1)
             if key
             in {"insertion_angle", "curvature", "azimuth", "roll", "twist"}
-            else _rounded(each)
-            for key, each in value.items()
+            else _rounded(item)
+            for key, item in value.items()
         }
     if isinstance(value, list):
-        return [_rounded(each) for each in value]
+        return [_rounded(item) for item in value]
     return round(float(value), 4)
 
 
 def mesh_of(crop: dict[str, Any], folder: Path) -> Mesh:
-    """Returns the surfaces of a crop's plant, with its foot at the origin and
-    y along the row. Raises InputError if the program refuses the crop."""
-    free = [each["name"] for each in crop.get("trait", [{"name": "azimuth"}])]
+    """Returns the surfaces of the plant of a crop, with its foot at the origin
+    and y along the row. Raises InputError if the crop is invalid."""
+    free = [
+        trait["name"] for trait in crop.get("trait", [{"name": "azimuth"}])
+    ]
     stand = Stand(
         {
             "name": "fit",

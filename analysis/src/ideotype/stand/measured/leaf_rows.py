@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Reads tables of measured leaves: the leaves of each plant in metres and
-degrees, and the place of each value and of each problem."""
+degrees, and the line and column of each value and problem."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ plant on a ridge."""
 
 
 class Place(NamedTuple):
-    """A place in a table; lines and columns count from 1."""
+    """A line and column of a table, from 1."""
 
     line: int
     column: int
@@ -32,14 +32,14 @@ class Place(NamedTuple):
 
 @dataclass(frozen=True)
 class _Column:
-    """A column of a table; its measure is (zero + sign x) / per_unit."""
+    """A column of a table. An entry x means (zero + sign x) / per_unit."""
 
     measure: str
     per_unit: float = 1
     sign: float = 1
     zero: float = 0
     height: str = ""
-    """The point of the leaf with the height from which the measure follows:
+    """The point of the leaf with the height from which the curvature follows:
     "tip" or "top"."""
     is_from_north: bool = False
 
@@ -51,7 +51,7 @@ def _sizes(name: str, measure: str, height: str = "") -> dict[str, _Column]:
     }
 
 
-# Angles as in exported plants come first among columns of their measure.
+# The convention of exported plants comes first among angles of a measure.
 COLUMNS = {
     **_sizes("length", "length"),
     **_sizes("width", "width"),
@@ -74,7 +74,7 @@ COLUMNS = {
     "petiole_angle_deg": _Column("petiole_angle"),
     **_sizes("internode", "internode"),
 }
-"""The columns that have measures of leaves."""
+"""The columns with measures of leaves."""
 _RANK = "leaf"
 _PLANT = ("plant", "line")
 
@@ -88,7 +88,8 @@ class Row:
     values: dict[str, float] = field(default_factory=dict)
     places: dict[str, Place] = field(default_factory=dict)
     height: tuple[str, float] | None = None
-    """The point of the leaf with a measured height, and the height [m]."""
+    """The point of the leaf with a measured height ("tip" or "top"), and this
+    height [m]."""
 
 
 class LeafTable:
@@ -98,9 +99,9 @@ class LeafTable:
         require_file(path)
         self.path = path
         self.problems: dict[Problem, None] = {}
-        # The first line that is no comment.
+        # The position of the line of column names.
         self.header = Place(1, 1)
-        # The measures that the table has, and leaves by the names of plants.
+        # The measures of the table, and the leaves by the name of the plant.
         self.has: set[str] = set()
         self.rows: dict[str, list[Row]] = {}
         self._columns: list[str] = []
@@ -115,26 +116,25 @@ class LeafTable:
                 "table so"
             ) from None
 
-    def add(self, place: Place, what: str) -> None:
-        """Notes a problem; problems at one place with one text are one."""
-        self.problems[Problem(str(self.path), *place, what)] = None
+    def add(self, place: Place, text: str) -> None:
+        """Records a problem; equal problems at one position count once."""
+        self.problems[Problem(str(self.path), *place, text)] = None
 
     def raise_problems(self) -> None:
-        """Raises InputError with all problems in their order, if there are
-        any."""
+        """Raises InputError with all problems, if any, in the order of the
+        file."""
         if self.problems:
-            found = sorted(self.problems, key=lambda x: (x.line, x.column))
+            problems = sorted(self.problems, key=lambda x: (x.line, x.column))
             raise InputError(
                 "\n".join(
-                    f"{each.file}:{each.line}:{each.column}: {each.what}"
-                    for each in found
+                    f"{x.file}:{x.line}:{x.column}: {x.what}" for x in problems
                 ),
-                found,
+                problems,
             )
 
     def note(self, name: str) -> tuple[str, Place] | None:
-        """Returns the value of a line "# NAME: VALUE", which spreadsheet
-        programs quote and fill up with commas."""
+        """Returns the value and position of a line "# NAME: VALUE".
+        Spreadsheet programs add quotes and commas to it."""
         for number, line in enumerate(self._lines, 1):
             match = re.match(rf'[ \t"]*#[ \t]*{name}:[ \t",;]*', line)
             if match and (value := line[match.end() :].rstrip(' \t",;\r')):
@@ -142,7 +142,7 @@ class LeafTable:
         return None
 
     def comments(self) -> Iterator[str]:
-        """Yields the comments that are no notes."""
+        """Yields the comments, except lines "# NAME: VALUE"."""
         for line in self._lines:
             text = line.strip(' \t",;\r')
             if text.startswith("#") and not re.match(
@@ -151,8 +151,8 @@ class LeafTable:
                 yield printable(text.removeprefix("#").strip())
 
     def read(self, plant: str) -> None:
-        """Reads the leaves of a plant, by default that of the line `# plant:`,
-        or else those of all plants."""
+        """Reads the leaves of a plant, by default of the one in the line
+        `# plant:`, or of all plants."""
         chosen = self.note("plant")
         self._read_lines(plant or (chosen[0] if chosen else ""))
         if plant and self._named_at is None:
@@ -330,9 +330,9 @@ class LeafTable:
         return None
 
     def sort(self, rows: list[Row]) -> str | None:
-        """Sorts leaves and returns a remark on their ranks, if there is one;
-        None for wrong ranks. Field books count the leaves of a plant from the
-        first that it had, so that the lowest living leaf may have any rank."""
+        """Sorts leaves by rank and returns a remark on the ranks, or "", and
+        None for wrong ranks. Field books count leaves from the first leaf of a
+        plant, so the lowest living leaf may have any rank."""
         rows.sort(key=lambda row: row.rank)
         if not self._has_ranks:
             return ""
@@ -366,7 +366,7 @@ def _number(text: str) -> float | None:
 
 
 def _fields(line: str) -> Iterator[tuple[str, int]]:
-    """Yields the entries of a line without quotes, and their columns."""
+    """Yields the entries of a line, without quotes, and their columns."""
     begin, is_quoted = 0, False
     for i, letter in enumerate(line + ","):
         if letter == '"':
@@ -383,8 +383,8 @@ def _some(names: list[str]) -> str:
 
 
 def _remedy_for(name: str) -> str:
-    """Returns the message on an unknown column that resembles a known one, or
-    else an empty text."""
+    """Returns a message for an unknown column that resembles a known one, else
+    an empty text."""
     if name in _UNITS:
         unit = _UNITS[name]
         return (
@@ -396,7 +396,7 @@ def _remedy_for(name: str) -> str:
 
 
 def _known_columns() -> str:
-    """Returns the names of all columns, units of a measure together:
+    """Returns the names of all columns, with the units of a measure together:
     "length_cm/_m/_mm"."""
     text, last = f"{_RANK}, {' or '.join(_PLANT)}", ""
     for name in COLUMNS:

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Makes crops of tables of measured leaves: CSV files with a line for each
-leaf, as docs/plant.md describes them."""
+"""Makes crops from tables of measured leaves: CSV files with one line for each
+leaf, described in docs/plant.md."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from .plant_sources import crop_tables
 Tables = dict[str, Any]
 
 _NEEDED = 6
-"""The number of first measures that a crop file must have for each leaf."""
+"""The number of leading measures that a crop file requires for each leaf."""
 
 
 @dataclass(frozen=True)
@@ -35,11 +35,11 @@ class MeasuredCrop:
     """The tables of a crop file."""
     core: _core.Plants
     crop: str
-    """The crop that has all that was not measured."""
+    """The crop that supplies everything not measured."""
     remark: str
-    """A remark on the ranks of the leaves, or ""."""
+    """A remark on leaf ranks, or ""."""
     comments: tuple[str, ...]
-    """Comments of the table."""
+    """The comments of the table."""
 
     @property
     def name(self) -> str:
@@ -58,16 +58,17 @@ def measured_crops(
     plant: str = "",
     otherwise: Tables | None = None,
 ) -> list[MeasuredCrop]:
-    """Returns the crops of the plants of a table, in its order. Measures that
-    the table lacks are those of the same leaf of the crop, if it has as many
-    leaves; all other parts are those of the crop. The stalk changes by as much
-    as the highest insertion, and organs at a leaf keep its rank counted from
+    """Returns the crops of the plants of a table, in their order. Missing
+    measures are those of the same leaf of the crop, if leaf counts are equal;
+    all other parts are those of the crop. The height of the stalk changes with
+    the highest insertion, and organs at leaves keep their rank counted from
     the highest leaf.
 
-    crop: name or file of the crop; by default that of the line `# crop:`.
-    plant: name of the only plant to read; by default that of the line
-        `# plant:`, or else all.
-    otherwise: tables of the crop if nothing names one.
+    path: CSV file with one line for each leaf.
+    crop: name or file of the crop, by default that of the line `# crop:`.
+    plant: name of the only plant to read, by default that of the line
+        `# plant:`, or all plants.
+    otherwise: tables of the crop if neither names one.
 
     Raises InputError with all problems of the table, Error if a file cannot be
     read."""
@@ -75,7 +76,7 @@ def measured_crops(
 
 
 class _Crops:
-    """Lays the measured leaves of a table over a crop."""
+    """Replaces the leaves of a crop by the measured leaves of a table."""
 
     def __init__(self, path: Path) -> None:
         self._table = LeafTable(path)
@@ -87,35 +88,35 @@ class _Crops:
         source, base = self._crop(crop, otherwise)
         comments = tuple(self._table.comments())
         spoilt = {problem.line for problem in self._table.problems}
-        every = {
+        lines = {
             row.place.line
             for rows in self._table.rows.values()
             for row in rows
         }
-        found = []
+        measured = []
         for name, rows in self._table.rows.items():
             remark = self._table.sort(rows)
-            # Further checks need the columns, and all values of a plant.
+            # Further checks require all columns and values of a plant.
             if (
                 base is None
                 or remark is None
-                or not spoilt <= every - {row.place.line for row in rows}
+                or not spoilt <= lines - {row.place.line for row in rows}
             ):
                 continue
             made = self._overlay(name, rows, base)
             core = made and self._checked(made, rows)
             if made and core:
-                found.append(
+                measured.append(
                     MeasuredCrop(name, made, core, source, remark, comments)
                 )
         self._table.raise_problems()
-        return found
+        return measured
 
     def _crop(
         self, crop: str, otherwise: Tables | None
     ) -> tuple[str, Tables | None]:
-        """Returns the name or file of the crop and its tables; reports a crop
-        that cannot be read."""
+        """Returns the name or file of the crop and its tables; records a
+        problem if the crop cannot be read."""
         note = self._table.note("crop")
         if not crop and not note:
             if otherwise is None:
@@ -141,17 +142,17 @@ class _Crops:
         self, plant: str, rows: list[Row], crop: Tables
     ) -> Tables | None:
         """Returns the tables of a crop with the leaves of a plant; None if a
-        measure is not known."""
-        own = crop["leaf"]
-        is_like = len(own) == len(rows)
+        measure is unknown."""
+        crop_leaves = crop["leaf"]
+        is_equal = len(crop_leaves) == len(rows)
         leaves: list[Tables] = [
-            {**(own[i] if is_like else {}), **row.values}
+            {**(crop_leaves[i] if is_equal else {}), **row.values}
             for i, row in enumerate(rows)
         ]
         if {"insertion_angle", "curvature"} & self._table.has:
             for leaf in leaves:
                 leaf.pop("midrib", None)
-        self._stack(leaves, own)
+        self._stack(leaves, crop_leaves)
         missing = [
             measure
             for measure in list(LIMITS)[:_NEEDED]
@@ -161,8 +162,9 @@ class _Crops:
         for measure in missing:
             reason = (
                 "digitised leaves of the crop are replaced"
-                if is_like
-                else f"plants do not have the {len(own)} leaves of the crop"
+                if is_equal
+                else f"plants do not have the {len(crop_leaves)} leaves of the "
+                "crop"
             )
             ways = {
                 kind.height: name
@@ -184,16 +186,16 @@ class _Crops:
         if not all(are_bent):
             return None
         made = crop | {
-            "name": _name_of(plant or self._table.path.stem),
+            "name": _make_name(plant or self._table.path.stem),
             "stalk": dict(crop["stalk"]),
             "leaf": leaves,
         }
         if "height" in made["stalk"]:
-            # Rounding must not leave the highest leaf above the stalk.
-            above = made["stalk"]["height"] - _highest(own)
+            # Rounding must not move the highest leaf above the stalk.
+            above = made["stalk"]["height"] - _highest(crop_leaves)
             made["stalk"]["height"] = _highest(leaves) + above
         if "organ" in crop:
-            more = len(rows) - len(own)
+            more = len(rows) - len(crop_leaves)
             made["organ"] = [
                 organ | {"leaf": max(1, organ["leaf"] + more)}
                 if organ.get("leaf", 0) > 0
@@ -202,10 +204,10 @@ class _Crops:
             ]
         return made
 
-    def _stack(self, leaves: list[Tables], own: list[Tables]) -> None:
-        """Makes heights and internodes agree if the table has one of them. A
-        crop keeps the one that it has."""
-        has_internodes = own[-1].get("internode", 0) > 0
+    def _stack(self, leaves: list[Tables], crop_leaves: list[Tables]) -> None:
+        """Derives insertion heights from internodes of the table, or
+        internodes of the crop from heights of the table."""
+        has_internodes = crop_leaves[-1].get("internode", 0) > 0
         if "internode" in self._table.has:
             for leaf, height in zip(leaves, _heights(leaves)):
                 leaf["insertion_height"] = height
@@ -218,9 +220,9 @@ class _Crops:
                 below = leaf["insertion_height"]
 
     def _bend(self, row: Row, leaf: Tables, blade: Tables) -> bool:
-        """Finds by bisection the curvature at which a leaf has the measured
-        height; the more a leaf bends, the lower are its tip and its highest
-        point. Returns whether there is one."""
+        """Computes by bisection the curvature at which the tip or the highest
+        point of a leaf has the measured height; both decrease with curvature.
+        Returns whether there is a solution."""
         assert row.height is not None
         point, measured = row.height
         height = _height_by_curvature(leaf, blade, point)
@@ -247,8 +249,8 @@ class _Crops:
         return True
 
     def _checked(self, made: Tables, rows: list[Row]) -> _core.Plants | None:
-        """Returns the plant of a crop; reports what the program finds wrong
-        with it, at the entries of the table."""
+        """Returns the plant of a crop. If the program refuses the crop, its
+        problems are recorded at the entries of the table."""
         text, leaves = _written(made)
         with tempfile.TemporaryDirectory() as folder:
             file = Path(folder) / "crop.toml"
@@ -266,14 +268,15 @@ class _Crops:
         return None
 
 
-def _name_of(title: str) -> str:
-    """Returns a name that is also the name of a file on any system."""
+def _make_name(title: str) -> str:
+    """Returns a name that is a valid file name on any system."""
     name = re.sub(rb"[^A-Za-z0-9_-]", b"_", title.encode()[:64]).decode()
     return re.sub("^[_-]+", "", name) or "name"
 
 
 def _heights(leaves: list[Tables]) -> list[float]:
-    """Returns the heights of insertions, which may be given by internodes."""
+    """Returns the insertion heights of leaves [m], from internodes where
+    given."""
     heights, below = [], 0.0
     for leaf in leaves:
         if leaf.get("internode", 0) > 0:
@@ -291,8 +294,8 @@ def _highest(leaves: list[Tables]) -> float:
 def _height_by_curvature(
     leaf: Tables, blade: Tables, point: str
 ) -> Callable[[float], float]:
-    """Returns the height of the tip or of the highest point of a leaf by its
-    curvature [m]."""
+    """Returns a function of the curvature [deg]: the height of the tip or of
+    the highest point of a leaf [m], by the midpoint rule along the midrib."""
     steps = 400
     angle, length = leaf["insertion_angle"], leaf["length"]
     exponent = blade.get("curvature_exponent", 1.5)
@@ -319,8 +322,8 @@ def _height_by_curvature(
 
 
 def _written(tables: Tables) -> tuple[str, dict[int, tuple[int, str]]]:
-    """Returns the text of a crop file, and the leaf (from 0) and the measure
-    of each line that has one."""
+    """Returns the text of a crop file, and the leaf (from 0) and measure of
+    each line with a measure."""
     rest = {key: value for key, value in tables.items() if key != "leaf"}
     lines = tomli_w.dumps(rest).splitlines()
     places = {}

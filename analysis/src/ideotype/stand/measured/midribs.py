@@ -26,12 +26,12 @@ def _column(
 
 _OUT = "x|out|r|x_along|distance"
 _UP = "z|up|z_up|height"
-"""The names of the columns of points, out from the stalk and up."""
+"""The column names of coordinates, outward from the stalk and up."""
 
 
 def is_coordinate(column: str) -> bool:
-    """Returns whether a column has coordinates of points; a height may be that
-    of a plant."""
+    """Returns whether a column has coordinates of points. A column "height"
+    may be that of a plant."""
     names = f"{_OUT}|{_UP}".removesuffix("|height")
     return bool(re.fullmatch(rf"(?:{names})(?:_(?:m|cm|mm))?", column))
 
@@ -39,6 +39,8 @@ def is_coordinate(column: str) -> bool:
 def read_midribs(
     path: Path, plant: str | None, leaves: Path | None, unit: str
 ) -> list[Blade]:
+    """Returns the blades of a CSV file of points along midribs; the arguments
+    are those of read_plant()."""
     table = read_columns(path)
     if "plant" in table:
         names = list(dict.fromkeys(table["plant"].astype(str)))
@@ -50,13 +52,13 @@ def read_midribs(
                 f"{', '.join(names)}"
             )
         table = table[table["plant"].astype(str) == plant]
-    found = {
+    columns = {
         "out": _column(table, _OUT),
         "up": _column(table, _UP),
         "side": _column(table, "y|side|y_across"),
     }
-    for name, each in found.items():
-        if each is None and name != "side":
+    for name, column in columns.items():
+        if column is None and name != "side":
             raise Error(
                 f"{path}:1: there is no column of the points {name}; name it "
                 f"{'x' if name == 'out' else 'z'}_m, _cm or _mm"
@@ -67,12 +69,12 @@ def read_midribs(
             "leaf of each point"
         )
     points = np.zeros((len(table), 3))
-    told = None
+    named_unit = None
     for axis, name in enumerate(("side", "out", "up")):
-        if (each := found[name]) is not None:
-            told = told or each[1]
+        if (column := columns[name]) is not None:
+            named_unit = named_unit or column[1]
             try:
-                points[:, axis] = each[0].astype(float)
+                points[:, axis] = column[0].astype(float)
             except ValueError as error:
                 raise Error(
                     f"{path}: a number cannot be read ({error})"
@@ -91,11 +93,11 @@ def read_midribs(
             "base to tip"
         )
     factor = metres(
-        told or unit,
+        named_unit or unit,
         [
-            float(np.linalg.norm(np.diff(each, axis=0), axis=1).sum())
+            float(np.linalg.norm(np.diff(line, axis=0), axis=1).sum())
             for several in lines.values()
-            for each in several
+            for line in several
         ],
     )
     more = _measures(leaves, plant) if leaves else {}
@@ -115,8 +117,8 @@ def read_midribs(
 def _flat_blade(
     rank: int, lines: list[Floats], more: dict[str, float]
 ) -> Blade:
-    """Returns the mean of the digitisations of a leaf, at equal parts of their
-    lengths, with the measured length, width and height."""
+    """Returns the mean of the digitisations of a leaf, at equal fractions of
+    their lengths, with the measured length, width and height."""
     at = np.linspace(0, 1, 41)
     mean = np.mean(
         [
@@ -141,7 +143,7 @@ def _flat_blade(
         midrib @ rotation.T + np.array([0, 0, height]),
         has_azimuth="azimuth" in more,
         has_height="insertion_height" in more,
-        told_width=more.get("width"),
+        stated_width=more.get("width"),
     )
 
 
@@ -157,16 +159,16 @@ def _measures(path: Path, plant: str | None) -> dict[int, dict[str, float]]:
         if "leaf" in table
         else pd.Series(range(1, len(table) + 1))
     )
-    found: dict[int, dict[str, float]] = {int(each): {} for each in rank}
+    measures: dict[int, dict[str, float]] = {int(leaf): {} for leaf in rank}
     for name in ("length", "width", "insertion_height"):
         if (column := _column(table, name)) is None:
             continue
         values, unit = column
         for i, value in zip(rank, values, strict=True):
             if np.isfinite(value):
-                found[int(i)][name] = float(value) * UNITS[unit or "m"]
+                measures[int(i)][name] = float(value) * UNITS[unit or "m"]
     for name in ("azimuth_from_row_clockwise_deg", "azimuth_deg"):
         if name in table:
             for i, value in zip(rank, table[name], strict=True):
-                found[int(i)]["azimuth"] = float(value)
-    return found
+                measures[int(i)]["azimuth"] = float(value)
+    return measures

@@ -11,13 +11,13 @@ import numpy as np
 from scipy.interpolate import BSpline
 
 from ...errors import Error
-from .blades import Blade, Floats, axis_of, on_stalk
+from .blades import Blade, Floats, locate_stalk, on_stalk
 
 
 def read_nurbs(path: Path, unit: str, ground: float) -> list[Blade]:
-    """Returns blades in metres from the foot of their stalk, which stands
-    where most blades have an end. ground: z of the soil; NaN: z of the lowest
-    point of all blades."""
+    """Returns the blades of a file of NURBS surfaces, in metres from the foot
+    of the stalk, which is assumed where most blades have an end. ground: z of
+    the soil; NaN: the lowest z of all blades."""
     blades = _nurbs(path)
     if not blades:
         return []
@@ -26,12 +26,13 @@ def read_nurbs(path: Path, unit: str, ground: float) -> list[Blade]:
             (b.midrib if b.points is None else b.points)[:, 2].min()
             for b in blades
         )
-    axis = axis_of(np.array([blade.midrib[[0, -1]] for blade in blades]))
+    axis = locate_stalk(np.array([blade.midrib[[0, -1]] for blade in blades]))
     return on_stalk(blades, unit, axis, ground)
 
 
 def _numbers(path: Path) -> Iterator[tuple[int, list[float]]]:
-    """Yields the lines of a file that are numbers, with their line numbers."""
+    """Yields the lines of a file that contain only numbers, with their line
+    numbers."""
     for at, line in enumerate(
         path.read_text(errors="replace").splitlines(), 1
     ):
@@ -45,8 +46,9 @@ def _numbers(path: Path) -> Iterator[tuple[int, list[float]]]:
 
 
 def _nurbs(path: Path) -> list[Blade]:
-    """Reads surfaces one after the other: dimension 3, degrees, sizes, knots
-    of both directions, and the control points x y z w, in either order."""
+    """Reads the surfaces of a file. Each has the dimension 3, degrees, sizes,
+    the knots of both directions, and control points x y z w, in either index
+    order."""
     lines = list(_numbers(path))
     starts = [
         i
@@ -79,25 +81,27 @@ def _nurbs(path: Path) -> list[Blade]:
         net = np.array(points)
         if net.shape[1] == 3:
             net = np.column_stack([net, np.ones(count)])
-        blades.append(_of_net(f"surface {number}", net, degrees, sizes, knots))
+        blades.append(
+            _make_blade(f"surface {number}", net, degrees, sizes, knots)
+        )
     return blades
 
 
-def _of_net(
+def _make_blade(
     name: str,
     net: Floats,
     degrees: list[int],
     sizes: list[int],
     knots: list[Floats],
 ) -> Blade:
-    """Returns the blade of a net of control points, whichever index runs
-    fastest: in the right order, neighbours are near each other."""
+    """Returns the blade of a net of control points. The index order is the one
+    with the smaller distances between neighbours."""
     orders = [
         net.reshape(sizes[1], sizes[0], 4).transpose(1, 0, 2),
         net.reshape(sizes[0], sizes[1], 4),
     ]
 
-    def way(grid: Floats) -> float:
+    def distance(grid: Floats) -> float:
         return float(
             sum(
                 np.linalg.norm(np.diff(grid[..., :3], axis=axis), axis=2).sum()
@@ -105,7 +109,7 @@ def _of_net(
             )
         )
 
-    grid = min(orders, key=way)
+    grid = min(orders, key=distance)
     weighted = grid[..., :3] * grid[..., 3:]
     homogeneous = np.concatenate([weighted, grid[..., 3:]], axis=2)
     steps = (13, 61)
@@ -115,7 +119,7 @@ def _of_net(
         spline = BSpline(knots[axis], np.moveaxis(homogeneous, axis, 0), k)
         homogeneous = np.moveaxis(spline(at), 0, axis)
     surface = homogeneous[..., :3] / homogeneous[..., 3:]
-    # The blade is longer than wide.
+    # The longer direction is that of the midrib.
     along = [
         np.linalg.norm(np.diff(surface, axis=axis), axis=2)
         .sum(axis=axis)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Reads meshes and clouds of points of digitised plants."""
+"""Reads meshes and point clouds of digitised plants."""
 
 from __future__ import annotations
 
@@ -10,17 +10,17 @@ from typing import Any
 import numpy as np
 
 from ...errors import Error
-from .blades import Blade, Floats, axis_of, from_cloud, on_stalk
+from .blades import Blade, Floats, from_cloud, locate_stalk, on_stalk
 
 _POINTS = 6000
-"""The number of points that are drawn on the mesh of a leaf."""
+"""The number of points sampled on the mesh of a leaf."""
 _NO_LEAF = re.compile(r"(?i)stalk|stem|sheath|tassel|ear\b|soil|ground")
 
 
-def _parts_of(path: Path) -> dict[str, tuple[Floats, float]]:
-    """Returns points that lie evenly on each part of a file, and the part's
-    area. Parts are groups or objects of an OBJ file, and colours of a PLY
-    file."""
+def _read_parts(path: Path) -> dict[str, tuple[Floats, float]]:
+    """Returns points distributed evenly over each part of a file, and the area
+    of the part. Parts are the groups or objects of an OBJ file, or the colours
+    of a PLY file."""
     try:
         import trimesh
     except ImportError:
@@ -45,50 +45,53 @@ def _parts_of(path: Path) -> dict[str, tuple[Floats, float]]:
         colours = np.asarray(whole.visual.vertex_colors)
     if len(colours) != len(whole.vertices) or not len(colours):
         raise Error(
-            f"{path}: its vertices have no colours, which tell leaves apart; "
-            "give each leaf a colour"
+            f"{path}: vertices have no colours, by which leaves are "
+            "distinguished; give each leaf a colour"
         )
-    kinds, of = np.unique(colours[:, :3], axis=0, return_inverse=True)
-    found = {}
+    kinds, colour_index = np.unique(
+        colours[:, :3], axis=0, return_inverse=True
+    )
+    parts = {}
     for i, colour in enumerate(kinds):
         name = (
             "stalk" if not colour.any() else f"colour {tuple(colour.tolist())}"
         )
-        mine = of.ravel() == i
+        is_part = colour_index.ravel() == i
         faces = getattr(whole, "faces", None)
         if faces is not None and len(faces):
-            whole_faces = faces[mine[faces].all(axis=1)]
+            whole_faces = faces[is_part[faces].all(axis=1)]
             if len(whole_faces):
-                found[name] = _evenly(
+                parts[name] = _evenly(
                     trimesh.Trimesh(whole.vertices, whole_faces, process=False)
                 )
         else:
-            found[name] = (np.asarray(whole.vertices)[mine], np.nan)
-    return found
+            parts[name] = (np.asarray(whole.vertices)[is_part], np.nan)
+    return parts
 
 
 def _evenly(mesh: Any) -> tuple[Floats, float]:
-    """Returns points that lie evenly on a mesh, and the area of the mesh."""
+    """Returns points distributed evenly over a mesh, and its area."""
     points, _ = mesh.sample(_POINTS, return_index=True, seed=1)
     return np.asarray(points, float), float(mesh.area)
 
 
 def read_clouds(path: Path, unit: str, ground: float) -> list[Blade]:
-    """Returns blades of the parts that are no stalk; a missing stalk is taken
-    to stand where most blades have an end."""
-    found = _parts_of(path)
-    leaves = {x: each for x, each in found.items() if not _NO_LEAF.search(x)}
-    stalk = [points for x, (points, _) in found.items() if x not in leaves]
+    """Returns the blades of the parts of a file that are leaves. A missing
+    stalk is assumed where most blades have an end. ground: z of the soil; NaN:
+    the lowest z of all points."""
+    parts = _read_parts(path)
+    leaves = {x: part for x, part in parts.items() if not _NO_LEAF.search(x)}
+    stalk = [points for x, (points, _) in parts.items() if x not in leaves]
     if not leaves:
         return []
-    every = np.vstack([*stalk, *(points for points, _ in leaves.values())])
+    cloud = np.vstack([*stalk, *(points for points, _ in leaves.values())])
     if np.isnan(ground):
-        ground = every[:, 2].min()
-    thin = [_ends(points) for points, _ in leaves.values()]
+        ground = cloud[:, 2].min()
+    ends = [_ends(points) for points, _ in leaves.values()]
     axis = (
         np.median(np.vstack(stalk)[:, :2], axis=0)
         if stalk
-        else axis_of(np.array(thin))
+        else locate_stalk(np.array(ends))
     )
     blades = [
         from_cloud(name, points, axis, area)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Reads files of digitised plants (midribs, NURBS surfaces, meshes and point
-clouds) and crops that have what was not measured."""
+clouds), and the crops that supply everything not measured."""
 
 from __future__ import annotations
 
@@ -31,11 +31,11 @@ def read_plant(
     path: CSV of midribs, DAT of NURBS surfaces, or OBJ or PLY with a group,
         object or colour for each leaf.
     plant: name in the column `plant` of a CSV file.
-    leaves: CSV of further measures of each leaf of a CSV file.
+    leaves: CSV of additional measures of the leaves of a CSV file.
     unit: unit of lengths: "m", "cm", "mm" or "auto".
     ground: z of the soil in this unit; NaN: z of the lowest point.
 
-    Raises Error with the line of what cannot be read."""
+    Raises Error with the file, its line and a remedy."""
     require_file(path)
     suffix = path.suffix.lower()
     if suffix == ".csv":
@@ -57,8 +57,9 @@ def read_plant(
 
 
 def is_digitised(path: Path) -> bool:
-    """Returns whether read_plant() reads a file of plants; a CSV file must
-    hold points along midribs, and not measures of whole leaves."""
+    """Returns whether a file contains a digitised plant for read_plant(). A
+    CSV file must contain points along midribs, not measures of whole
+    leaves."""
     suffix = path.suffix.lower()
     if suffix != ".csv" or not path.is_file():
         return suffix in {".obj", ".ply", ".dat", ".txt"}
@@ -70,8 +71,8 @@ def is_digitised(path: Path) -> bool:
 
 
 def crop_tables(crop: str, folder: Path = Path()) -> dict[str, Any]:
-    """Returns the tables of a crop by its name, such as "maize", or by its
-    file, relative to a folder.
+    """Returns the tables of a crop given by its name, such as "maize", or by
+    its file, relative to a folder.
 
     Raises InputError with all problems of the file, Error if there is no such
     crop or file."""
@@ -99,7 +100,7 @@ def crop_tables(crop: str, folder: Path = Path()) -> dict[str, Any]:
 
 
 def require_blades(crop: dict[str, Any], name: str) -> None:
-    """Raises Error unless the leaves of a crop are blades at the stalk."""
+    """Raises Error if the leaves of a crop have petioles."""
     if any("petiole_length" in leaf for leaf in crop["leaf"]):
         raise Error(
             f"{name}: its leaves have petioles (only leaves of one blade at "
@@ -108,10 +109,9 @@ def require_blades(crop: dict[str, Any], name: str) -> None:
 
 
 def read_crop(path: Path) -> dict[str, Any]:
-    """Returns the tables of a crop file that gives the measures which were not
-    taken.
+    """Returns the tables of a crop file.
 
-    Raises Error if the file is no crop file."""
+    Raises Error if the file is not a crop file."""
     try:
         crop = tomllib.loads(path.read_text(encoding="utf-8"))
     except (OSError, ValueError) as error:

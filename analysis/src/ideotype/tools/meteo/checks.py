@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Checks the place, the clock against the sun, and the gaps of weather
-data."""
+"""Checks the location, the clock and the gaps of weather data."""
 
 from __future__ import annotations
 
@@ -15,55 +14,60 @@ from ...errors import Error
 _HOUR = pd.Timedelta("1h")
 
 
-def place_of(
-    options: argparse.Namespace, found: list, tell: Any
+def find_place(
+    options: argparse.Namespace, places: list, warn: Any
 ) -> tuple[float, float]:
-    """Returns the place from the options, or else the place from the files."""
+    """Returns latitude and longitude [deg] from the options, or else from the
+    files. Raises Error if neither states them, or if they are more than 500 km
+    apart; warns from 50 km on."""
     given = (options.latitude, options.longitude)
-    told = next((place for place in found if place), None)
+    known = next((place for place in places if place), None)
     if None in given:
-        if told is None:
+        if known is None:
             raise Error(
-                f"{options.files[0]}: this file does not tell where it was "
-                "measured; give --latitude and --longitude"
+                f"{options.files[0]}: this file does not state its location; "
+                "give --latitude and --longitude"
             )
-        return told
-    for place in {place for place in found if place}:
+        return known
+    for place in {place for place in places if place}:
         a, b = np.radians(place), np.radians(given)
+        # The haversine formula for distances on a sphere.
         h = (
             np.sin((a[0] - b[0]) / 2) ** 2
             + np.cos(a[0]) * np.cos(b[0]) * np.sin((a[1] - b[1]) / 2) ** 2
         )
         apart = 2 * 6371 * np.arcsin(np.sqrt(h))
-        what = (
-            f"the file is of {place[0]:.2f} N {place[1]:.2f} E, "
+        mismatch = (
+            f"the file is from {place[0]:.2f} N {place[1]:.2f} E, "
             f"{apart:.0f} km from the site"
         )
         if apart > 500:
-            raise Error(f"{what} (another climate); choose a file of the site")
+            raise Error(
+                f"{mismatch} (another climate); choose a file of the site"
+            )
         if apart > 50:
-            tell(f"warning: {what}")
+            warn(f"warning: {mismatch}")
     return given
 
 
 def _sun(index: Any, offset: float, place: tuple[float, float]) -> Any:
-    """Returns a function of hours, which returns the cosine of the sun's
-    zenith angle at the times of an index plus these hours."""
+    """Returns a function of a shift [h]: the cosine of the zenith angle of the
+    sun at the times of an index plus this shift."""
     import pvlib
 
     pad = 13 * _HOUR
     grid = pd.date_range(index[0] - pad, index[-1] + pad, freq="15min")
-    found = pvlib.solarposition.get_solarposition(
+    positions = pvlib.solarposition.get_solarposition(
         (grid - offset * _HOUR).tz_localize("UTC"), *place, method="ephemeris"
     )
-    cosine = np.cos(np.radians(found["elevation"].rsub(90).to_numpy()))
+    cosine = np.cos(np.radians(positions["elevation"].rsub(90).to_numpy()))
     hours = (grid - grid[0]) / _HOUR
     at = (index - grid[0]) / _HOUR
     return lambda shift: np.interp(at + shift, hours, cosine)
 
 
 def _light(frame: pd.DataFrame, cosine: Any) -> pd.Series:
-    """Returns the light on a horizontal plane, NaN where no light is known."""
+    """Returns the light on a horizontal plane; NaN: unknown."""
     light = pd.Series(np.nan, frame.index)
     if {"beam_normal", "diffuse"} <= {*frame}:
         light = frame["beam_normal"] * np.maximum(cosine, 0) + frame["diffuse"]
@@ -71,16 +75,19 @@ def _light(frame: pd.DataFrame, cosine: Any) -> pd.Series:
 
 
 def check_clock(
-    frame: pd.DataFrame, offset: float, place: Any, tell: Any
+    frame: pd.DataFrame, offset: float, place: Any, warn: Any
 ) -> None:
+    """Compares the course of light with that of the sun. Raises Error if
+    the best correlation is below 0.5 or at a shift of 0.75 h or more (2 h for
+    9 days or fewer); warns from 0.5 h (1 h) on."""
     sun = _sun(frame.index, offset, place)
     light = _light(frame, sun(0))
     known = light.notna()
     if not (light > 0).any():
-        tell("warning: the period has no light at all")
+        warn("warning: the period has no light at all")
         return
     shifts = np.arange(-48, 49) / 4
-    # A sun that does not rise, and light that is always the same, have none.
+    # Polar night and constant light have no correlation.
     with np.errstate(all="ignore"):
         fits = [
             np.corrcoef(light[known], np.maximum(sun(-shift), 0)[known])[0, 1]
@@ -89,15 +96,15 @@ def check_clock(
     if not np.isfinite(fits).any():
         raise Error(
             "the light does not follow the sun at all "
-            f"({place[0]:.2f} N {place[1]:.2f} E); check the place and the "
+            f"({place[0]:.2f} N {place[1]:.2f} E); check the location and the "
             "columns"
         )
     best = shifts[int(np.nanargmax(fits))]
-    what = (
+    mismatch = (
         f"the light comes {abs(best):.4g} h {'later' if best > 0 else 'earlier'}"
         f" than the sun of {place[0]:.2f} N {place[1]:.2f} E (correlation "
         f"{fits[48]:.3f}, and {np.nanmax(fits):.3f} with that shift); check the "
-        "place, the clock, and --format"
+        "location, the clock, and --format"
     )
     if np.nanmax(fits) < 0.5:
         raise Error(
@@ -106,9 +113,9 @@ def check_clock(
         )
     is_long = frame.index[-1] - frame.index[0] > pd.Timedelta("9D")
     if abs(best) >= (0.75 if is_long else 2):
-        raise Error(what)
+        raise Error(mismatch)
     if abs(best) >= (0.5 if is_long else 1):
-        tell(f"warning: {what}")
+        warn(f"warning: {mismatch}")
 
 
 def mend(
@@ -117,10 +124,10 @@ def mend(
     offset: float,
     place: Any,
     fill: float,
-    tell: Any,
+    warn: Any,
 ) -> None:
-    """Fills short gaps in place, light in proportion to the sun, and returns
-    the dates of longer gaps."""
+    """Interpolates gaps of up to `fill` hours in `frame`, of light relative to
+    the cosine of the zenith angle, and warns of remaining gaps by day."""
     sun = _sun(frame.index, offset, place)
     half = step / 2 / _HOUR
     is_up = np.maximum(np.maximum(sun(-half), sun(half)), sun(0)) > 0
@@ -139,14 +146,14 @@ def mend(
     gaps = gone[gone].index.to_series()
     runs = gaps.groupby((gaps.diff() > step).cumsum()).agg(["min", "max"])
     for begin, end in runs.head(20).itertuples(index=False):
-        tell(
-            f"warning: the light of {begin - step / 2:%Y-%m-%d %H:%M} to "
-            f"{end + step / 2:%Y-%m-%d %H:%M} is not known"
+        warn(
+            f"warning: the light from {begin - step / 2:%Y-%m-%d %H:%M} to "
+            f"{end + step / 2:%Y-%m-%d %H:%M} is missing"
         )
     if len(runs):
         longest = (runs["max"] - runs["min"]).max() / _HOUR + step / _HOUR
-        tell(
+        warn(
             f"warning: {len(runs)} gaps by day, the longest of {longest:.4g} h;"
-            " interpolate short ones with --fill HOURS, or choose days without"
-            " them, here with --from and --until or in the campaign"
+            " interpolate short gaps with --fill HOURS, or choose days without"
+            " gaps by --from and --until or in the campaign"
         )

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Weather files of many formats as tables of one form, most of them read by
+"""Reads weather files of many formats into tables of one form, most of them by
 pvlib.iotools."""
 
 from __future__ import annotations
@@ -26,16 +26,16 @@ from .tables import (
 
 
 def read(path: Path, form: str) -> Readings:
-    """Reads a file in a format of FORMATS; for "auto" the beginning of the
-    file decides the format.
+    """Reads a file in a format of FORMATS; "auto": by the beginning of the
+    file.
 
     Raises Error if the format is unknown, and the errors of the reader."""
     if form == "auto":
-        form = _form_of(path)
+        form = _detect_format(path)
     readings = FORMATS[form](path)
     readings.frame = readings.frame.astype(float).dropna(axis=1, how="all")
     days = (readings.frame.index - pd.Timedelta("1s")).to_series()
-    # Months of different years follow each other in a typical year.
+    # In a typical year, months of different years follow each other.
     readings.is_typical |= bool(
         ((days.diff().abs() > pd.Timedelta("1D")) & days.dt.year.diff().ne(0))
         .iloc[1:]
@@ -44,7 +44,7 @@ def read(path: Path, form: str) -> Readings:
     return readings
 
 
-def _form_of(path: Path) -> str:
+def _detect_format(path: Path) -> str:
     if path.suffix == ".zip":
         return "dwd"
     opened: Callable = gzip.open if path.suffix == ".gz" else open
@@ -69,8 +69,8 @@ def _form_of(path: Path) -> str:
             return form
     raise Error(
         f"{path}: this is no file of a known format ({', '.join(FORMATS)}); "
-        "name it with --format, or say in the campaign which columns of a "
-        "CSV file hold what"
+        "name it with --format, or map the columns of a CSV file in the "
+        "campaign"
     )
 
 
@@ -93,14 +93,14 @@ def _tmy2(path: Path) -> Readings:
 def _pvlib(
     reader: str, *, stamp: str = "beginning", is_west: bool = False
 ) -> Callable[[Path], Readings]:
-    """Returns a reader for files in which pvlib.iotools uses our names of
-    columns, with the place in the metadata or in each row; `is_west` says that
+    """Returns a reader for files that pvlib.iotools reads with standard column
+    names, with the location in the metadata or in each row. is_west: whether
     the network omits the minus sign of western longitudes."""
 
     def read_it(path: Path) -> Readings:
-        found = getattr(_iotools(), reader)(str(path))
-        is_pair = isinstance(found, tuple)
-        table, meta = found if is_pair else (found, found.iloc[0])
+        data = getattr(_iotools(), reader)(str(path))
+        is_pair = isinstance(data, tuple)
+        table, meta = data if is_pair else (data, data.iloc[0])
         latitude, longitude = _place(meta)
         place = latitude, -abs(longitude) if is_west else longitude
         return named(table, place=place, stamp=stamp)
@@ -109,7 +109,7 @@ def _pvlib(
 
 
 def _pvgis(path: Path) -> Readings:
-    """Reads hourly data or a typical year, whose time stamps are instants."""
+    """Reads hourly data or a typical year; time stamps are instants."""
     text = path.read_text()
     form = "json" if text.lstrip().startswith("{") else "csv"
     if "time(UTC)" in text:
@@ -124,9 +124,8 @@ def _pvgis(path: Path) -> Readings:
         )
         if slope and float(slope[1] or slope[2]) != 0:
             raise Error(
-                f"{path}: this file has light on a tilted plane; download it "
-                "with "
-                "slope 0"
+                f"{path}: this file has light on a tilted plane; download "
+                "it with slope 0"
             )
         parts = [
             name for name in table if re.match("poa_.*(direct|diffuse)", name)

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Reads weather files that pvlib cannot read (NASA POWER, KNMI, DWD) or cannot
-read completely: names in Latin-1 or with commas, half hours, the last hour of
-28 February, and clocks of half an hour in TMY3, EPW and NSRDB."""
+"""Reads weather files that pvlib cannot read (NASA POWER, KNMI, DWD) or not
+completely: in TMY3, EPW and NSRDB, names in Latin-1 or with commas,
+half-hourly data, the last hour of 28 February, and UTC offsets of half
+hours."""
 
 from __future__ import annotations
 
@@ -18,9 +19,9 @@ import pandas as pd
 
 from ...errors import Error
 
-#: The columns of readings: light in W m-2, temperature in deg C, relative
-#: humidity in %; wind at 10 m in m s-1, pressure in kPa, longwave radiation of
-#: the sky in W m-2.
+#: The columns of readings: light [W m-2], temperature [deg C], relative
+#: humidity [%], wind at 10 m [m s-1], pressure [kPa] and longwave radiation of
+#: the sky [W m-2].
 COLUMNS = (
     "global",
     "beam_normal",
@@ -37,14 +38,14 @@ MISSING = [-99, -999, -9900, -9999, 9999, 99999]
 
 @dataclass
 class Readings:
-    """The data of a weather file: the columns of COLUMNS that the file has, by
-    time stamps on the clock of the file."""
+    """The data of a weather file: those of COLUMNS that it has, by time stamps
+    on its clock."""
 
     frame: pd.DataFrame
     utc_offset: float
     place: tuple[float, float] | None = None  # Latitude and longitude [deg].
-    stamp: str = "end"  # The part of a time step that is stamped.
-    is_typical: bool = False  # Whether years have no meaning.
+    stamp: str = "end"  # The point of a time step that the stamp denotes.
+    is_typical: bool = False  # Whether months are of different years.
 
 
 def named(
@@ -53,9 +54,12 @@ def named(
     pascals: float = 1000,
     **wanted: Any,
 ) -> Readings:
-    """Returns the readings in the columns with the given names that a table
-    has, by time stamps with or without a time zone; `pascals`: the unit of
-    pressure."""
+    """Returns the readings of a table indexed by time stamps, with or without
+    a time zone.
+
+    names: columns of the table that correspond to COLUMNS.
+    pascals: unit of pressure [Pa].
+    wanted: further fields of Readings."""
     index = pd.DatetimeIndex(table.index)
     offset = index[0].utcoffset() if index.tz else pd.Timedelta(0)
     frame = pd.DataFrame(
@@ -110,7 +114,7 @@ def read_epw(path: Path) -> Readings:
     table = table[[x for x in names if x in table]].rename(columns=names)
     unknown = {"temperature": 99.9, "humidity": 999, "wind": 999}
     table = table.replace(unknown | {"pressure": 999999}, np.nan)
-    # The only row of an hour has minute 0 or 60: either means the whole hour.
+    # A single row per hour, with minute 0 or 60, is the mean of the hour.
     is_parted = table["minute"].nunique() > 1
     minute = table["minute"].where((table["minute"] > 0) & is_parted, 60)
     stamps = (
@@ -156,8 +160,8 @@ def read_power(path: Path) -> Readings:
     place = re.search(r"latitude +(\S+) +longitude +(\S+)", head)
     if "HR" not in table or not place:
         raise Error(
-            f"{path}: there is no column HR, or no place in the head; "
-            "download the hourly data of one point, with its header"
+            f"{path}: there is no column HR, or no location in the header; "
+            "download the hourly data of one point with the header"
         )
     light = ("ALLSKY_SFC_SW_DWN", "ALLSKY_SFC_SW_DNI", "ALLSKY_SFC_SW_DIFF")
     longwave = "ALLSKY_SFC_LW_DWN"
@@ -199,10 +203,10 @@ def read_knmi(path: Path) -> Readings:
     station = _only(path, table["STN"])
     day = pd.to_datetime(table["YYYYMMDD"], format="%Y%m%d")
     table.index = pd.DatetimeIndex(day + pd.to_timedelta(table["HH"], "h"))
-    # The file has J/cm2.
+    # The unit of the file is J/cm2.
     table["Q"] = pd.to_numeric(table["Q"]) * 1e4 / 3600
     if "T" in table:
-        # The file has 0.1 deg C.
+        # The unit of the file is 0.1 deg C.
         table["T"] = pd.to_numeric(table["T"]) / 10
     place = re.search(
         rf"^# *{station}:? +(-?[\d.]+) +(-?[\d.]+) ",
@@ -217,8 +221,8 @@ def read_knmi(path: Path) -> Readings:
 
 
 def read_dwd(path: Path) -> Readings:
-    """Reads light of hours or of ten minutes, or temperature, in UTC. Hours of
-    light end with the hours of true solar time."""
+    """Reads hourly or ten-minute light, or temperature, in UTC. Hours of light
+    end at full hours of true solar time."""
     text = io.BytesIO(path.read_bytes())
     if path.suffix == ".zip":
         with zipfile.ZipFile(text) as folder:
@@ -235,7 +239,7 @@ def read_dwd(path: Path) -> Readings:
     for name in table.columns:
         if name[:2] in ours and "_" in name:
             seconds = 600 if name.endswith("_10") else 3600
-            # The file has J/cm2.
+            # The unit of the file is J/cm2.
             energy = table[name].where(table[name] >= 0)
             table[ours[name[:2]]] = energy * 1e4 / seconds
         elif name[:3] in ("TT_", "RF_"):
@@ -244,10 +248,10 @@ def read_dwd(path: Path) -> Readings:
 
 
 def _only(path: Path, stations: pd.Series) -> Any:
-    found = stations.unique()
-    if len(found) != 1:
+    names = stations.unique()
+    if len(names) != 1:
         raise Error(
-            f"{path}: there are {len(found)} stations "
-            f"({', '.join(map(str, found[:9]))}); keep the rows of one"
+            f"{path}: there are {len(names)} stations "
+            f"({', '.join(map(str, names[:9]))}); keep the rows of one"
         )
-    return found[0]
+    return names[0]

@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
+#include "cli/commands.hpp"
 #include "cli/formats/lines.hpp"
 #include "cli/ranks.hpp"
-#include "cli/verbs.hpp"
 #include "genome_request.hpp"
 #include "ideotype/core/routine.hpp"
 #include "parallel/dispatcher.hpp"
@@ -20,11 +20,11 @@ namespace ideotype {
 
 namespace {
 
-//! The time between looks at the input while evaluations are in flight [s];
-//! more frequent looks would slow the evaluations.
+//! Polling interval of the input while evaluations are in flight [s]; more
+//! frequent polls would slow the evaluations.
 constexpr double attention = 1e-3;
 
-//! The time between looks at the input while there is no work [s].
+//! Polling interval of the input while idle [s].
 constexpr double patience = 0.25;
 
 //! Evaluates the genomes of requests. The case must outlive the evaluator.
@@ -54,14 +54,14 @@ class RequestEvaluator : public Evaluator {
     Device device_;
 };
 
-//! Answers requests until the input ends. No more requests are read than there
-//! are workers.
+//! Answers requests until the input ends. At most one request per worker is in
+//! flight.
 class Service : public Director {
   public:
     Service(const ServedCase& served, const StopFlag& stop, const Log& log)
         : served_(served), stop_(stop), log_(log) {}
 
-    //! @throws Error if the reader of the answers has gone.
+    //! @throws Error if the reader of the answers is gone.
     ExitCode run(Dispatcher& dispatcher) {
         dispatcher_ = &dispatcher;
         const double began = now();
@@ -70,8 +70,8 @@ class Service : public Director {
         service_->result();
         const double seconds = now() - began;
         log_.write(LogLevel::info,
-                   fmt::format("{} genomes evaluated in {}, {:.1f} each "
-                               "second; {} lines failed",
+                   fmt::format("{} genomes evaluated in {} ({:.1f} evaluations "
+                               "per second); {} lines failed",
                                done_, format_duration(seconds),
                                static_cast<double>(done_) / seconds, failed_));
         if (!stop_.requested() || reader_.has_ended()) return ExitCode::ok;
@@ -86,9 +86,9 @@ class Service : public Director {
         return true;
     }
 
-    void on_silence(const Task& task, const std::string& what) override {
+    void on_silence(const Task& task, const std::string& message) override {
         log_.write(LogLevel::warning,
-                   fmt::format("line {}: {}", task.slot, what));
+                   fmt::format("line {}: {}", task.slot, message));
     }
 
     void on_stop(int in_flight) override {
@@ -107,8 +107,8 @@ class Service : public Director {
         co_return true;
     }
 
-    //! Returns a genome to evaluate now. Only if nothing is in flight does it
-    //! wait for input; otherwise arriving answers must not wait.
+    //! Returns a genome to evaluate now. It waits for input only if nothing is
+    //! in flight, since otherwise answers would be delayed.
     std::optional<Work> next() {
         while (!stop_.requested() && !reader_.has_ended()) {
             const bool is_idle = in_flight_.empty();
@@ -124,7 +124,7 @@ class Service : public Director {
         return std::nullopt;
     }
 
-    //! Returns the request of a line, or nothing if the line is empty or
+    //! Parses the request of a line; returns nothing if the line is empty or
     //! refused.
     std::optional<GenomeRequest> read(const Line& line) {
         if (line.text.find_first_not_of(" \t\r") == std::string::npos &&
@@ -150,14 +150,14 @@ class Service : public Director {
     }
 
     void record(const Task& task, const Outcome& outcome) {
-        const auto found = in_flight_.find(task.slot);
+        const auto entry = in_flight_.find(task.slot);
         ++(outcome.status == Status::done ? done_ : failed_);
-        write(answer(found->second, outcome, served_.schema));
+        write(answer(entry->second, outcome, served_.schema));
         log_.write(
             LogLevel::debug,
-            fmt::format("line {}: worker {}, {:.4f} s", found->second.line,
+            fmt::format("line {}: worker {}, {:.4f} s", entry->second.line,
                         outcome.worker, outcome.seconds));
-        in_flight_.erase(found);
+        in_flight_.erase(entry);
     }
 
     void write(const Json& json) const { writer_.write(to_line(json)); }
@@ -188,7 +188,7 @@ ExitCode serve_on(const Session& session, const ServeOptions& options,
                                 options.campaign_path);
         return {choose_isa(machines, std::nullopt, ""), read.resolved};
     });
-    if (isa.empty()) return ExitCode::ok;  // rank 0 tells the reason
+    if (isa.empty()) return ExitCode::ok;  // rank 0 reports the reason
     const Campaign campaign = parse_campaign(resolved, options.campaign_path);
     const ServedCase served(campaign, options.case_index,
                             options.campaign_path);

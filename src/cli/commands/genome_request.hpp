@@ -11,7 +11,7 @@
 
 namespace ideotype {
 
-//! The case that evaluates sent genomes, and the figures of each answer.
+//! The case in which genomes are evaluated, and the schema of answers.
 struct ServedCase {
     ServedCase(const Campaign& of, int index, const std::string& path);
 
@@ -19,37 +19,39 @@ struct ServedCase {
     Case chosen;
     GeneSpace genes;
     Genome baseline;
-    //! The schema without objectives by randomisation, whose number depends on
-    //! each request's tolerance.
+    //! The schema without objectives by randomisation, since their number
+    //! depends on the tolerance of each request.
     OutcomeSchema schema;
 };
 
-//! The evaluation that a line asks for.
+//! The evaluation requested by a line.
 struct GenomeRequest {
-    Json id;  //!< identity of the request for the answer; may be null
+    Json id;                 //!< identifier repeated in the answer; may be null
     std::uint64_t line = 0;  //!< line of the request, from 1
     Genome genome;           //!< values of all genes
     Task task{};
-    std::vector<std::string> quantities{};  //!< told besides the objectives
+    std::vector<std::string>
+        quantities{};  //!< reported in addition to objectives
 };
 
-//! Returns the first line of the output: genes, objectives and quantities.
+//! Returns the first line of output, which describes genes, objectives and
+//! quantities.
 Json hello(const ServedCase& served, int workers);
 
-//! @throws Error if the text is no JSON.
+//! @throws Error if the text is not JSON.
 Json parse_line(const std::string& text);
 
 //! Returns the member `id` of an object, or null if there is none.
 Json id_of(const Json& json);
 
-//! @throws Error that tells the fault of the request.
+//! @throws Error that describes the fault of the request.
 GenomeRequest read_request(const Json& json, const ServedCase& served);
 
-//! Returns the line about an outcome of a request.
+//! Returns the line that answers a request.
 Json answer(const GenomeRequest& request, const Outcome& outcome,
             const OutcomeSchema& schema);
 
-//! Returns the line about a request that cannot be evaluated.
+//! Returns the line that refuses a request.
 Json refusal(const Json& id, std::uint64_t line, const std::string& message);
 
 }  // namespace ideotype

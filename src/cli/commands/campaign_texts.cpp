@@ -38,20 +38,21 @@ void add_air(Json& row, const AirOverview& air) {
     row["estimated"] = fmt::format("{}", fmt::join(air.estimated, ", "));
 }
 
-//! Returns the name of the file in a path or in a setting.
+//! Returns the part of a path or setting after the last slash.
 std::string file_name(const std::string& path) {
     return path.substr(path.find_last_of('/') + 1);
 }
 
-//! Returns the number of leaves as "50", or as "40 .. 50" if leaves differ.
+//! Returns a leaf parameter as "amax 50", or as "amax 40 .. 50" if leaves
+//! differ.
 std::string number_text(const LeafNumber& number) {
     Extent extent;
     for (const double value : number.values) extent.add(value);
     return fmt::format("{} {}", number.name, text_of(extent, "{:g}"));
 }
 
-//! Returns the model and the capacities of leaves, each with the file that
-//! states it or the word "default".
+//! Returns the photosynthesis model and the capacities of leaves, each with the
+//! file that states it, or "default".
 std::string model_text(const StatedLeaves& leaves) {
     std::vector<std::pair<std::string, std::string>> parts{
         {leaves.model, leaves.file}};
@@ -69,27 +70,27 @@ std::string model_text(const StatedLeaves& leaves) {
     return text;
 }
 
-//! Returns what determines the temperature of leaves.
+//! Describes the leaf temperature.
 std::string temperature_text(const Campaign& campaign) {
     if (campaign.water && campaign.water->has_leaf_temperature)
-        return "with the temperature of their energy balance";
+        return "at the temperature of their energy balance";
     if (campaign.spec.climates.empty() ||
         !campaign.photosynthesis->follows_weather)
         return fmt::format(
             "{:g} deg C{}", Air{}.temperature,
             campaign.spec.climates.empty() ? " on clear days" : "");
-    return "with the temperature of the air";
+    return "at air temperature";
 }
 
-//! Returns the development stage of plants that do not grow, and the capacity
-//! of the crop's leaves if these have aged.
+//! Describes the development stage of plants that do not grow, and the
+//! photosynthetic capacity of leaves that have aged.
 std::string static_age_text(const Campaign& campaign) {
     const double stage = campaign.spec.plant.stage;
     std::string text =
         stage == 1 ? "silking" : fmt::format("development stage {:g}", stage);
     if (const auto& growth = campaign.crop.growth)
         if (const double capacity =
-                capacity_factor(*growth, thermal_time_of(*growth, stage));
+                capacity_factor(*growth, find_thermal_time(*growth, stage));
             capacity != 1)
             text += fmt::format(" ({:g} of the capacity at silking)", capacity);
     return text;
@@ -161,15 +162,15 @@ std::vector<Json> rows_of(const std::vector<SkyOverview>& skies,
 
 Json rows_of(const std::vector<StageOverview>& stages) {
     Json rows;
-    for (const StageOverview& each : stages)
-        rows.push_back({{"period", each.climate},
-                        {"emergence", to_string(each.emergence)},
-                        {"day", fmt::format("{:.0f}", each.stage.day)},
-                        {"deg C d", fmt::format("{:.0f}", each.stage.at)},
-                        {"green LAI", fmt::format("{:.2f}", each.green)},
-                        {"dead LAI", fmt::format("{:.2f}", each.dead)},
+    for (const StageOverview& stage : stages)
+        rows.push_back({{"period", stage.climate},
+                        {"emergence", to_string(stage.emergence)},
+                        {"day", fmt::format("{:.0f}", stage.stage.day)},
+                        {"deg C d", fmt::format("{:.0f}", stage.stage.at)},
+                        {"green LAI", fmt::format("{:.2f}", stage.green)},
+                        {"dead LAI", fmt::format("{:.2f}", stage.dead)},
                         {"share of light",
-                         fmt::format("{:.1f} %", 100 * each.stage.share)}});
+                         fmt::format("{:.1f} %", 100 * stage.stage.share)}});
     return rows;
 }
 
@@ -198,13 +199,13 @@ std::string objective_text(const Campaign& campaign) {
 
 std::string leaves_text(const Campaign& campaign) {
     if (campaign.leaves.empty())
-        return "leaves    absorb light; assimilation is not evaluated\n";
+        return "leaves    absorb light; assimilation is not computed\n";
     std::string text;
-    for (const StatedLeaves& each : campaign.leaves)
+    for (const StatedLeaves& leaves : campaign.leaves)
         text += fmt::format(
             "{:<10}{}{}, {}\n", text.empty() ? "leaves" : "",
-            campaign.leaves.size() == 1 ? "" : "of " + each.crop + ": ",
-            model_text(each), temperature_text(campaign));
+            campaign.leaves.size() == 1 ? "" : "of " + leaves.crop + ": ",
+            model_text(leaves), temperature_text(campaign));
     return text;
 }
 
@@ -212,20 +213,20 @@ Json leaves_of(const Campaign& campaign) {
     const auto file_of = [](const std::string& file) {
         return file.empty() ? Json() : Json(file);
     };
-    Json all = Json::array();
-    for (const StatedLeaves& each : campaign.leaves) {
+    Json list = Json::array();
+    for (const StatedLeaves& leaves : campaign.leaves) {
         Json numbers = Json::array();
-        for (const LeafNumber& number : each.numbers)
+        for (const LeafNumber& number : leaves.numbers)
             numbers.push_back({{"name", number.name},
                                {"values", number.values},
                                {"file", file_of(number.file)}});
-        all.push_back({{"crop", each.crop},
-                       {"model", each.model},
-                       {"file", file_of(each.file)},
-                       {"numbers", numbers},
-                       {"temperature", temperature_text(campaign)}});
+        list.push_back({{"crop", leaves.crop},
+                        {"model", leaves.model},
+                        {"file", file_of(leaves.file)},
+                        {"numbers", numbers},
+                        {"temperature", temperature_text(campaign)}});
     }
-    return all;
+    return list;
 }
 
 std::string growth_text(const Campaign& campaign, const Case& chosen) {
@@ -236,8 +237,7 @@ std::string growth_text(const Campaign& campaign, const Case& chosen) {
             "with leaves as at {}\n",
             static_age_text(campaign));
     return fmt::format(
-        "growth    from emergence on {} to maturity, at {} "
-        "stages\n",
+        "growth    from emergence on {} to maturity, in {} stages\n",
         to_string(climate_of(campaign, first).emergence), first.stages.size());
 }
 

@@ -8,9 +8,9 @@
 #include <fmt/format.h>
 
 #include "cli/choose_row.hpp"
+#include "cli/commands.hpp"
 #include "cli/formats/mesh_files.hpp"
 #include "cli/formats/output_file.hpp"
-#include "cli/verbs.hpp"
 #include "ideotype/canopy/canopy.hpp"
 #include "ideotype/core/text.hpp"
 #include "ideotype/crop/measures.hpp"
@@ -25,16 +25,15 @@ std::vector<Measure<Leaf>> written_measures(const std::vector<Leaf>& leaves) {
     const auto usual = leaf_measures.begin() + usual_leaf_measures;
     std::vector<Measure<Leaf>> written(leaf_measures.begin(), usual);
     std::copy_if(usual, leaf_measures.end(), std::back_inserter(written),
-                 [&](const Measure<Leaf>& each) {
+                 [&](const Measure<Leaf>& measure) {
                      return std::ranges::any_of(leaves, [&](const Leaf& leaf) {
-                         return leaf.*each.value != 0;
+                         return leaf.*measure.value != 0;
                      });
                  });
     return written;
 }
 
-//! Writes measures with the digits that a measurement may have; crop files
-//! have all.
+//! Writes leaf measures with six digits; crop files have all digits.
 void write_csv(const std::string& path, const Plant& plant) {
     const std::vector<Measure<Leaf>> measures = written_measures(plant.leaves);
     OutputFile out(path);
@@ -51,7 +50,8 @@ void write_csv(const std::string& path, const Plant& plant) {
     out.finish();
 }
 
-//! Gives the plant the name of the file as far as names allow it.
+//! Names the plant after the file, with characters that names do not allow
+//! replaced.
 void write_crop_file(const std::string& path, const std::string& title,
                      const Campaign& campaign, Plant plant,
                      std::size_t component) {
@@ -63,7 +63,8 @@ void write_crop_file(const std::string& path, const std::string& title,
     out.finish();
 }
 
-//! Returns lines about the surfaces in a file, for users of other ray tracers.
+//! Returns comment lines about units and orientation, for users of other ray
+//! tracers.
 std::vector<std::string> about(const std::string& title, const Case& chosen) {
     return {title, "metres, z up, y along the rows",
             fmt::format("y points {} deg clockwise from north",
@@ -73,14 +74,15 @@ std::vector<std::string> about(const std::string& title, const Case& chosen) {
 std::string about_ground(const Field& field) {
     const Cell& cell = field.cell;
     if (cell.boundary == Boundary::isolated)
-        return fmt::format("a plot alone; its plants have {:.6f} m2 of ground",
-                           cell.ground_area);
+        return fmt::format(
+            "an isolated plot; its plants have {:.6f} m2 of ground",
+            cell.ground_area);
     return fmt::format("repeats every {:.6f} m in x and {:.6f} m in y",
                        cell.period_x, cell.period_y);
 }
 
-//! Returns the PAR that each face absorbs, of the components of a request or of
-//! the field that the row's evaluation draws [J m-2 day-1].
+//! Returns the PAR absorbed by each face, of the components of a request or of
+//! the field drawn in the evaluation of the row [J m-2 day-1].
 std::vector<Estimate> light_on_faces(CanopyRequest request, std::size_t faces,
                                      std::optional<int> paths,
                                      const std::string& isa) {
@@ -91,8 +93,8 @@ std::vector<Estimate> light_on_faces(CanopyRequest request, std::size_t faces,
     return evaluate(request, Device(isa)).par().faces;
 }
 
-//! Fixes moving objects in their pose at the strongest sun.
-//! @param light light of each face, or nothing
+//! Keeps only the faces of moving objects in their pose at the strongest sun.
+//! @param light light of each face; may be empty
 void stand_still(Shape& shape, std::vector<Estimate>& light,
                  const std::vector<Source>& sources) {
     std::uint32_t pose = 0;
@@ -124,12 +126,13 @@ void write_shape(const ExportOptions& options, const ChosenRow& row,
     CanopyRequest request = request_of(
         sampling_of(row.task, row.campaign, row.chosen), row.campaign,
         row.chosen, scene_of(row.campaign, row.chosen), grown);
-    const std::vector<Component>& all = request.scene.components;
-    const Component& own = all.at(component);
-    Shape shape{about(title, row.chosen), own.mesh, {}, own.ground_per_plant};
+    const std::vector<Component>& components = request.scene.components;
+    const Component& chosen = components.at(component);
+    Shape shape{
+        about(title, row.chosen), chosen.mesh, {}, chosen.ground_per_plant};
     std::size_t first = 0;
     for (std::size_t i = 0; i < component; ++i)
-        first += all[i].mesh.faces.size();
+        first += components[i].mesh.faces.size();
     if (options.is_field) {
         const Field field = draw_field(request.scene, request.randomness);
         shape.about.push_back(about_ground(field));
@@ -155,22 +158,22 @@ void write_shape(const ExportOptions& options, const ChosenRow& row,
         write_obj(options.to, shape);
 }
 
-//! Returns a case, or one of its scenarios, with plants at the date or the
-//! thermal time of an option.
+//! Returns a case, or one of its scenarios, with plants at the date or thermal
+//! time given as an option.
 Case as_it_stood(const Campaign& campaign, const Case& chosen,
                  const std::string& at) {
     const std::optional<Date> date = to_date(at);
-    const std::optional<double> time = number_of(at);
+    const std::optional<double> time = parse_number(at);
     if (!date && !time)
         throw wrong_usage(
             "--at: \"{}\" is neither a date nor a number of deg C d; write for "
             "example 2025-07-15 or 600",
             at);
     Case one = scenarios(chosen).front();
-    for (const Case& each : scenarios(chosen)) {
+    for (const Case& scenario : scenarios(chosen)) {
         if (!date || campaign.spec.climates.empty()) break;
-        const Period& period = climate_of(campaign, each).period;
-        if (*date >= period.from && *date <= period.to) one = each;
+        const Period& period = climate_of(campaign, scenario).period;
+        if (*date >= period.from && *date <= period.to) one = scenario;
     }
     try {
         one.stage = date ? stage_on(campaign, one, *date)
@@ -184,12 +187,12 @@ Case as_it_stood(const Campaign& campaign, const Case& chosen,
 std::size_t chosen_component(const Campaign& campaign,
                              const std::string& name) {
     const std::vector<std::string> names = component_names(campaign);
-    const auto found = std::ranges::find(names, name);
+    const auto position = std::ranges::find(names, name);
     if (name.empty()) return 0;
-    if (found == names.end())
+    if (position == names.end())
         throw wrong_usage("--component: there is no '{}'; {}", name,
                           did_you_mean(name, names));
-    return static_cast<std::size_t>(found - names.begin());
+    return static_cast<std::size_t>(position - names.begin());
 }
 
 }  // namespace
@@ -228,9 +231,9 @@ ExitCode export_plant(const ExportOptions& options) {
     require_new(options.to);
     if (!keys.empty() && (extension == ".csv" || extension == ".toml"))
         fmt::print(stderr,
-                   "ideotype: warning: {}: this plant was bred for keys of its "
-                   "own, which the file of a plant cannot set; evaluate it "
-                   "with --set {}\n",
+                   "ideotype: warning: {}: the search also varied keys of the "
+                   "campaign, which a plant file cannot state; evaluate this "
+                   "plant with --set {}\n",
                    options.to, fmt::join(keys, " --set "));
     if (extension == ".csv")
         write_csv(options.to, plants[component]);

@@ -17,17 +17,18 @@ namespace ideotype {
 
 Json json_of(const CampaignCost& cost, std::size_t cases);
 
-//! Returns the cost of one case on one core as a line without line break.
+//! Returns the cost of one case on one core, as a line.
 std::string cost_text(const CampaignCost& cost);
 
-//! Returns a table of the times of one and all cases by number of workers.
+//! Returns a table of the time of one case and of all cases by number of
+//! workers.
 std::string cost_table(const CampaignCost& cost, std::size_t cases);
 
 inline Json json_of(const Extent& extent, double unit = 1) {
     return {extent.lower / unit, extent.upper / unit};
 }
 
-//! Returns "3.44", or "1.90 .. 9.50" if both ends differ in print.
+//! Returns "3.44", or "1.90 .. 9.50" if the printed ends differ.
 inline std::string text_of(const Extent& extent, std::string_view form,
                            double unit = 1) {
     const std::string lower =
@@ -37,25 +38,24 @@ inline std::string text_of(const Extent& extent, std::string_view form,
     return lower == upper ? lower : lower + " .. " + upper;
 }
 
-//! Returns a row of a table for each sky.
+//! Returns a table row for each sky.
 std::vector<Json> rows_of(const std::vector<SkyOverview>& skies,
                           bool are_climates);
 
-//! Returns a row of a table for each stage.
+//! Returns a table row for each stage.
 Json rows_of(const std::vector<StageOverview>& stages);
 
-//! Returns a line with the objectives.
+//! Returns the line about objectives.
 std::string objective_text(const Campaign& campaign);
 
-//! Returns a line on the photosynthesis and the temperature of leaves, for each
-//! component.
+//! Returns a line about photosynthesis and leaf temperature for each component.
 std::string leaves_text(const Campaign& campaign);
 Json leaves_of(const Campaign& campaign);
 
-//! Returns a line on whether and from when plants grow.
+//! Returns the line about growth: the emergence date and stages, or none.
 std::string growth_text(const Campaign& campaign, const Case& chosen);
 
-//! Returns a line on the optimizer and the size of the search.
+//! Returns the line about the optimizer and the size of the search.
 std::string search_text(const Campaign& campaign);
 Json search_of(const Campaign& campaign);
 

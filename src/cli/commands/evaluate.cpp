@@ -7,8 +7,8 @@
 #include <fmt/ranges.h>
 
 #include "cli/choose_row.hpp"
+#include "cli/commands.hpp"
 #include "cli/formats/light_output.hpp"
-#include "cli/verbs.hpp"
 #include "ideotype/canopy/quantities.hpp"
 #include "ideotype/core/host.hpp"
 #include "ideotype/light/device.hpp"
@@ -20,12 +20,13 @@ namespace ideotype {
 
 namespace {
 
-//! Includes errors of sole crops in the error of a land equivalent ratio.
+//! Returns the objectives of a report. The standard error of a land equivalent
+//! ratio includes those of sole crops.
 std::vector<Measured> objectives_of(const CanopyReport& report,
                                     const Campaign& campaign) {
-    std::vector<Measured> all;
+    std::vector<Measured> objectives;
     for (const ObjectiveEntry& objective : objectives_of(campaign))
-        all.push_back(
+        objectives.push_back(
             {{(campaign.spec.objective.sole.empty()
                    ? ""
                    : "land equivalent ratio of ") +
@@ -36,7 +37,7 @@ std::vector<Measured> objectives_of(const CanopyReport& report,
              campaign.spec.objective.sole.empty()
                  ? measure_number(campaign, objective.name, report).estimate
                  : land_equivalent_ratio(campaign, report)});
-    return all;
+    return objectives;
 }
 
 bool same_bits(const std::vector<Estimate>& a, const std::vector<Estimate>& b) {
@@ -47,8 +48,8 @@ bool same_bits(const std::vector<Estimate>& a, const std::vector<Estimate>& b) {
     return std::ranges::equal(a, b, {}, bits, bits);
 }
 
-//! Returns whether an outcome repeats all stored numbers of a row. A file of an
-//! older format may lack quantities or have obsolete ones.
+//! Returns whether an outcome reproduces all stored numbers of a row bit for
+//! bit. A file of an older format may lack quantities or have obsolete ones.
 bool agrees_with(const ChosenRow& which, const Outcome& again) {
     const OutcomeSchema now = outcome_schema(which.campaign, which.chosen, {});
     const Outcome& was = which.row.outcome;
@@ -57,17 +58,17 @@ bool agrees_with(const ChosenRow& which, const Outcome& again) {
         return false;
     const auto values = [](const OutcomeSchema& schema, const Outcome& outcome,
                            const Quantity& quantity) {
-        const auto from =
+        const auto first =
             outcome.quantities.begin() +
             static_cast<std::ptrdiff_t>(schema.measured.offset(quantity.name));
         return std::vector<Estimate>(
-            from,
-            from + static_cast<std::ptrdiff_t>(schema.measured.size(quantity)));
+            first, first + static_cast<std::ptrdiff_t>(
+                               schema.measured.size(quantity)));
     };
-    for (const Quantity& each : now.measured.quantities)
-        if (which.schema.measured.has(each.name) &&
-            !same_bits(values(now, again, each),
-                       values(which.schema, was, each)))
+    for (const Quantity& quantity : now.measured.quantities)
+        if (which.schema.measured.has(quantity.name) &&
+            !same_bits(values(now, again, quantity),
+                       values(which.schema, was, quantity)))
             return false;
     return true;
 }
@@ -81,14 +82,15 @@ struct Study {
     QuantitySet measured;
 };
 
-//! Adds the names that numbers count.
+//! Adds the name that each categorical number stands for.
 void add_names(const QuantitySet& measured, Json& quantities) {
-    for (const Quantity& each : measured.quantities) {
-        if (each.names.empty() || !quantities.contains(each.name)) continue;
-        Json& number = quantities[each.name];
+    for (const Quantity& quantity : measured.quantities) {
+        if (quantity.names.empty() || !quantities.contains(quantity.name))
+            continue;
+        Json& number = quantities[quantity.name];
         const auto place = number["mean"].get<std::size_t>();
-        if (place >= 1 && place <= each.names.size())
-            number["name"] = each.names[place - 1];
+        if (place >= 1 && place <= quantity.names.size())
+            number["name"] = quantity.names[place - 1];
     }
 }
 
@@ -110,30 +112,31 @@ std::vector<Study> studies(const Task& task, const Campaign& campaign,
                            const Case& chosen, const Plants& plants,
                            const std::string& isa) {
     const Device device(isa);
-    std::vector<Study> all;
-    for (const Case& each : evaluated_cases(chosen)) {
+    std::vector<Study> results;
+    for (const Case& scenario : evaluated_cases(chosen)) {
         CanopyRequest request =
-            request_of(sampling_of(task, campaign, each), campaign, each,
-                       scene_of(campaign, each), plants);
+            request_of(sampling_of(task, campaign, scenario), campaign,
+                       scenario, scene_of(campaign, scenario), plants);
         request.details.sunlit = true;
         const double began = now();
         CanopyReport report = evaluate(request, device, {}, available_cores());
         const double seconds = now() - began;
         std::vector<Measured> objectives = objectives_of(report, campaign);
-        all.push_back({each, std::move(report), std::move(objectives), seconds,
-                       outcome_schema(campaign, each, {}).measured});
+        results.push_back({scenario, std::move(report), std::move(objectives),
+                           seconds,
+                           outcome_schema(campaign, scenario, {}).measured});
     }
-    return all;
+    return results;
 }
 
-Json to_json(const std::vector<Study>& all) {
-    std::vector<Json> each;
-    for (const Study& study : all) each.push_back(to_json(study));
-    return each.size() == 1 ? each.front() : Json{{"scenarios", each}};
+Json to_json(const std::vector<Study>& studies) {
+    std::vector<Json> list;
+    for (const Study& study : studies) list.push_back(to_json(study));
+    return list.size() == 1 ? list.front() : Json{{"scenarios", list}};
 }
 
-//! Returns a study for people: single numbers, each objective once, quantities,
-//! and apart from these the numbers that describe the method.
+//! Arranges a study for printing: scalars, each objective once, quantities, and
+//! separately the numbers that describe the method.
 Json outline(const Json& study) {
     Json quantities = Json::object(), method = Json::object();
     const std::vector<std::string> names = objective_names();
@@ -158,11 +161,11 @@ Json outline(const Json& study) {
     return numbers;
 }
 
-//! Prints the results that fit on a screen; with `all` also figures by leaf,
-//! layer and hour, of which otherwise only the names are printed.
-void print_studies(const std::vector<Study>& all, bool is_all) {
-    for (const Study& study : all) {
-        if (&study != &all.front()) fmt::print("\n");
+//! Prints the results that fit on a screen. With `is_all` it also prints
+//! profiles by leaf, layer and hour; otherwise only their names.
+void print_studies(const std::vector<Study>& studies, bool is_all) {
+    for (const Study& study : studies) {
+        if (&study != &studies.front()) fmt::print("\n");
         Json json = outline(to_json(study));
         std::vector<std::string> left;
         for (const auto& [name, value] : json.items())
@@ -173,27 +176,28 @@ void print_studies(const std::vector<Study>& all, bool is_all) {
         for (const std::string& name : left) json.erase(name);
         print_outline(json);
         if (!left.empty())
-            fmt::print("\n--all also tells {}\n", fmt::join(left, ", "));
+            fmt::print("\n--all also prints {}\n", fmt::join(left, ", "));
     }
 }
 
-//! Returns the outcome of a row as its history would store it.
+//! Returns the outcome of a row in the form stored in a history.
 Outcome outcome_of(const Campaign& campaign, const Case& chosen,
-                   const Plant& plant, const std::vector<Study>& all) {
-    std::vector<Outcome> each;
-    for (const Study& study : all)
-        each.push_back(to_outcome(campaign, plant, study.report));
-    return AcrossScenarios(campaign, chosen).combine(each);
+                   const Plant& plant, const std::vector<Study>& studies) {
+    std::vector<Outcome> outcomes;
+    for (const Study& study : studies)
+        outcomes.push_back(to_outcome(campaign, plant, study.report));
+    return AcrossScenarios(campaign, chosen).combine(outcomes);
 }
 
-//! Returns the objectives over all stages and scenarios, if plants grow.
+//! Returns the objectives over all stages and scenarios if plants grow, else an
+//! empty object.
 Json season_of(const Campaign& campaign, const Case& chosen,
-               const std::vector<Study>& all) {
+               const std::vector<Study>& studies) {
     Json season;
     if (evaluated_cases(chosen).size() == scenarios(chosen).size())
         return season;
     const Outcome outcome =
-        outcome_of(campaign, chosen, campaign.crop.baseline, all);
+        outcome_of(campaign, chosen, campaign.crop.baseline, studies);
     const std::vector<ObjectiveEntry> objectives = objectives_of(campaign);
     for (std::size_t k = 0; k < objectives.size(); ++k) {
         Json& one = season[objectives[k].name] = to_json(outcome.objectives[k]);
@@ -208,16 +212,16 @@ ExitCode evaluate_baseline(const EvaluateOptions& options) {
     Task task;
     task.case_index = static_cast<std::uint32_t>(chosen.index);
     task.is_final = true;
-    const std::vector<Study> all =
+    const std::vector<Study> results =
         studies(task, campaign, chosen, {campaign.crop.baseline},
                 Device::supported_isas().back());
-    const Json season = season_of(campaign, chosen, all);
+    const Json season = season_of(campaign, chosen, results);
     if (options.is_json) {
-        Json json = to_json(all);
+        Json json = to_json(results);
         if (!season.empty()) json["season"] = season;
         fmt::print("{}\n", to_text(json));
     } else {
-        print_studies(all, options.is_all);
+        print_studies(results, options.is_all);
         for (const auto& [name, estimate] : season.items())
             fmt::print("season: {} {}\n", name, text_of(estimate));
     }
@@ -230,16 +234,17 @@ std::string name_of(const Task& task) {
                                        task.slot);
 }
 
-//! Recomputes a row and compares every bit with the history.
+//! Recomputes a row and compares it bit for bit with the history.
 ExitCode repeat_row(const ChosenRow& which, const EvaluateOptions& options) {
     const auto& [campaign, chosen, task, row, keys, schema, isa] = which;
     const Plants plants = grow(campaign, row.candidate.genome);
-    const std::vector<Study> all = studies(task, campaign, chosen, plants, isa);
-    const Outcome again = outcome_of(campaign, chosen, plants.front(), all);
+    const std::vector<Study> results =
+        studies(task, campaign, chosen, plants, isa);
+    const Outcome again = outcome_of(campaign, chosen, plants.front(), results);
     const bool is_done = row.outcome.status == Status::done;
     const bool agrees = agrees_with(which, again);
     if (options.is_json) {
-        Json json = to_json(all);
+        Json json = to_json(results);
         json["row"] = {{"is_final", task.is_final},
                        {"generation", task.generation},
                        {"slot", task.slot},
@@ -247,7 +252,7 @@ ExitCode repeat_row(const ChosenRow& which, const EvaluateOptions& options) {
                        {"agrees_bit_for_bit", agrees}};
         fmt::print("{}\n", to_text(json));
     } else {
-        print_studies(all, options.is_all);
+        print_studies(results, options.is_all);
         fmt::print("\n{}: {}\n", name_of(task),
                    agrees    ? "agrees bit for bit with the history"
                    : is_done ? "DIFFERS from the history"
@@ -261,8 +266,8 @@ ExitCode repeat_row(const ChosenRow& which, const EvaluateOptions& options) {
 ExitCode evaluate(const EvaluateOptions& options) {
     if (is_history(options.path) && !options.settings.empty())
         throw wrong_usage(
-            "evaluate: --set changes campaigns only (a row of a history is "
-            "evaluated as it was); leave it out");
+            "evaluate: --set applies to campaigns only (a row of a history is "
+            "evaluated as recorded); leave it out");
     return is_history(options.path)
                ? repeat_row(choose_row(options.path, options.row), options)
                : evaluate_baseline(options);

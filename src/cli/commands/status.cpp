@@ -9,8 +9,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "cli/commands.hpp"
 #include "cli/formats/json.hpp"
-#include "cli/verbs.hpp"
 #include "history/history.hpp"
 #include "ideotype/core/text.hpp"
 #include "run/job/way_on.hpp"
@@ -24,38 +24,38 @@ namespace {
 
 namespace fs = std::filesystem;
 
-//! Returns the given files, and for a folder all histories in the folder.
+//! Returns the given files, and all histories in the given folders.
 std::vector<std::string> histories_in(const std::vector<std::string>& paths) {
     std::vector<std::string> files;
     for (const std::string& path : paths) {
-        std::error_code unknown;  // ignored: opening the path tells it
+        std::error_code unknown;  // ignored: opening the path reports it
         if (!fs::is_directory(path, unknown)) {
             files.push_back(path);
             continue;
         }
-        std::vector<std::string> found;
+        std::vector<std::string> histories;
         for (const auto& entry : fs::recursive_directory_iterator(path))
             if (entry.path().extension() == ".h5" &&
                 !entry.is_directory(unknown))
-                found.push_back(entry.path().string());
-        if (found.empty())
+                histories.push_back(entry.path().string());
+        if (histories.empty())
             throw Error(path + ": there is no history (*.h5) in this folder");
-        std::sort(found.begin(), found.end());
-        files.insert(files.end(), found.begin(), found.end());
+        std::sort(histories.begin(), histories.end());
+        files.insert(files.end(), histories.begin(), histories.end());
     }
     return files;
 }
 
-//! Returns the state of a case in words. The writer must be read before the
-//! reason: a case that ends between the reads is finished, not drained.
+//! Returns the state of a case. The writer must be read before the reason: a
+//! case that ends between the two reads is finished, not drained.
 std::string state_of(Writer writer, const std::optional<std::string>& reason) {
     if (reason) return "finished";
     if (writer == Writer::alive) return "running";
     return writer == Writer::closed ? "drained" : "dead";
 }
 
-//! Returns the command that repeats the last start of a case; "" if this start
-//! is not fully known or was not by this program.
+//! Returns the command that resumes a case as it was last started; "" if that
+//! start is not fully recorded or was not by this program.
 std::string way_on_with(const History& history) {
     const auto last = history.last_session();
     if (!last || last->command.size() >= longest_command ||
@@ -88,7 +88,7 @@ CaseStatus report_on(const std::string& path) {
             static_cast<double>(history.summaries().size());
         return report;
     }
-    const Writer writer = writer_of(path);
+    const Writer writer = find_writer(path);
     report.result = result_of(history);
     const CaseResult& result = report.result;
     report.state = state_of(writer, result.reason);
@@ -120,9 +120,9 @@ std::string to_text(const CaseStatus& report) {
                 : "");
     std::string line = to_text(result, report.path, report.state);
     if (report.rate && !result.reason)
-        line += fmt::format(", {:.1f} evaluations/s", *report.rate);
+        line += fmt::format(", {:.1f} evaluations per second", *report.rate);
     if (report.left)
-        line += fmt::format(", {} left", format_duration(*report.left));
+        line += fmt::format(", time left {}", format_duration(*report.left));
     return line;
 }
 
@@ -140,11 +140,11 @@ Json to_json(const CaseStatus& report) {
         best["is_evaluated_again"] = result.is_evaluated_again;
     }
     Json at_bounds = Json::array();
-    for (const GeneAtBound& each : result.at_bounds)
-        at_bounds.push_back({{"gene", each.gene},
-                             {"bound", name_of(each.bound)},
-                             {"value", each.value},
-                             {"limit", each.limit}});
+    for (const GeneAtBound& gene : result.at_bounds)
+        at_bounds.push_back({{"gene", gene.gene},
+                             {"bound", name_of(gene.bound)},
+                             {"value", gene.value},
+                             {"limit", gene.limit}});
     return {{"path", report.path},
             {"case", report.case_name},
             {"state", report.state},
@@ -166,24 +166,26 @@ Json to_json(const CaseStatus& report) {
             {"left_s", optional_json(report.left)}};
 }
 
-//! Prints sums over all files, and the commands that resume stopped cases.
+//! Prints totals over all files, and the commands that resume stopped cases.
 void print_overview(const std::vector<CaseStatus>& reports,
                     const std::vector<std::string>& commands) {
     std::map<std::string, int> states;
     double rate = 0;  // rate of running cases [evaluations/s]
-    for (const CaseStatus& each : reports) {
-        ++states[each.state];
-        if (each.state == "running") rate += each.rate.value_or(0);
+    for (const CaseStatus& report : reports) {
+        ++states[report.state];
+        if (report.state == "running") rate += report.rate.value_or(0);
     }
     if (reports.size() > 1) {
         std::vector<std::string> parts;
         for (const auto& [state, count] : states)
             parts.push_back(fmt::format("{} {}", count, state));
         fmt::print("{} cases: {}", reports.size(), fmt::join(parts, ", "));
-        if (rate > 0) fmt::print("; {:.1f} evaluations/s", rate);
-        fmt::print("{}\n", reports.size() > lines_on_screen
-                               ? "; --json tells each, ideotype summary gains"
-                               : "");
+        if (rate > 0) fmt::print("; {:.1f} evaluations per second", rate);
+        fmt::print(
+            "{}\n",
+            reports.size() > lines_on_screen
+                ? "; --json lists each case, ideotype summary prints gains"
+                : "");
     }
     BoundCount bounds;
     for (const CaseStatus& each : reports) bounds.add(each.result.bounds);
@@ -192,11 +194,11 @@ void print_overview(const std::vector<CaseStatus>& reports,
     if (std::ranges::any_of(reports, &CaseStatus::has_one_seed))
         fmt::print("{}\n", one_seed);
     if (!commands.empty())
-        fmt::print("go on with\n  {}\n", fmt::join(commands, "\n  "));
+        fmt::print("resume with\n  {}\n", fmt::join(commands, "\n  "));
     if (std::ranges::any_of(reports, &CaseStatus::has_launcher))
         fmt::print(
-            "(a history does not record options of mpirun, such as "
-            "--oversubscribe; add those of the start)\n");
+            "(histories do not record options of mpirun, such as "
+            "--oversubscribe; add those of the original command)\n");
 }
 
 }  // namespace
@@ -242,11 +244,11 @@ ExitCode status(const StatusOptions& options) {
 ExitCode verify(const std::vector<std::string>& paths) {
     ExitCode worst = ExitCode::ok;
     for (const std::string& path : paths) try {
-            const Verified found = verify_file(path);
+            const Verified verified = verify_file(path);
             fmt::print(
-                "{}: header, {} generations and {} finalists have their "
+                "{}: header, {} generations and {} finalists match their "
                 "checksums\n",
-                path, found.generations, found.finalists);
+                path, verified.generations, verified.finalists);
         } catch (const Error& error) {
             // A damaged file must not hide other files.
             fmt::print(stderr, "{}\n", printable_lines(error.what()));

@@ -20,9 +20,9 @@ const std::vector<std::string> keys{
     "id", "genome", "seed", "generation", "tolerance", "final", "quantities"};
 
 //! Returns a message such as "there is no 'x'; did you mean 'y'?".
-std::string unknown(const std::string& what, const std::string& word,
+std::string unknown(const std::string& kind, const std::string& word,
                     const std::vector<std::string>& names) {
-    return fmt::format("there is no {} '{}'; {}", what, word,
+    return fmt::format("there is no {} '{}'; {}", kind, word,
                        did_you_mean(word, names));
 }
 
@@ -32,10 +32,10 @@ std::string beginning(const Json& json) {
     return text.size() > enough ? first_bytes(text, enough) + " ..." : text;
 }
 
-[[noreturn]] void refuse(const std::string& what, const std::string& expected,
-                         const Json& found) {
-    throw Error(fmt::format("{} must be {}, but it is {}", what, expected,
-                            beginning(found)));
+[[noreturn]] void refuse(const std::string& subject,
+                         const std::string& expected, const Json& value) {
+    throw Error(fmt::format("{} must be {}, but it is {}", subject, expected,
+                            beginning(value)));
 }
 
 std::uint64_t whole_number(const Json& json, const char* key,
@@ -50,7 +50,7 @@ double number(const Json& json, const char* key) {
     return json.get<double>();
 }
 
-//! Returns the values of all genes; genes that are not free are those of the
+//! Returns the values of all genes. Genes that are not free default to the
 //! baseline.
 Genome read_genome(const Json& json, const ServedCase& served) {
     const GeneSpace& genes = served.genes;
@@ -58,20 +58,20 @@ Genome read_genome(const Json& json, const ServedCase& served) {
     const std::size_t free = count_free(genes);
     if (json.size() != genes.size() && json.size() != free)
         throw Error(fmt::format(
-            "genome has {} numbers; it must have {}, of all genes{}",
+            "genome has {} numbers; it must have {} for all genes{}",
             json.size(), genes.size(),
             free == genes.size()
                 ? std::string()
-                : fmt::format(", or {}, of those that are free", free)));
+                : fmt::format(", or {} for the free genes only", free)));
     Genome genome = served.baseline;
     std::size_t next = 0;
     for (std::size_t i = 0; i < genes.size(); ++i) {
         if (json.size() != genes.size() && !genes[i].is_free) continue;
-        const Json& each = json[next++];
-        if (!each.is_number())
+        const Json& value = json[next++];
+        if (!value.is_number())
             refuse(fmt::format("number {} of genome ({})", next, genes[i].name),
-                   "a number", each);
-        genome[i] = each.get<double>();
+                   "a number", value);
+        genome[i] = value.get<double>();
     }
     return genome;
 }
@@ -81,26 +81,26 @@ std::vector<std::string> read_quantities(const Json& json,
     std::vector<std::string> names, all;
     if (!json.is_array()) refuse("quantities", "an array of names", json);
     for (const Quantity& each : measured.quantities) all.push_back(each.name);
-    for (const Json& each : json) {
-        if (!each.is_string()) refuse("quantities", "names", each);
-        names.push_back(each.get<std::string>());
+    for (const Json& name : json) {
+        if (!name.is_string()) refuse("quantities", "names", name);
+        names.push_back(name.get<std::string>());
         if (!measured.has(names.back()))
             throw Error(unknown("quantity", names.back(), all));
     }
     return names;
 }
 
-//! Returns numbers along axes as arrays of arrays; without axes, the number
+//! Returns numbers along axes as nested arrays; without axes, the number
 //! itself.
-//! @param next first number; after the call, the one behind the last
+//! @param next first number; advanced past the last one
 template <class Number>
 Json along(const std::vector<std::size_t>& sizes, std::size_t axis,
            std::vector<Estimate>::const_iterator& next, Number number) {
     if (axis == sizes.size()) return number(*next++);
-    Json all = Json::array();
+    Json list = Json::array();
     for (std::size_t i = 0; i < sizes[axis]; ++i)
-        all.push_back(along(sizes, axis + 1, next, number));
-    return all;
+        list.push_back(along(sizes, axis + 1, next, number));
+    return list;
 }
 
 Json quantity_json(const std::string& name, const Outcome& outcome,
@@ -126,12 +126,13 @@ Json head(const Json& id, std::uint64_t line, const char* status) {
 
 }  // namespace
 
-ServedCase::ServedCase(const Campaign& of, int index, const std::string& path)
-    : campaign(of),
-      chosen(case_at(of, index, path)),
-      genes(gene_space(of, chosen)),
-      baseline(baseline_genome(of)),
-      schema(outcome_schema(of, chosen, of.sampling)) {
+ServedCase::ServedCase(const Campaign& served, int index,
+                       const std::string& path)
+    : campaign(served),
+      chosen(case_at(served, index, path)),
+      genes(gene_space(served, chosen)),
+      baseline(baseline_genome(served)),
+      schema(outcome_schema(served, chosen, served.sampling)) {
     schema.randomisations = 0;
 }
 
@@ -155,28 +156,27 @@ Json hello(const ServedCase& served, int workers) {
                                  {"is_circular", gene.is_circular}});
     }
     json["accuracy"] = Json::array();
-    for (const AccuracyKey& each : accuracy_keys(served.campaign.spec))
-        json["accuracy"].push_back({{"key", each.path},
-                                    {"value", each.value},
-                                    {"values", each.values}});
-    for (const Objective& each : served.schema.objectives)
+    for (const AccuracyKey& key : accuracy_keys(served.campaign.spec))
+        json["accuracy"].push_back(
+            {{"key", key.path}, {"value", key.value}, {"values", key.values}});
+    for (const Objective& objective : served.schema.objectives)
         json["objectives"].push_back(
-            {{"name", each.name},
-             {"unit", each.unit},
+            {{"name", objective.name},
+             {"unit", objective.unit},
              {"sense",
-              each.sense == Sense::maximise ? "maximise" : "minimise"}});
-    for (const Axis& each : served.schema.measured.axes)
+              objective.sense == Sense::maximise ? "maximise" : "minimise"}});
+    for (const Axis& axis : served.schema.measured.axes)
         json["axes"].push_back(
-            {{"name", each.name},
-             {"unit", each.unit},
+            {{"name", axis.name},
+             {"unit", axis.unit},
              {"coordinates",
               std::visit([](const auto& all) { return Json(all); },
-                         each.coordinates)}});
-    for (const Quantity& each : served.schema.measured.quantities)
-        json["quantities"].push_back({{"name", each.name},
-                                      {"unit", each.unit},
-                                      {"meaning", each.meaning},
-                                      {"axes", each.axes}});
+                         axis.coordinates)}});
+    for (const Quantity& quantity : served.schema.measured.quantities)
+        json["quantities"].push_back({{"name", quantity.name},
+                                      {"unit", quantity.unit},
+                                      {"meaning", quantity.meaning},
+                                      {"axes", quantity.axes}});
     return json;
 }
 
@@ -184,19 +184,19 @@ Json parse_line(const std::string& text) try {
     static constexpr int deepest = 8;
     return Json::parse(text, [](int depth, Json::parse_event_t, Json&) {
         if (depth > deepest)
-            throw Error(fmt::format(
-                "there are more than {} brackets in one another", deepest));
+            throw Error(
+                fmt::format("brackets are nested more than {} deep", deepest));
         return true;
     });
 } catch (const Json::exception& error) {
     // The message is "[json.exception.parse_error.101] parse error at line 1,
     // ...".
-    const std::string what = error.what();
-    const std::size_t column = what.find("column ");
+    const std::string reason = error.what();
+    const std::size_t column = reason.find("column ");
     throw Error(fmt::format(
-        "this line is no JSON ({})",
-        what.substr(column == std::string::npos ? what.find("] ") + 2
-                                                : column)));
+        "this line is not valid JSON ({})",
+        reason.substr(column == std::string::npos ? reason.find("] ") + 2
+                                                  : column)));
 }
 
 Json id_of(const Json& json) {
@@ -231,7 +231,7 @@ GenomeRequest read_request(const Json& json, const ServedCase& served) {
     if (json.contains("quantities"))
         request.quantities =
             read_quantities(json["quantities"], served.schema.measured);
-    // The call throws if the request is impossible.
+    // Throws if the requested accuracy is impossible.
     static_cast<void>(accuracy_of(task, served.campaign));
     return request;
 }

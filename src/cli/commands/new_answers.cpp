@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/verbs/new_answers.hpp"
+#include "cli/commands/new_answers.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -30,7 +30,7 @@ namespace fs = std::filesystem;
 //! The effect of a missing option.
 enum class Missing { asks, asks_or_default, is_default };
 
-//! A question with an answer that becomes the value of a key.
+//! A question about the value of a key.
 struct Question {
     const char *option, *section, *key;
     std::string text;
@@ -48,31 +48,30 @@ struct Offer {
 
 constexpr Offer offers[] = {
     {usual_objective,
-     "the carbon that leaves take up less what they respire and are built of:\n"
-     "     leaf area has its price (take this if unsure)"},
+     "net carbon balance: carbon uptake less respiration and the "
+     "construction\n     cost of leaves (choose this if unsure)"},
     {"net_assimilation",
-     "the carbon that leaves take up less what they respire by day: leaf area\n"
-     "     costs little"},
+     "carbon uptake of leaves less their daytime respiration: leaf area "
+     "costs\n     little"},
     {"absorbed_par",
-     "the light that leaves absorb: leaf area costs nothing, so expect much of "
-     "it"},
+     "PAR absorbed by leaves: leaf area costs nothing, so expect a lot of it"},
     {"net_assimilation_per_leaf_area",
-     "the same carbon per leaf area: few leaves, each in good light"}};
+     "net assimilation per leaf area: few leaves, each in good light"}};
 
 std::string question_of_objective() {
-    std::string text = "What plants are bred for:\n";
+    std::string text = "Objective, the quantity to maximise:\n";
     for (const auto& [objective, meaning] : offers)
         text += fmt::format("  {}\n     {}\n", objective, meaning);
     return text + "Name";
 }
 
 std::string number_fault(const Question& question, const std::string& answer) {
-    const std::optional<double> number = number_of(answer);
+    const std::optional<double> number = parse_number(answer);
     const Key& key = *find_key(question.section, question.key);
     if (!number)
         return fmt::format(
-            "\"{}\" is no {} (expected: a number, {}); correct it", answer,
-            question.key, range_text(key));
+            "\"{}\" is not a valid {} (expected: a number, {}); correct it",
+            answer, question.key, range_text(key));
     return fault_of(*number, question.section, key);
 }
 
@@ -80,7 +79,8 @@ std::string date_fault(const Question& /*question*/,
                        const std::string& answer) {
     if (to_date(answer)) return "";
     return fmt::format(
-        "\"{}\" is no date (year, month and day); write for example 2025-07-01",
+        "\"{}\" is not a date (year, month and day); write for example "
+        "2025-07-01",
         answer);
 }
 
@@ -124,26 +124,26 @@ std::string objective_fault(const Question& /*question*/,
     return fmt::format(
         "there is no objective '{}'; {}", answer,
         near.empty()
-            ? fmt::format("use one of {}, or another number of a canopy: "
-                          "docs/campaign_files.md has all, below [objective]",
+            ? fmt::format("use one of {}, or another quantity of those listed "
+                          "in docs/campaign_files.md under [objective]",
                           fmt::join(offered, ", "))
             : "did you mean '" + near + "'?");
 }
 
 const std::vector<Question>& questions() {
-    static const std::vector<Question> all{
+    static const std::vector<Question> list{
         {"--latitude", "site", "latitude",
-         "Latitude of the place, north is positive [deg]",
-         &NewOptions::latitude, number_fault},
+         "Latitude of the site, north is positive [deg]", &NewOptions::latitude,
+         number_fault},
         {"--longitude", "site", "longitude",
          "Longitude, east is positive [deg]", &NewOptions::longitude,
          number_fault},
         {"--utc-offset", "site", "utc_offset", "", &NewOptions::utc_offset,
          number_fault, "", Missing::is_default},
         {"--weather", "climate", "file",
-         "Weather file, CSV with a row for each hour (none: a clear day)",
+         "Weather file, hourly CSV (leave empty for a clear day)",
          &NewOptions::weather, weather_fault, "", Missing::asks_or_default},
-        {"--date", "day", "date", "Date of a clear day, as 2025-07-01",
+        {"--date", "day", "date", "Date of a clear day, such as 2025-07-01",
          &NewOptions::date, date_fault},
         {"--row", "spacing", "row", "Distance between rows [m]",
          &NewOptions::row, number_fault},
@@ -156,11 +156,11 @@ const std::vector<Question>& questions() {
         {"--objective", "objective", "maximise", question_of_objective(),
          &NewOptions::objective, objective_fault, usual_objective,
          Missing::asks_or_default}};
-    return all;
+    return list;
 }
 
-//! Returns whether a campaign needs the answer: a season of weather has no
-//! clear day.
+//! Returns whether a campaign needs the answer. A weather file replaces the
+//! date of a clear day.
 bool is_needed(const Question& question, const NewOptions& options) {
     return question.answer != &NewOptions::date || options.weather.empty();
 }
@@ -173,8 +173,8 @@ std::string ask(const Question& question) {
         std::fflush(stdout);
         if (!std::getline(std::cin, answer))
             throw wrong_usage(
-                "new: the input ended before {} was given; answer it, or give "
-                "it as an option",
+                "new: the input ended before {} was given; answer the "
+                "question, or give the option",
                 question.option);
         if (answer.empty()) answer = initial;
         if (answer.empty() && question.missing != Missing::asks) return answer;
@@ -189,7 +189,7 @@ std::string ask(const Question& question) {
     }
 }
 
-//! The faults of the options that are given.
+//! Collects the faults of given options.
 struct Faults {
     std::vector<std::string> options;
     std::vector<Problem> files;
@@ -224,13 +224,14 @@ bool is_file(const std::string& plant) {
 }
 
 double to_number(const std::string& answer) {
-    if (const std::optional<double> number = number_of(answer)) return *number;
-    throw wrong_usage("\"{}\" is no number; correct it", answer);
+    if (const std::optional<double> number = parse_number(answer))
+        return *number;
+    throw wrong_usage("\"{}\" is not a number; correct it", answer);
 }
 
 Date date_of(const std::string& answer) {
     if (const std::optional<Date> date = to_date(answer)) return *date;
-    throw wrong_usage("\"{}\" is no date; correct it", answer);
+    throw wrong_usage("\"{}\" is not a date; correct it", answer);
 }
 
 void complete(NewOptions& options) {
@@ -239,28 +240,29 @@ void complete(NewOptions& options) {
     std::vector<std::string> missing;
     if (!options.weather.empty() && !options.date.empty())
         faults.options.push_back(
-            "new: --date is given (the days are those of --weather); remove "
-            "one of both");
-    for (const Question& each : questions()) {
-        std::string& answer = options.*each.answer;
+            "new: --date and --weather are both given (the days are those of "
+            "the weather file); remove one of them");
+    for (const Question& question : questions()) {
+        std::string& answer = options.*question.answer;
         if (!answer.empty())
-            faults.add(each, answer);
-        else if (can_ask || !is_needed(each, options))
+            faults.add(question, answer);
+        else if (can_ask || !is_needed(question, options))
             continue;
-        else if (each.missing == Missing::asks)
-            missing.push_back(each.option);
+        else if (question.missing == Missing::asks)
+            missing.push_back(question.option);
         else
-            answer = each.initial;
+            answer = question.initial;
     }
     if (!missing.empty())
         faults.options.push_back(fmt::format(
-            "new: there is no {} (on a terminal you would be asked); give {}",
+            "new: missing {} (on a terminal you would be asked); give {}",
             fmt::join(missing, ", "), missing.size() == 1 ? "it" : "them"));
     faults.throw_if_any();
-    for (const Question& each : questions())
-        if ((options.*each.answer).empty() && is_needed(each, options) &&
-            can_ask && each.missing != Missing::is_default)
-            options.*each.answer = ask(each);
+    for (const Question& question : questions())
+        if ((options.*question.answer).empty() &&
+            is_needed(question, options) && can_ask &&
+            question.missing != Missing::is_default)
+            options.*question.answer = ask(question);
 }
 
 }  // namespace ideotype

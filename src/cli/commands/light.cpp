@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "cli/commands.hpp"
 #include "cli/formats/light_output.hpp"
-#include "cli/verbs.hpp"
 #include "run/progress.hpp"
 #include "stand/mesh_study.hpp"
 
@@ -28,8 +28,8 @@ std::string light_name(const MeshSpec& spec) {
                        spec.sun->elevation, spec.sun->azimuth);
 }
 
-//! Returns the largest relative error of the leaves' light in any band;
-//! infinite if no path has met a leaf.
+//! Returns the largest relative standard error of light absorbed by leaves in
+//! any band; infinite if no path has hit a leaf.
 double relative_error(const MeshReport& report) {
     double largest = 0;
     for (const BandReport& band : report.canopy.bands) {
@@ -42,14 +42,15 @@ double relative_error(const MeshReport& report) {
 
 void warn_of_tolerance(const MeshReport& report, double tolerance) {
     const double error = relative_error(report);
-    fmt::print(stderr, "ideotype: warning: {} after the most paths ({}); ",
+    fmt::print(stderr,
+               "ideotype: warning: {} after the largest number of paths ({}); ",
                std::isfinite(error)
                    ? fmt::format("the relative standard error is {:.2g}, not "
                                  "{:.2g},",
                                  error, tolerance)
-                   : "no path has met a leaf",
+                   : "no path has hit a leaf",
                report.canopy.paths);
-    fmt::print(stderr, "ask for less with --tolerance\n");
+    fmt::print(stderr, "use a larger --tolerance\n");
 }
 
 Json to_json(const Lambertian& surface) {

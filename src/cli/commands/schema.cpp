@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include "cli/commands.hpp"
 #include "cli/formats/json_schema.hpp"
-#include "cli/verbs.hpp"
 
 namespace ideotype {
 

@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "cli/commands.hpp"
 #include "cli/formats/output_file.hpp"
-#include "cli/verbs.hpp"
 #include "history/history.hpp"
 #include "spec/problems.hpp"
 
@@ -13,7 +13,7 @@ namespace ideotype {
 
 namespace {
 
-//! Returns a unit such as "MJ m-2 day-1" as the end of a name,
+//! Returns a unit such as "MJ m-2 day-1" as a suffix of a column name,
 //! "_MJ_per_m2_per_day".
 std::string suffix(const std::string& unit) {
     std::istringstream factors(unit == "1" ? "" : unit);
@@ -34,21 +34,21 @@ struct TableColumn {
     std::size_t place;  //!< index among the numbers of all quantities
 };
 
-//! Returns columns of single numbers and of quantities along axes of names.
+//! Returns columns for scalars and for quantities along one axis of names.
 //! Profiles by leaf, layer and hour are in the history only.
 std::vector<TableColumn> columns_of(const QuantitySet& measured) {
     std::vector<TableColumn> columns;
-    for (const Quantity& each : measured.quantities) {
-        const std::size_t first = measured.offset(each.name);
+    for (const Quantity& quantity : measured.quantities) {
+        const std::size_t first = measured.offset(quantity.name);
         const auto add = [&](const std::string& end, std::size_t i) {
-            columns.push_back({each.name + end, suffix(each.unit),
-                               each.certainty, first + i});
+            columns.push_back({quantity.name + end, suffix(quantity.unit),
+                               quantity.certainty, first + i});
         };
-        if (each.axes.empty()) {
+        if (quantity.axes.empty()) {
             add("", 0);
         } else if (const auto* names = std::get_if<std::vector<std::string>>(
-                       &measured.axis(each.axes[0]).coordinates);
-                   names && each.axes.size() == 1) {
+                       &measured.axis(quantity.axes[0]).coordinates);
+                   names && quantity.axes.size() == 1) {
             for (std::size_t i = 0; i < names->size(); ++i)
                 add('_' + (*names)[i], i);
         }
@@ -74,16 +74,15 @@ void write_rows(OutputFile& out, std::uint64_t first, std::uint32_t generation,
                 const std::vector<Row>& rows) {
     for (std::size_t slot = 0; slot < rows.size(); ++slot) {
         const auto& [candidate, outcome, attempt] = rows[slot];
-        // Numbers have the fewest digits from which the same number is read
-        // again.
+        // Numbers have the fewest digits that reproduce them exactly.
         out.print("{},{},{},{},{},{},{},{}", first + slot, generation, slot,
                   outcome.status == Status::done ? "done" : "failed",
                   name_of(candidate.origin), candidate.parents[0],
                   candidate.parents[1], outcome.violation);
-        for (const TableColumn& each : columns) {
-            const Estimate value = outcome.quantities.at(each.place);
+        for (const TableColumn& column : columns) {
+            const Estimate value = outcome.quantities.at(column.place);
             out.print(",{}", value.mean);
-            if (each.certainty == Certainty::estimated)
+            if (column.certainty == Certainty::estimated)
                 out.print(",{}", value.standard_error);
         }
         for (const double gene : candidate.genome) out.print(",{}", gene);
@@ -115,8 +114,8 @@ ExitCode export_generations(const ExportOptions& options) {
     if (history.missing_bytes() > 0)
         fmt::print(stderr,
                    "{}: {} bytes are missing at its end; {} of {} complete "
-                   "generations are left, and {} of these have lost numbers "
-                   "and cannot be compared with their checksums\n",
+                   "generations can be read, and {} of these lack numbers and "
+                   "cannot be verified by checksum\n",
                    options.path, history.missing_bytes(), count,
                    history.summaries().size(),
                    count - history.whole_generations());

@@ -10,10 +10,10 @@
 #include <fmt/format.h>
 
 #include "campaign/campaign.hpp"
+#include "cli/commands.hpp"
+#include "cli/commands/new_answers.hpp"
 #include "cli/formats/json_schema.hpp"
 #include "cli/formats/output_file.hpp"
-#include "cli/verbs.hpp"
-#include "cli/verbs/new_answers.hpp"
 #include "ideotype/climate/light_series.hpp"
 #include "ideotype/climate/weather.hpp"
 #include "ideotype/core/file.hpp"
@@ -34,23 +34,24 @@ void write(const std::string& path, const std::string& text) {
     file.finish();
 }
 
-//! Copies a built-in crop to a file that users can change; returns whether the
+//! Writes a built-in crop to a file that users can edit; returns whether the
 //! file is new.
 bool place_crop(const std::string& crop, const std::string& path) {
     const std::string text = known_crop(crop).value();
     if (!fs::exists(path)) return write(path, text), true;
     if (read_file(path, most_input_bytes).text != text)
         throw Error(
-            fmt::format("{0}: exists already and is not overwritten (it "
-                        "is not the {1} of the program); take it as it "
-                        "is by --plant {0}, or give it another name",
-                        path, crop),
+            fmt::format(
+                "{0}: exists already and is not overwritten (it differs from "
+                "the built-in {1}); use it with --plant {0}, or rename it",
+                path, crop),
             ExitCode::refused);
     return false;
 }
 
-//! Places the JSON Schema of campaigns, which editors complete and check keys
-//! by, in place of one of another version; returns whether the file is new.
+//! Writes the JSON Schema of campaigns, with which editors complete and check
+//! keys, and replaces the schema of another version; returns whether the file
+//! is new.
 bool place_schema(const std::string& path) {
     const std::string text = campaign_schema_text();
     const bool is_new = !fs::exists(path);
@@ -60,8 +61,7 @@ bool place_schema(const std::string& path) {
         if (!is_campaign_schema(old))
             throw Error(
                 fmt::format("{}: exists already and is not overwritten (it is "
-                            "no JSON Schema of campaigns); give it another "
-                            "name",
+                            "not a JSON Schema of campaigns); rename it",
                             path),
                 ExitCode::refused);
         fs::remove(path);
@@ -70,7 +70,7 @@ bool place_schema(const std::string& path) {
     return is_new;
 }
 
-//! Returns a full hour as a time of TOML, where 24:00 does not exist.
+//! Returns a full hour as a TOML time; 24:00, which TOML lacks, as a string.
 std::string clock(double hour) {
     return hour < 24 ? fmt::format("{:02}:00:00", hour) : "\"24:00\"";
 }
@@ -92,7 +92,7 @@ Site site_of(const NewOptions& options) {
     return site;
 }
 
-//! Returns a path from the folder of a campaign.
+//! Returns a path relative to the folder of a campaign.
 std::string path_beside(const std::string& campaign, const std::string& path) {
     return fs::proximate(path, fs::absolute(campaign).parent_path())
         .generic_string();
@@ -109,46 +109,46 @@ std::string day_text(const Site& site, const Date& date) {
             to_string(date), site.latitude);
     const bool has_night = day.sunrise && day.sunset;
     return fmt::format(
-        "# A clear day, from sunrise to sunset. --weather takes measured "
-        "weather.\n"
-        "[[day]]\ndate = {}\nstart = {}\nend = {}\nstep_minutes\n",
+        "# A clear day, from sunrise to sunset; for measured weather use "
+        "--weather.\n[[day]]\ndate = {}\nstart = {}\nend = {}\nstep_minutes\n",
         to_string(date), clock(has_night ? std::floor(*day.sunrise) : 0),
         clock(has_night ? std::ceil(*day.sunset) : 24));
 }
 
-//! Returns the table of the weather of a file, as its columns are recognised.
+//! Returns the [[climate]] table of a weather file, with the recognised
+//! columns.
 std::string climate_text(const NewOptions& options, const Site& site) {
     const std::string& file = options.weather;
-    const WeatherDescription found =
+    const WeatherDescription weather =
         describe_weather(read_text(file), file, site);
     NamedClimate climate{"season", {}};
     climate.value.file = path_beside(options.path, file);
-    climate.value.columns = found.columns;
-    climate.value.period = found.period;
-    if (!found.columns.time.empty()) climate.value.stamp = "end";
-    return "# A season of weather: all whole days of the file, and its columns "
-           "as recognised.\n[[climate]]\n" +
+    climate.value.columns = weather.columns;
+    climate.value.period = weather.period;
+    if (!weather.columns.time.empty()) climate.value.stamp = "end";
+    return "# A season of weather: all complete days of the file, with the "
+           "columns as recognised.\n[[climate]]\n" +
            changed_keys(climate_table, &climate);
 }
 
-//! Returns the table of the differences between plants, as the crop file has
-//! them, or a line that says that they are unknown.
+//! Returns the [field.variation] table with the within-line variation of the
+//! crop file, or a comment that it is unknown.
 std::string variation_text(const std::optional<CropVariation>& known) {
     if (!known)
-        return "# The crop file has no [variation]: differences between plants "
-               "of this crop are\n# unknown, and all plants are alike but for "
-               "their turn. Gains are smaller in\n# fields that vary.\n\n";
+        return "# The crop file has no [variation]: the within-line variation "
+               "of this crop is\n# unknown, and plants differ only in azimuth. "
+               "Gains are smaller in variable\n# stands.\n\n";
     const std::string lines = changed_keys(variation_table, &known->plants);
     return lines.empty() ? ""
-                         : "# The differences between plants of a field; the "
-                           "crop file has the sources.\n[field.variation]\n" +
+                         : "# Within-line variation; the crop file states the "
+                           "sources.\n[field.variation]\n" +
                                lines;
 }
 
-//! Returns the number of rows, or of plants in a row, of one of several small
+//! Returns the number of rows, or of plants in a row, of each of several small
 //! fields. Cells of 2 x 2 maize plants, 0.30 m long, were tested
-//! (tests/benchmark/stands.md); closer plants need more of them to have as much
-//! space.
+//! (tests/benchmark/stands.md). At closer spacing more plants are needed for
+//! the same extent.
 int count_in_cell(double distance) {
     constexpr double tested = 0.30;
     int count = 2;
@@ -165,6 +165,7 @@ std::string new_text(const NewOptions& options, const Crop& crop,
     const double row = to_number(options.row);
     const double distance = to_number(options.plant_spacing);
     const auto jitter = crop.variation ? crop.variation->jitter : std::nullopt;
+    // Fill in the template.
     std::istringstream lines(fmt::format(
         fmt::runtime(campaign_form), fmt::arg("name", site.name),
         fmt::arg("latitude", site.latitude),
@@ -180,6 +181,7 @@ std::string new_text(const NewOptions& options, const Crop& crop,
         fmt::arg("variation", variation_text(crop.variation)),
         fmt::arg("baseline", plant), fmt::arg("bounds", bounds),
         fmt::arg("objective", options.objective)));
+    // Add default values, meanings and units to its keys.
     std::string text, section = "top";
     bool is_after_key = false;
     for (std::string line, name; std::getline(lines, line);) {
@@ -207,29 +209,28 @@ std::string new_text(const NewOptions& options, const Crop& crop,
     return text;
 }
 
-//! Returns the text of a campaign with bounds that contain the baseline of a
-//! plant.
+//! Returns the text of a campaign with bounds that include the baseline.
 std::string text_for(const NewOptions& options, const std::string& plant) {
     const Crop crop = read_crop(plant);
     const std::string file = path_beside(options.path, plant);
-    const std::string text = new_text(
-        options, crop, file,
-        std::ranges::count(crop.rules, "breedable") > 0
-            ? "\nbounds = \"breedable\" # what a breeder could select: sizes "
-              "and angles that change smoothly from leaf to leaf; \"traits\" "
-              "frees each leaf"
-            : "\nbounds # how far traits may move: as the crop file says");
+    const std::string text =
+        new_text(options, crop, file,
+                 std::ranges::count(crop.rules, "breedable") > 0
+                     ? "\nbounds = \"breedable\" # traits that a breeder could "
+                       "select: sizes and angles that change smoothly from "
+                       "leaf to leaf; \"traits\" frees each leaf"
+                     : "\nbounds # bounds of traits, from the crop file");
     const std::string wider =
         read_campaign_text(text, options.path).wider_bounds;
     if (wider.empty()) return text;
     return new_text(options, crop, file, "") +
-           "\n# How far traits may move: as the crop file says,"
-           " but wide enough for the baseline.\n" +
+           "\n# Bounds of traits, from the crop file, widened to include the "
+           "baseline.\n" +
            wider + '\n';
 }
 
-//! Returns the text of a campaign; reports an objective for which new campaigns
-//! lack tables.
+//! Returns the text of a campaign; explains errors of objectives that need
+//! tables which `new` does not write.
 std::string checked_text(const NewOptions& options, const std::string& plant) {
     try {
         return text_for(options, plant);
@@ -240,8 +241,8 @@ std::string checked_text(const NewOptions& options, const std::string& plant) {
             });
         if (of_objective == error.problems().end()) throw;
         throw wrong_usage(
-            "new writes no such campaign ({}); do so in a copy of "
-            "campaigns/growing_season.toml or campaigns/agrivoltaic.toml",
+            "new cannot write a campaign for this objective ({}); edit a copy "
+            "of campaigns/growing_season.toml or campaigns/agrivoltaic.toml",
             of_objective->what);
     }
 }

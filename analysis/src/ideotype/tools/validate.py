@@ -51,7 +51,7 @@ def to_json(result: Result) -> dict[str, Any]:
                 "measured_standard_error": _json(
                     effective_error(point.measurement)
                 ),
-                "ours": point.ours,
+                "computed": point.computed,
                 "ours_standard_error": point.standard_error,
                 "tolerance": point.tolerance,
                 "agrees": point.agrees,

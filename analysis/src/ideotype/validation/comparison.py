@@ -79,24 +79,24 @@ class Point:
     """A measured and the computed value, in the unit of the measurement."""
 
     measurement: Measurement
-    ours: float
+    computed: float
     """The computed value."""
     standard_error: float
     """The standard error of the computed value over seeds."""
     tolerance: float
-    """The largest distance of `ours` from the measured range at which they
+    """The largest distance of `computed` from the measured range at which they
     agree."""
 
     @property
     def apart(self) -> float:
-        """The distance of `ours` from the measured range, negative below
+        """The distance of `computed` from the measured range, negative below
         it."""
         low, high = self.measurement.low, self.measurement.high
-        return self.ours - min(max(self.ours, low), high)
+        return self.computed - min(max(self.computed, low), high)
 
     @property
     def agrees(self) -> bool:
-        """Whether `ours` is within the tolerance, or nothing was measured."""
+        """Whether `computed` is within the tolerance, or nothing was measured."""
         return not self.measurement.is_measured or (
             abs(self.apart) <= self.tolerance
         )

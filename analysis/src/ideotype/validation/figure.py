@@ -34,7 +34,7 @@ def draw_fact(result: Result) -> Figure:
         ]
         axes.errorbar(
             [position for position, _ in curve],
-            [point.ours for _, point in curve],
+            [point.computed for _, point in curve],
             style.half_width([point.standard_error for _, point in curve]),
             color=style.BEST,
             marker="o",

@@ -43,9 +43,9 @@ def format_measured(row: Measurement) -> str:
     return f"{_with_interval(row.value, effective_error(row))}{given}"
 
 
-def format_ours(point: Point) -> str:
+def format_computed(point: Point) -> str:
     """Returns the computed value ± half of its 95 % confidence interval."""
-    return _with_interval(point.ours, point.standard_error)
+    return _with_interval(point.computed, point.standard_error)
 
 
 def _with_interval(mean: float, standard_error: float) -> str:
@@ -68,11 +68,11 @@ def points_table(results: Sequence[Result]) -> list[str]:
                     row.quantity,
                     row.unit,
                     format_measured(row),
-                    format_ours(point),
+                    format_computed(point),
                     verdict if row.is_measured else "",
                 ]
             )
-    titles = ["fact", "at", "quantity", "unit", "measured", "ours", ""]
+    titles = ["fact", "at", "quantity", "unit", "measured", "computed", ""]
     return markdown_table(titles, rows)
 
 
@@ -94,7 +94,7 @@ def facts_table(results: Sequence[Result]) -> list[str]:
                 fact.note,
             ]
         )
-    titles = ["fact", "what was measured", "ours", "points that agree"]
+    titles = ["fact", "measurement", "computed", "points that agree"]
     return markdown_table([*titles, "read", "source", "note"], rows)
 
 
@@ -131,14 +131,14 @@ def format_page(
             [
                 before.fact.name,
                 change.name,
-                "; ".join(map(format_ours, before.points)),
-                "; ".join(map(format_ours, after.points)),
+                "; ".join(map(format_computed, before.points)),
+                "; ".join(map(format_computed, after.points)),
                 str(after.verdict),
                 change.sources,
             ]
             for before, change, after in interventions
         ]
-        titles = ["fact", "change", "ours", "with the change", "then"]
+        titles = ["fact", "change", "computed", "with the change", "verdict"]
         header = [*titles, "do sources allow it?"]
         lines += [*markdown_table(header, rows), ""]
     if others:
@@ -150,10 +150,10 @@ def format_page(
             ]
             for x in others
         ]  # fmt: skip
-        titles = ["not compared", "what was measured", "because", "source"]
+        titles = ["not compared", "measurement", "reason", "source"]
         lines += [*markdown_table(titles, rows), ""]
     if assumed:
-        lines += ["What models assume, which nobody has measured:", ""]
+        lines += ["What models assume:", ""]
         lines += [*points_table(assumed), ""]
     lines.append(
         "± is half of a 95 % interval; (E): the source gives no error, and a "

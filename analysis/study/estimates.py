@@ -13,7 +13,7 @@ import numpy as np
 
 from ideotype.history.estimate import NORMAL, relative_gain
 from ideotype.history.estimate import Estimate as Figure
-from ideotype.history.interval import interval
+from ideotype.history.interval import interval, student
 
 Estimate = tuple[float, float]
 """A mean and its standard error."""
@@ -68,11 +68,13 @@ def ratio(a: Estimate, b: Estimate) -> Estimate:
 
 def mean_over_seeds(values: Sequence[Estimate]) -> Estimate:
     """Returns the mean over seeds. The error is that of the evaluations, or of
-    the seeds where that is larger."""
+    the seeds where that is larger: so large that the normal interval of it is
+    Student's interval of the few seeds."""
     means = [mean for mean, _ in values]
     error = math.hypot(*(error for _, error in values)) / len(values)
     if len(values) > 1:
-        error = max(error, stdev(means) / math.sqrt(len(means)))
+        spread = stdev(means) / math.sqrt(len(means))
+        error = max(error, student(len(means) - 1) / NORMAL * spread)
     return fmean(means), error
 
 

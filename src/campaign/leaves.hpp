@@ -32,8 +32,8 @@ void check_leaf_models(const Spec& spec, const Problems& problems);
 Stomata to_stomata(const WaterSpec& table,
                    const Photosynthesis& photosynthesis);
 
-//! Reports leaves with photosynthesis that does not depend on CO2, where
-//! [water] requires it.
+//! Reports leaves with photosynthesis that does not respond to CO2, if [water]
+//! requires such a response.
 void check_water(const Spec& spec, const Problems& problems);
 
 }  // namespace ideotype

@@ -60,10 +60,10 @@ struct SkyWeights {
     std::vector<double> light, square;
 };
 
-//! The light of a sun and a sky that some steps share, over all randomisations:
-//! numbers from which each step's sums follow. No product of two numbers has a
-//! bias by noise: each is the mean product of the numbers of two different
-//! randomisations (a U-statistic, Hoeffding 1948, doi:10.1214/aoms/1177730196).
+//! The light of a sun and a sky that several time steps share, over all
+//! randomisations. The sums of each step are computed from it. Noise does not
+//! bias products: each is averaged over pairs of different randomisations (a
+//! U-statistic, Hoeffding 1948, doi:10.1214/aoms/1177730196).
 class PairLight {
   public:
     //! Hits of beams at one place that have about the same cosine: the beam on

@@ -60,7 +60,7 @@ struct SourceRun {
         return numbers.next();
     }
 
-    //! Draws the beam for few randomisations at a time, to limit memory.
+    //! Rasterises the beam for a few randomisations at a time, to limit memory.
     void draw(std::uint32_t first_hits, int all, std::size_t first,
               std::size_t last, const Use& use) const {
         const glm::dvec3 direction = not_level(*source.direction);

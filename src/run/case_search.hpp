@@ -15,10 +15,10 @@
 namespace ideotype {
 
 //! The asynchronous search of one case, between optimizer and history: proposes
-//! rows, stores outcomes, passes them to the optimizer in the order of rows,
-//! and commits generations. Outcomes may arrive in any order, but the optimizer
-//! learns them by row number. So results do not depend on the number of
-//! workers. Both references must outlive the search.
+//! rows, stores outcomes and commits generations. Outcomes may arrive in any
+//! order, but are passed to the optimizer in the order of rows, so that results
+//! do not depend on the number of workers. Both references must outlive the
+//! search.
 class CaseSearch {
   public:
     //! Passes the complete generations of the history to the optimizer.

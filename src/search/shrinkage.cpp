@@ -13,8 +13,8 @@ namespace {
 
 using Rows = std::vector<const Individual*>;
 
-//! Counts the randomisations of objective 0 that all rows share; 0 if not
-//! known.
+//! Returns the number of randomisations of the first objective, if all rows
+//! have the same number; else 0.
 std::size_t count_shared_randomisations(const Rows& rows) {
     const auto count = [](const Individual& row) {
         return row.randomisations.size() / row.objectives.size();

@@ -19,7 +19,7 @@ struct ResultAxis {
     std::vector<std::string> labels{};
 };
 
-//! A result of the light in a canopy, for both JSON output and Python datasets.
+//! One result of an evaluation of light, for JSON output and Python datasets.
 struct LightResult {
     const char* key;    //!< name in JSON
     const char* array;  //!< name of the array in Python; null: none

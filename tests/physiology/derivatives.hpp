@@ -23,7 +23,8 @@ void expect_derivatives(const Response& f) {
     }
 }
 
-//! Expects a response to rise from 0 with its quantum yield, and less and less.
+//! Expects a response to begin at 0 with its quantum yield as slope, and the
+//! slope to fall from there on.
 inline void expect_concave(const Colimitation& f) {
     EXPECT_EQ(f.gross(0), 0);
     EXPECT_EQ(f.slope(0), f.alpha);

@@ -52,8 +52,8 @@ class FaceLight : public ::testing::Test {
                     1e-12);
     }
 
-    //! Expects the light on the faces of the request's field to sum to its
-    //! evaluation.
+    //! Expects the light absorbed by all faces of the requested field to be
+    //! the total that its evaluation reports.
     void expect_totals_of_field() {
         const Field ready = draw_field(request.scene, request.randomness);
         const Scene drawn = as_drawn(request.scene, ready);

@@ -80,7 +80,7 @@ Distribution step(double index) {
     };
 }
 
-//! Makes all children of parents with these values of one gene.
+//! Breeds a generation from parents that have one gene, with these values.
 std::vector<Candidate> make_children(const Gene& gene, const GaSettings& ga,
                                      const std::vector<double>& parents) {
     SearchSettings settings;

@@ -181,7 +181,8 @@ TEST_F(Mixtures, HaveALandEquivalentRatio) {
     EXPECT_EQ(schema.objectives.front().unit, "1");
 }
 
-//! The line of a crop has the leaf area of its plants, as the light finds it.
+//! The leaf area that is reported for a crop is that of its plants in the
+//! evaluated field.
 TEST_F(Mixtures, HaveTheLeafAreaOfTheirLines) {
     const CanopyRequest request = requested({weed});
     const CanopyReport report = evaluate(request, device);

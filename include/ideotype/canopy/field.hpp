@@ -100,8 +100,8 @@ std::vector<std::vector<Place>> draw_places(const Scene& scene,
 Field draw_field(const Scene& scene, const Randomness& randomness,
                  std::span<const Mesh> lines = {});
 
-//! Returns a scene with its plants placed as in a random field of the given
-//! scene, not drawn again: each component is one mesh. Leaves do not
+//! Returns a scene in which the plants of a field are fixed: each component
+//! becomes one mesh, and no further placement is random. Leaves do not
 //! assimilate.
 Scene as_drawn(Scene scene, const Field& field);
 

@@ -26,7 +26,7 @@ struct Resolution {
     double objects = 0;
     double soil = 0;
     double reflected = 0;
-    //! The part of light straight from a source that leaves absorb.
+    //! The fraction of unscattered light that is absorbed by leaves.
     double unscattered = 0;
     double scattered = 0;  //!< part of scattered light that leaves absorb
     std::vector<double> groups{};  //!< parts of paths for groups of the mesh

@@ -53,8 +53,8 @@ Hit travel_isolated(const RayScene& scene, const glm::dvec3& p,
     const Box box{lower - margin, upper + margin};
     const double to_soil = d.z < 0 ? std::max(0.0, (scene.soil() - p.z) / d.z)
                                    : std::numeric_limits<double>::infinity();
-    // The way from far soil is long, so single precision begins only at the
-    // box.
+    // The path from distant soil is too long for single precision: Embree
+    // follows it only from the bounding box on.
     Hit hit;
     if (const auto inside = clip(box, p, d)) {
         const double first = inside->first;

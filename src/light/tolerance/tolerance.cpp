@@ -148,8 +148,8 @@ class Search {
         return amounts;
     }
 
-    //! Returns the number of first hits in the first trial, which is also the
-    //! smallest of a result: at least one path for each source.
+    //! Returns the number of first hits in the first trial. No result has
+    //! fewer, since each source needs at least one path.
     std::uint32_t fewest() const {
         std::uint32_t paths = fewest_paths;
         while (paths < light_.sources.size()) paths *= 2;

@@ -145,8 +145,8 @@ def test_ten_growth_stages_give_the_carbon_of_twenty() -> None:
         error = float(one.gross_assimilation_standard_error[0])
         results.append((carbon, error))
         assert one.sizes["stage"] == stages
-        # The area of lower leaves, which only growing plants have, follows the
-        # area of the leaves of the full-grown plant.
+        # Growing plants have further leaves below those of the crop file, with
+        # areas that follow from the areas of the others.
         assert one.lai_by_stage.max() == pytest.approx(5.05, rel=0.05)
         assert one.dead_area_index_by_stage[0, -1] > 1
     (ten, ten_error), (twenty, twenty_error) = results

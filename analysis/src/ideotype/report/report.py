@@ -93,18 +93,16 @@ def write_report(
     """Writes report.html, results.csv, the figure for a paper (figure.pdf and
     figure.png) and figures/ into the folder, over those of an earlier report.
 
-    cross: a cross-evaluation of plants and cases.
-    command: the command that the page names as its origin.
-    tell: gets the number of drawn figures, the number of all figures, and the
-    kind of work.
-    has_pdf: whether each figure is also written as PDF, besides SVG.
-    jobs: the number of processes that draw figures; with several, a script
-    needs `if __name__ == "__main__":`.
-    figures_of: words; cases with one of them in their name get separate
-    figures. By default all cases do if there are few.
-    plants: files of the user's own plants for the 3D view, as for own_plants().
-    has_split: whether the best plant of each case and its baseline are
-    re-evaluated with leaves alone.
+    The page names `command` as its origin, and contains `cross`, a
+    cross-evaluation of plants and cases. `tell` gets the number of drawn
+    figures, the number of all figures, and the kind of work. With `has_pdf`
+    each figure is written as PDF in addition to SVG. `jobs` is the number of
+    processes that draw figures; with several, a script needs
+    `if __name__ == "__main__":`. Cases with one of the words `figures_of` in
+    their name get separate figures; without words, all cases do if there are
+    few. `plants` are files of the user's plants for the 3D view, as for
+    own_plants(). With `has_split` the best plant of each case and its baseline
+    are re-evaluated with leaves alone.
 
     Raises HistoryError if no history has an evaluation, OutputRefused if a
     symbolic link is where a file or folder is to be written, OSError if the

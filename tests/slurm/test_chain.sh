@@ -20,6 +20,14 @@ limit=$job
 wait_for_file "$(history_of limit chain)"
 worker=$(worker_of "$limit")
 kill -STOP "$worker"
+# Continues the worker in time, whatever this script does meanwhile.
+(
+    for _ in $(seq 600); do
+        ! grep -q "time is up" "ideotype-chain-$limit.log" || break
+        sleep 0.1
+    done
+    kill -CONT "$worker"
+) &
 submit tasks --site here.sh --out tasks --form sweep --chain 2 \
     campaigns/tasks.toml --no-requeue
 tasks=$job
@@ -42,12 +50,6 @@ PROGRAM
     IDEOTYPE=$folder/$name.sh submit $name --site here.sh --out $name \
         --chain 2 campaigns/chain.toml --no-requeue
 done
-
-for _ in $(seq 500); do
-    ! grep -q "time is up" "ideotype-chain-$limit.log" || break
-    sleep 0.1
-done
-kill -CONT "$worker"
 
 "$ideotype" run campaigns/tasks.toml --out local >/dev/null
 "$ideotype" run campaigns/chain.toml --out local >/dev/null

@@ -93,7 +93,7 @@ def test_a_wrong_token_is_explained(day: Served, tmp_path: Path) -> None:
     with phone_with(wrong, tmp_path) as phone:
         told = phone.value("document.body.innerText")
         assert "key in the address is wrong" in told
-        assert "Take the whole address" in told
+        assert "Use the complete address" in told
 
 
 def test_pages_of_other_sites_learn_nothing(

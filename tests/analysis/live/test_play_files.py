@@ -74,8 +74,8 @@ def test_measured_optimised_and_saved_plants_are_opened(
     else:
         path = tmp_path / f"mine.{kind}"
         path.write_text(MIDRIBS if kind == "csv" else obj_of(MIDRIBS))
-    told = {"csv": "measured: 2 leaves", "obj": "measured: 2 leaves",
-            "history": "bred", "crop": "crop file"}[kind]  # fmt: skip
+    told = {"csv": "Measured: 2 leaves", "obj": "Measured: 2 leaves",
+            "history": "The best plant of", "crop": "crop file"}[kind]  # fmt: skip
     with served("play", path) as page, shown(page, tmp_path) as phone:
         assert told in text(phone, "#about")
         assert number(phone, "absorbed_par")[0] > 0
@@ -132,7 +132,7 @@ def test_a_plant_is_seen_day_by_day(tmp_path: Path) -> None:
             phone, "#titles"
         )
         assert view(phone) != grown
-        assert "day of growth" in text(phone, ".charts")
+        assert "days after emergence" in text(phone, ".charts")
 
 
 def test_a_search_is_watched_and_undone(tmp_path: Path) -> None:

@@ -152,7 +152,7 @@ def test_program_and_package_hand_commands_to_each_other(
     assert code == 2 and "pip install . && export" in str(error)
     python = {"IDEOTYPE_PYTHON": str(tmp_path / "none")}
     code, _, error = run(program, "summary", finished, **python)
-    assert code == 2 and "summary: there is no" in str(error)
+    assert code == 2 and "summary: cannot start" in str(error)
 
     compiled = {"IDEOTYPE_EXECUTABLE": program}
     by_program = run(program, "status", "--help")

@@ -177,7 +177,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         for x in results
         if x.fact.verdict == Verdict.passes and x.verdict == Verdict.misses
     ]
-    if worse:
+    # The recorded verdicts are those of the plants and stands of the facts.
+    if worse and not options.set:
         print(
             "ideotype validate: these facts passed before and miss now: "
             + ", ".join(worse),

@@ -200,4 +200,7 @@ def test_the_sign_of_the_height_effect_agrees_with_interventions() -> None:
     assert living > error and dead > of_dead and alone < -other
     assert "Taller plants gain**" not in RESULTS
     text = " ".join(RESULTS.split()).replace("**", "")
-    assert "Shorter plants gain, and lose with leaves alone" in text
+    assert (
+        "Shorter plants gain with other organs, and lose with leaves alone"
+        in text
+    )

@@ -21,7 +21,8 @@ namespace ideotype {
 inline constexpr double mol_per_umol = 1e-6;
 
 //! A flux of leaves per ground area in one randomisation, such as gross
-//! assimilation of CO2, to which the units belong; amounts are for a mean day.
+//! assimilation of CO2. The units below are those of CO2 assimilation; amounts
+//! are for a mean day.
 struct FluxTally {
     //! Amount by group of the uncut mesh [mol m-2].
     std::vector<double> groups;
@@ -29,11 +30,11 @@ struct FluxTally {
     std::vector<double> steps;   //!< flux of all leaves by step [umol m-2 s-1]
     std::vector<double>
         rows{};  //!< amount by row, if rows are distinguished [mol m-2]
-    //! Leaf area index by group, and by row and group, of gross assimilation if
-    //! randomisations have separate fields.
+    //! Leaf area index by group, and by row and group, for gross assimilation
+    //! if each randomisation uses a separate field.
     std::vector<double> leaf_area{}, leaf_area_of_rows{};
 
-    //! Adds another flux of the same leaves.
+    //! Adds another flux of the same leaves, element by element.
     FluxTally& operator+=(const FluxTally& more);
 
     double sum() const;  //!< amount of all leaves
@@ -49,8 +50,9 @@ struct FluxReport {
     std::vector<Estimate> dates;   //!< flux on each date, if there are several
 };
 
-//! Reports a flux from its tallies.
-//! @param amount_of amount in a step over the flux, on a mean day
+//! Computes a flux report from tallies.
+//! @param amount_of returns the factor that converts the flux in a step to the
+//! amount on a mean day
 FluxReport report(std::vector<FluxTally> tallies, const LightSeries& series,
                   double (*amount_of)(const TimeStep& step));
 
@@ -59,18 +61,19 @@ struct CarbonLoss {
     double in_light = 0;  //!< dark respiration at times with any light
     double at_night = 0;  //!< respiration at other times
     double building = 0;  //!< carbon in the tissue of leaves
-    double of_ears = 0;  //!< respiration of ears, when they fill, of the carbon
+    double of_ears = 0;   //!< respiration of the ears during grain filling
 
     CarbonLoss& operator+=(const CarbonLoss& more);
 
-    //! Returns the loss if respiration and building are lowered to a share.
+    //! Returns the loss if respiration and leaf construction are multiplied by
+    //! a share.
     CarbonLoss scaled(double share) const;
 
     //! Returns the respiration by day and night.
     double respired() const { return in_light + at_night + of_ears; }
 
-    //! Returns the loss by which the carbon balance is less than
-    //! AssimilationReport::before_losses().
+    //! Returns the sum of the losses: AssimilationReport::before_losses() less
+    //! this sum is the net carbon balance.
     double all() const { return in_light + at_night + building + of_ears; }
 };
 
@@ -78,22 +81,25 @@ struct CarbonLoss {
 //! day-1], or in a second if the light is that of an instant.
 struct AssimilationReport {
     FluxReport gross;  //!< flux; hours in [umol m-2 s-1]
-    //! Gross assimilation less the respiration in light that is not among the
-    //! losses, if leaves have their own temperature.
+    //! Gross assimilation less the part of respiration in light that `losses`
+    //! does not contain, if leaf temperature is computed.
     std::optional<FluxReport> uptake;
-    //! Loss of each group of the mesh; leaves respire as if as warm as the air.
+    //! Loss of each group of the mesh, with leaves respiring at air
+    //! temperature.
     std::vector<CarbonLoss> losses;
-    //! Losses of groups by randomisation, if these have separate fields.
+    //! Losses of groups by randomisation, if each randomisation uses a separate
+    //! field.
     std::vector<std::vector<CarbonLoss>> losses_by_randomisation;
-    //! Gross assimilation less respiration after silking by randomisation, if
+    //! Gross assimilation less respiration after silking, by randomisation, if
     //! plants grow.
     std::vector<double> late_net;
-    //! Dry mass of each group of leaves and living organs per ground area [kg
-    //! m-2], without roots: that built in the time of the light, if plants
-    //! grow.
+    //! Dry mass of each group of leaves and living organs, without roots, per
+    //! ground area [kg m-2]. If plants grow, only the dry mass that was built
+    //! during the period of the light.
     std::vector<double> dry_mass;
 
-    //! Returns the flux by which losses are exceeded where leaves gain carbon.
+    //! Returns the flux from which losses are subtracted: `uptake` if leaf
+    //! temperature is computed, otherwise `gross`.
     const FluxReport& before_losses() const { return uptake ? *uptake : gross; }
 
     //! Returns the losses of groups in a randomisation.
@@ -104,7 +110,7 @@ struct AssimilationReport {
     }
 };
 
-//! Sums up losses of groups.
+//! Adds the losses of groups.
 CarbonLoss sum_of(const std::vector<CarbonLoss>& losses);
 
 //! Assimilation of one component or row, in units of AssimilationReport.
@@ -112,11 +118,11 @@ struct ComponentAssimilation {
     Estimate gross;
     Estimate uptake{};  //!< AssimilationReport::before_losses()
     CarbonLoss loss{};
-    //! Loss by randomisation, if these have separate fields.
+    //! Loss by randomisation, if each randomisation uses a separate field.
     std::vector<CarbonLoss> loss_by_randomisation{};
 };
 
-//! Sums up a report by component.
+//! Adds up a report by component.
 //! @param groups groups of the report, with the numbers of components
 std::vector<ComponentAssimilation> by_component(
     const AssimilationReport& report, const std::vector<Group>& groups,
@@ -131,19 +137,19 @@ struct OrganGroup {
 //! The rates of the leaves, or of an organ, of a group of a mesh.
 struct LeafGroup {
     LeafRates rates{};
-    //! Photosynthesis of the component; null: the group neither assimilates nor
-    //! costs carbon.
+    //! Photosynthesis model of the component. Null: the group neither
+    //! assimilates nor incurs carbon losses.
     const Photosynthesis* photosynthesis = nullptr;
-    //! Leaf area, or dry mass [kg m-2] of an organ, per ground area that was
-    //! built, see Component::built.
+    //! Leaf area, or dry mass of an organ [kg m-2], that was built per ground
+    //! area; see Component::built.
     std::optional<double> built{};
     std::optional<OrganGroup> organ{};  //!< none: the group is of leaves
-    Roots roots{};                      //!< roots that bear the group
-    double ear_share = 0;               //!< see Component::ear_share
-    std::uint32_t component = 0;        //!< component of a living group
+    Roots roots{};                //!< roots that are attributed to the group
+    double ear_share = 0;         //!< see Component::ear_share
+    std::uint32_t component = 0;  //!< component of a living group
     //! Leaf area index of the component if no plant is missing or deviates from
-    //! its line; 0: fields do not differ. Dry mass and past growth are those
-    //! of such plants, and fields have them in proportion to leaf area.
+    //! its line; 0: all fields are equal. Dry mass and past growth are computed
+    //! for such plants and scale with the leaf area of a field.
     double lai_of_line = 0;
 
     //! Returns whether leaves of the group exchange heat and water with the
@@ -151,30 +157,32 @@ struct LeafGroup {
     bool exchanges_water() const { return photosynthesis && !organ; }
 };
 
-//! The photosynthesis of leaves of each group of a scene, by their rank.
-//! If any leaf of a component has no rank, all its leaves count as one leaf.
-//! Organs have the response of the highest leaf, with their share of its
-//! capacity and without its respiration, which follows from their mass. Roots
-//! count with the groups in proportion to the mass of which they grow.
+//! Returns the photosynthesis of the leaves of each group of a scene by leaf
+//! rank. If any leaf of a component has no rank, all its leaves count as one
+//! leaf. Organs use the response of the highest leaf, scaled to their share of
+//! its capacity. Their respiration is computed from their dry mass instead.
+//! Each group includes the roots that grow in proportion to its dry mass.
 //! @param groups groups of the scene
-//! @param leaf_area_index leaf area index of each group; if plants vary, that
-//! of plants that do not deviate from their line
-//! @throws Error if leaves that differ have no rank.
+//! @param leaf_area_index leaf area index of each group; if plants vary, the
+//! index of plants that do not deviate from their line
+//! @throws Error if leaves with different rates have no rank.
 std::vector<LeafGroup> leaf_groups(const Scene& scene,
                                    const std::vector<Group>& groups,
                                    const std::vector<double>& leaf_area_index);
 
-//! Returns the loss of a group in some field or row: leaves in proportion to
-//! their area there, organs and past growth in proportion to the leaf area
-//! of their component, since these are where its plants are.
-//! @param loss loss in the whole
+//! Returns the loss of a group in one field or row. Losses of leaves scale with
+//! the area of the group there. Losses of organs and of past growth scale with
+//! the leaf area of the component there, because it shows where the component's
+//! plants are.
+//! @param loss loss in the whole canopy
 //! @param part,whole leaf area by group in the field or row, and in the whole
+//! canopy
 CarbonLoss loss_of_part(const CarbonLoss& loss,
                         const std::vector<LeafGroup>& leaves, std::size_t group,
                         std::span<const double> part,
                         std::span<const double> whole);
 
-//! Reports assimilation, respiration and the building of leaves.
+//! Reports assimilation, respiration and leaf construction.
 //! @param uptake tallies of LeafFlux::uptake
 //! @param respired tallies of LeafFlux::respiration; empty: none
 //! @param leaves,leaf_area_index rates and area index of the mesh's groups
@@ -189,45 +197,46 @@ Air air_of(const TimeStep& step, const Photosynthesis& photosynthesis);
 
 class LeafAir;
 
-//! Light and leaves that assimilate in a field.
+//! A field with its light and the assimilation models of its leaves.
 struct LitLeaves {
     const RayScene& scene;
     //! Groups of the scene's mesh.
     const std::vector<Group>& groups;
     const Band& par;
     double photons;  //!< photons per unit of PAR irradiance [umol J-1]
-    //! Leaves of each group of the mesh; if the mesh is cut into pieces, of
+    //! Leaves of each group of the mesh. If the mesh is cut into pieces: of
     //! each group of the uncut mesh.
     const std::vector<LeafGroup>& leaves;
     const Layers& layers;
     LeafAir* air = nullptr;  //!< air for leaves with heat and water exchange
 };
 
-//! Finds the gross assimilation of leaves in one field, response by response:
-//! the light that a point of a leaf absorbs is diffuse light D, which is taken
-//! as even over a piece of a leaf, and where the sun shines on the point also
-//! the beam b, which is the same everywhere on a triangle:
+//! Computes the gross assimilation of the leaves in one field, one response f
+//! at a time. A point on a leaf absorbs diffuse light D, which is taken as
+//! uniform over a piece of a leaf. Where the sun shines on the point, it also
+//! absorbs the beam b, which is uniform over a triangle:
 //!
 //!     A = integral of f(D) + sum over first hits of beams of
 //!         w [f(D + b) - f(D)] / b
 //!
-//! where f is the response and w the light that a hit absorbs: w / b is sunlit
-//! leaf area. f is concave, so noise in D lowers A, by several per cent where
-//! few paths meet a piece. So f is expanded to second order about an expected
-//! diffuse light c: the mean light of the same piece in all plants that are
-//! alike, joined to its neighbours until the mean is well known. The deviation
-//! of a piece enters as D - c and (D - c)^2, and these estimates have no bias
-//! however few paths meet the piece, see PairLight; nor does noise in c matter
-//! to second order. Steps that share a sun are sums of the same numbers, so
-//! that many steps cost little. The returned tallies are pseudo-values of a
-//! jackknife over randomisations; their scatter gives the error. The remaining
-//! bias is of third order: see tests/benchmark/README.md.
+//! where w is the light absorbed at a hit, so that w / b is sunlit leaf area.
+//! Because f is concave, noise in D lowers A, by several per cent where few
+//! paths meet a piece. Therefore f is expanded to second order about an
+//! expected diffuse light c: the mean light of the same piece over all
+//! identical plants, pooled with neighbouring pieces until the mean is precise.
+//! The deviation of a piece enters as D - c and (D - c)^2. The estimates of
+//! both are unbiased however few paths meet the piece, see PairLight. Noise in
+//! c has no effect to second order. Time steps with the same sun position are
+//! combinations of the same sums, so many steps cost little. The returned
+//! tallies are jackknife pseudo-values over randomisations; their scatter gives
+//! the standard error. The remaining bias is of third order: see
+//! tests/benchmark/README.md.
 //!
-//! @param tallies tallies with leaf light, of independent randomisations of one
-//! field; a single tally is not corrected
-//! @param lit lit leaves with the scene of pieces.mesh
-//! @return tallies of gross assimilation, and then, if leaves exchange heat and
-//! water, of each further LeafFlux
+//! @param tallies tallies with leaf light, from independent randomisations of
+//! one field; a single tally is not bias-corrected
+//! @param lit field with the scene of pieces.mesh
+//! @return tallies of gross assimilation, followed by tallies of each further
+//! LeafFlux if leaves exchange heat and water
 std::vector<std::vector<FluxTally>> assimilate(
     const std::vector<Tally>& tallies, const Pieces& pieces,
     const LitLeaves& lit);

@@ -38,7 +38,7 @@ struct Timing {
 //! The light that a component or a fixed object absorbs [J m-2 day-1].
 struct PartReport {
     Estimate leaves;
-    Estimate all;  //!< light on leaves and other parts
+    Estimate all;  //!< light on all parts, leaves included
 };
 
 //! A fixed object in a canopy.
@@ -48,42 +48,44 @@ struct ObjectReport {
     double area_index = 0;  //!< one-sided area per ground area [m2 m-2]
 };
 
-//! The light of one waveband in a canopy.
+//! The light in a canopy in one waveband.
 struct BandReport {
     std::string name;
     double soil_albedo = 0;
     DayReport light;
-    //! Light of all sources together by independent randomisation [J m-2 of
-    //! ground]; light.day has the means.
+    //! Budget of all light sources together, by independent randomisation [J
+    //! m-2 of ground]; light.day contains the means.
     std::vector<Budget> budget_by_randomisation;
-    //! Light of light.groups and light.layers [randomisation, group or layer];
-    //! empty if groups are faces.
+    //! The values of light.groups and light.layers by randomisation:
+    //! [randomisation, group or layer]. Empty if groups are faces.
     std::vector<std::vector<double>> groups_by_randomisation,
         layers_by_randomisation;
-    //! The light that falls on fixed objects, per area of a side that absorbs
-    //! some light: the adaxial, then the abaxial side of each object.
+    //! The light incident on fixed objects per area of each side: the adaxial,
+    //! then the abaxial side of each object. It is computed from absorbed light
+    //! and is 0 for sides that absorb none.
     std::vector<PartLight> objects;
-    //! Light of each component, then of each object, if there are several.
+    //! Light absorbed by each component, then by each object, if there are
+    //! several.
     std::vector<PartReport> parts;
-    //! Light that leaves of each row absorb, where rows are distinguished [J
-    //! m-2 of all ground], as means and by randomisation.
+    //! Light absorbed by the leaves of each row, where rows are distinguished
+    //! [J m-2 of all ground]: means, and values by randomisation.
     std::vector<Estimate> rows;
     std::vector<std::vector<double>> rows_by_randomisation;
-    //! The light that both sides of each face absorb, if asked for, per
-    //! one-sided area of the face [J m-2 day-1]: faces of one plant of each
-    //! component, as means over all its copies, then faces of objects. In a
-    //! plot that is cut some copies are there only in part.
+    //! Light absorbed by both sides of each face per one-sided area of the
+    //! face, if requested [J m-2 day-1]. First the faces of one plant of each
+    //! component, averaged over all its copies, then the faces of objects. At
+    //! the edge of a plot only parts of some copies remain.
     std::vector<Estimate> faces;
 
-    //! Returns the light of a component or, with a number above those of
-    //! components, of a fixed object.
+    //! Returns the light absorbed by a component. Numbers above those of the
+    //! components select fixed objects.
     PartReport part(std::size_t number) const {
         IDEOTYPE_EXPECT(parts.empty() || number < parts.size());
         return parts.empty() ? PartReport{light.day.leaves, light.day.plants}
                              : parts[number];
     }
 
-    //! Returns the light that leaves of a component absorb at an hour of
+    //! Returns the light absorbed by the leaves of a component at an hour of
     //! LightSeries::hours() [W m-2].
     Estimate leaves_at(std::size_t component, std::size_t hour) const {
         IDEOTYPE_EXPECT(hour < light.steps.size());
@@ -100,13 +102,13 @@ struct ComponentReport {
     //! of other organs per ground area [m2 m-2].
     double lai = 0, plant_area_index = 0;
     bool assimilates = false;
-    double ground_per_plant = 0;  //!< all ground over all plants [m2]
+    double ground_per_plant = 0;  //!< total ground area per plant [m2]
 };
 
 //! The plants of a row, where rows are distinguished.
 struct RowReport {
     std::uint32_t component = 0;
-    double position = 0;  //!< place of the row along x [m]
+    double position = 0;  //!< x coordinate of the row [m]
     double width = 0;     //!< width of the ground nearest to the row [m]
     double ground = 0;    //!< area of the ground nearest to the row [m2]
     double lai = 0;       //!< one-sided leaf area per area of all ground
@@ -114,10 +116,10 @@ struct RowReport {
     ComponentAssimilation assimilation{};
 };
 
-//! The form of a plant, full-grown and without deviations from its line.
+//! The shape of a full-grown plant that does not deviate from its line.
 struct PlantForm {
-    double height = 0;          //!< height of the highest point [m]
-    double top_leaf_angle = 0;  //!< mean of the four highest leaves [deg]
+    double height = 0;          //!< height of the plant's highest point [m]
+    double top_leaf_angle = 0;  //!< mean angle of the four highest leaves [deg]
 };
 
 //! Leaf area index [m2 m-2].
@@ -133,26 +135,27 @@ struct CanopyReport {
     std::vector<ObjectReport> objects;
     std::optional<AssimilationReport> assimilation;  //!< assimilation, if any
     std::optional<WaterReport> water;  //!< water, if leaves exchange water
-    //! Sunlit leaf area in pieces of leaves, from the first hits of beams that
-    //! assimilation is computed from.
+    //! Sunlit leaf area by piece of leaf, from the same first hits of beams as
+    //! assimilation.
     std::optional<SunlitReport> hit_by_sun;
     std::optional<LightClassReport> light_classes;  //!< classes, if asked for
     std::optional<PlantForm> form;      //!< form of the plant, if asked for
     std::optional<LineDistance> lines;  //!< distance from lines, if asked for
-    std::uint64_t paths = 0;            //!< paths over which light is averaged
-    bool is_capped = false;             //!< too few paths for the tolerance
-    std::vector<Group> groups;          //!< groups with counted light
+    std::uint64_t paths = 0;  //!< number of paths over which light is averaged
+    //! The path limit was reached before the tolerance.
+    bool is_capped = false;
+    std::vector<Group> groups;  //!< groups of the mesh with tallied light
     Layers layers;
     int days = 1;    //!< days over which daily figures are averaged
     double lai = 0;  //!< one-sided leaf area over ground [m2 m-2]
-    double plant_area_index = 0;  //!< lai and half the surface of other organs
-    bool grows = false;           //!< whether plants grow; this is one stage
+    double plant_area_index = 0;  //!< lai plus half the surface of other organs
+    bool grows = false;  //!< whether plants grow; the report is for one stage
     bool has_living_organs = false;  //!< see Scene::has_living_organs()
     double dead_area_index = 0;   //!< area of dead leaves per ground [m2 m-2]
     double assimilating_lai = 0;  //!< leaf area index of assimilating leaves
     //! Leaf area index of the field of each randomisation.
     std::vector<LeafArea> leaf_area_by_randomisation;
-    double ground_area = 0;  //!< ground of all figures [m2]
+    double ground_area = 0;  //!< ground area of all figures [m2]
     Boundary boundary = Boundary::periodic;
     Timing seconds;  //!< durations, if there was a clock
 
@@ -168,8 +171,8 @@ struct CanopyReport {
 //! Returns the present time [s].
 using Clock = std::function<double()>;
 
-//! Evaluates a canopy, always as scene -> fields -> light -> assimilation ->
-//! report. At least as many paths are traced as there are sources of light.
+//! Evaluates a canopy, always in the order scene, fields, light, assimilation,
+//! report. At least one path is traced per light source.
 //! @throws Error if the numbers of leaves differ, a scene cannot be built, or
 //! the energy balance does not close.
 //! @param threads threads that share the fields after the first one; results
@@ -180,8 +183,8 @@ CanopyReport evaluate(const CanopyRequest& request, const Device& device,
 //! Builds the surfaces of a field, with the field's boundary.
 RayScene build_scene(const Device& device, const Field& field);
 
-//! Returns an accuracy with which the light on most faces is known to some 5 %
-//! or better, with paths that take about ten seconds at most.
+//! Returns an accuracy that determines the light on most faces to about 5 % or
+//! better. Tracing its paths takes about ten seconds at most.
 Accuracy face_accuracy(const Accuracy& accuracy, std::size_t faces);
 
 }  // namespace ideotype

@@ -17,7 +17,7 @@ namespace ideotype {
 //! width 100 up to 2000, and one above 2000 [umol m-2 s-1].
 inline constexpr std::size_t ppfd_classes = 22;
 
-//! Returns the PPFD at which a class begins; the last class has no end.
+//! Returns the PPFD at which a class begins; the last class is unbounded.
 inline double class_begin(std::size_t number) {
     IDEOTYPE_EXPECT(number < ppfd_classes);
     return number < 2 ? 50. * static_cast<double>(number)
@@ -38,12 +38,13 @@ struct LightClasses {
         : sunlit(classes), shaded(classes) {}
 };
 
-//! Finds the leaf area in one field by the light that leaves absorb, as a mean
-//! over the time with any light, by randomisation; all classes sum to the leaf
-//! area index. Diffuse light is computed as in assimilate(), as a mean over
-//! uniform plants. Leaves that absorb nothing are shaded.
+//! Computes leaf area by the light that leaves absorb in one field, by
+//! randomisation, as a mean over the time with any light. The sum over all
+//! classes is the leaf area index. Diffuse light is computed as in
+//! assimilate(): as a mean over identical plants. Leaves that absorb nothing
+//! count as shaded.
 //! @param tallies tallies with leaf light
-//! @param lit lit leaves with the scene of pieces.mesh
+//! @param lit field with the scene of pieces.mesh
 std::vector<LightClasses> leaf_area_by_light(const std::vector<Tally>& tallies,
                                              const Pieces& pieces,
                                              const LitLeaves& lit);

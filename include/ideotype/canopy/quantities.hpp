@@ -9,17 +9,17 @@
 
 namespace ideotype {
 
-//! The name of the quantity that an isolated plot lacks.
+//! The name of the quantity that is undefined for an isolated plot.
 inline constexpr auto extinction = "extinction_coefficient";
 
-//! Returns all quantities of a scene with plants as components, along leaf,
-//! organ, layer, hour, light_source, leaf_side, and, where there are several,
-//! day, component, band, field_row and object.
-//! @param details details with which the canopy is evaluated
+//! Returns all quantities of a scene with plants as components. Their axes are
+//! leaf, organ, layer, hour, light_source and leaf_side, and where there are
+//! several, day, component, band, field_row and object.
+//! @param details optional results of the evaluation
 QuantitySet canopy_quantities(const Scene& scene, const Layers& layers,
                               const Details& details);
 
-//! Returns the numbers of canopy_quantities() in a report, in the same order.
+//! Returns the values of canopy_quantities() in a report, in the same order.
 std::vector<Estimate> measure(const CanopyReport& report);
 
 //! A quantity without axes.
@@ -28,16 +28,16 @@ struct Measured {
     Estimate estimate;
 };
 
-//! Returns all quantities without axes that a report has.
+//! Returns all quantities without axes in a report.
 std::vector<Measured> measure_numbers(const CanopyReport& report);
 
-//! Returns the names of quantities without axes that a report may have, without
-//! those that describe only the method: each name can be an objective.
+//! Returns the names of quantities without axes that a report may contain,
+//! except those that describe only the method. Each name can be an objective.
 std::vector<std::string> objective_names();
 
-//! Returns whether only certain reports have a quantity: those with
-//! assimilation, the form of plants, measured lines, light in a band, leaves
-//! that exchange heat and water, plants that grow, panels, or two components.
+//! Returns whether a quantity exists only in certain reports: those with
+//! assimilation, plant form, measured lines, light in a given band, leaves that
+//! exchange heat and water, growing plants, panels, or two components.
 bool is_of_assimilation(const std::string& quantity);
 bool is_of_form(const std::string& quantity);
 bool is_of_lines(const std::string& quantity);
@@ -51,9 +51,9 @@ bool is_of_two_components(const std::string& quantity);
 //! @throws std::out_of_range if no quantity has this name.
 std::string unit_of(const std::string& quantity);
 
-//! The weights by which the numbers of a season are means over its stages.
+//! The weights with which a quantity is averaged over the stages of a season.
 enum class MeanOver {
-    nothing,           //!< amounts, which add up to those of a mean day
+    nothing,           //!< amounts, summed over stages
     time,              //!< states of the stand
     incident_light,    //!< fractions of the incident light
     absorbed_light,    //!< amounts over the light that leaves absorb
@@ -62,7 +62,7 @@ enum class MeanOver {
     leaf_area_time,    //!< states of leaves: leaf area and time
 };
 
-//! Returns the weights by which a quantity is a mean over the stages of a
+//! Returns the weights with which a quantity is averaged over the stages of a
 //! season. @throws std::out_of_range if no quantity has this name.
 MeanOver mean_over(const std::string& quantity);
 
@@ -72,7 +72,8 @@ struct Randomised {
     std::vector<double> by_randomisation;
 };
 
-//! Returns the numbers of measure(), with their randomisations where known.
+//! Returns the values of measure() with their values by randomisation, if
+//! known.
 std::vector<Randomised> measure_by_randomisation(const CanopyReport& report);
 
 //! Returns a quantity without axes.
@@ -83,18 +84,18 @@ Randomised measure_objective(const std::string& name,
 //! Returns the names of objectives that are sums over components.
 std::vector<std::string> additive_objectives();
 
-//! Returns each component's part of an objective that is a sum over components,
-//! per area of all ground.
-//! @throws Error if the report has no such parts.
+//! Returns the contribution of each component to an objective that is a sum
+//! over components, per area of all ground.
+//! @throws Error if the report has no such contributions.
 std::vector<Randomised> measure_parts(const std::string& name,
                                       const CanopyReport& report);
 
-//! Returns the sum of parts, each times its weight.
+//! Returns the weighted sum of contributions.
 Randomised weighted_sum(const std::vector<Randomised>& parts,
                         const std::vector<double>& weights);
 
-//! Returns a quantity along leaf, layer, component or field_row, place by
-//! place.
+//! Returns a quantity along leaf, layer, component or field_row, one value per
+//! position on that axis.
 //! @throws Error if the report has no quantity of this name.
 std::vector<Randomised> measure_profile(const std::string& name,
                                         const CanopyReport& report);

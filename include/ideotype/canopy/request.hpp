@@ -13,29 +13,31 @@
 
 namespace ideotype {
 
-//! The results that are wanted of a canopy in addition to the absorbed light.
-//! None of them changes an objective, and histories do not contain them.
+//! The results that are requested in addition to the absorbed light. None of
+//! them changes an objective, and histories do not contain them.
 struct Details {
-    //! Whether to find the sunlit leaf area, which costs more rays, and, if
-    //! leaves assimilate, leaf area by the light that it absorbs.
+    //! Whether to compute the sunlit leaf area, which takes more rays, and, if
+    //! leaves assimilate, leaf area by absorbed light.
     bool sunlit = false;
-    //! Whether to find the light on each face: each face is then a group.
+    //! Whether to compute the light on each face: each face is then a group.
     bool faces = false;
-    //! Number of pieces of a blade; diffuse light is taken as even over each.
+    //! Number of pieces per blade; diffuse light is taken as uniform over a
+    //! piece.
     std::size_t pieces = pieces_of_blade;
-    //! True to use assimilate_exactly(), which is slow and for checks.
+    //! Whether to use assimilate_exactly(), a slow check.
     bool exact = false;
-    //! Whether to find the form of the plant of the first component.
+    //! Whether to compute the form of the first component's plant.
     bool form = false;
-    //! Lines of which the distance from the first component's plant is wanted.
+    //! Measured lines; their distance from the first component's plant is
+    //! computed.
     std::optional<MeasuredLines> lines{};
 };
 
 //! An evaluation of a canopy, with all inputs that its result depends on.
 struct CanopyRequest {
     Scene scene;
-    //! Layers in which the light that leaves absorb is counted. If their
-    //! thickness is 0, they are equal parts of the height of the scene.
+    //! Layers in which the light absorbed by leaves is counted. A thickness of
+    //! 0 divides the height of the scene into equal layers.
     Layers layers;
     Accuracy accuracy;
     Randomness randomness;

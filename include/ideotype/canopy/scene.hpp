@@ -30,10 +30,10 @@ struct Cell {
     Boundary boundary = Boundary::periodic;
     double period_x = 0;     //!< period across the rows, if periodic [m]
     double period_y = 0;     //!< period along the rows [m]
-    double ground_area = 0;  //!< ground of all figures [m2]
+    double ground_area = 0;  //!< ground area of all figures [m2]
     //! Ground of an isolated plot; surfaces beyond it are cut away.
     std::optional<Rectangle> kept{};
-    std::vector<double> rows{};  //!< places of rows along x, if any [m]
+    std::vector<double> rows{};  //!< x coordinates of rows, if any [m]
     double row_distance = 0;  //!< mean distance between neighbouring rows [m]
     //! Area of the ground that is nearest to each row [m2], where rows are
     //! distinguished and each row has one component. Empty: rows are not
@@ -50,45 +50,45 @@ struct Place {
 //! The roots of plants, which grow and respire in proportion to the dry mass of
 //! leaves and living organs.
 struct Roots {
-    double share = 0;  //!< dry mass over that of leaves and organs
+    double share = 0;  //!< dry mass divided by that of leaves and organs
     //! Respiration at 25 deg C: carbohydrate per dry mass [kg kg-1 d-1].
     double maintenance = 0;
 };
 
-//! A kind of plant and where its plants stand.
+//! A kind of plant and the positions of its plants.
 struct Component {
     std::string name;
-    //! One plant with its foot at the origin, y along the row. The mesh's
-    //! component numbers have no meaning: the scene numbers its components.
+    //! One plant with its foot at the origin and the row along y. The component
+    //! numbers in this mesh are ignored: the scene numbers its components.
     Mesh mesh;
     std::vector<Place> places{{}};
-    //! Number of plants in a mixture: so many of the places are drawn for each
-    //! field, and other components of the mixture have the remaining places. 0:
-    //! the component has all places.
+    //! Number of plants in a mixture. For each field, this many of the
+    //! positions are selected at random; other components of the mixture occupy
+    //! the rest. 0: the component occupies all positions.
     std::size_t mixed = 0;
-    //! Plants turn at random by up to this angle either way [deg].
+    //! Largest random rotation of plants, either way [deg].
     double jitter = 0;
     //! The plant from which the mesh is built and from which other plants of
-    //! its line deviate; a mesh from elsewhere has none.
+    //! its line deviate. None if the mesh was not built by this program.
     std::optional<Plant> plant{};
     Tessellation tessellation{};  //!< tessellation of the plants
     PlantVariation variation{};
     //! Model of assimilation, if leaves assimilate.
     std::optional<Photosynthesis> photosynthesis{};
-    double ground_per_plant = 0;  //!< all ground over all plants [m2]
-    //! The full-grown plant, if the component's plant has another age.
+    double ground_per_plant = 0;  //!< total ground area per plant [m2]
+    //! The full-grown plant, if `plant` has another age.
     std::optional<Plant> full_grown{};
-    //! The area of each leaf that was built in the time of the light [m2 per
-    //! plant], if plants grow. Empty: all leaf area, built in the number of
-    //! days that photosynthesis gives.
+    //! The area of each leaf that was built during the period of the light [m2
+    //! per plant], if plants grow. Empty: all leaf area, built in the number of
+    //! days that `photosynthesis` specifies.
     std::vector<double> built{};
-    //! The dry mass of each of list_organs() the plant that was built in that
-    //! time [kg per plant], where `built` is not empty.
+    //! The dry mass of each organ of list_organs() that was built during that
+    //! period [kg per plant], if `built` is not empty.
     std::vector<double> built_organs{};
     Stomata stomata{};  //!< stomata, for leaves that exchange water
-    Roots roots{};      //!< roots, if they count
-    //! Part of the gross assimilation less respiration in the time of the light
-    //! that ears respire later, when it has filled them.
+    Roots roots{};      //!< roots, if they are included
+    //! Share of gross assimilation less respiration, in the period of the
+    //! light, that the ears later respire during grain filling.
     double ear_share = 0;
 
     //! Returns the number of plants in a field, missing plants included.
@@ -96,40 +96,44 @@ struct Component {
 };
 
 //! An object that does not grow and stands where its mesh is, such as a panel
-//! or a post. An object that moves with the sun has a group for each pose.
+//! or a post. An object that moves with the sun has one group per orientation.
 struct FixedObject {
     std::string name;
     Mesh mesh;
     bool is_panel = false;  //!< whether the object is a panel
 };
 
-//! Leaves that are warmer count as hot [deg C].
+//! Leaves above this temperature count as hot [deg C].
 inline constexpr double hot_leaf = 35;
 
-//! The exchange of heat and water of leaves with the air, see leaf_exchange().
+//! The exchange of heat and water between leaves and the air, see
+//! leaf_exchange().
 struct LeafWater {
-    //! True if the energy balance of leaves gives their temperature;
-    //! else they are as warm as the air and transpire without a boundary layer.
+    //! Whether the energy balance determines leaf temperature. If not, leaves
+    //! are at air temperature and transpire without a boundary layer.
     bool has_leaf_temperature = true;
-    //! True if the air within the canopy has a separate state: one node,
-    //! which the canopy warms and moistens. Else leaves are in the air above.
+    //! Whether the air within the canopy has a separate state: one node, which
+    //! the canopy warms and moistens. If not, leaves are in the air above the
+    //! canopy.
     bool has_canopy_air = true;
-    double stomatal_ratio = 1;    //!< conductance of lower over upper face
-    double wind_attenuation = 2;  //!< a in exp(-a (1 - z / h)), z in the canopy
+    //! Conductance of the lower over that of the upper leaf side.
+    double stomatal_ratio = 1;
+    //! A in the wind profile exp(-a (1 - z / h)) within the canopy.
+    double wind_attenuation = 2;
 };
 
-//! All that light can meet, the light itself, and how leaves use it: the only
-//! description from which canopies are evaluated.
+//! All surfaces that light can meet, the light sources, and the models of
+//! leaves: the complete description from which a canopy is evaluated.
 struct Scene {
     std::vector<Component> components;
     std::vector<FixedObject> objects{};
     Cell cell;
-    //! Wavebands of the light; the first one is PAR, which leaves assimilate.
+    //! Wavebands of the light; the first is PAR, which drives assimilation.
     Bands bands;
     //! Photons per unit of irradiance of the first band [umol J-1]; 1 if the
     //! irradiance is in umol m-2 s-1.
     double photons = 4.57;
-    //! Rules of the exchange, if leaves exchange heat and water.
+    //! Options of the exchange, if leaves exchange heat and water.
     std::optional<LeafWater> water{};
 
     const SeriesIllumination& light() const {
@@ -138,7 +142,7 @@ struct Scene {
     }
 
     //! Returns whether plants of any component differ in more than their
-    //! direction.
+    //! rotation.
     bool varies() const {
         return std::ranges::any_of(components, &PlantVariation::is_any,
                                    &Component::variation);
@@ -146,13 +150,13 @@ struct Scene {
     //! Returns whether leaves of any component assimilate.
     bool assimilates() const;
 
-    //! Returns whether non-leaf organs of any component that assimilates
-    //! are living tissue.
+    //! Returns whether any assimilating component has non-leaf organs of living
+    //! tissue.
     bool has_living_organs() const;
 };
 
-//! Returns the groups of all components, then those of objects, each with the
-//! number of its component or object.
+//! Returns the groups of all components followed by those of all objects, each
+//! with the number of its component or object.
 //! @param lines meshes that replace the components' meshes, or empty
 std::vector<Group> groups_of(const Scene& scene,
                              std::span<const Mesh> lines = {});
@@ -167,11 +171,11 @@ struct PlantOptics {
     }
 };
 
-//! A waveband in which campaigns can follow light.
+//! A waveband in which campaigns can trace light.
 struct Waveband {
-    std::string name;    //!< name of the band in keys and results
-    std::string prefix;  //!< prefix of keys that a table has for each band
-    std::string table;   //!< table with the optics of plants
+    std::string name;             //!< name of the band in keys and results
+    std::string prefix;           //!< prefix of the band's keys in tables
+    std::string table;            //!< table with the optics of plants
     Irradiance TimeStep::*light;  //!< light of the band in a step
 };
 
@@ -185,16 +189,16 @@ inline constexpr std::size_t par_band = 0, nir_band = 1;  //!< in wavebands
 template <class T>
 using ByBand = std::array<T, wavebands.size()>;
 
-//! Optical properties that hold if a campaign gives no others. Leaves in PAR
-//! are as in arXiv:2512.06064, stalks and sheaths those of maize; leaves in the
-//! near infrared are those of maize by PROSPECT-D (Feret and others 2017,
-//! doi:10.1016/j.rse.2017.03.004), all other near-infrared values estimates.
+//! Optical properties that apply if a campaign specifies no others. PAR: leaves
+//! as in arXiv:2512.06064, stalks and sheaths as measured for maize. Near
+//! infrared: leaves of maize by PROSPECT-D (Feret and others 2017,
+//! doi:10.1016/j.rse.2017.03.004); all other values are estimates.
 inline constexpr ByBand<PlantOptics> usual_optics = std::to_array<PlantOptics>(
     {{{.05, .05}, {.31, .12}, {.09, 0}}, {{.4, .43}, {.4, .1}, {.4, .1}}});
 inline constexpr ByBand<double> usual_soil_albedo = std::to_array({.1, .2});
 
 //! Replaces the mesh of a component by that of another plant.
-//! @param first place of the leaves' material among the scene's materials
+//! @param first index of the leaf material among the scene's materials
 void set_plant(Component& component, const Plant& plant,
                std::uint32_t first = 0);
 

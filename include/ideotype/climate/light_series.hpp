@@ -24,7 +24,7 @@ struct TimeStep {
     double seconds = 0;  //!< duration represented by the step [s]
     SunPosition sun;
     Irradiance par;  //!< PAR on a horizontal plane [W m-2]
-    Date date{};     //!< date on the clock of the weather file, if there is one
+    Date date{};     //!< date on the clock of the weather file, if any
     std::optional<double> temperature{};  //!< temperature of the air [deg C]
     std::optional<double> humidity{};     //!< relative humidity, 0 to 1
     //! Solar radiation other than PAR on a horizontal plane, all counted as
@@ -34,23 +34,24 @@ struct TimeStep {
     std::optional<double> pressure{};  //!< pressure of the air [kPa]
     //! Longwave radiation of the sky on a horizontal plane [W m-2].
     std::optional<double> longwave{};
-    bool is_late = false;  //!< after the silking of plants that grow
+    bool is_late = false;  //!< after silking of growing plants
 
     bool is_lit() const { return par.beam + par.diffuse > 0; }
 };
 
-//! The light of one or more days as weighted instants in order. Instants
+//! The light of one or more days as a sequence of weighted instants. Instants
 //! without light may be omitted.
 struct LightSeries {
     std::vector<TimeStep> steps;
     int days = 1;
-    double utc_offset = 0;    //!< offset from UTC of the clock of hours [h]
-    double wind_height = 10;  //!< height of the wind above the ground [m]
-    double co2 = 400;         //!< CO2 of the air [umol mol-1]
-    //! Names of variables of the steps that are estimated, such as "wind".
+    double utc_offset = 0;  //!< offset of the clock of `hour` from UTC [h]
+    //! Height of wind measurements above the ground [m].
+    double wind_height = 10;
+    double co2 = 400;  //!< CO2 of the air [umol mol-1]
+    //! Names of the variables of steps that are estimated, such as "wind".
     std::vector<std::string> estimated{};
-    //! Whether plants grow: each step then represents only the part of its time
-    //! at the current age of the plants.
+    //! Whether plants grow: each step then represents only the part of its
+    //! duration in which plants are at their current age.
     bool grows = false;
 
     double beam() const;     //!< beam PAR on a mean day [J m-2 day-1]
@@ -58,12 +59,13 @@ struct LightSeries {
     //! Returns beam + diffuse PAR [J m-2 day-1].
     double incident() const { return beam() + diffuse(); }
 
-    double lit_seconds() const;  //!< time of all steps with any light [s]
+    double lit_seconds() const;  //!< duration of all steps with any light [s]
 
-    //! Returns the hours of the day with sun or light on any day, in order [h].
+    //! Returns the hours that have sun or light on any day, in order [h].
     std::vector<double> hours() const;
 
-    std::vector<Date> dates() const;  //!< dates with any step, in order
+    //! Dates with at least one step, in order.
+    std::vector<Date> dates() const;
 
     //! Return the indices of the steps at each of hours() and on each of
     //! dates().
@@ -79,25 +81,23 @@ struct LightSeries {
 LightSeries clear_days(const Site& site, const DaySpan& span,
                        double par_fraction);
 
-//! The time with sun on a date, on the local clock and without refraction. The
-//! day is the one around the noon nearest to 12:00.
+//! The sun's times on a date, on the local clock and without refraction. The
+//! day is centred on the noon nearest to 12:00.
 struct Daylight {
-    double noon = 12;      //!< hour at which the sun is highest [h]
-    double elevation = 0;  //!< elevation of the sun at noon [deg]
-    std::optional<double>
-        sunrise;  //!< hour [h]; none if the sun is up, or down, all day
-    std::optional<double>
-        sunset;  //!< hour [h]; none if the sun is up, or down, all day
+    double noon = 12;               //!< hour at which the sun is highest [h]
+    double elevation = 0;           //!< elevation of the sun at noon [deg]
+    std::optional<double> sunrise;  //!< hour [h]; none in polar day or night
+    std::optional<double> sunset;   //!< hour [h]; none in polar day or night
 };
 
 Daylight daylight(const Site& site, const Date& date);
 
 //! Returns the lead of the local clock over mean solar time [h], from -12 to
-//! 12. Noon is later than 12:00 by this lead, apart from the equation of time.
+//! 12. Apart from the equation of time, noon is this much later than 12:00.
 double clock_ahead(const Site& site);
 
-//! Returns the fraction of the light of clear days before the start and after
-//! the end of a span, from 0 to 1; 0 if there is no light.
+//! Returns the fraction of the light of clear days outside a span, before its
+//! start or after its end; 0 if there is no light.
 double share_left_out(const Site& site, const DaySpan& span);
 
 }  // namespace ideotype

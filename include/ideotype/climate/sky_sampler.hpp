@@ -15,12 +15,12 @@ enum class SkyModel { uniform, overcast, clear };
 struct SkyRadiance {
     SkyModel model = SkyModel::uniform;
     SunPosition
-        sun;  //!< sun of a clear sky; its azimuth is in the axes of the caller
+        sun;  //!< sun of a clear sky; its azimuth is in the caller's axes
 };
 
-//! Returns the radiance of light that travels in a direction (unit length, z
-//! up), up to a factor; zero for light that travels upwards. The source point
-//! in the sky has the angle z to the zenith and g to the sun [rad]:
+//! Returns the relative radiance of light that travels in a direction (unit
+//! length, z up); zero for light that travels upwards. The source point in the
+//! sky is at the angle z from the zenith and g from the sun [rad]:
 //!
 //! - uniform: 1
 //! - overcast: (1 + 2 cos z) / 3 (Moon and Spencer 1942; CIE standard
@@ -29,12 +29,13 @@ struct SkyRadiance {
 //!   (Kittler 1967; CIE publication 22, 1973; ISO 15469:2004)
 double relative_radiance(const SkyRadiance& sky, const glm::dvec3& travel);
 
-//! Samples directions of light from a sky in proportion to the irradiance of
-//! horizontal ground, radiance times cos z. The map from the unit square is
-//! continuous and one to one, so evenly spread points remain evenly spread; no
-//! point is rejected or weighted. Uniform and overcast skies are exact to
-//! rounding, clear skies to 2e-7 in the probability of any set of directions. A
-//! clear sky takes some 0.3 ms to set up; copies share its tables.
+//! Samples directions of light from a sky with density radiance times cos z,
+//! the contribution to the irradiance of horizontal ground. The map from the
+//! unit square is continuous and one to one, so evenly spread points remain
+//! evenly spread; no point is rejected or weighted. Uniform and overcast skies
+//! are exact to rounding. Clear skies are exact to 2e-7 in the probability of
+//! any set of directions. A clear sky takes about 0.3 ms to set up; copies
+//! share its tables.
 class SkySampler {
   public:
     //! Makes the sampler of a uniform sky.
@@ -43,8 +44,8 @@ class SkySampler {
     //! @throws Error if the sky is clear and its sun below the horizon.
     explicit SkySampler(const SkyRadiance& sky);
 
-    //! Returns a direction of travel (unit length, z up, never upwards) from
-    //! two numbers uniform in [0, 1).
+    //! Returns a direction of travel (unit length, z up, never upwards) for two
+    //! numbers uniform in [0, 1).
     glm::dvec3 sample(double u, double v) const;
 
     //! Returns the integral of relative_radiance() times cos z over the
@@ -52,7 +53,7 @@ class SkySampler {
     double horizontal_irradiance() const;
 
     //! Returns the radiance of light that travels in a direction, relative to a
-    //! uniform sky with equal irradiance of level ground.
+    //! uniform sky that gives level ground the same irradiance.
     double relative_brightness(const glm::dvec3& travel) const;
 
   private:

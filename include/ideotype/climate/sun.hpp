@@ -10,7 +10,7 @@
 
 namespace ideotype {
 
-//! A place on Earth and its clear-sky air.
+//! A location on Earth and its clear-sky atmosphere.
 struct Site {
     std::string name;
     double latitude = 0;         //!< north positive [deg]
@@ -18,7 +18,7 @@ struct Site {
     double utc_offset = 0;       //!< offset from UTC of the local clock [h]
     double elevation = 0;        //!< height above sea level [m]
     double linke_turbidity = 3;  //!< from 2, very clear, to 7, hazy [-]
-    std::string weather{};       //!< name of the weather file, if there is one
+    std::string weather{};       //!< name of the weather file, if any
 };
 
 //! A day of the Gregorian calendar.
@@ -30,7 +30,6 @@ struct Date {
     auto operator<=>(const Date&) const = default;
 };
 
-//! Converts a date to a day of the calendar of std::chrono.
 inline std::chrono::sys_days to_day(const Date& date) {
     return std::chrono::year{date.year} /
            std::chrono::month{static_cast<unsigned>(date.month)} /
@@ -75,11 +74,12 @@ double extraterrestrial_normal(const Date& date);
 Irradiance clear_sky(const Site& site, const Date& date,
                      const SunPosition& sun);
 
-//! Returns diffuse over global light of an hour from its clearness index, which
-//! is global over extraterrestrial horizontal irradiance (Erbs, Klein and
-//! Duffie 1982, doi:10.1016/0038-092X(82)90302-4). Limits are those of pvlib:
-//! the correlation uses a cosine of the zenith angle of at least 0.065 and an
-//! index of at most 1, and a sun lower than 3 deg has no beam.
+//! Returns the diffuse fraction of the global light in an hour from its
+//! clearness index, which is global over extraterrestrial horizontal irradiance
+//! (Erbs, Klein and Duffie 1982, doi:10.1016/0038-092X(82)90302-4). Limits are
+//! those of pvlib: the cosine of the zenith angle in the correlation is at
+//! least 0.065 and the index at most 1. Below a solar elevation of 3 deg all
+//! light is diffuse.
 //!
 //! @param global light on a horizontal plane [W m-2]
 //! @param extraterrestrial_normal irradiance of a plane that faces the sun [W
@@ -88,15 +88,16 @@ Irradiance clear_sky(const Site& site, const Date& date,
 double diffuse_fraction(double global, double extraterrestrial_normal,
                         double zenith);
 
-//! Returns PAR over all solar radiation. Clouds absorb more near infrared than
-//! PAR, so the share of PAR rises as the clearness index k falls: photons of
-//! PAR over solar energy are 1.832 - 0.191 ln k + 0.099 cos z [umol J-1] at the
-//! zenith angle z (Alados, Foyo-Moreno and Alados-Arboledas 1996, Agricultural
-//! and Forest Meteorology 78, 121-131, doi:10.1016/0168-1923(95)02245-7). The
-//! clearness index depends on the solar radiation, and so on the share: both
-//! equations are solved together. Cosine and index have the limits of
-//! diffuse_fraction(), and the index is at least 0.05. The share is therefore
-//! between 0.40 and 0.55, also at night.
+//! Returns the PAR fraction of solar radiation. Clouds absorb more near
+//! infrared than PAR, so this fraction rises as the clearness index k falls:
+//! photons of PAR over solar energy are 1.832 - 0.191 ln k + 0.099 cos z [umol
+//! J-1] at the zenith angle z (Alados, Foyo-Moreno and Alados-Arboledas 1996,
+//! Agricultural and Forest Meteorology 78, 121-131,
+//! doi:10.1016/0168-1923(95)02245-7). The clearness index depends on the solar
+//! radiation and therefore on the fraction: both equations are solved together.
+//! The cosine and the index are limited as in diffuse_fraction(), and the index
+//! is at least 0.05. The fraction is therefore between 0.40 and 0.55, also at
+//! night.
 //!
 //! @param par global PAR on a horizontal plane [W m-2]
 //! @param extraterrestrial_normal irradiance of a plane that faces the sun [W

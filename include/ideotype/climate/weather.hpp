@@ -10,13 +10,13 @@
 
 namespace ideotype {
 
-//! The first and the last day of a file to be used.
+//! The first and the last day to be used from a file.
 struct Period {
     Date from;
     Date to;
 };
 
-//! The moment of a time step that the time stamp of a row marks.
+//! The moment of a time step to which the time stamp of a row refers.
 enum class Stamp { beginning, middle, end };
 
 //! The order of year, month and day in dates: 2011-07-21, 07/21/2011 or
@@ -29,15 +29,15 @@ struct Column {
     std::string unit;
 };
 
-//! The columns of a CSV file by their meaning. Units of light: W/m2 of all
-//! solar radiation; its energy per time step as Wh/m2, kWh/m2, kJ/m2 or MJ/m2;
-//! or umol/m2/s of photons from 400 to 700 nm. Global light is required, or
-//! both beam and diffuse light.
+//! The columns of a CSV file by their meaning. Light is given in W/m2 of solar
+//! radiation, as energy per time step in Wh/m2, kWh/m2, kJ/m2 or MJ/m2, or in
+//! umol/m2/s of photons from 400 to 700 nm. Global light is required, or both
+//! beam and diffuse light.
 struct ColumnMap {
     //! The columns of time. One: date and time as in ISO 8601, with or without
     //! the offset from UTC. Two: date, time. Four or five: year, month, day,
-    //! hour, minute. None: the columns that `ideotype weather` writes, whose
-    //! stamps are the middles of steps.
+    //! hour, minute. None: the columns written by `ideotype weather`, with
+    //! stamps at the middle of steps.
     std::vector<std::string> time{};
     DateOrder date_order = DateOrder::year_month_day;
     //! Offset of the clock from UTC [h] if stamps do not contain it; by default
@@ -53,7 +53,7 @@ struct ColumnMap {
         beam_normal{};                //!< light on a plane that faces the sun
     std::optional<Column> diffuse{};  //!< light on a horizontal plane
     std::optional<Column>
-        diffuse_fraction{};  //!< part of the global light; in 1 or %
+        diffuse_fraction{};  //!< fraction of global light; in 1 or %
     //! Photons from 400 to 700 nm on a horizontal plane, used only for
     //! comparison with the global light.
     std::optional<Column> ppfd{};
@@ -74,52 +74,54 @@ struct WeatherRequest {
     double par_fraction = 0.45;  //!< PAR over all solar radiation
 };
 
-//! The weather of a period including nights, without gaps, and warnings about
-//! its file. A warning counts all findings of one kind and has the location of
-//! the first.
+//! The weather of a period, nights included, without gaps, and warnings about
+//! its file. One warning covers all findings of one kind, with their number and
+//! the location of the first.
 struct Weather {
-    //! The light, with hour and sun at the middle of each step; the offset from
-    //! UTC is that of the clock of dates.
+    //! The light, with hour and sun at the middle of each step. The offset from
+    //! UTC is that of the clock used for dates.
     LightSeries series;
     std::vector<Problem> warnings;
 };
 
 //! The description of a weather file that a campaign needs.
 struct WeatherDescription {
-    //! Columns of the file; without `time`: those of `ideotype weather`.
+    //! Columns of the file; without `time`, the columns written by `ideotype
+    //! weather`.
     ColumnMap columns;
     Period period;  //!< the first and the last whole day
 };
 
 //! Recognises the columns of a weather file by names and units such as "Date",
-//! "Time", "Solar rad (W/m2)" and "temp_c", the order of dates, and the period.
-//! Units are those of parse_weather(); a column of light or weather without a
-//! unit is omitted.
-//! @param site location with the clock that applies where stamps have no offset
+//! "Time", "Solar rad (W/m2)" and "temp_c", and determines the order of dates
+//! and the period. The units are those that parse_weather() accepts. Columns of
+//! light or weather without a unit are omitted.
+//! @param site location; its clock applies where stamps have no offset
 //! @throws InputError if no columns of time and light are recognised.
 WeatherDescription describe_weather(const std::string& text,
                                     const std::string& file, const Site& site);
 
 //! Parses a weather file for a site; the name of the file is for messages.
-//! Dates and hours are those of the file's clock, or of the site's clock if the
-//! file's is more than 3 hours off the mean sun of the site, as in files in
-//! UTC. Beam and diffuse light on the ground are:
+//! Dates and hours follow the file's clock. If that clock differs by more than
+//! 3 hours from mean solar time at the site, as in files in UTC, they follow
+//! the site's clock. Beam and diffuse light on the ground are:
 //!
-//! - diffuse light as given, or by the given fraction; the rest of the global
-//!   light is beam; without global light, the beam is the given beam times cos
+//! - diffuse light as given, or from the given fraction; the rest of global
+//!   light is beam. Without global light, the beam is the given beam times cos
 //!   z
-//! - without both, the diffuse fraction follows from the clearness index (Erbs
-//!   et al. 1982): see diffuse_fraction()
+//! - if neither is given, the diffuse fraction follows from the clearness index
+//!   (Erbs et al. 1982): see diffuse_fraction()
 //! - with the sun below the horizon all light is diffuse
 //! - a beam above the extraterrestrial one is capped, and the rest of global
 //!   light counts as diffuse
 //!
-//! PAR is par_fraction of solar radiation; near infrared is the rest. Where the
-//! global light, or else the beam, is given in photons, PAR follows from the
-//! photons and solar radiation from PAR: see par_share(). Near infrared has the
-//! diffuse fraction of PAR. Light slightly below 0, or unknown while the sun is
-//! down, is set to 0. Other unknown values are interpolated over up to 6 hours.
-//! A 29 February that the file omits stays omitted.
+//! PAR is par_fraction of solar radiation; near infrared is the rest. If the
+//! global light, or else the beam, is given in photons, PAR is computed from
+//! photons and solar radiation from PAR: see par_share(). The diffuse fraction
+//! of near infrared equals that of PAR. Light that is slightly below 0, or
+//! missing while the sun is down, is set to 0. Other missing values are
+//! interpolated over up to 6 hours. If the file omits 29 February, so does the
+//! result.
 //!
 //! @throws InputError for unreadable or implausible input: unknown columns and
 //! units, light that is missing by day, negative or above the extraterrestrial

@@ -6,8 +6,8 @@
 namespace ideotype {
 
 //! A bug in the program: a caller or a function has violated its contract. The
-//! type is not an Error, so that it is not mistaken for an error in the input.
-//! Thrown in a `noexcept` function, it ends the program with its message.
+//! type does not derive from Error, so it is not mistaken for an input error.
+//! If thrown in a `noexcept` function, it ends the program with its message.
 class ContractError : public std::logic_error {
   public:
     using std::logic_error::logic_error;

@@ -20,7 +20,7 @@ EnumName(const char*, Enum) -> EnumName<Enum>;
 template <class Enum>
 inline constexpr std::nullptr_t enum_names = nullptr;
 
-//! Returns the name of a value of an enumeration; "" if it has none.
+//! Returns the name of a value of an enumeration; "" if it is unnamed.
 template <class Enum>
 constexpr const char* name_of(Enum value) {
     for (const auto& entry : enum_names<Enum>)

@@ -33,22 +33,22 @@ class Error : public std::runtime_error {
     ExitCode exit_code_;
 };
 
-//! Returns the message of an exception, in plain words for types without one.
+//! Returns the message of an exception, or plain words for types without a
+//! message.
 std::string describe_exception(const std::exception& error);
 
-//! A location in a text file; line and column count from 1, and 0 means
-//! unknown.
+//! A location in a text file. Lines and columns count from 1; 0 means unknown.
 struct Location {
     std::string file;
     int line = 0;
     int column = 0;
 };
 
-//! The kinds of problems, for programs that handle them.
+//! The kinds of problems, for programs that process them.
 enum class ProblemCode {
-    syntax,         //!< a text that is not TOML, or not a setting
-    file,           //!< a file that cannot be read, or of another kind
-    data,           //!< a fault inside a table of weather or a mesh
+    syntax,         //!< a text that is not TOML, or not a valid setting
+    file,           //!< a file that is unreadable or of the wrong kind
+    data,           //!< an error inside a weather table or a mesh
     unknown_key,    //!< a key or a table that would be ignored
     missing,        //!< a required key, table or entry
     wrong_type,     //!< a value of another type or length
@@ -73,7 +73,7 @@ inline constexpr std::array enum_names<ProblemCode>{
     EnumName{"contradiction", ProblemCode::contradiction},
     EnumName{"doubt", ProblemCode::doubt}};
 
-//! One fault of an input file.
+//! One error in an input file.
 struct Problem {
     Location where;
     std::string key;  //!< path of its key, such as "spacing.row"; "" if none
@@ -84,8 +84,8 @@ struct Problem {
 //! Formats a problem as `file:line:column: what`.
 std::string to_string(const Problem& problem);
 
-//! Shortens texts between double quotes, and words that are not paths, to some
-//! 80 characters: texts of users may have megabytes.
+//! Shortens quoted texts, and words that are not paths, to about 80 characters,
+//! because user input may contain megabytes.
 std::string shorten_quotes(const std::string& message);
 
 //! All problems of an input, found in one pass, in the order of the text.

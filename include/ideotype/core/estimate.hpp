@@ -14,7 +14,8 @@ struct Estimate {
     double standard_error = 0;
 };
 
-//! Half of a 95 % confidence interval of a normal variable, in standard errors.
+//! Half-width of the 95 % confidence interval of a normal variable, in standard
+//! errors.
 inline constexpr double normal_95 = 1.96;
 
 //! Returns the mean of values; NaN if there are none.
@@ -31,8 +32,8 @@ struct Randomisations {
 };
 
 //! Returns b - a. If both share their randomisations, the error is the paired
-//! standard error over randomisations, otherwise that of independent estimates,
-//! which can only be too large.
+//! standard error over randomisations. Otherwise it is the error for
+//! independent estimates, which overestimates it at most.
 Estimate difference(const Randomisations& a, const Randomisations& b);
 
 //! Returns the gain 100 (b / a - 1) [%], with the standard error of the ratio
@@ -44,8 +45,8 @@ inline Estimate scaled(Estimate x, double a) {
     return {a * x.mean, (a < 0 ? -a : a) * x.standard_error};
 }
 
-//! Returns a part of the incident light relative to all of it; 0 without
-//! incident light.
+//! Returns a part of the incident light relative to the incident light; 0 if
+//! that is 0.
 template <class Light>
 Light fraction_of(Light part, double incident) {
     IDEOTYPE_EXPECT(!(incident < 0));

@@ -25,16 +25,16 @@ struct FileText {
     std::string refusal(const std::string& path) const;
 };
 
-//! Largest accepted size of campaign, plant and crop files, which usually have
-//! some kilobytes [bytes].
+//! Largest accepted size of campaign, plant and crop files, which usually take
+//! a few kilobytes [bytes].
 inline constexpr std::uintmax_t most_input_bytes = 16U << 20U;
 
-//! Largest accepted size of weather and mesh files, which may have years and
+//! Largest accepted size of weather and mesh files, which may cover years or
 //! millions of faces [bytes].
 inline constexpr std::uintmax_t most_data_bytes = 1U << 30U;
 
-//! Reads a regular file up to a size [bytes]. Other files are refused, since
-//! reading a pipe may wait and a device may never end.
+//! Reads a regular file up to a size [bytes]. Other files are refused: reading
+//! a pipe may block and a device may never end.
 FileText read_file(const std::string& path, std::uintmax_t limit);
 
 }  // namespace ideotype

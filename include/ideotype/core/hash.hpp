@@ -13,7 +13,7 @@ namespace ideotype {
 //! Returns the SHA-256 of the bytes of a text, as 64 hexadecimal digits.
 std::string sha256(std::string_view text);
 
-//! Computes the SHA-256 of bytes that arrive in parts.
+//! Computes the SHA-256 of bytes that are supplied in parts.
 class Sha256 {
   public:
     Sha256();

@@ -12,12 +12,12 @@ namespace ideotype {
 
 //! Identifies the part of a plant or object that a surface belongs to.
 struct SurfaceId {
-    //! Number of the component in the scene; fixed objects follow the
-    //! components.
+    //! Number of the component in the scene. Numbers of fixed objects follow
+    //! those of components.
     std::uint32_t component = 0;
-    //! Number of the organ: 0 for leaves, others count from 1.
+    //! Number of the organ: 0 for leaves, from 1 for other organs.
     std::uint32_t organ = 0;
-    //! Rank of the leaf from the lowest, 1; 0 if unknown.
+    //! Rank of the leaf, 1 for the lowest; 0 if unknown.
     std::uint32_t rank = 0;
     //! Part of the organ, such as a face; 0 for the whole organ.
     std::uint32_t part = 0;
@@ -29,22 +29,23 @@ struct SurfaceId {
     bool is_object() const { return organ == object; }
 };
 
-//! Faces with a common sum of light, for example all leaves of one rank.
+//! A set of faces with a common sum of light, for example all leaves of one
+//! rank.
 struct Group {
     std::string name;  //!< for people only, never parsed
     SurfaceId id{};
     std::uint32_t material = 0;  //!< index into Optics::materials
-    //! Number of the pose of a surface that moves with the sun, lit only by
-    //! sources of this pose; 0 for fixed surfaces.
+    //! Orientation index of a surface that moves with the sun; only light
+    //! sources with the same index reach the surface. 0 for fixed surfaces.
     std::uint32_t pose = 0;
     bool is_green = false;  //!< whether an organ other than a leaf assimilates
 
-    //! Returns whether the surface assimilates, if plants of its component do.
+    //! Returns whether the surface assimilates if the component does.
     bool assimilates() const { return id.is_leaf() || is_green; }
 };
 
-//! Surfaces as quadrilaterals with vertices in [m], z up. The last vertex of a
-//! triangle is repeated.
+//! Surfaces as quadrilaterals with vertices in [m], z up. Triangles repeat
+//! their last vertex.
 struct Mesh {
     std::vector<glm::dvec3> vertices;
     std::vector<std::array<std::uint32_t, 4>> faces;

@@ -10,7 +10,7 @@
 namespace ideotype {
 
 //! Interpolates linearly between points: position 0 is the first point, 1 the
-//! second. Beyond the last point its value holds.
+//! second. Positions beyond the last point return its value.
 //! @param points at least one
 //! @param position not negative
 inline double value_between(std::span<const double> points, double position) {

@@ -8,7 +8,8 @@
 
 namespace ideotype {
 
-//! The entries of an axis: numbers in its unit, whole numbers or names.
+//! The entries of an axis: numbers in the unit of the axis, whole numbers or
+//! names.
 using Coordinates = std::variant<std::vector<double>, std::vector<std::int64_t>,
                                  std::vector<std::string>>;
 
@@ -42,7 +43,8 @@ struct Quantity {
     std::vector<std::string> axes{};
     //! Exact quantities have no standard error.
     Certainty certainty = Certainty::estimated;
-    //! Names that the values number, from 1; none: the values are measures.
+    //! Names that the values refer to by number, from 1. Empty: the values are
+    //! measurements.
     std::vector<std::string> names{};
 };
 
@@ -64,7 +66,7 @@ struct QuantitySet {
     std::size_t size() const;
 
     //! Returns the index of the first value of a quantity among the values of
-    //! all quantities. @throws std::out_of_range if there is none of this name.
+    //! all quantities. @throws std::out_of_range if no quantity has this name.
     std::size_t offset(const std::string& name) const;
 };
 

@@ -8,8 +8,7 @@
 
 namespace ideotype {
 
-//! The purposes of random numbers; streams of different purposes are
-//! independent.
+//! The purposes of random numbers; different purposes use independent streams.
 enum class Purpose : std::uint32_t {
     initial_population = 1,
     selection = 2,
@@ -34,11 +33,11 @@ enum class Purpose : std::uint32_t {
 struct Randomness {
     std::uint64_t seed = 0;
     std::uint32_t generation = 0;
-    //! Number of the first randomisation. Further ones count up and have
-    //! independent random numbers.
+    //! Number of the first randomisation. The following randomisations count up
+    //! from it and use independent random numbers.
     std::uint32_t first_randomisation = 0;
-    //! Whether all generations and randomisations have common fields, so that
-    //! rows with different light paths have the same plants.
+    //! Whether all generations and randomisations use common fields, so that
+    //! rows with different light paths share their plants.
     bool has_common_fields = false;
 };
 
@@ -47,8 +46,8 @@ struct Randomness {
 std::array<std::uint32_t, 4> philox4x32(std::array<std::uint32_t, 4> counter,
                                         std::array<std::uint32_t, 2> key);
 
-//! A sequence of random numbers, a pure function of its key: seed, purpose,
-//! generation and slot. Equal keys give equal numbers on any rank.
+//! A sequence of random numbers, a pure function of seed, purpose, generation
+//! and slot. Equal arguments give equal numbers on any rank.
 class RandomStream {
   public:
     RandomStream(std::uint64_t seed, Purpose purpose,

@@ -11,9 +11,9 @@
 namespace ideotype {
 
 //! A coroutine that returns a Result and pauses until awaited events occur. It
-//! begins with start(), or when another routine awaits it, which then resumes
-//! after its end. All routines share one thread. Arguments by reference must
-//! outlive the routine.
+//! begins with start(), or when another routine awaits it; that routine resumes
+//! after this one ends. All routines share one thread. Arguments by reference
+//! must outlive the routine.
 template <class Result>
 class [[nodiscard]] Routine {
   public:
@@ -26,8 +26,8 @@ class [[nodiscard]] Routine {
         std::swap(handle_, other.handle_);
         return *this;
     }
-    //! Ends the routine; a paused one unwinds from its pause, as by an
-    //! exception.
+    //! Destroys the routine. A paused routine is unwound from its pause, as by
+    //! an exception.
     ~Routine() {
         if (handle_) handle_.destroy();
     }
@@ -43,8 +43,8 @@ class [[nodiscard]] Routine {
         return handle_.done();
     }
 
-    //! Returns the result of an ended routine, or rethrows its exception. Call
-    //! it once.
+    //! Returns the result of a routine that has ended, or rethrows its
+    //! exception. Call it once.
     Result result() {
         IDEOTYPE_EXPECT(handle_ && handle_.done());
         promise_type& promise = handle_.promise();
@@ -66,7 +66,7 @@ class [[nodiscard]] Routine {
     Handle handle_;
 };
 
-//! The functions by which the compiler builds a Routine.
+//! The functions from which the compiler builds a Routine.
 template <class Result>
 struct Routine<Result>::promise_type {
     //! Resumes the routine that awaits this one when this one ends.

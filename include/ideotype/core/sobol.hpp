@@ -13,8 +13,8 @@ namespace ideotype {
 //! The number of dimensions of the Sobol' sequence.
 inline constexpr std::size_t sobol_dimensions = 337;
 
-//! The direction numbers of one dimension: bit i of an index, lowest first,
-//! contributes entry i to the coordinate, by exclusive or.
+//! The direction numbers of one dimension. If bit i of an index is set, counted
+//! from the lowest, entry i is combined into the coordinate by exclusive or.
 using SobolDirections = std::array<std::uint32_t, 32>;
 
 //! The direction numbers of each dimension, from Joe and Kuo (2008,
@@ -45,7 +45,7 @@ constexpr std::uint32_t reversed(std::uint32_t x) {
 //! doi:10.1007/978-1-4612-2552-2_19; Laine and Karras 2011,
 //! doi:10.1111/j.1467-8659.2011.02000.x; constants of Vegdahl 2021).
 constexpr std::uint32_t scrambled(std::uint32_t x, std::uint32_t seed) {
-    // In each step a bit affects only higher bits. On reversed bits these are
+    // In each step a bit affects only higher bits. After the reversal these are
     // the lower bits, as nested scrambling requires.
     x = reversed(x);
     x ^= x * 0x3D20ADEAu;

@@ -6,10 +6,10 @@
 
 namespace ideotype {
 
-//! Turns SIGINT, SIGTERM and SIGUSR1 into a request to stop after the work in
-//! flight. A second SIGINT ends the process at once. Signal handlers belong to
+//! Turns SIGINT, SIGTERM and SIGUSR1 into a request to stop after the current
+//! work. A second SIGINT ends the process at once. Signal handlers belong to
 //! the process, so only one StopFlag may exist at a time. Its destructor
-//! restores the former handlers.
+//! restores the previous handlers.
 class StopFlag {
   public:
     StopFlag();
@@ -24,8 +24,8 @@ class StopFlag {
     //! Requests a stop, as a signal would.
     void request();
 
-    //! Requests a stop after a time [s], independent of changes of the system
-    //! clock.
+    //! Requests a stop after a time [s]. Changes of the system clock have no
+    //! effect.
     void request_after(double seconds);
 
     //! Returns the signal that arrived first, or 0 if none did.

@@ -11,25 +11,24 @@
 
 namespace ideotype {
 
-//! Cuts a text to a number of bytes, between two UTF-8 characters.
+//! Cuts a text to a number of bytes without splitting a UTF-8 character.
 std::string first_bytes(const std::string& text, std::size_t size);
 
-//! Counts the characters of a UTF-8 text, each of which takes one column of a
-//! terminal.
+//! Counts the characters of a UTF-8 text, assuming one terminal column each.
 std::size_t count_columns(std::string_view text);
 
-//! Makes a text of unknown origin safe for one line of a terminal: control
-//! characters, and bytes that are not UTF-8, are replaced by a backslash, an x
-//! and two hexadecimal digits.
+//! Makes a text of unknown origin safe to print in one line of a terminal:
+//! replaces control characters, and bytes that are not UTF-8, by a backslash,
+//! an x and two hexadecimal digits.
 std::string printable(const std::string& text);
 
-//! Makes a text safe like printable(), but keeps its lines and tabs.
+//! Makes a text safe as printable() does, but keeps line breaks and tabs.
 std::string printable_lines(const std::string& text);
 
 //! An entry in a line of a table.
 struct CsvField {
     std::string_view text;  //!< entry without surrounding blanks and quotes
-    int column = 0;         //!< position of its first character, from 1
+    int column = 0;  //!< position of the first character of the entry, from 1
 };
 
 //! Splits a text into lines, without the characters that end them.
@@ -38,7 +37,8 @@ std::vector<std::string_view> split_lines(std::string_view text);
 //! Splits a line at commas outside quotes.
 std::vector<CsvField> split_fields(std::string_view line);
 
-//! Parses a text as a number; returns nothing if it contains anything else.
+//! Parses a text as a number; returns nothing if the text contains anything
+//! else.
 std::optional<double> parse_number(std::string_view text);
 
 //! Reads a text from left to right. Each function removes a match from the
@@ -50,7 +50,7 @@ class Scanner {
     std::string_view rest() const { return text_; }
     bool is_at_end() const { return text_.empty(); }
 
-    //! Takes the next character if it is one of those given.
+    //! Takes the next character if it is one of `characters`.
     bool take(std::string_view characters) {
         if (text_.empty() || characters.find(text_.front()) == characters.npos)
             return false;
@@ -58,7 +58,7 @@ class Scanner {
         return true;
     }
 
-    //! Takes the next digits if there are at least and at most so many.
+    //! Takes the next digits if their number is within the given limits.
     //! @returns the digits as written
     std::optional<std::string_view> digits(std::size_t fewest,
                                            std::size_t limit) {
@@ -71,7 +71,7 @@ class Scanner {
         return run;
     }
 
-    //! Takes a whole number with at least and at most so many digits.
+    //! Takes a whole number if its number of digits is within the given limits.
     std::optional<int> number(std::size_t fewest, std::size_t limit) {
         IDEOTYPE_EXPECT(limit <= 9);
         const auto run = digits(fewest, limit);

@@ -7,9 +7,9 @@ namespace ideotype {
 
 //! The identity of the build, which every history records.
 struct BuildInfo {
-    //! The version: "0.1.1" for a release; between releases that of the last
-    //! one with the commit, "0.1.1+0123456789ab", followed by "-dirty" if
-    //! sources differ from the commit.
+    //! The version. For a release: "0.1.1". Between releases: the last release
+    //! and the commit, "0.1.1+0123456789ab", followed by "-dirty" if sources
+    //! differ from the commit.
     std::string version;
     std::string git_sha;    //!< commit, or "unknown" outside git
     std::string git_dirty;  //!< "yes", "no" or "unknown"
